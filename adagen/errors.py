@@ -1,0 +1,60 @@
+"""What can go wrong, by whose fault it is, and the exit status that says so."""
+
+from __future__ import annotations
+
+
+class AdagenError(Exception):
+    """A failure that a person can act on: one line of text and an exit status.
+
+    Attributes:
+        status: process exit status (1 the input, 2 the usage, 3 the environment).
+    """
+
+    status = 3
+
+
+class InputError(AdagenError):
+    """The input is at fault; shown as ``file:line: error: message``.
+
+    Args:
+        message: what is wrong and what to do about it, in one line.
+        file: the file at fault, if one is known.
+        line: the line in that file, counted from 1.
+    """
+
+    status = 1
+
+    def __init__(self, message: str, file: str | None = None, line: int | None = None) -> None:
+        super().__init__(message)
+        self.message = message
+        self.file = file
+        self.line = line
+
+    def __str__(self) -> str:
+        place = "" if self.file is None else f"{printable(self.file)}:"
+        if place and self.line is not None:
+            place += f"{self.line}:"
+        return f"{place}{' ' if place else ''}error: {printable(self.message)}"
+
+
+class UsageError(AdagenError):
+    """The command line is at fault."""
+
+    status = 2
+
+    def __str__(self) -> str:
+        return f"error: {super().__str__()}"
+
+
+class EnvironmentFault(AdagenError):
+    """The tool itself or its surroundings failed: no compiler, no MPI, a process that died."""
+
+    status = 3
+
+    def __str__(self) -> str:
+        return f"error: {super().__str__()}"
+
+
+def printable(text: str) -> str:
+    """Return text in one line without control characters (names in a URDF are hostile data)."""
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)

@@ -1,0 +1,44 @@
+"""Link frames turned so that every joint axis is z."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from adagen.exact import exact, identity, rotated_inertia, rotation_taking_z_to, rounded
+from adagen.model.model import Inertia, Model
+
+
+def canonical(model: Model) -> Model:
+    """Return the same robot with each joint frame and child link frame turned to have axis z.
+
+    Joint coordinates, velocities and torques keep their meaning: those of a revolute or prismatic
+    joint are scalars, those of a planar joint are told in the turned frame by definition, and the
+    frames of other kinds are left alone. The gain: S and N of every joint are selections of rows.
+    """
+    turn = [identity(3)] + [
+        rotation_taking_z_to(joint.axis) if joint.kind.has_axis else identity(3)
+        for joint in model.joints
+    ]
+    links = [model.links[0]]
+    joints = []
+    for j, joint in enumerate(model.joints):
+        at_parent, own = turn[joint.parent].T, turn[j + 1]
+        inertia = model.links[j + 1].inertia
+        com = own.T.dot(exact(inertia.com))
+        tensor = rotated_inertia(own.T, exact(inertia.tensor))
+        joints.append(
+            replace(
+                joint,
+                rotation=rounded(at_parent.dot(exact(joint.rotation)).dot(own)),
+                translation=rounded(at_parent.dot(exact(joint.translation))),
+                axis=np.array([0.0, 0.0, 1.0]),
+            )
+        )
+        links.append(
+            replace(
+                model.links[j + 1], inertia=Inertia(inertia.mass, rounded(com), rounded(tensor))
+            )
+        )
+    return replace(model, links=tuple(links), joints=tuple(joints))

@@ -1,0 +1,136 @@
+"""Plain data: a robot as a tree of rigid links and joints."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import accumulate
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.model.kinds import JointKind
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Inertia:
+    """Mass distribution of a rigid link.
+
+    Attributes:
+        mass: kg.
+        com: centre of mass in link coordinates, shape (3,), m.
+        tensor: rotational inertia about the centre of mass in link axes, shape (3, 3), kg m^2.
+    """
+
+    mass: float
+    com: Array
+    tensor: Array
+
+    @staticmethod
+    def zero() -> Inertia:
+        """Return the inertia of a link without mass."""
+        return Inertia(0.0, np.zeros(3), np.zeros((3, 3)))
+
+
+@dataclass(frozen=True, eq=False)
+class Link:
+    """A rigid link.
+
+    Attributes:
+        name: its name in the robot description.
+        inertia: of the link and all that is fixed to it.
+        merged: names of the links that fixed joints hold to it.
+    """
+
+    name: str
+    inertia: Inertia
+    merged: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Mimic:
+    """q of a joint as multiplier * q[source] + offset, source being a joint's index."""
+
+    source: int
+    multiplier: float
+    offset: float
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """A joint between ``parent`` and the link whose index is one more than the joint's.
+
+    Attributes:
+        name: its name in the robot description.
+        kind: its kind.
+        parent: index of the parent link; 0 is the ground.
+        rotation: of the joint frame in the parent link's frame, shape (3, 3).
+        translation: origin of the joint frame in the parent link's frame, shape (3,), m.
+        axis: unit vector in the joint frame, shape (3,): axis of a revolute or prismatic joint,
+            normal of a planar one, (0, 0, 1) otherwise. At q = 0 the child link's frame is the
+            joint frame.
+        mimic: set where the joint is slaved to another one.
+    """
+
+    name: str
+    kind: JointKind
+    parent: int
+    rotation: Array
+    translation: Array
+    axis: Array
+    mimic: Mimic | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """A robot: joint j joins links[joints[j].parent] to links[j + 1]; links[0] is the ground.
+
+    Joints are in depth-first order (siblings by name), so that parents come before children.
+
+    Attributes:
+        name: the robot's name.
+        links: N + 1 links, the ground first; the ground's inertia plays no part.
+        joints: N joints.
+        gravity: acceleration of free fall in ground coordinates, shape (3,), m/s^2.
+        floating: whether joint 0 is the floating base ``__base__`` that the user asked for.
+    """
+
+    name: str
+    links: tuple[Link, ...]
+    joints: tuple[Joint, ...]
+    gravity: Array = field(default_factory=lambda: np.array([0.0, 0.0, -9.81]))
+    floating: bool = False
+
+    @cached_property
+    def nq(self) -> int:
+        """Numbers in a configuration."""
+        return sum(joint.kind.nq for joint in self.joints)
+
+    @cached_property
+    def nv(self) -> int:
+        """Degrees of freedom (a slaved joint counts its own)."""
+        return sum(joint.kind.nv for joint in self.joints)
+
+    @cached_property
+    def q_start(self) -> tuple[int, ...]:
+        """Where each joint's configuration starts in q; length N."""
+        return tuple(accumulate((j.kind.nq for j in self.joints), initial=0))[:-1]
+
+    @cached_property
+    def v_start(self) -> tuple[int, ...]:
+        """Where each joint's velocity starts in v; length N."""
+        return tuple(accumulate((j.kind.nv for j in self.joints), initial=0))[:-1]
+
+    @cached_property
+    def children(self) -> tuple[tuple[int, ...], ...]:
+        """For each link the joints that it is the parent of, ascending; length N + 1."""
+        below: list[list[int]] = [[] for _ in self.links]
+        for j, joint in enumerate(self.joints):
+            below[joint.parent].append(j)
+        return tuple(tuple(joints) for joints in below)
+
+    def with_gravity(self, gravity: Array) -> Model:
+        """Return the same robot under another gravity, shape (3,), m/s^2."""
+        return replace(self, gravity=np.asarray(gravity, dtype=np.float64))
