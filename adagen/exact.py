@@ -75,7 +75,7 @@ def rotation_taking_z_to(axis: Sequence[float]) -> Exact:
     """Return a rotation whose third column is the unit vector along ``axis`` (length 3, not zero).
 
     An axis along a coordinate axis gives a signed permutation, so that nothing is rounded; any
-    other axis gives the rotation of least angle from z.
+    other axis gives the rotation of least angle from z (from -z, flipped, where it points down).
     """
     a = [float(x) for x in axis]
     nonzero = [k for k in range(3) if a[k] != 0.0]
@@ -98,7 +98,7 @@ def rotation_taking_z_to(axis: Sequence[float]) -> Exact:
         )
     k = 1 / (1 - z)
     return np.array(
-        [[1 - k * x * x, k * x * y, x], [-k * x * y, k * y * y - 1, y], [-x, y, z]], dtype=object
+        [[1 - k * x * x, k * x * y, x], [-k * x * y, k * y * y - 1, y], [x, -y, z]], dtype=object
     )
 
 
