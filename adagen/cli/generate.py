@@ -1,0 +1,57 @@
+"""``adagen MODEL --procs P``: from a robot description to C++/MPI, ready for make."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from adagen.cli.console import Stages, note
+from adagen.cli.options import add_emission, add_model, add_schedule, make_parser
+
+_DESCRIPTION = """\
+Compile a robot description into one C++/MPI source file for P processes that computes its
+forward dynamics: from positions, velocities and joint torques to joint accelerations."""
+
+_EPILOG = """\
+other commands (each has a --help of its own):
+  adagen schedule MODEL --procs P                  what runs where, and what it should cost
+  adagen solve MODEL --procs P --states FILE       generate, build and run for given states
+  adagen env                                       the compiler, MPI and Eigen in use
+
+examples:
+  adagen robot.urdf --procs 4 --out robot_solver   write the solver for 4 processes
+  make -C robot_solver check time                  build it, check its answers, time it
+  adagen humanoid.urdf --procs 2 --floating        a robot that stands on nothing
+
+exit status: 0 done, 1 the input is at fault, 2 usage, 3 the tool or its surroundings."""
+
+
+def run(argv: Sequence[str]) -> int:
+    """Carry out ``adagen MODEL`` with the given arguments; return the exit status."""
+    parser = make_parser("adagen", _DESCRIPTION, _EPILOG)
+    add_model(parser)
+    add_schedule(parser)
+    add_emission(parser)
+    parser.add_argument(
+        "--out", type=Path, default=Path(), metavar="DIR", help="where to write (default: here)"
+    )
+    parser.add_argument("--name", help="name of the files (default: the robot's)")
+    options = parser.parse_args(argv)
+
+    from adagen.cli import pipeline
+    from adagen.cli.files import write_files
+
+    stages = Stages()
+    try:
+        model = pipeline.read_model(options, stages, options.gravity)
+        made = pipeline.generate(model, options, stages)
+        with stages.stage("write"):
+            write_files(options.out, made.files)
+    finally:
+        if options.verbose:
+            note(str(stages))
+    note(
+        f"wrote {', '.join(str(options.out / name) for name in sorted(made.files))}; "
+        f"{pipeline.prediction(made.schedule)}"
+    )
+    return 0

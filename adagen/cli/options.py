@@ -1,0 +1,130 @@
+"""The options that subcommands share, and a parser that fails in one line."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from typing import NoReturn
+
+from adagen import __version__
+from adagen.errors import UsageError, printable
+
+MAX_PROCESSES = 4096
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser whose complaints are ``error:`` lines with status 2."""
+
+    def error(self, message: str) -> NoReturn:
+        """Raise the complaint with where to read on."""
+        raise UsageError(f"{printable(message)}; see {self.prog} --help")
+
+
+def make_parser(prog: str, description: str, epilog: str) -> Parser:
+    """Return a parser with help in the shape that all subcommands have."""
+    parser = Parser(
+        prog=prog,
+        description=description,
+        epilog=epilog,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action="version", version=f"adagen {__version__}")
+    parser.add_argument(
+        "-v",
+        dest="verbose",
+        action="count",
+        default=0,
+        help="say how long each stage took and what was ignored (-vv: tracebacks too)",
+    )
+    return parser
+
+
+def add_model(parser: argparse.ArgumentParser, *, gravity: bool = True) -> None:
+    """Add the robot and how to read it."""
+    parser.add_argument("model", metavar="MODEL", help="robot description (URDF)")
+    parser.add_argument(
+        "--floating", action="store_true", help="put the robot on a floating base (__base__)"
+    )
+    parser.add_argument(
+        "--mimic", action="store_true", help="slave mimic joints instead of leaving them free"
+    )
+    if gravity:
+        parser.add_argument(
+            "--gravity",
+            nargs=3,
+            type=_finite,
+            metavar=("X", "Y", "Z"),
+            help="m/s^2 in ground axes (default: 0 0 -9.81)",
+        )
+
+
+def add_schedule(parser: argparse.ArgumentParser) -> None:
+    """Add the number of processes and how the schedule is searched."""
+    parser.add_argument(
+        "--procs", type=_processes, required=True, metavar="P", help="number of processes, >= 1"
+    )
+    parser.add_argument(
+        "--profile",
+        default="default",
+        metavar="NAME|FILE",
+        help="what operations cost: a shipped profile (default, paper) or a TOML file",
+    )
+    parser.add_argument(
+        "--tie",
+        choices=("work", "lex"),
+        default="work",
+        help="among equally fast schedules: least work (default) or the paper's first",
+    )
+    parser.add_argument(
+        "--strategy",
+        choices=("improved", "naive"),
+        default="improved",
+        help="how A* enumerates successors (the paper's two NextNodes)",
+    )
+
+
+def add_emission(parser: argparse.ArgumentParser) -> None:
+    """Add how the code is shaped."""
+    parser.add_argument(
+        "--form", choices=("ada",), default="ada", help="form of the algorithm (default: ada)"
+    )
+    parser.add_argument(
+        "--shape", choices=("auto",), default="auto", help="shape of the code (default: auto)"
+    )
+    parser.add_argument(
+        "--scalar", choices=("double",), default="double", help="number type (default: double)"
+    )
+    parser.add_argument(
+        "--channel",
+        choices=("auto", "window", "message"),
+        default="auto",
+        help="between processes: shared window on one node and messages elsewhere (auto), or "
+        "one of them",
+    )
+
+
+def seconds(text: str) -> float:
+    """Return a time limit in s, above 0."""
+    value = _finite(text)
+    if value <= 0:
+        raise argparse.ArgumentTypeError(f"must be more than 0 s, not {text}")
+    return value
+
+
+def _finite(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"not a number: {text!r}") from None
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"not a finite number: {text!r}")
+    return value
+
+
+def _processes(text: str) -> int:
+    if not (text.isascii() and text.isdigit()) or not 1 <= int(text[:9]) <= MAX_PROCESSES:
+        raise argparse.ArgumentTypeError(
+            f"must be a whole number from 1 to {MAX_PROCESSES}, not {text!r}"
+        )
+    return int(text)

@@ -1,0 +1,132 @@
+"""The stages one after another, timed, as the subcommands share them."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from adagen.cli.console import Stages, note, progress, warn
+from adagen.errors import InputError
+
+if TYPE_CHECKING:
+    from adagen.model import Model
+    from adagen.plan import Plan
+    from adagen.schedule import Schedule
+
+
+@dataclass(frozen=True)
+class Generated:
+    """What one run of the compiler made.
+
+    Attributes:
+        schedule: the schedule.
+        plan: the plan.
+        files: file name to text: source, plan, drawing and Makefile.
+    """
+
+    schedule: Schedule
+    plan: Plan
+    files: dict[str, str]
+
+    @property
+    def source(self) -> tuple[str, str]:
+        """File name and text of the C++ source."""
+        return next((name, text) for name, text in self.files.items() if name.endswith(".cpp"))
+
+
+def read_model(
+    options: argparse.Namespace, stages: Stages, gravity: Sequence[float] | None
+) -> Model:
+    """Return the robot that the options name, with warnings on stderr.
+
+    Raises:
+        InputError: the robot description is refused.
+    """
+    with stages.stage("read"), progress(f"reading {options.model}"):
+        from adagen.urdf import read_robot
+
+        reading = read_robot(
+            options.model,
+            floating=options.floating,
+            mimic=options.mimic,
+            **({} if gravity is None else {"gravity": np.array(gravity, dtype=np.float64)}),
+        )
+    for warning in reading.warnings:
+        warn(warning)
+    if options.verbose:
+        for ignored in reading.ignored:
+            note(f"note: not modelled: {ignored}")
+    return reading.model
+
+
+def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) -> Schedule:
+    """Return the schedule of a robot under the options.
+
+    Raises:
+        InputError: the profile or the schedule file is refused.
+    """
+    with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
+        from adagen.schedule import Topology, find_schedule, load_profile
+
+        return find_schedule(
+            Topology.of(model),
+            options.procs,
+            profile=load_profile(options.profile),
+            tie=options.tie,
+            strategy=options.strategy,
+        )
+
+
+def draw(schedule: Schedule, model: Model) -> str:
+    """Return a schedule drawn as SVG."""
+    from adagen.schedule import Topology
+    from adagen.schedule.draw import schedule_svg
+
+    title = f"{model.name}, {schedule.processes} process{'es' if schedule.processes > 1 else ''}"
+    return schedule_svg(schedule, Topology.of(model), title)
+
+
+def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Generated:
+    """Return all that is emitted for a robot under the options; nothing is written.
+
+    Raises:
+        InputError: the robot cannot be treated in this form.
+    """
+    if options.name is not None:
+        model = replace(model, name=options.name)
+    schedule = schedule_model(model, options, stages)
+    with stages.stage("plan"), progress("planning"):
+        from adagen.plan import make_plan
+
+        plan = make_plan(
+            model,
+            schedule,
+            form=options.form,
+            scalar=options.scalar,
+            channel=options.channel,
+            source_hash=_hash(Path(options.model)),
+        )
+    with stages.stage("emit"), progress("emitting"):
+        from adagen.emit import emit
+
+        files = emit(plan, svg=draw(schedule, model))
+    return Generated(schedule, plan, files)
+
+
+def prediction(schedule: Schedule) -> str:
+    """Return in a few words what a schedule is predicted to cost."""
+    proof = "optimal" if schedule.verdict == "optimal" else f"within {schedule.gap:.1%} of optimal"
+    return f"{schedule.makespan:.2f} us predicted ({schedule.profile} profile, {proof})"
+
+
+def _hash(path: Path) -> str:
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest()
+    except OSError as error:
+        raise InputError(f"cannot read it: {error.strerror}", str(path)) from None

@@ -1,0 +1,114 @@
+"""``adagen solve``: joint accelerations for given states, from a robot description in one go."""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from adagen.cli.console import Stages, note, progress
+from adagen.cli.options import add_emission, add_model, add_schedule, make_parser, seconds
+from adagen.errors import EnvironmentFault
+
+if TYPE_CHECKING:
+    from adagen.build import Toolchain
+    from adagen.cli.pipeline import Generated
+
+_EPILOG = """\
+The states file is JSON: {"floating": false, "gravity": [0, 0, -9.81],
+"joints": {NAME: {"q": [...], "v": [...], "tau": [...]}}}, one entry per state in each list (a
+number for one degree of freedom, a list for more; the floating base is called "__base__"). The
+result is {"joints": {NAME: {"qdd": [...]}}}.
+
+examples:
+  adagen solve robot.urdf --procs 2 --states states.json --result result.json
+  adagen solve robot.urdf --procs 4 --states states.json | python -m json.tool"""
+
+
+def run(argv: Sequence[str]) -> int:
+    """Carry out ``adagen solve`` with the arguments after the verb; return the exit status."""
+    parser = make_parser(
+        "adagen solve", "Compute joint accelerations for the states in a file.", _EPILOG
+    )
+    add_model(parser, gravity=False)
+    add_schedule(parser)
+    add_emission(parser)
+    parser.add_argument(
+        "--states", type=Path, required=True, metavar="FILE", help="states to solve for (JSON)"
+    )
+    parser.add_argument(
+        "--result", type=Path, metavar="FILE", help="where to write (default: standard output)"
+    )
+    parser.add_argument(
+        "--timeout",
+        type=seconds,
+        default=600.0,
+        metavar="S",
+        help="end a run that takes longer (default: 600 s)",
+    )
+    options = parser.parse_args(argv)
+    options.name = None
+    stages = Stages()
+    try:
+        return _solve(options, stages)
+    finally:
+        if options.verbose:
+            note(str(stages))
+
+
+def _solve(options: argparse.Namespace, stages: Stages) -> int:
+    from adagen.build import build_executable, find_toolchain
+    from adagen.cli import pipeline
+    from adagen.cli.files import write_file
+    from adagen.states import read_states, states_gravity
+
+    gravity = states_gravity(options.states)
+    model = pipeline.read_model(options, stages, gravity)
+    with stages.stage("states"):
+        read_states(options.states, model)  # refused here, with names, before anything is built
+    made = pipeline.generate(model, options, stages)
+    with stages.stage("build"):
+        name, source = made.source
+        toolchain = find_toolchain()
+        executable = build_executable(
+            source, name.removesuffix(".cpp"), toolchain, progress=progress
+        )
+    with stages.stage("run"):
+        status, result = _run(executable, toolchain, options, made)
+    if status != 0:
+        return status
+    if options.result is None:
+        print(result, end="")
+    else:
+        write_file(options.result, result)
+    return 0
+
+
+def _run(
+    executable: Path, toolchain: Toolchain, options: argparse.Namespace, made: Generated
+) -> tuple[int, str]:
+    """Run the executable on the states; return its status and the result file's text."""
+    from adagen.run import launch
+
+    with (
+        tempfile.TemporaryDirectory(prefix="adagen-") as folder,
+        progress(f"running on {made.schedule.processes} processes"),
+    ):
+        result = Path(folder, "result.json")
+        done = launch(
+            executable,
+            made.schedule.processes,
+            ["--states", str(options.states.resolve()), "--result", str(result)],
+            toolchain,
+            options.timeout,
+        )
+        for line in done.stderr.splitlines():
+            note(line)
+        if done.status != 0:
+            return done.status, ""
+        try:
+            return 0, result.read_text(encoding="utf-8")
+        except OSError:
+            raise EnvironmentFault(f"{executable.name} ended without a result") from None

@@ -1,0 +1,6 @@
+"""Running an emitted executable under mpiexec."""
+
+from adagen.run.launch import Completed, launch
+from adagen.run.noise import without_launcher_noise
+
+__all__ = ["Completed", "launch", "without_launcher_noise"]

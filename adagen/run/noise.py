@@ -1,0 +1,45 @@
+"""What mpiexec says around a program's own words, taken away."""
+
+from __future__ import annotations
+
+import re
+
+_RULE = re.compile(r"^-{60,}\s*$")
+_PREFIXED = re.compile(r"^\[[^\s\]]+:\d+\]|^\[[^\s\]]+:\d+,\d+\]|^\[[^\s\]]+\] \d+ more process")
+_LAUNCHER = re.compile(r"^(prterun|mpiexec|mpirun|orterun)\b.*")
+
+
+def without_launcher_noise(text: str) -> tuple[str, str]:
+    """Split what was written to stderr into the program's words and the launcher's.
+
+    Open MPI frames its notices in dashed lines and marks others with ``[host:pid]``.
+
+    Args:
+        text: everything on stderr.
+
+    Returns:
+        The program's lines, and the first notice of the launcher in one line ("" if none).
+    """
+    own: list[str] = []
+    notices: list[str] = []
+    block: list[str] | None = None
+    for line in text.splitlines():
+        if _RULE.match(line):
+            if block is None:
+                block = []
+            else:
+                notices.append(_one_line(block))
+                block = None
+        elif block is not None:
+            block.append(line)
+        elif _PREFIXED.match(line) or _LAUNCHER.match(line):
+            notices.append(_one_line([line]))
+        elif line.strip():
+            own.append(line)
+    if block:
+        notices.append(_one_line(block))  # a frame that was not closed
+    return "\n".join(own), next((notice for notice in notices if notice), "")
+
+
+def _one_line(lines: list[str]) -> str:
+    return " ".join(" ".join(lines).split())
