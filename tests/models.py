@@ -83,7 +83,7 @@ def assemble(name: str, parts: Sequence[Part], floating: bool = False) -> Model:
 
 
 def _descending(part: Part) -> tuple[int, ...]:
-    return tuple(-ord(c) for c in part.name) + (1,)  # a stack pops the last: least name last
+    return (*(-ord(c) for c in part.name), 1)  # a stack pops the last: least name last
 
 
 def rod(mass: float, tip: Array, radius: float = 0.02) -> Inertia:

@@ -1,0 +1,118 @@
+"""Recursive Newton-Euler with 3-vectors (Luh, Walker and Paul 1980), and mechanical energy."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from adagen.model import Model
+from adagen.reference.kinematics import Body, Placement, bodies, placements
+from adagen.reference.numbers import Numbers, Numeric, cross
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """How a link moves, each of shape (3,) and in the link's own frame.
+
+    Attributes:
+        spin: angular velocity, rad/s.
+        turn: angular acceleration, rad/s^2.
+        pull: classical acceleration of the link's origin less that of free fall, m/s^2.
+    """
+
+    spin: Numeric
+    turn: Numeric
+    pull: Numeric
+
+
+def joint_torques(numbers: Numbers, model: Model, q: Numeric, v: Numeric, a: Numeric) -> Numeric:
+    """Return the joint torques, shape (nv,), that give the accelerations a.
+
+    Args:
+        numbers: the kind of number that q, v and a hold.
+        model: the robot; slaved joints count as independent here.
+        q: configuration, shape (nq,).
+        v: velocity, shape (nv,).
+        a: time derivative of the components of v, shape (nv,).
+    """
+    placed = placements(numbers, model, q)
+    motions = _motions(numbers, model, placed, v, a)
+    forces, moments = [], []
+    for body, motion in zip(bodies(numbers, model), motions[1:], strict=True):
+        force, moment = _needed(body, motion)
+        forces.append(force)
+        moments.append(moment)
+    tau = numbers.zeros(model.nv)
+    for j in reversed(range(len(placed))):
+        place, parent, start = placed[j], model.joints[j].parent, model.v_start[j]
+        own = place.angular.T.dot(moments[j]) + place.linear.T.dot(forces[j])
+        tau[start : start + len(own)] = own
+        if parent:
+            force = place.rotation.dot(forces[j])
+            moment = place.rotation.dot(moments[j]) + cross(place.position, force)
+            forces[parent - 1] = forces[parent - 1] + force
+            moments[parent - 1] = moments[parent - 1] + moment
+    return tau
+
+
+def _motions(
+    numbers: Numbers, model: Model, placed: list[Placement], v: Numeric, a: Numeric
+) -> list[Motion]:
+    """Return the motion of every link, the ground (which falls upward) first."""
+    still = numbers.zeros(3)
+    motions = [Motion(still, still, -numbers.array(model.gravity))]
+    for joint, start, place in zip(model.joints, model.v_start, placed, strict=True):
+        own = slice(start, start + joint.kind.nv)
+        above, back, r = motions[joint.parent], place.rotation.T, place.position
+        spin, slide = place.angular.dot(v[own]), place.linear.dot(v[own])
+        carried = back.dot(above.spin)
+        turn = back.dot(above.turn) + cross(carried, spin) + place.angular.dot(a[own])
+        pull = above.pull + cross(above.turn, r) + cross(above.spin, cross(above.spin, r))
+        # The sliding velocity turns with the child's axes: Coriolis twice, and its own turning.
+        pull = back.dot(pull) + 2 * cross(carried, slide) + cross(spin, slide)
+        motions.append(Motion(carried + spin, turn, pull + place.linear.dot(a[own])))
+    return motions
+
+
+def _needed(body: Body, motion: Motion) -> tuple[Numeric, Numeric]:
+    """Return force and moment about the link's origin that the motion takes (Newton, Euler)."""
+    lever = cross(motion.spin, cross(motion.spin, body.com))
+    force = body.mass * (motion.pull + cross(motion.turn, body.com) + lever)
+    moment = body.tensor.dot(motion.turn) + cross(motion.spin, body.tensor.dot(motion.spin))
+    return force, moment + cross(body.com, force)
+
+
+def energies(numbers: Numbers, model: Model, q: Numeric, v: Numeric) -> tuple[Any, Any]:
+    """Return kinetic and potential energy (J), the latter zero with all masses at the origin.
+
+    Args:
+        numbers: the kind of number that q and v hold.
+        model: the robot.
+        q: configuration, shape (nq,).
+        v: velocity, shape (nv,).
+    """
+    still = numbers.zeros(3)
+    poses = [(numbers.array(np.eye(3)), still, still, still)]
+    down = numbers.array(model.gravity)
+    kinetic = potential = still[0]
+    every = zip(
+        model.joints,
+        model.v_start,
+        placements(numbers, model, q),
+        bodies(numbers, model),
+        strict=True,
+    )
+    for joint, start, place, body in every:
+        axes, origin, spin, speed = poses[joint.parent]
+        own, back = v[start : start + joint.kind.nv], place.rotation.T
+        speed = back.dot(speed + cross(spin, place.position)) + place.linear.dot(own)
+        spin = back.dot(spin) + place.angular.dot(own)
+        origin, axes = origin + axes.dot(place.position), axes.dot(place.rotation)
+        poses.append((axes, origin, spin, speed))
+        middle = speed + cross(spin, body.com)
+        twice = body.mass * middle.dot(middle) + spin.dot(body.tensor.dot(spin))
+        kinetic = kinetic + twice / 2
+        potential = potential - body.mass * down.dot(origin + axes.dot(body.com))
+    return kinetic, potential
