@@ -1,0 +1,96 @@
+"""From text to the root element <robot> of a well-formed XML document without a DTD."""
+
+from __future__ import annotations
+
+import re
+
+from lxml import etree
+
+from adagen.urdf.notes import Notes, line_of
+
+_PROLOG = re.compile(r"(?:\s+|<!--.*?-->|<\?.*?\?>)*", re.DOTALL)
+_FOREIGN = {
+    "sdf": "this is SDF, not URDF: convert it first",
+    "gazebo": "this is SDF, not URDF: convert it first",
+    "mujoco": "this is MJCF, not URDF: convert it first",
+    "mujocoinclude": "this is MJCF, not URDF: convert it first",
+    "html": "this is a web page, perhaps a failed download",
+    "svg": "this is a drawing",
+    "collada": "this is a mesh",
+}
+
+
+def parse(text: str, notes: Notes) -> etree._Element:
+    """Return the root element <robot>, comments and processing instructions left out.
+
+    Entities other than the five of XML are never expanded: a DTD is refused before parsing.
+
+    Raises:
+        InputError: no well-formed XML, or another kind of document.
+    """
+    _check_prolog(text, notes)
+    parser = etree.XMLParser(
+        encoding="utf-8",  # the text is decoded already: overrides what the file declares
+        recover=False,
+        resolve_entities=False,
+        load_dtd=False,
+        no_network=True,
+        huge_tree=False,
+        remove_comments=True,
+        remove_pis=True,
+    )
+    try:
+        root = etree.fromstring(text.encode("utf-8"), parser)
+    except etree.XMLSyntaxError as fault:
+        line = fault.lineno or None
+        reason = " ".join((fault.msg or "syntax error").split())
+        reason = re.sub(r", line \d+, column \d+$", "", reason)
+        raise notes.error(f"XML is not well formed: {reason}", line) from None
+    except UnicodeEncodeError:
+        raise notes.error("XML is not well formed: lone surrogate: save it as UTF-8") from None
+    _check_root(root, notes)
+    return root
+
+
+def _check_prolog(text: str, notes: Notes) -> None:
+    """Refuse a DTD, which can only stand between the prolog and the root element."""
+    match = _PROLOG.match(text)
+    start = match.end() if match else 0
+    line = text.count("\n", 0, start) + 1
+    head = text[start : start + 200].lower()
+    if head.startswith("<!doctype html"):
+        raise notes.error("the root element <html> is not <robot>: " + _FOREIGN["html"], line)
+    if head.startswith("<!doctype"):
+        raise notes.error(
+            "a DTD and its entities are not allowed in a URDF: remove <!DOCTYPE ...>", line
+        )
+    if not head.startswith("<"):
+        raise notes.error("not XML: the file does not start with <: give a URDF file", line)
+
+
+def _check_root(root: etree._Element, notes: Notes) -> None:
+    name = etree.QName(root)
+    line = line_of(root)
+    if name.localname != "robot":
+        hint = _FOREIGN.get(name.localname.lower(), "give a URDF file")
+        raise notes.error(f"the root element <{name.localname}> is not <robot>: {hint}", line)
+    if name.namespace is not None:
+        raise notes.error(
+            f'<robot> is in the XML namespace "{name.namespace}", a URDF is in none: '
+            f'remove xmlns="{name.namespace}"',
+            line,
+        )
+    for element in root.iter():
+        tag = element.tag
+        if isinstance(tag, str) and "xacro" in tag and is_xacro(tag):
+            raise notes.error(
+                f"<xacro:{tag.replace('}', ':').rpartition(':')[2]}> is not expanded: run xacro "
+                "on the file and give its output",
+                line_of(element),
+            )
+
+
+def is_xacro(tag: str) -> bool:
+    """Tell whether a tag, as lxml spells it, belongs to xacro (its namespace declared or not)."""
+    space, _, _ = tag.rpartition("}")
+    return tag.startswith("xacro:") or "xacro" in space

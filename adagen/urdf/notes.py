@@ -1,0 +1,66 @@
+"""What the reader has to say: refusals, warnings and what it leaves out, always in one line."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from lxml import etree
+
+from adagen.errors import InputError, printable
+
+SHOWN = 5  # warnings of one kind before they are summed up in one line
+LAST_LINE = 65535  # libxml2 stops counting here
+
+
+class Notes:
+    """Collects the remarks about one file.
+
+    Attributes:
+        file: path of the file as the user gave it.
+        warnings: ``file:line: warning: ...``, in the order they were found.
+        ignored: what was read and is not modelled.
+    """
+
+    def __init__(self, file: str) -> None:
+        self.file = file
+        self.warnings: list[str] = []
+        self.ignored: list[str] = []
+
+    def error(self, message: str, line: int | None = None) -> InputError:
+        """Return (not raise) the refusal of this file."""
+        return InputError(message, self.file, line)
+
+    def warn(self, message: str, line: int | None = None) -> None:
+        """Record a warning."""
+        place = f"{printable(self.file)}:" + ("" if line is None else f"{line}:")
+        self.warnings.append(f"{place} warning: {printable(message)}")
+
+    def warn_each(self, found: Sequence[tuple[str, str, int | None]], rest: str) -> None:
+        """Record warnings of one kind: the first ones in full, the names of the others in one line.
+
+        Args:
+            found: (name, message, line) of each.
+            rest: what the others have in common, for the line that sums them up.
+        """
+        for _, message, line in found[:SHOWN]:
+            self.warn(message, line)
+        others = found[SHOWN:]
+        if others:
+            names = quoted([name for name, _, _ in others])
+            self.warn(f"{len(others)} more {rest}: {names}", others[0][2])
+
+    def ignore(self, text: str) -> None:
+        """Record something that was read and is not modelled."""
+        self.ignored.append(printable(text))
+
+
+def quoted(names: Sequence[str], shown: int = 6) -> str:
+    """Return names in quotes, separated by commas, shortened where there are many."""
+    text = ", ".join(f'"{name}"' for name in names[:shown])
+    return text if len(names) <= shown else f"{text} and {len(names) - shown} more"
+
+
+def line_of(element: etree._Element) -> int | None:
+    """Return the line of an element, or None where libxml2 has lost count."""
+    line = element.sourceline
+    return line if isinstance(line, int) and line < LAST_LINE else None

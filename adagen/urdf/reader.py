@@ -1,0 +1,107 @@
+"""The entry of the URDF stage: from a path to a model, or to one line that says why not."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from adagen.errors import UsageError
+from adagen.model import Model
+from adagen.urdf.bodies import BASE, build, gather
+from adagen.urdf.checks import Lines, check_model
+from adagen.urdf.description import Description, describe
+from adagen.urdf.document import parse
+from adagen.urdf.mimics import resolve
+from adagen.urdf.notes import Notes
+from adagen.urdf.numbers import LARGEST
+from adagen.urdf.peer import agreed
+from adagen.urdf.remarks import remark_ignored, warn_inertias, warn_limits
+from adagen.urdf.source import read_text
+from adagen.urdf.tree import make_tree
+
+
+@dataclass(frozen=True)
+class Reading:
+    """A robot that was read.
+
+    Attributes:
+        model: the robot.
+        warnings: one line each, ``file:line: warning: ...``.
+        ignored: what the file says that the model does not hold, one line each.
+    """
+
+    model: Model
+    warnings: tuple[str, ...]
+    ignored: tuple[str, ...]
+
+
+def read_robot(
+    path: str | Path,
+    *,
+    floating: bool = False,
+    mimic: bool = False,
+    gravity: Sequence[float] | None = None,
+) -> Reading:
+    """Read a URDF, strictly.
+
+    Args:
+        path: of the file.
+        floating: put a floating joint ``__base__`` between the world and the root link.
+        mimic: slave mimic joints to what they follow; otherwise they are independent, with a
+            warning each.
+        gravity: acceleration of free fall in ground coordinates, three numbers, m/s^2;
+            (0, 0, -9.81) by default.
+
+    Returns:
+        The model, in which fixed joints are lumped, axes are normalised and every number is
+        rounded once, with warnings.
+
+    Raises:
+        InputError: the file is not a URDF of an open chain whose forward dynamics has an answer.
+        UsageError: gravity is not three finite numbers.
+    """
+    notes = Notes(os.fspath(path))
+    root = parse(read_text(path, notes), notes)
+    description = describe(root, Path(path).stem, notes)
+    _check_base(description, floating, notes)
+    tree = make_tree(description, notes)
+    mimics = resolve(description, mimic, notes)
+    warn_limits(root, notes)
+    warn_inertias(description, notes)
+    remark_ignored(root, notes)
+    description = agreed(root, description, notes)
+    model = build(description.name, gather(description, tree, floating), mimics, floating)
+    if gravity is not None:
+        model = model.with_gravity(_gravity(gravity))
+    check_model(model, _lines(description), notes)
+    return Reading(model, tuple(notes.warnings), tuple(notes.ignored))
+
+
+def _lines(description: Description) -> Lines:
+    joints = {joint.name: joint.line for joint in description.joints}
+    links = {
+        link.name: link.line if link.inertial is None else link.inertial.line
+        for link in description.links
+    }
+    return Lines(description.line, joints, links)
+
+
+def _check_base(description: Description, floating: bool, notes: Notes) -> None:
+    for joint in description.joints:
+        if floating and joint.name == BASE:
+            raise notes.error(
+                f'joint "{BASE}" has the name that --floating gives to the base: rename it',
+                joint.line,
+            )
+
+
+def _gravity(values: Sequence[float]) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    numbers = [float(value) for value in values]
+    if len(numbers) != 3 or not all(math.isfinite(g) and abs(g) <= LARGEST for g in numbers):
+        raise UsageError("gravity needs three finite numbers, in m/s^2")
+    return np.array(numbers)

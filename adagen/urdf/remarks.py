@@ -1,0 +1,90 @@
+"""What is read and not modelled, and what is odd but harmless."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import numpy as np
+
+from adagen.urdf.description import Description, Inertial
+from adagen.urdf.elements import Element
+from adagen.urdf.notes import Notes, line_of
+from adagen.urdf.numbers import number
+
+ROUNDING = 1e-9
+"""Relative; printed moments of inertia rarely carry more digits."""
+
+_LINK_EXTRAS = ("visual", "collision")
+_JOINT_EXTRAS = {
+    "limit": "limits (position, velocity, effort)",
+    "dynamics": "damping and friction",
+    "safety_controller": "safety controllers",
+    "calibration": "calibrations",
+}
+_MODELLED = {"link": {"inertial"}, "joint": {"parent", "child", "origin", "axis", "mimic"}}
+
+
+def remark_ignored(root: Element, notes: Notes) -> None:
+    """Record which elements of the file have no influence on the model, with their number."""
+    counts: Counter[str] = Counter()
+    for part in root:
+        tag = str(part.tag)
+        if tag not in _MODELLED:
+            counts[f"<{tag}> elements"] += 1
+            continue
+        for child in part:
+            name = str(child.tag)
+            if name in _MODELLED[tag]:
+                continue
+            if tag == "joint" and name in _JOINT_EXTRAS:
+                counts[f"joint {_JOINT_EXTRAS[name]}"] += 1
+            elif tag == "link" and name in _LINK_EXTRAS:
+                counts[f"{name}s"] += 1
+            else:
+                counts[f"<{name}> elements of a {tag}"] += 1
+    for text in sorted(counts):
+        notes.ignore(f"{text}: {counts[text]}, not modelled")
+
+
+def warn_limits(root: Element, notes: Notes) -> None:
+    """Warn of joint limits that cannot be meant: forward dynamics does not use them."""
+    found: list[tuple[str, str, int | None]] = []
+    for joint in root.iterchildren("joint"):
+        name = joint.get("name", "")
+        for limit in joint.iterchildren("limit"):
+            try:
+                lower = number(limit.get("lower", "0").strip())
+                upper = number(limit.get("upper", "0").strip())
+            except ValueError as fault:
+                found.append((name, f'joint "{name}": <limit> {fault} (not used)', line_of(limit)))
+                continue
+            if lower > upper:
+                text = f'joint "{name}": lower limit {lower:g} is above the upper one {upper:g}'
+                found.append((name, f"{text} (not used)", line_of(limit)))
+    notes.warn_each(found, "joints have odd limits (not used)")
+
+
+def warn_inertias(description: Description, notes: Notes) -> None:
+    """Warn of links that no real mass distribution has; whole bodies are judged later."""
+    found: list[tuple[str, str, int | None]] = []
+    for link in description.links:
+        problem = None if link.inertial is None else _problem(link.inertial)
+        if problem is not None and link.inertial is not None:
+            found.append((link.name, f'link "{link.name}": {problem}', link.inertial.line))
+    notes.warn_each(found, "links have an inertia that no real body has")
+
+
+def _problem(inertial: Inertial) -> str | None:
+    xx, xy, xz, yy, yz, zz = inertial.moments
+    low, middle, high = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]).tolist()
+    size = max(abs(low), abs(high))
+    if low < -ROUNDING * size:
+        return f"inertia has a negative principal moment ({low:.3g}): used as written"
+    if low + middle < high - ROUNDING * size:
+        return (
+            f"principal moments {low:.3g}, {middle:.3g}, {high:.3g} break the triangle inequality: "
+            "used as written"
+        )
+    if inertial.mass == 0.0 and size > 0.0:
+        return "has a moment of inertia but no mass: used as written"
+    return None
