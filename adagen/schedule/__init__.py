@@ -1,0 +1,44 @@
+"""Which joint joins which partial chains on which process, and what that is predicted to cost."""
+
+from adagen.schedule.profile import CostProfile, load_profile
+from adagen.schedule.search import find_schedule
+from adagen.schedule.text import (
+    schedule_from_json,
+    schedule_line,
+    schedule_to_dict,
+    schedule_to_json,
+    schedule_tree,
+)
+from adagen.schedule.topology import Topology
+from adagen.schedule.tree import (
+    InvalidSchedule,
+    Node,
+    Schedule,
+    levels,
+    makespan_of,
+    postorder,
+    preorder,
+    total_work,
+    validate,
+)
+
+__all__ = [
+    "CostProfile",
+    "InvalidSchedule",
+    "Node",
+    "Schedule",
+    "Topology",
+    "find_schedule",
+    "levels",
+    "load_profile",
+    "makespan_of",
+    "postorder",
+    "preorder",
+    "schedule_from_json",
+    "schedule_line",
+    "schedule_to_dict",
+    "schedule_to_json",
+    "schedule_tree",
+    "total_work",
+    "validate",
+]

@@ -1,0 +1,94 @@
+"""A schedule tree while it is being put together: joints, their descendants and their ranges."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from adagen.schedule.profile import TICKS, CostProfile
+from adagen.schedule.topology import Topology
+from adagen.schedule.tree import Node
+
+
+class Draft:
+    """Descendants and process ranges of each joint, to be filled from the root down.
+
+    Attributes:
+        root: the joint at the root.
+        root_child: for each joint the descendant on its root side, -1 for a bare link; length N.
+        end_child: the same on its end side; length N.
+        ranges: for each joint its range of processes (first, last + 1); length N.
+    """
+
+    def __init__(self, joints: int) -> None:
+        self.root = -1
+        self.root_child = [-1] * joints
+        self.end_child = [-1] * joints
+        self.ranges = [(0, 1)] * joints
+
+    def children(self, joint: int) -> tuple[int, int]:
+        """Return the descendants of a joint on its root and end side, -1 for a bare link."""
+        return self.root_child[joint], self.end_child[joint]
+
+    def contract(self, topology: Topology, order: Sequence[int]) -> int:
+        """Hang the joints of a partial chain under each other as this order of assembly tells.
+
+        Args:
+            topology: the robot.
+            order: the chain's joints, the first one assembled first.
+
+        Returns:
+            The joint assembled last, the root of the chain's part of the tree.
+        """
+        leader: dict[int, int] = {}  # link -> a link of the same component, nearer to its leader
+        top: dict[int, int] = {}  # leader -> joint that made the component
+
+        def find(link: int) -> int:
+            while (up := leader.get(link, link)) != link:
+                leader[link] = leader.get(up, up)
+                link = up
+            return link
+
+        for joint in order:
+            above, below = find(topology.parents[joint]), find(joint + 1)
+            self.root_child[joint] = top.get(above, -1)
+            self.end_child[joint] = top.get(below, -1)
+            leader[below] = above
+            top[above] = joint
+        return order[-1]
+
+    def assign(self, joint: int, processes: tuple[int, int]) -> None:
+        """Assign ranges to a joint and all below it by halving, as in Section III-C."""
+        stack = [(joint, processes)]
+        while stack:
+            joint, (a, b) = stack.pop()
+            self.ranges[joint] = (a, b)
+            sides = [child for child in self.children(joint) if child >= 0]
+            if len(sides) == 2 and b - a > 1:
+                m = a + (b - a) // 2  # the text's b + (b - a)/2 is a misprint
+                stack += [(sides[0], (a, m)), (sides[1], (m, b))]
+            else:
+                stack += [(side, (a, b)) for side in sides]
+
+    def finish(self, topology: Topology, profile: CostProfile) -> Node:
+        """Return the tree with the cost and the boundary of each node."""
+        order, stack = [], [self.root]
+        while stack:
+            joint = stack.pop()
+            order.append(joint)
+            stack += [child for child in self.children(joint) if child >= 0]
+        made: dict[int, tuple[Node, int, int]] = {}  # joint -> node, sum of degrees, joints
+        for joint in reversed(order):
+            sides, degrees, joints = [], 0, 1
+            for child, link in zip(
+                self.children(joint), (topology.parents[joint], joint + 1), strict=True
+            ):
+                node, d, n = made[child] if child >= 0 else (None, topology.degrees[link], 0)
+                sides.append(node)
+                degrees += d
+                joints += n
+            # Each joint inside the chain is counted by both of its links, one outside by one.
+            k = degrees - 2 * joints
+            cost = profile.join(k, topology.dofs[joint]) / TICKS
+            result = Node(joint, self.ranges[joint], sides[0], sides[1], cost, k)
+            made[joint] = (result, degrees, joints)
+        return made[self.root][0]

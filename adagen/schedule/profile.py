@@ -1,0 +1,165 @@
+"""What a join costs: the constants of Eq. (11), read from a profile and strictly checked.
+
+Inside the scheduler a time is a whole number of picoseconds (*ticks*). Sums of ticks are exact, so
+that two schedules are equally long or they are not: no tolerance decides a tie, and the answer is
+the same on every machine.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib import resources
+from pathlib import Path
+
+from adagen.errors import InputError
+
+TICKS = 1_000_000
+"""Ticks in a microsecond."""
+
+SHIPPED = ("default", "paper")
+"""Names of the profiles that come with adagen."""
+
+_LIMIT = 1e6  # microseconds; keeps every sum far below 2^63 ticks
+_COEFFICIENTS = ("alpha", "beta", "gamma", "delta")
+
+
+@dataclass(frozen=True)
+class CostProfile:
+    """Coefficients of Eq. (11), in microseconds.
+
+    Attributes:
+        name: what reports and emitted headers call it.
+        alpha: per squared number k of boundary joints, for the k^2 inverse inertias; not negative.
+        beta: per boundary joint, for the bias accelerations; not negative.
+        gamma: per degree of freedom; usually negative.
+        delta: of any join; ``delta + gamma n`` is positive for n = 1..6.
+
+    Raises:
+        ValueError: a coefficient is not finite, too large or of the wrong sign.
+    """
+
+    name: str
+    alpha: float
+    beta: float
+    gamma: float
+    delta: float
+
+    def __post_init__(self) -> None:
+        for key in _COEFFICIENTS:
+            value = getattr(self, key)
+            if not math.isfinite(value) or abs(value) > _LIMIT:
+                raise ValueError(f"{key} must be a finite number of microseconds up to {_LIMIT:g}")
+        for key in ("alpha", "beta"):
+            if getattr(self, key) < 0:
+                raise ValueError(
+                    f"{key} must not be negative: a join never gets cheaper with more joints around"
+                )
+        for dofs in (1, 6):
+            if self.join(0, dofs) <= 0:
+                raise ValueError(
+                    f"delta + {dofs} gamma must be positive: the cost of a join with {dofs} "
+                    "degrees of freedom"
+                )
+
+    def boundary(self, k: int) -> int:
+        """Return q(k) = alpha k^2 + beta k in ticks, the part that the schedule decides."""
+        return _ticks(self.alpha) * k * k + _ticks(self.beta) * k
+
+    def fixed(self, dofs: int) -> int:
+        """Return gamma n + delta in ticks, which every schedule pays."""
+        return _ticks(self.gamma) * dofs + _ticks(self.delta)
+
+    def join(self, k: int, dofs: int) -> int:
+        """Return Eq. (11) in ticks for k boundary joints and a joint of ``dofs`` freedoms."""
+        return self.boundary(k) + self.fixed(dofs)
+
+
+def _ticks(microseconds: float) -> int:
+    return round(microseconds * TICKS)
+
+
+def load_profile(name: str) -> CostProfile:
+    """Return the shipped profile of that name, or the one read from the TOML file at that path.
+
+    Raises:
+        InputError: there is no such profile, or the file is not a valid one.
+    """
+    if name in SHIPPED:
+        text = (resources.files("adagen.schedule") / "profiles" / f"{name}.toml").read_text("utf-8")
+        return parse_profile(text, f"{name}.toml")
+    path = Path(name)
+    try:
+        return parse_profile(path.read_text("utf-8"), name)
+    except FileNotFoundError:
+        raise InputError(
+            f"no cost profile '{name}': give a TOML file or one of {', '.join(SHIPPED)}"
+        ) from None
+    except UnicodeDecodeError:
+        raise InputError("a cost profile must be UTF-8 text", name) from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or "not a usable path"
+        raise InputError(f"cannot read the cost profile '{name}': {reason}") from None
+
+
+def parse_profile(text: str, file: str) -> CostProfile:
+    """Return the profile written in TOML; ``file`` is what messages call it.
+
+    Raises:
+        InputError: not TOML, a key is missing, unknown or of the wrong type, or a value is out of
+            range; the message names the line where it can.
+    """
+    try:
+        table = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        found = re.search(r"line (\d+)", str(error))
+        raise InputError(f"not TOML: {error}", file, int(found[1]) if found else None) from None
+    _known(table, ("name", "join"), "", text, file)
+    name = table.get("name")
+    if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z0-9._-]{1,64}", name):
+        raise InputError(
+            'give the profile a name: name = "..." of up to 64 letters, digits, dots and hyphens',
+            file,
+            _line(text, "name"),
+        )
+    join = table.get("join")
+    if not isinstance(join, dict):
+        raise InputError(
+            f"give the constants of Eq. (11) in a table [join]: {', '.join(_COEFFICIENTS)}", file
+        )
+    _known(join, _COEFFICIENTS, "join.", text, file)
+    values = {key: _number(join, key, text, file) for key in _COEFFICIENTS}
+    try:
+        return CostProfile(name, **values)
+    except ValueError as error:
+        raise InputError(str(error), file, _line(text, str(error).split()[0])) from None
+
+
+def _known(
+    table: Mapping[str, object], keys: tuple[str, ...], prefix: str, text: str, file: str
+) -> None:
+    for key in table:
+        if key not in keys:
+            raise InputError(
+                f"unknown key '{prefix}{key}': expected {', '.join(keys)}", file, _line(text, key)
+            )
+
+
+def _number(table: Mapping[str, object], key: str, text: str, file: str) -> float:
+    if key not in table:
+        raise InputError(f"join.{key} is missing: add '{key} = ...' (microseconds) to [join]", file)
+    value = table[key]
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise InputError(f"join.{key} must be a number of microseconds", file, _line(text, key))
+    try:
+        return float(value)
+    except OverflowError:
+        raise InputError(f"join.{key} is too large", file, _line(text, key)) from None
+
+
+def _line(text: str, key: str) -> int | None:
+    pattern = re.compile(rf"\s*[\"']?\[?{re.escape(key)}[\"']?\s*[=\].]")
+    return next((n for n, line in enumerate(text.splitlines(), 1) if pattern.match(line)), None)
