@@ -18,27 +18,28 @@ def without_launcher_noise(text: str) -> tuple[str, str]:
         text: everything on stderr.
 
     Returns:
-        The program's lines, and the first notice of the launcher in one line ("" if none).
+        The program's lines, and the most telling notice of the launcher in one line ("" if none).
     """
     own: list[str] = []
-    notices: list[str] = []
+    framed: list[str] = []
+    marked: list[str] = []
     block: list[str] | None = None
-    for line in text.splitlines():
+    for line in text.replace("\0", "").splitlines():  # prterun writes a zero byte on an abort
         if _RULE.match(line):
             if block is None:
                 block = []
             else:
-                notices.append(_one_line(block))
+                framed.append(_one_line(block))
                 block = None
         elif block is not None:
             block.append(line)
         elif _PREFIXED.match(line) or _LAUNCHER.match(line):
-            notices.append(_one_line([line]))
+            marked.append(_one_line([line]))
         elif line.strip():
             own.append(line)
     if block:
-        notices.append(_one_line(block))  # a frame that was not closed
-    return "\n".join(own), next((notice for notice in notices if notice), "")
+        framed.append(_one_line(block))  # a frame that was not closed
+    return "\n".join(own), next((notice for notice in framed + marked if notice), "")
 
 
 def _one_line(lines: list[str]) -> str:

@@ -1,0 +1,197 @@
+"""Runs under mpiexec: how they end and what is said."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from adagen.build import Toolchain, build_executable, find_toolchain
+from adagen.errors import EnvironmentFault
+from adagen.run import launch, without_launcher_noise
+
+SOURCE = r"""
+#include <mpi.h>
+#include <signal.h>
+#include <unistd.h>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+int main(int count, char** words) {
+  MPI_Init(&count, &words);
+  int rank, size;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  void* place;
+  MPI_Win window;
+  MPI_Win_allocate_shared(4096, 1, MPI_INFO_NULL, MPI_COMM_WORLD, &place, &window);
+  const std::string mode = count > 1 ? words[1] : "fine";
+  if (mode == "status") {
+    if (rank == 0 && count > 3) std::fprintf(stderr, "%s\n", words[3]);
+    MPI_Finalize();
+    return std::atoi(words[2]);
+  }
+  if (mode == "abort") {
+    if (rank == 0) {
+      std::fprintf(stderr, "error: elbow: factorization failed\n");
+      MPI_Abort(MPI_COMM_WORLD, 3);
+    }
+    sleep(100);
+  }
+  if (mode == "die") {
+    if (rank == size - 1) raise(std::atoi(words[2]));
+    sleep(100);
+  }
+  if (mode == "hang") {
+    if (rank == 0) std::fprintf(stderr, "pid %d\n", getpid());
+    signal(SIGTERM, SIG_IGN);
+    for (;;) sleep(100);
+  }
+  if (rank == 0) std::printf("%d processes, %s\n", size, count > 2 ? words[2] : "");
+  MPI_Win_free(&window);
+  MPI_Finalize();
+}
+"""
+
+
+@pytest.fixture(scope="session")
+def toolchain() -> Toolchain:
+    return find_toolchain()
+
+
+@pytest.fixture(scope="session")
+def program(toolchain: Toolchain, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return build_executable(SOURCE, "program", toolchain, tmp_path_factory.mktemp("cache"))
+
+
+@pytest.mark.parametrize("processes", [1, 2, 5])
+def test_a_run_that_works_is_silent(program: Path, toolchain: Toolchain, processes: int) -> None:
+    done = launch(program, processes, ["fine", "a b"], toolchain, 60)
+    assert (done.status, done.stdout) == (0, f"{processes} processes, a b\n")
+    assert done.stderr == ""
+
+
+@pytest.mark.parametrize("status", [1, 2, 3])
+def test_a_status_and_its_line_arrive_alone(
+    program: Path, toolchain: Toolchain, status: int
+) -> None:
+    line = "states.json: error: joint elbow: q is not finite"
+    done = launch(program, 2, ["status", str(status), line], toolchain, 60)
+    assert (done.status, done.stderr) == (status, line)
+
+
+@pytest.mark.parametrize(("status", "told"), [(3, 3), (1, 1), (77, 3)])
+def test_a_failure_without_a_word_gets_one(
+    program: Path, toolchain: Toolchain, status: int, told: int
+) -> None:
+    done = launch(program, 2, ["status", str(status)], toolchain, 60)
+    assert done.status == told
+    assert done.stderr.startswith("error: program failed: ")
+    assert "\n" not in done.stderr
+
+
+def test_an_abort_ends_all_and_its_line_arrives_alone(program: Path, toolchain: Toolchain) -> None:
+    start = time.monotonic()
+    done = launch(program, 2, ["abort"], toolchain, 60)
+    assert (done.status, done.stderr) == (3, "error: elbow: factorization failed")
+    assert time.monotonic() - start < 30
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSEGV, signal.SIGFPE])
+def test_a_process_that_dies_ends_the_run(
+    program: Path, toolchain: Toolchain, number: signal.Signals
+) -> None:
+    done = launch(program, 2, ["die", str(int(number))], toolchain, 60)
+    assert done.status == 3
+    assert done.stderr == f"error: a process of program died ({number.name})"
+
+
+def test_a_run_that_never_ends_is_ended_with_all_its_processes(
+    program: Path, toolchain: Toolchain
+) -> None:
+    start = time.monotonic()
+    with pytest.raises(EnvironmentFault, match=r"no answer within 3 s from program on 2 processes"):
+        launch(program, 2, ["hang"], toolchain, 3)
+    assert time.monotonic() - start < 15
+    assert not running(program)
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="prctl is Linux's")
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
+def test_nothing_outlives_a_caller_that_is_ended(
+    program: Path, number: signal.Signals, tmp_path: Path
+) -> None:
+    copy = tmp_path / "copy"
+    copy.write_bytes(program.read_bytes())
+    copy.chmod(0o755)
+    code = (
+        "import sys; from pathlib import Path; from adagen.build import find_toolchain;"
+        "from adagen.cli.main import _end_by_exception; from adagen.run import launch;"
+        "_end_by_exception(); launch(Path(sys.argv[1]), 2, ['hang'], find_toolchain(), 100)"
+    )
+    caller = subprocess.Popen([sys.executable, "-c", code, copy], stderr=subprocess.DEVNULL)
+    wait_until(lambda: len(running(copy)) >= 2)
+    caller.send_signal(number)
+    assert caller.wait(20) == (128 + number if number == signal.SIGTERM else -number)
+    wait_until(lambda: not running(copy))
+
+
+def test_a_launcher_that_is_not_there_is_told(program: Path, toolchain: Toolchain) -> None:
+    for wheel in (True, False):
+        with pytest.raises(EnvironmentFault, match="cannot run nowhere/mpiexec"):
+            launch(program, 1, [], replace(toolchain, mpiexec=("nowhere/mpiexec",), wheel=wheel))
+
+
+def test_an_mpi_that_is_not_open_mpi_gets_only_what_all_know(
+    toolchain: Toolchain, tmp_path: Path
+) -> None:
+    script = tmp_path / "mpiexec"
+    script.write_text('#!/bin/sh\n[ "$1" = --version ] && echo HYDRA || printf "%s\\n" "$*"\n')
+    script.chmod(0o755)
+    other = replace(toolchain, mpiexec=(str(script),), wheel=False)
+    assert launch(script, 3, ["x"], other, 10).stdout == f"-n 3 {script} x\n"
+    script.write_text(script.read_text().replace("HYDRA", "'mpiexec (OpenRTE) 4.1.4'"))
+    assert "--oversubscribe --bind-to none" in launch(script, 3, ["x"], other, 10).stdout
+
+
+def test_noise_is_told_from_the_program_s_words() -> None:
+    rule = "-" * 74
+    text = (
+        f"warning: kept\n{rule}\nprterun detected a failure:\n\n  Exit code: 1\n{rule}\n"
+        "[host:123] *** Process received signal ***\nerror: also kept\n"
+        "[host:00123] 3 more processes have sent help message\n---- a short rule\n"
+    )
+    own, notice = without_launcher_noise(text)
+    assert own.splitlines() == ["warning: kept", "error: also kept", "---- a short rule"]
+    assert notice == "prterun detected a failure: Exit code: 1"
+
+
+def test_a_frame_that_is_not_closed_is_a_notice() -> None:
+    assert without_launcher_noise("-" * 74 + "\nno slots\n") == ("", "no slots")
+    assert without_launcher_noise("") == ("", "")
+
+
+def running(executable: Path) -> list[int]:
+    """Return the processes whose program is ``executable``."""
+    found = []
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            if os.path.realpath(folder / "exe") == str(executable.resolve()):
+                found.append(int(folder.name))
+        except OSError:
+            continue
+    return found
+
+
+def wait_until(condition: object, limit: float = 20) -> None:
+    assert callable(condition)
+    deadline = time.monotonic() + limit
+    while not condition():
+        assert time.monotonic() < deadline, "it did not happen in time"
+        time.sleep(0.05)
