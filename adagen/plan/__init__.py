@@ -1,0 +1,74 @@
+"""From a schedule to a plan: the frozen, printable answer that is tested and emitted."""
+
+from __future__ import annotations
+
+from adagen.errors import UsageError
+from adagen.model import Model
+from adagen.plan.ada import AdaPlanner
+from adagen.plan.constants import links_and_joints
+from adagen.plan.serialise import plan_from_json, plan_to_json
+from adagen.plan.types import Plan
+from adagen.schedule import Schedule, Topology, schedule_line
+
+FORMS = {"ada": AdaPlanner}
+SCALARS = ("double", "float")
+CHANNELS = ("auto", "window", "message")
+
+__all__ = [
+    "CHANNELS",
+    "FORMS",
+    "SCALARS",
+    "Plan",
+    "make_plan",
+    "plan_from_json",
+    "plan_to_json",
+]
+
+
+def make_plan(
+    model: Model,
+    schedule: Schedule,
+    *,
+    form: str = "ada",
+    scalar: str = "double",
+    channel: str = "auto",
+    source_hash: str = "",
+) -> Plan:
+    """Return what each process of a schedule does.
+
+    Args:
+        model: the robot.
+        schedule: a schedule of its joints.
+        form: form of the algorithm, one of ``FORMS``.
+        scalar: "double" or "float".
+        channel: how processes exchange, one of ``CHANNELS``.
+        source_hash: hash of the robot description, for the emitted header.
+
+    Raises:
+        InputError: a link's inertia cannot be inverted where the form needs it.
+        UsageError: an unknown form, scalar or channel.
+    """
+    for word, known, what in (
+        (form, tuple(FORMS), "form"),
+        (scalar, SCALARS, "scalar"),
+        (channel, CHANNELS, "channel"),
+    ):
+        if word not in known:
+            raise UsageError(f'unknown {what} "{word}"; known: {", ".join(known)}')
+    links, joints = links_and_joints(model)
+    processes, messages = FORMS[form](joints, schedule).plan()
+    return Plan(
+        name=model.name,
+        source_hash=source_hash,
+        form=form,
+        scalar=scalar,
+        channel=channel,
+        schedule=schedule_line(schedule, Topology.of(model)),
+        floating=model.floating,
+        gravity=tuple(float(g) + 0.0 for g in model.gravity),
+        links=links,
+        joints=joints,
+        slaved=tuple(j for j, joint in enumerate(joints) if joint.mimic is not None),
+        processes=processes,
+        messages=messages,
+    )

@@ -1,0 +1,239 @@
+"""From a schedule to the steps of the assembly-disassembly algorithm, joint by joint (form `ada`).
+
+The schedule tree is walked once upwards (assembly, Eq. 3-7) and once downwards (disassembly,
+Eq. 8-10). Every process does its steps in the order of one global walk, so that sends and receives
+cannot wait for each other in a circle.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from adagen.plan.types import (
+    ApplyCoupling,
+    Bias,
+    BiasUpdate,
+    Block,
+    BlockUpdate,
+    Coupling,
+    Disassemble,
+    Force,
+    ForceUpdate,
+    Join,
+    Kinematics,
+    LinkBias,
+    Message,
+    PlanJoint,
+    Process,
+    Receive,
+    Send,
+    SolveCoupling,
+    Step,
+)
+from adagen.schedule import Schedule, postorder
+
+
+@dataclass
+class _Chain:
+    """A partial chain under construction: its handles and where their blocks and biases are."""
+
+    joint: int | None
+    process: int
+    blocks: dict[tuple[int, int], Block] = field(default_factory=dict)
+    biases: dict[int, Bias] = field(default_factory=dict)
+    parts: tuple[_Chain, ...] = ()
+
+    def block(self, g: int, h: int) -> Block | None:
+        return self.blocks.get((min(g, h), max(g, h)))
+
+
+def _bare(link: int, process: int) -> _Chain:
+    if link == 0:
+        return _Chain(None, process)
+    return _Chain(None, process, {(link, link): Block(None, link, link)}, {link: Bias(None, link)})
+
+
+class AdaPlanner:
+    """Builds the processes and messages of form `ada` from joints and a schedule."""
+
+    def __init__(self, joints: tuple[PlanJoint, ...], schedule: Schedule) -> None:
+        self.joints = joints
+        self.schedule = schedule
+        self.steps: list[list[Step]] = [[] for _ in range(schedule.processes)]
+        self.owns: list[list[int]] = [[] for _ in range(schedule.processes)]
+        self.messages: list[Message] = []
+        # joints at each link that are not assembled yet: the link is a handle while there are any
+        self.open = [0] * (len(joints) + 1)
+        for j, joint in enumerate(joints):
+            self.open[joint.parent] += 1
+            self.open[j + 1] += 1
+
+    def plan(self) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
+        """Return every process's steps, and the messages between them."""
+        top = self._assemble()
+        self._disassemble(top)
+        self._couple_slaved()
+        processes = []
+        for steps, owns in zip(self.steps, self.owns, strict=True):
+            reads = self._reads(owns)
+            kinematics = [Kinematics(j) for j in reads]
+            processes.append(Process((*kinematics, *steps), reads, tuple(sorted(owns))))
+        return tuple(processes), tuple(self.messages)
+
+    def _reads(self, owns: list[int]) -> tuple[int, ...]:
+        """The joints whose motion a process needs: its own and those between them and the ground."""
+        reads: set[int] = set()
+        for joint in owns:
+            j = joint
+            while j >= 0 and j not in reads:
+                reads.add(j)
+                j = self.joints[j].parent - 1
+        return tuple(sorted(reads))
+
+    # --- assembly ------------------------------------------------------------------------------
+
+    def _assemble(self) -> _Chain:
+        chains: dict[int, _Chain] = {}
+        for node in postorder(self.schedule.root):
+            i, p = node.joint, node.processes[0]
+            self.owns[p].append(i)
+            parts = []
+            for side, link in ((node.root_side, self.joints[i].parent), (node.end_side, i + 1)):
+                if side is None:
+                    part = _bare(link, p)
+                    if link > 0:
+                        self.steps[p].append(LinkBias(link))
+                else:
+                    part = chains.pop(side.joint)
+                parts.append(part)
+            for part in parts:
+                self._send_chain(part, p)
+            chains[i] = self._join(i, p, parts[0], parts[1])
+        return chains[self.schedule.root.joint]
+
+    def _send_chain(self, chain: _Chain, target: int) -> None:
+        if chain.process == target or not chain.biases:
+            return
+        blocks = tuple(b for b in sorted(chain.blocks.values(), key=_block_key) if b.joint is not None)
+        biases = tuple(chain.biases[h] for h in sorted(chain.biases))
+        self._message(
+            Message(chain.process, target, "assembly", chain.joint, blocks=blocks, biases=biases)
+        )
+
+    def _message(self, message: Message) -> None:
+        number = len(self.messages)
+        self.messages.append(message)
+        self.steps[message.source].append(Send(number))
+        self.steps[message.target].append(Receive(number))
+
+    def _join(self, i: int, process: int, a: _Chain, b: _Chain) -> _Chain:
+        parent, child = self.joints[i].parent, i + 1
+        self.open[parent] -= 1
+        self.open[child] -= 1
+        gone = {link for link in (parent, child) if self.open[link] == 0}
+        couplings = []
+        for side, chain, at in (("A", a, parent), ("B", b, child)):
+            for h in sorted(chain.biases):
+                source = chain.block(at, h)
+                if source is not None and h not in gone:
+                    couplings.append(Coupling(h, side, source, transposed=h < at))
+        couplings.sort(key=lambda coupling: coupling.handle)
+
+        whole = _Chain(i, process, parts=(a, b))
+        for part in (a, b):
+            whole.blocks.update(
+                {k: block for k, block in part.blocks.items() if not gone & set(k)}
+            )
+            whole.biases.update({h: bias for h, bias in part.biases.items() if h not in gone})
+        blocks = []
+        for k, first in enumerate(couplings):
+            for second in couplings[k:]:
+                key = (first.handle, second.handle)
+                target = Block(i, *key)
+                blocks.append(
+                    BlockUpdate(target, whole.blocks.get(key), across=first.side != second.side)
+                )
+                whole.blocks[key] = target
+        biases = []
+        for coupling in couplings:
+            h = coupling.handle
+            biases.append(BiasUpdate(Bias(i, h), whole.biases[h], coupling.side))
+            whole.biases[h] = Bias(i, h)
+        at_child = b.block(child, child)
+        assert at_child is not None  # the child link is a handle of B until this very join
+        self.steps[process].append(
+            Join(
+                i,
+                a.block(parent, parent),
+                a.biases.get(parent),
+                at_child,
+                b.biases[child],
+                tuple(couplings),
+                tuple(blocks),
+                tuple(biases),
+                velocity_product=parent > 0,
+            )
+        )
+        return whole
+
+    # --- disassembly ---------------------------------------------------------------------------
+
+    def _disassemble(self, top: _Chain) -> None:
+        stack: list[tuple[_Chain, dict[int, Force]]] = [(top, {})]
+        joins = {s.joint: s for steps in self.steps for s in steps if isinstance(s, Join)}
+        while stack:
+            chain, forces = stack.pop()
+            i = chain.joint
+            assert i is not None  # bare links are never pushed
+            updates = []
+            below = []
+            for side, part, at in zip("AB", chain.parts, (self.joints[i].parent, i + 1), strict=True):
+                if part.joint is None:
+                    continue
+                inner = {h: forces[h] for h in part.biases if h in forces}
+                if at > 0:
+                    inner[at] = Force(part.joint, at)
+                    updates.append(ForceUpdate(inner[at], forces.get(at), side))
+                below.append((part, inner))
+            outer = tuple(forces[coupling.handle] for coupling in joins[i].couplings)
+            self.steps[chain.process].append(Disassemble(i, outer, tuple(updates)))
+            for part, inner in below:
+                if part.process != chain.process and inner:
+                    self._message(
+                        Message(
+                            chain.process,
+                            part.process,
+                            "disassembly",
+                            part.joint,
+                            forces=tuple(inner[h] for h in sorted(inner)),
+                        )
+                    )
+            stack.extend(reversed(below))
+
+    # --- slaved joints -------------------------------------------------------------------------
+
+    def _couple_slaved(self) -> None:
+        """Process 0 solves for the torques between slaved joints and their sources."""
+        slaved = [j for j, joint in enumerate(self.joints) if joint.mimic is not None]
+        if not slaved:
+            return
+        involved = set(slaved)
+        for joint in self.joints:
+            if joint.mimic is not None:
+                involved.add(joint.mimic[0])
+        owners = [p for p, owns in enumerate(self.owns) if owns]
+        for p in owners:
+            joints = tuple(sorted(involved.intersection(self.owns[p])))
+            if p != 0 and joints:
+                self._message(Message(p, 0, "slaved", None, joints=joints))
+        self.steps[0].append(SolveCoupling())
+        for p in owners:
+            if p != 0:
+                self._message(Message(0, p, "torques", None))
+        for p in owners:
+            self.steps[p].append(ApplyCoupling())
+
+
+def _block_key(block: Block) -> tuple[int, int, int]:
+    return (-1 if block.joint is None else block.joint, block.row, block.column)
+

@@ -1,0 +1,122 @@
+"""A model's constants as the plan holds them: canonical frames, inverse inertias."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from adagen.errors import InputError
+from adagen.exact import Exact, exact, identity, rounded, skew
+from adagen.model import Inertia, Model, canonical
+from adagen.plan.types import PlanJoint, PlanLink
+
+WAY_OUT = (
+    "the assembly-disassembly form inverts the inertia of every moving link: give it mass and"
+    " rotational inertia about three axes, make one of its joints fixed, or write a run of joints"
+    " through such links as one spherical joint"
+)
+
+
+def links_and_joints(model: Model) -> tuple[tuple[PlanLink, ...], tuple[PlanJoint, ...]]:
+    """Return the constants of a model's links and joints in canonical frames.
+
+    Raises:
+        InputError: the inertia of a moving link cannot be inverted.
+    """
+    robot = canonical(model)
+    links = [_ground(model.links[0].name)]
+    for link in robot.links[1:]:
+        inverse, phi = inverse_inertia(link.inertia, link.name)
+        links.append(
+            PlanLink(
+                link.name,
+                link.inertia.mass,
+                _tuple(link.inertia.com),
+                _rows(link.inertia.tensor),
+                _rows(inverse),
+                _rows(phi),
+            )
+        )
+    joints = tuple(
+        PlanJoint(
+            joint.name,
+            joint.kind.name,
+            joint.parent,
+            robot.q_start[j],
+            robot.v_start[j],
+            _rows(joint.rotation),
+            _tuple(joint.translation),
+            None
+            if joint.mimic is None
+            else (joint.mimic.source, joint.mimic.multiplier, joint.mimic.offset),
+        )
+        for j, joint in enumerate(robot.joints)
+    )
+    return tuple(links), joints
+
+
+def inverse_inertia(inertia: Inertia, name: str) -> tuple[np.ndarray, np.ndarray]:
+    """Return J = Ic^-1 (3x3) and Phi = I^-1 (6x6) of a link at its origin.
+
+    I^-1 = [[J, -J cx], [cx J, 1/m - cx J cx]] with c the centre of mass: no cancellation with the
+    mass, and finite for a light link. Units 1/(kg m^2) and, below right, 1/kg.
+
+    Raises:
+        InputError: the inertia is singular; the message names the link and the way out.
+    """
+    if inertia.mass <= 0.0:
+        raise InputError(f'link "{name}" has no mass; {WAY_OUT}')
+    tensor = exact(inertia.tensor)
+    if not _positive_definite(tensor):
+        raise InputError(f'link "{name}" has a singular rotational inertia; {WAY_OUT}')
+    inverse = _inverse3(tensor)
+    c = skew(exact(inertia.com))
+    phi = np.empty((6, 6), dtype=object)
+    phi[:3, :3] = inverse
+    phi[:3, 3:] = -inverse.dot(c)
+    phi[3:, :3] = c.dot(inverse)
+    phi[3:, 3:] = identity(3) / exact(inertia.mass).item() - c.dot(inverse).dot(c)
+    return rounded(inverse), rounded((phi + phi.T) / 2)
+
+
+def _positive_definite(tensor: Exact) -> bool:
+    """Whether a symmetric 3x3 tensor is positive definite by more than the rounding of its entries.
+
+    The pivots of Cholesky's factorization, relative to the diagonal, say how many digits are left.
+    """
+    a = tensor.copy()
+    for k in range(3):
+        diagonal = float(tensor[k, k])
+        if not (diagonal > 0.0 and float(a[k, k]) > 1e-14 * diagonal):
+            return False
+        for i in range(k + 1, 3):
+            for j in range(k + 1, 3):
+                a[i, j] = a[i, j] - a[i, k] * a[k, j] / a[k, k]
+    return True
+
+
+def _inverse3(a: Exact) -> Exact:
+    cofactors = np.array([_cross(a[1], a[2]), _cross(a[2], a[0]), _cross(a[0], a[1])], dtype=object)
+    return cofactors.T / a[0].dot(cofactors[0])
+
+
+def _cross(u: Exact, v: Exact) -> list[object]:
+    return [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ]
+
+
+def _ground(name: str) -> PlanLink:
+    zero = (0.0, 0.0, 0.0)
+    return PlanLink(name, 0.0, zero, (zero, zero, zero), (), ())
+
+
+def _tuple(values: Sequence[float] | np.ndarray) -> tuple[float, ...]:
+    return tuple(float(x) + 0.0 for x in values)
+
+
+def _rows(matrix: np.ndarray) -> tuple[tuple[float, ...], ...]:
+    return tuple(_tuple(row) for row in matrix)

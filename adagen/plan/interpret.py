@@ -1,0 +1,302 @@
+"""Executes a plan in numpy, all processes in one: how plans are tested without a compiler."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.model.kinds import KINDS, JointKind
+from adagen.plan.types import (
+    ApplyCoupling,
+    Bias,
+    Block,
+    Disassemble,
+    Force,
+    Join,
+    Kinematics,
+    LinkBias,
+    Message,
+    Plan,
+    Receive,
+    Send,
+    SolveCoupling,
+    Step,
+)
+
+Array = NDArray[np.float64]
+
+
+class PlanError(Exception):
+    """A plan that cannot be executed: it deadlocks, or a step reads what nobody wrote."""
+
+
+def interpret(plan: Plan, q: Array, v: Array, tau: Array) -> Array:
+    """Return the joint accelerations that a plan computes.
+
+    Args:
+        plan: the plan.
+        q: configuration, shape (nq,).
+        v: velocity, shape (nv,).
+        tau: joint torques and forces, shape (nv,).
+
+    Returns:
+        Accelerations, shape (nv,).
+
+    Raises:
+        PlanError: a process waits for a message that never comes, or reads what it does not have.
+        FloatingPointError: a factorization failed; the message names the joint.
+    """
+    q, v = _with_slaved(plan, q, v)
+    qdd = np.full(v.shape, np.nan)
+    mail: dict[int, dict[Any, Array]] = {}
+    machines = [_Machine(plan, mail, q, v, tau, qdd) for _ in plan.processes]
+    positions = [0] * len(machines)
+    moved = True
+    while moved:
+        moved = False
+        for p, (machine, process) in enumerate(zip(machines, plan.processes, strict=True)):
+            while positions[p] < len(process.steps) and machine.step(process.steps[positions[p]]):
+                positions[p] += 1
+                moved = True
+    for p, process in enumerate(plan.processes):
+        if positions[p] < len(process.steps):
+            raise PlanError(f"process {p} waits for ever at {process.steps[positions[p]]}")
+    return qdd
+
+
+def _with_slaved(plan: Plan, q: Array, v: Array) -> tuple[Array, Array]:
+    q, v = np.array(q, dtype=float), np.array(v, dtype=float)
+    for j in plan.slaved:
+        joint = plan.joints[j]
+        assert joint.mimic is not None
+        source, multiplier, offset = joint.mimic
+        q[joint.q] = multiplier * q[plan.joints[source].q] + offset
+        v[joint.v] = multiplier * v[plan.joints[source].v]
+    return q, v
+
+
+class _Machine:
+    """One process: a memory and the meaning of each step."""
+
+    def __init__(
+        self, plan: Plan, mail: dict[int, dict[Any, Array]], q: Array, v: Array, tau: Array, qdd: Array
+    ) -> None:
+        self.plan, self.mail, self.q, self.v, self.tau, self.qdd = plan, mail, q, v, tau, qdd
+        self.memory: dict[Any, Any] = {}
+        self.columns = plan.right_hand_sides
+
+    def step(self, step: Step) -> bool:
+        """Do one step; return False if it has to wait for a message."""
+        try:
+            match step:
+                case Kinematics():
+                    self._kinematics(step)
+                case LinkBias():
+                    self._link_bias(step.link)
+                case Join():
+                    self._join(step)
+                case Disassemble():
+                    self._disassemble(step)
+                case Send():
+                    items = self._contents(self.plan.messages[step.message])
+                    self.mail[step.message] = {item: self.memory[item] for item in items}
+                case Receive():
+                    if step.message not in self.mail:
+                        return False
+                    self.memory.update(self.mail.pop(step.message))
+                case SolveCoupling():
+                    self._solve_coupling()
+                case ApplyCoupling():
+                    self._apply_coupling()
+        except KeyError as missing:
+            raise PlanError(f"{step} reads {missing}, which this process does not have") from None
+        return True
+
+    @staticmethod
+    def _contents(message: Message) -> list[Any]:
+        if message.sweep == "torques":
+            return ["torques"]
+        accelerations = [("qdd", j) for j in message.joints]
+        return [*message.blocks, *message.biases, *message.forces, *accelerations]
+
+    def _kinematics(self, step: Kinematics) -> None:
+        joint = self.plan.joints[step.joint]
+        kind = KINDS[joint.kind]
+        q = self.q[joint.q : joint.q + kind.nq]
+        turn, shift = _placement(kind, q)
+        base = np.array(joint.rotation)
+        rotation, origin = base @ turn, np.array(joint.translation) + base @ shift
+        x = motion_transform(rotation.T, origin)
+        motion = np.zeros(6)
+        motion[list(kind.free)] = self.v[joint.v : joint.v + kind.nv]
+        parent = self.memory["velocity", joint.parent] if joint.parent > 0 else np.zeros(6)
+        velocity = x @ parent + motion
+        self.memory["X", step.joint] = x
+        self.memory["velocity", step.joint + 1] = velocity
+        self.memory["motion", step.joint] = motion
+
+    def _column(self, first: Array) -> Array:
+        """First column of a right-hand side; the others answer to unit torques of slaved joints."""
+        result = np.zeros((len(first), self.columns))
+        result[:, 0] = first
+        return result
+
+    def _link_bias(self, number: int) -> None:
+        link = self.plan.links[number]
+        velocity = self.memory["velocity", number]
+        w, v, c = velocity[:3], velocity[3:], np.array(link.com)
+        tensor, inverse = np.array(link.tensor), np.array(link.tensor_inverse)
+        al = -inverse @ np.cross(w, tensor @ w)
+        linear = -np.cross(al, c) - np.cross(w, np.cross(w, c)) - np.cross(w, v)
+        self.memory[Bias(None, number)] = self._column(np.concatenate([al, linear]))
+
+    def _block(self, block: Block, transposed: bool = False) -> Array:
+        if block.joint is None:
+            matrix = np.array(self.plan.links[block.row].phi)
+        else:
+            matrix = self.memory[block]
+        return matrix.T if transposed else matrix
+
+    def _torques(self, j: int) -> Array:
+        """Torques of joint j, shape (n, columns): its own, then those of the coupling rows."""
+        joint = self.plan.joints[j]
+        n = KINDS[joint.kind].nv
+        result = self._column(self.tau[joint.v : joint.v + n])
+        for column, slaved in enumerate(self.plan.slaved, start=1):
+            mimic = self.plan.joints[slaved].mimic
+            assert mimic is not None
+            if j == slaved:
+                result[0, column] = 1.0
+            if j == mimic[0]:
+                result[0, column] = -mimic[1]
+        return result
+
+    def _join(self, step: Join) -> None:
+        kind = KINDS[self.plan.joints[step.joint].kind]
+        free, constrained = list(kind.free), list(kind.constrained)
+        x = self.memory["X", step.joint]
+        c = self._column(np.zeros(6))
+        if step.velocity_product:
+            velocity = self.memory["velocity", step.joint + 1]
+            c = self._column(cross_motion(velocity, self.memory["motion", step.joint]))
+        tau = self._torques(step.joint)
+        phi_a = np.zeros((6, 6)) if step.a is None else x @ self._block(step.a) @ x.T
+        ground = self._column(np.concatenate([np.zeros(3), -np.array(self.plan.gravity)]))
+        b_a = x @ (ground if step.a_bias is None else self.memory[step.a_bias])
+        phi = phi_a + self._block(step.b)
+        beta = b_a - self.memory[step.b_bias] + c - phi[:, free] @ tau
+        m = phi[np.ix_(constrained, constrained)]
+        try:
+            lower = np.linalg.cholesky(m) if constrained else m
+        except np.linalg.LinAlgError:
+            name = self.plan.joints[step.joint].name
+            raise FloatingPointError(f'joint "{name}": factorization failed') from None
+        z0 = np.linalg.solve(lower, beta[constrained]) if constrained else beta[constrained]
+        z: dict[int, Array] = {}
+        y: dict[int, Array] = {}
+        for coupling in step.couplings:
+            phi_ij = self._block(coupling.source, coupling.transposed)
+            phi_ij = x @ phi_ij if coupling.side == "A" else phi_ij
+            rows = phi_ij[constrained]
+            z[coupling.handle] = np.linalg.solve(lower, rows) if constrained else rows
+            y[coupling.handle] = phi_ij[free]
+        for block in step.blocks:
+            product = z[block.target.row].T @ z[block.target.column]
+            if block.across:
+                self.memory[block.target] = product
+            else:
+                assert block.source is not None  # handles of one side that feel one joint
+                self.memory[block.target] = self._block(block.source) - product
+        for bias in step.biases:
+            h = bias.target.handle
+            sign = -1.0 if bias.side == "A" else 1.0
+            change = z[h].T @ z0 + y[h].T @ tau
+            self.memory[bias.target] = self.memory[bias.source] + sign * change
+        self.memory["join", step.joint] = (step, lower, z0, z, y, phi, beta, tau)
+
+    def _disassemble(self, step: Disassemble) -> None:
+        joint = self.plan.joints[step.joint]
+        kind = KINDS[joint.kind]
+        free, constrained = list(kind.free), list(kind.constrained)
+        join, lower, z0, z, y, phi, beta, tau = self.memory["join", step.joint]
+        right, qdd = z0.copy(), -beta[free]
+        for coupling, name in zip(join.couplings, step.forces, strict=True):
+            force = self.memory[name]
+            sign = 1.0 if coupling.side == "A" else -1.0
+            right += sign * z[coupling.handle] @ force
+            qdd -= sign * y[coupling.handle] @ force
+        n = np.linalg.solve(lower.T, right) if constrained else right
+        qdd += phi[np.ix_(free, constrained)] @ n
+        f = np.zeros((6, self.columns))
+        f[constrained] = n
+        f[free] = tau
+        for update in step.updates:
+            acting = 0.0 if update.source is None else self.memory[update.source]
+            x = self.memory["X", step.joint]
+            self.memory[update.target] = acting + (-x.T @ f if update.side == "A" else f)
+        self.memory["qdd", step.joint] = qdd
+        if not self.plan.slaved:
+            self.qdd[joint.v : joint.v + kind.nv] = qdd[:, 0]
+
+    def _solve_coupling(self) -> None:
+        """Solve A qdd = 0 for the coupling torques; A's rows are qdd_slaved - multiplier qdd_source."""
+        rows = []
+        for slaved in self.plan.slaved:
+            mimic = self.plan.joints[slaved].mimic
+            assert mimic is not None
+            source = self.memory["qdd", mimic[0]][0]
+            rows.append(self.memory["qdd", slaved][0] - mimic[1] * source)
+        a = np.array(rows)
+        self.memory["torques"] = np.linalg.solve(a[:, 1:], -a[:, 0])
+
+    def _apply_coupling(self) -> None:
+        torques = self.memory["torques"]
+        for name, qdd in self.memory.items():
+            if isinstance(name, tuple) and name[0] == "qdd":
+                joint = self.plan.joints[name[1]]
+                n = KINDS[joint.kind].nv
+                self.qdd[joint.v : joint.v + n] = qdd[:, 0] + qdd[:, 1:] @ torques
+
+
+def motion_transform(e: Array, r: Array) -> Array:
+    """Return X = [[E, 0], [-E rx, E]] for rotation E (3x3) and child origin r (3,) in the parent."""
+    x = np.zeros((6, 6))
+    x[:3, :3] = x[3:, 3:] = e
+    rx = np.array([[0.0, -r[2], r[1]], [r[2], 0.0, -r[0]], [-r[1], r[0], 0.0]])
+    x[3:, :3] = -e @ rx
+    return x
+
+
+def cross_motion(v: Array, m: Array) -> Array:
+    """Return v x m of two motion vectors [angular; linear]."""
+    linear = np.cross(v[:3], m[3:]) + np.cross(v[3:], m[:3])
+    return np.concatenate([np.cross(v[:3], m[:3]), linear])
+
+
+def _placement(kind: JointKind, q: Array) -> tuple[Array, Array]:
+    """Rotation (child to joint frame) and origin of the child frame in the canonical joint frame."""
+    turn, shift = np.eye(3), np.zeros(3)
+    if kind.quaternion is not None:
+        x, y, z, w = q[kind.quaternion :] / np.linalg.norm(q[kind.quaternion :])
+        turn = np.array(
+            [
+                [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+            ]
+        )
+        shift = q[: kind.quaternion] if kind.quaternion else shift
+    elif kind.name == "prismatic":
+        shift = np.array([0.0, 0.0, q[0]])
+    else:
+        angle = q[-1]
+        c, s = np.cos(angle), np.sin(angle)
+        turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+        if kind.name == "planar":
+            shift = np.array([q[0], q[1], 0.0])
+    return turn, shift
+
+
+__all__ = ["Force", "PlanError", "interpret"]

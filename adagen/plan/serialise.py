@@ -1,0 +1,89 @@
+"""A plan as JSON, one step a line, and back."""
+
+from __future__ import annotations
+
+import json
+import types
+from dataclasses import fields, is_dataclass
+from typing import Any, Union, get_args, get_origin, get_type_hints
+
+from adagen.plan import types as plan_types
+from adagen.plan.types import Plan, Step
+
+FORMAT = 1
+_STEPS = {step.__name__: step for step in get_args(Step)}
+
+
+def plan_to_json(plan: Plan) -> str:
+    """Return a plan as JSON: numbers exact, one link, joint, step and message a line."""
+    lines = [f'"format": {FORMAT}']
+    for field in fields(plan):
+        value = getattr(plan, field.name)
+        if field.name == "processes":
+            lines.append(f'"processes": [\n{_processes(plan)}\n]')
+        elif field.name in ("links", "joints", "messages"):
+            lines.append(f'"{field.name}": {_lines(_encode(item) for item in value)}')
+        else:
+            lines.append(f'"{field.name}": {_dump(_encode(value))}')
+    return "{\n" + ",\n".join(lines) + "\n}\n"
+
+
+def _processes(plan: Plan) -> str:
+    parts = []
+    for process in plan.processes:
+        steps = _lines({"step": type(step).__name__, **_encode(step)} for step in process.steps)
+        reads, owns = _dump(list(process.reads)), _dump(list(process.owns))
+        parts.append(f'{{"reads": {reads}, "owns": {owns}, "steps": {steps}}}')
+    return ",\n".join(parts)
+
+
+def _lines(items: Any) -> str:
+    return "[" + ",".join("\n  " + _dump(item) for item in items) + "]"
+
+
+def _dump(value: Any) -> str:
+    return json.dumps(value, allow_nan=False)
+
+
+def _encode(value: Any) -> Any:
+    if is_dataclass(value):
+        return {field.name: _encode(getattr(value, field.name)) for field in fields(value)}
+    if isinstance(value, tuple):
+        return [_encode(item) for item in value]
+    return value
+
+
+def plan_from_json(text: str) -> Plan:
+    """Return the plan that ``plan_to_json`` wrote.
+
+    Raises:
+        ValueError: it is not such a plan.
+    """
+    data = json.loads(text)
+    if not isinstance(data, dict) or data.pop("format", None) != FORMAT:
+        raise ValueError(f"not a plan of format {FORMAT}")
+    plan = _decode(Plan, data)
+    assert isinstance(plan, Plan)
+    return plan
+
+
+def _decode(kind: Any, data: Any) -> Any:
+    """Return data as a value of a type made of dataclasses, tuples, unions and plain values."""
+    if kind == Step:
+        return _decode(_STEPS[data["step"]], {k: v for k, v in data.items() if k != "step"})
+    if get_origin(kind) in (Union, types.UnionType):
+        if data is None:
+            return None
+        return _decode(next(k for k in get_args(kind) if k is not types.NoneType), data)
+    if get_origin(kind) is tuple:
+        items = get_args(kind)
+        if items[-1] is Ellipsis:
+            return tuple(_decode(items[0], item) for item in data)
+        return tuple(_decode(k, item) for k, item in zip(items, data, strict=True))
+    if is_dataclass(kind):
+        hints = get_type_hints(kind, vars(plan_types))
+        if not isinstance(data, dict) or set(data) != set(hints):
+            raise ValueError(f"not a {getattr(kind, '__name__', kind)}: {data!r:.80}")
+        assert isinstance(kind, type)
+        return kind(**{name: _decode(hints[name], value) for name, value in data.items()})
+    return data

@@ -1,0 +1,307 @@
+"""The plan: what each process does, step by step, frozen and printable.
+
+A plan is the whole input of the emitter and of the interpreter. It names three kinds of buffers,
+each living in the memory of the process that computes or receives it:
+
+* ``Block``: Phi_gh of a partial chain, 6x6, row handle g and column handle h (links), g <= h;
+* ``Bias``: b_h of a partial chain, 6 numbers for each right-hand side;
+* ``Force``: the wrench that acts on handle h of a partial chain from outside, likewise.
+
+Handles are links, in the link's own frame: all joints at one link share its block, seen through
+their constant or joint-dependent transforms. A partial chain is named by the joint that completed
+it; ``joint is None`` names a bare link. Blocks between handles that do not feel each other (they
+meet in the ground only) do not exist.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, order=True)
+class Block:
+    """Phi_gh (paper, Eq. 2) of the chain that ``joint`` completed; a bare link's if None."""
+
+    joint: int | None
+    row: int
+    column: int
+
+
+@dataclass(frozen=True, order=True)
+class Bias:
+    """b_h (paper, Eq. 2) of the chain that ``joint`` completed; a bare link's if None."""
+
+    joint: int | None
+    handle: int
+
+
+@dataclass(frozen=True, order=True)
+class Force:
+    """The outer wrench on link ``handle`` of the chain that ``joint`` completed."""
+
+    joint: int
+    handle: int
+
+
+@dataclass(frozen=True)
+class Kinematics:
+    """Transform and velocity of a joint's child link."""
+
+    joint: int
+
+
+@dataclass(frozen=True)
+class LinkBias:
+    """b of a bare link: its acceleration when nothing acts on it."""
+
+    link: int
+
+
+@dataclass(frozen=True)
+class Coupling:
+    """Phi between the joined joint's own handle on ``side`` and another handle of that side."""
+
+    handle: int
+    side: str
+    source: Block
+    transposed: bool
+
+
+@dataclass(frozen=True)
+class BlockUpdate:
+    """Phi_C = Phi -/+ Z_row^T Z_column: Eq. (3), (4) on one side, Eq. (5) across."""
+
+    target: Block
+    source: Block | None
+    across: bool
+
+
+@dataclass(frozen=True)
+class BiasUpdate:
+    """b_C = b -/+ Phi gamma: Eq. (6) on side A, Eq. (7) on side B."""
+
+    target: Bias
+    source: Bias
+    side: str
+
+
+@dataclass(frozen=True)
+class Join:
+    """Assembly of a joint between chains A (parent side) and B (child side): Eq. (3)-(7).
+
+    Attributes:
+        joint: the joint i.
+        a: chain A's block at the parent link; None where that is the ground, whose Phi is zero.
+        a_bias: chain A's bias there; None for the ground, which accelerates upwards against
+            gravity (all accelerations are relative to free fall).
+        b: chain B's block at the child link.
+        b_bias: chain B's bias there.
+        couplings: the handles of C that feel the joint, in the order of their links.
+        blocks: the blocks of C that change.
+        biases: the biases of C that change.
+        velocity_product: whether c = v x S qd can differ from zero: not next to the ground.
+    """
+
+    joint: int
+    a: Block | None
+    a_bias: Bias | None
+    b: Block
+    b_bias: Bias
+    couplings: tuple[Coupling, ...]
+    blocks: tuple[BlockUpdate, ...]
+    biases: tuple[BiasUpdate, ...]
+    velocity_product: bool
+
+
+@dataclass(frozen=True)
+class ForceUpdate:
+    """Wrench on the joined handle of a part: what acted on C there, and f_i or its reaction."""
+
+    target: Force
+    source: Force | None
+    side: str
+
+
+@dataclass(frozen=True)
+class Disassemble:
+    """Disassembly of a joint: its acceleration and force, Eq. (8)-(10).
+
+    Attributes:
+        joint: the joint i.
+        forces: the outer wrenches on the handles that the join coupled, in its order.
+        updates: the wrenches that the two parts get to feel.
+    """
+
+    joint: int
+    forces: tuple[Force, ...]
+    updates: tuple[ForceUpdate, ...]
+
+
+@dataclass(frozen=True)
+class Send:
+    """Hand a message to its target."""
+
+    message: int
+
+
+@dataclass(frozen=True)
+class Receive:
+    """Wait for a message."""
+
+    message: int
+
+
+@dataclass(frozen=True)
+class SolveCoupling:
+    """The torques that keep slaved joints in step, from all processes' accelerations."""
+
+
+@dataclass(frozen=True)
+class ApplyCoupling:
+    """Add what these torques do to this process's accelerations."""
+
+
+Step = (
+    Kinematics
+    | LinkBias
+    | Join
+    | Disassemble
+    | Send
+    | Receive
+    | SolveCoupling
+    | ApplyCoupling
+)
+
+
+@dataclass(frozen=True)
+class Message:
+    """What one process tells another once in an evaluation.
+
+    Attributes:
+        source: sending process.
+        target: receiving process.
+        sweep: "assembly", "disassembly", "slaved" (accelerations of slaved joints and their
+            sources, to be solved for) or "torques" (the answer).
+        joint: the joint that completed the chain that is spoken of; None for the last two.
+        blocks: blocks in it, 36 numbers each.
+        biases: biases in it, 6 numbers for each right-hand side.
+        forces: wrenches in it, likewise.
+        joints: joints whose accelerations are in it, for every right-hand side.
+    """
+
+    source: int
+    target: int
+    sweep: str
+    joint: int | None
+    blocks: tuple[Block, ...] = ()
+    biases: tuple[Bias, ...] = ()
+    forces: tuple[Force, ...] = ()
+    joints: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True)
+class PlanLink:
+    """A link's constants in its canonical frame (every joint axis z).
+
+    Attributes:
+        name: its name.
+        mass: kg.
+        com: centre of mass, 3 numbers, m.
+        tensor: rotational inertia about the centre of mass, 3x3, kg m^2.
+        tensor_inverse: its inverse, 3x3; empty where it was not needed.
+        phi: inverse spatial inertia at the link's origin, 6x6; empty for the ground.
+    """
+
+    name: str
+    mass: float
+    com: tuple[float, ...]
+    tensor: tuple[tuple[float, ...], ...]
+    tensor_inverse: tuple[tuple[float, ...], ...]
+    phi: tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True)
+class PlanJoint:
+    """A joint's constants.
+
+    Attributes:
+        name: its name.
+        kind: name of its kind (adagen.model.kinds).
+        parent: parent link; the child link is the joint's index + 1.
+        q: where its configuration starts in q.
+        v: where its velocity starts in v.
+        rotation: of the joint frame in the parent link's frame, 3x3.
+        translation: of the joint frame in the parent link's frame, 3 numbers, m.
+        mimic: (source joint, multiplier, offset) where it is slaved.
+    """
+
+    name: str
+    kind: str
+    parent: int
+    q: int
+    v: int
+    rotation: tuple[tuple[float, ...], ...]
+    translation: tuple[float, ...]
+    mimic: tuple[int, float, float] | None
+
+
+@dataclass(frozen=True)
+class Process:
+    """What one process does.
+
+    Attributes:
+        steps: in order.
+        reads: joints whose q and v it reads, ascending.
+        owns: joints whose torque it reads and whose acceleration it computes, ascending.
+    """
+
+    steps: tuple[Step, ...]
+    reads: tuple[int, ...]
+    owns: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A frozen answer to "who computes what, when, from what".
+
+    Attributes:
+        name: the robot's name (data, not fit for code).
+        source_hash: of the robot description, hexadecimal.
+        form: "ada".
+        scalar: "double" or "float".
+        channel: "auto", "window" or "message": what the emitted program prefers.
+        schedule: the schedule in one line.
+        floating: whether joint 0 is the floating base ``__base__``.
+        gravity: 3 numbers, m/s^2.
+        links: the ground first.
+        joints: in depth-first order.
+        slaved: slaved joints; each adds a right-hand side.
+        processes: one entry per process.
+        messages: numbered by their place.
+    """
+
+    name: str
+    source_hash: str
+    form: str
+    scalar: str
+    channel: str
+    schedule: str
+    floating: bool
+    gravity: tuple[float, ...]
+    links: tuple[PlanLink, ...]
+    joints: tuple[PlanJoint, ...]
+    slaved: tuple[int, ...]
+    processes: tuple[Process, ...]
+    messages: tuple[Message, ...]
+
+    @property
+    def right_hand_sides(self) -> int:
+        """Columns of every bias, force and acceleration: the motion, and one per slaved joint."""
+        return 1 + len(self.slaved)
+
+    def path(self, joint: int) -> list[int]:
+        """Return the joints from the ground down to ``joint``, itself included."""
+        path = [joint]
+        while self.joints[path[-1]].parent > 0:
+            path.append(self.joints[path[-1]].parent - 1)
+        return path[::-1]

@@ -1,0 +1,149 @@
+"""Plans of form `ada`, executed by the interpreter, against independent dynamics."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from adagen.errors import InputError, UsageError
+from adagen.model import Inertia, Model
+from adagen.plan import make_plan, plan_from_json, plan_to_json
+from adagen.plan.interpret import PlanError, interpret
+from adagen.plan.types import Join, Plan, Receive, Send
+from adagen.reference import exact_forward_dynamics, forward_dynamics
+from adagen.states import random_states
+from tests.models import binary, human_figure, random_tree, serial_chain, star, three_axis_chain
+from tests.schedules import random_schedule
+
+
+def worst(model: Model, plan: Plan, states: int = 2) -> float:
+    """Return the largest relative error of a plan against composite bodies and a solve."""
+    error = 0.0
+    sample = random_states(model, states, seed=5)
+    for q, v, tau in zip(sample.q, sample.v, sample.tau, strict=True):
+        truth = forward_dynamics(model, q, v, tau)
+        answer = interpret(plan, q, v, tau)
+        error = max(error, float(np.abs(answer - truth).max() / max(1.0, np.abs(truth).max())))
+    return error
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(1, 9), st.integers(1, 5), st.integers(0, 2**32 - 1))
+def test_any_schedule_of_any_tree_is_right(joints: int, processes: int, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    model = random_tree(rng, joints)
+    plan = make_plan(model, random_schedule(model, processes, rng))
+    assert worst(model, plan) < 1e-8
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(4, 9), st.integers(1, 4), st.integers(0, 2**32 - 1))
+def test_slaved_joints_follow_their_sources(joints: int, processes: int, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    model = random_tree(rng, joints, mimics=2)
+    plan = make_plan(model, random_schedule(model, processes, rng))
+    assert worst(model, plan) < 1e-8
+
+
+@pytest.mark.parametrize("processes", [1, 2, 3, 4, 7])
+@pytest.mark.parametrize(
+    "model",
+    [serial_chain(16), human_figure(), star(6, floating=True), binary(4, floating=True)],
+    ids=lambda model: model.name,
+)
+def test_known_robots(model: Model, processes: int) -> None:
+    plan = make_plan(model, random_schedule(model, processes, np.random.default_rng(processes)))
+    assert worst(model, plan) < 1e-9
+
+
+def test_against_sixty_digits() -> None:
+    model = human_figure()
+    plan = make_plan(model, random_schedule(model, 3, np.random.default_rng(1)))
+    sample = random_states(model, 1, seed=2)
+    q, v, tau = sample.q[0], sample.v[0], sample.tau[0]
+    truth = exact_forward_dynamics(model, q, v, tau).value
+    assert np.abs(interpret(plan, q, v, tau) - truth).max() < 1e-11 * np.abs(truth).max()
+
+
+def test_a_hub_shares_one_block() -> None:
+    """All joints at one link share its block: a hub of 12 arms costs no 12 x 12 blocks."""
+    model = star(12, floating=True)
+    plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(3)))
+    joins = [step for step in plan.processes[0].steps if isinstance(step, Join)]
+    hub = model.joints[0].name
+    assert hub == "__base__"
+    for join in joins:
+        assert len(join.couplings) <= 2 + sum(b.target.row != b.target.column for b in join.blocks)
+
+
+def test_trees_that_meet_in_the_ground_exchange_nothing() -> None:
+    rng = np.random.default_rng(8)
+    model = star(2)  # fixed base: two arms on the ground
+    plan = make_plan(model, random_schedule(model, 2, rng))
+    owners = {p for p, process in enumerate(plan.processes) if process.owns}
+    if len(owners) == 2 and not plan.messages:
+        assert worst(model, plan) < 1e-9
+    assert all(message.biases or message.forces for message in plan.messages)
+
+
+def test_every_message_is_sent_and_received_once() -> None:
+    model = human_figure()
+    plan = make_plan(model, random_schedule(model, 4, np.random.default_rng(4)))
+    sends = [s.message for p in plan.processes for s in p.steps if isinstance(s, Send)]
+    receives = [s.message for p in plan.processes for s in p.steps if isinstance(s, Receive)]
+    assert sorted(sends) == sorted(receives) == list(range(len(plan.messages)))
+    assert plan.messages
+
+
+def test_a_process_reads_no_more_than_its_joints_need() -> None:
+    model = human_figure()
+    plan = make_plan(model, random_schedule(model, 4, np.random.default_rng(4)))
+    for process in plan.processes:
+        needed = {j for own in process.owns for j in plan.path(own)}
+        assert set(process.reads) == needed
+
+
+def test_a_lost_message_is_found_out() -> None:
+    model = human_figure()
+    plan = make_plan(model, random_schedule(model, 2, np.random.default_rng(6)))
+    first = plan.processes[1]
+    mute = replace(first, steps=tuple(s for s in first.steps if not isinstance(s, Send)))
+    broken = replace(plan, processes=(plan.processes[0], mute))
+    sample = random_states(model, 1, seed=1)
+    with pytest.raises(PlanError, match="waits for ever"):
+        interpret(broken, sample.q[0], sample.v[0], sample.tau[0])
+
+
+def test_json_and_back() -> None:
+    model = random_tree(np.random.default_rng(7), 9, mimics=1)
+    plan = make_plan(model, random_schedule(model, 3, np.random.default_rng(7)), source_hash="ab")
+    text = plan_to_json(plan)
+    assert plan_from_json(text) == plan
+    assert plan_to_json(plan_from_json(text)) == text
+    assert json.loads(text)["form"] == "ada"
+
+
+def test_massless_links_are_named_with_the_way_out() -> None:
+    model = three_axis_chain(2)
+    with pytest.raises(InputError, match='link ".*" has no mass; .*spherical joint'):
+        make_plan(model, random_schedule(model, 1, np.random.default_rng(0)))
+
+
+def test_point_masses_are_named() -> None:
+    model = serial_chain(3)
+    point = replace(model.links[2], inertia=Inertia(1.0, np.zeros(3), np.zeros((3, 3))))
+    links = (*model.links[:2], point, *model.links[3:])
+    with pytest.raises(InputError, match="singular rotational inertia"):
+        make_plan(replace(model, links=links), random_schedule(model, 1, np.random.default_rng(0)))
+
+
+def test_unknown_words_are_usage_errors() -> None:
+    model = serial_chain(2)
+    schedule = random_schedule(model, 1, np.random.default_rng(0))
+    with pytest.raises(UsageError, match="unknown form"):
+        make_plan(model, schedule, form="magic")
