@@ -9,6 +9,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from adagen.errors import EnvironmentFault, UsageError, printable
+from adagen.jsonfile import write_whole
 
 _SIGNATURE = b"adagen"
 _HEAD_BYTES = 1000
@@ -54,20 +55,15 @@ def write_file(path: Path, text: str) -> None:
     Raises:
         EnvironmentFault: writing failed.
     """
-    try:
-        if path.exists() and not path.is_file():  # /dev/stdout, a named pipe
-            path.write_text(text, encoding="utf-8")
-            return
-        temporary = _write_beside(path.parent, text)
+    if path.exists() and not path.is_file():  # /dev/stdout, a named pipe
         try:
-            os.replace(temporary, path)  # noqa: PTH105
-        except OSError:
-            Path(temporary).unlink()
-            raise
-    except OSError as error:
-        raise EnvironmentFault(
-            f"cannot write {printable(str(path))}: {error.strerror or error}"
-        ) from None
+            path.write_text(text, encoding="utf-8")
+        except OSError as error:
+            raise EnvironmentFault(
+                f"cannot write {printable(str(path))}: {error.strerror or error}"
+            ) from None
+    else:
+        write_whole(path.resolve(), text)  # never in place of a link such as /dev/stdout
 
 
 def _write_beside(folder: Path, text: str) -> str:

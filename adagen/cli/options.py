@@ -78,9 +78,22 @@ def add_schedule(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--strategy",
-        choices=("improved", "naive"),
-        default="improved",
-        help="how A* enumerates successors (the paper's two NextNodes)",
+        choices=("exact", "astar", "paper"),
+        default="exact",
+        help="how it is searched: over partial chains (exact, default), by A*, or by A* with the "
+        "paper's own bounds and successors",
+    )
+    parser.add_argument(
+        "--split",
+        choices=("always", "free"),
+        default="always",
+        help="whether two branches always divide their processes (default, as in the paper) or "
+        "may share them",
+    )
+    parser.add_argument(
+        "--schedule",
+        metavar="FILE",
+        help="take this schedule (as `adagen schedule --json` prints it) instead of searching",
     )
 
 

@@ -9,15 +9,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from adagen.cli.console import Stages, note, progress, warn
 from adagen.errors import InputError
 
 if TYPE_CHECKING:
     from adagen.model import Model
     from adagen.plan import Plan
-    from adagen.schedule import Schedule
+    from adagen.schedule import CostProfile, Schedule, Topology
 
 
 @dataclass(frozen=True)
@@ -55,7 +53,7 @@ def read_model(
             options.model,
             floating=options.floating,
             mimic=options.mimic,
-            **({} if gravity is None else {"gravity": np.array(gravity, dtype=np.float64)}),
+            gravity=gravity,
         )
     for warning in reading.warnings:
         warn(warning)
@@ -74,13 +72,39 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
         from adagen.schedule import Topology, find_schedule, load_profile
 
+        profile = load_profile(options.profile)
+        if options.schedule is not None:
+            return _read_schedule(options, Topology.of(model), profile)
         return find_schedule(
             Topology.of(model),
             options.procs,
-            profile=load_profile(options.profile),
+            profile=profile,
             tie=options.tie,
             strategy=options.strategy,
+            split=options.split,
         )
+
+
+def _read_schedule(
+    options: argparse.Namespace, topology: Topology, profile: CostProfile
+) -> Schedule:
+    """Return the schedule in the file that the user gave."""
+    from adagen.schedule import schedule_from_json
+
+    try:
+        text = Path(options.schedule).read_text(encoding="utf-8")
+    except OSError as error:
+        raise InputError(f"cannot read it: {error.strerror}", options.schedule) from None
+    except ValueError:
+        raise InputError("not UTF-8 text", options.schedule) from None
+    schedule = schedule_from_json(text, topology, profile, options.schedule)
+    if schedule.processes != options.procs:
+        raise InputError(
+            f"this schedule is for {schedule.processes} processes, not {options.procs}; "
+            f"say --procs {schedule.processes}",
+            options.schedule,
+        )
+    return schedule
 
 
 def draw(schedule: Schedule, model: Model) -> str:
@@ -121,7 +145,10 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
 
 def prediction(schedule: Schedule) -> str:
     """Return in a few words what a schedule is predicted to cost."""
-    proof = "optimal" if schedule.verdict == "optimal" else f"within {schedule.gap:.1%} of optimal"
+    if schedule.verdict == "optimal":
+        proof = "optimal"
+    else:
+        proof = f"not proven optimal: at most {schedule.gap:.1%} above it"
     return f"{schedule.makespan:.2f} us predicted ({schedule.profile} profile, {proof})"
 
 

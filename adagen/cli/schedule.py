@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,7 +10,6 @@ from adagen.cli.console import Stages, note
 from adagen.cli.options import add_model, add_schedule, make_parser
 
 if TYPE_CHECKING:
-    from adagen.model import Model
     from adagen.schedule import Schedule
 
 _EPILOG = """\
@@ -33,6 +31,7 @@ def run(argv: Sequence[str]) -> int:
 
     from adagen.cli import pipeline
     from adagen.cli.files import write_file
+    from adagen.schedule import Topology, schedule_to_json, schedule_tree
 
     stages = Stages()
     try:
@@ -44,41 +43,25 @@ def run(argv: Sequence[str]) -> int:
     finally:
         if options.verbose:
             note(str(stages))
+    topology = Topology.of(model)
     if options.json:
-        from adagen.schedule import Topology
-
-        print(json.dumps(schedule.to_json(Topology.of(model)), indent=2))
-    else:
-        _show(schedule, model)
+        print(schedule_to_json(schedule, topology))
+        return 0
+    print(schedule_tree(schedule, topology))
+    _show_loads(schedule)
+    print(pipeline.prediction(schedule))
     return 0
 
 
-def _show(schedule: Schedule, model: Model) -> None:
-    """Print the tree and the load of each process, for people."""
+def _show_loads(schedule: Schedule) -> None:
+    """Print how long each process is busy, for people."""
+    from rich import box
     from rich.console import Console
-    from rich.markup import escape
     from rich.table import Table
-    from rich.tree import Tree
 
-    from adagen.cli.pipeline import prediction
-    from adagen.errors import printable
-    from adagen.schedule.tree import Node
-
-    def label(node: Node) -> str:
-        first, end = node.processes
-        where = f"process {first}" if end == first + 1 else f"processes {first}-{end - 1}"
-        name = escape(printable(model.joints[node.joint].name))
-        return f"{name} [dim]{where}, {node.cost:.2f} us, k = {node.boundary}[/dim]"
-
-    console = Console()
-    tree = Tree(label(schedule.root))
-    waiting = [(schedule.root, tree)]
-    while waiting:  # a chain makes a tree as deep as it is long: no recursion
-        node, branch = waiting.pop()
-        waiting += [(child, branch.add(label(child))) for child in node.children]
-    table = Table("process", "active (us)", "share")
+    table = Table(box=box.SIMPLE)
+    for column in ("process", "active (us)", "share"):
+        table.add_column(column, justify="right")
     for process, load in enumerate(schedule.loads):
         table.add_row(str(process), f"{load:.2f}", f"{load / schedule.makespan:.0%}")
-    console.print(tree)
-    console.print(table)
-    console.print(escape(prediction(schedule)))
+    Console().print(table)

@@ -14,7 +14,8 @@ from adagen.errors import EnvironmentFault
 
 if TYPE_CHECKING:
     from adagen.build import Toolchain
-    from adagen.cli.pipeline import Generated
+    from adagen.model import Model
+    from adagen.states import States
 
 _EPILOG = """\
 The states file is JSON: {"floating": false, "gravity": [0, 0, -9.81],
@@ -65,9 +66,9 @@ def _solve(options: argparse.Namespace, stages: Stages) -> int:
     from adagen.states import read_states, states_gravity
 
     gravity = states_gravity(options.states)
-    model = pipeline.read_model(options, stages, gravity)
+    model = pipeline.read_model(options, stages, None if gravity is None else gravity.tolist())
     with stages.stage("states"):
-        read_states(options.states, model)  # refused here, with names, before anything is built
+        states = read_states(options.states, model)  # refused before anything is built
     made = pipeline.generate(model, options, stages)
     with stages.stage("build"):
         name, source = made.source
@@ -76,7 +77,7 @@ def _solve(options: argparse.Namespace, stages: Stages) -> int:
             source, name.removesuffix(".cpp"), toolchain, progress=progress
         )
     with stages.stage("run"):
-        status, result = _run(executable, toolchain, options, made)
+        status, result = _run(executable, toolchain, options, model, states)
     if status != 0:
         return status
     if options.result is None:
@@ -87,25 +88,31 @@ def _solve(options: argparse.Namespace, stages: Stages) -> int:
 
 
 def _run(
-    executable: Path, toolchain: Toolchain, options: argparse.Namespace, made: Generated
+    executable: Path,
+    toolchain: Toolchain,
+    options: argparse.Namespace,
+    model: Model,
+    states: States,
 ) -> tuple[int, str]:
     """Run the executable on the states; return its status and the result file's text."""
     from adagen.run import launch
+    from adagen.states import write_states
 
     with (
         tempfile.TemporaryDirectory(prefix="adagen-") as folder,
-        progress(f"running on {made.schedule.processes} processes"),
+        progress(f"running on {options.procs} process{'es' if options.procs > 1 else ''}"),
     ):
-        result = Path(folder, "result.json")
+        given, result = Path(folder, "states.json"), Path(folder, "result.json")
+        write_states(states, model, given)  # complete: slaved joints may be left out in a file
         done = launch(
             executable,
-            made.schedule.processes,
-            ["--states", str(options.states.resolve()), "--result", str(result)],
+            options.procs,
+            ["--states", str(given), "--result", str(result)],
             toolchain,
             options.timeout,
         )
         for line in done.stderr.splitlines():
-            note(line)
+            note(line.replace(str(given), str(options.states)))
         if done.status != 0:
             return done.status, ""
         try:
