@@ -34,11 +34,16 @@ def weakest_slaved(model: Model) -> Mobility:
     """
     upright = canonical(model)
     with ctx.workprec(BITS):
-        found = [
-            _weakest_of(reduced(upright, inertia_matrix(upright, k)), upright)
-            for k in range(CONFIGURATIONS)
-        ]
-    return max(found, key=lambda mobility: mobility.ratio)
+        best = _weakest_at(upright, 0)
+        for k in range(1, CONFIGURATIONS):
+            if not best.singular:
+                break
+            best = max(best, _weakest_at(upright, k), key=lambda mobility: mobility.ratio)
+    return best
+
+
+def _weakest_at(model: Model, configuration: int) -> Mobility:
+    return _weakest_of(reduced(model, inertia_matrix(model, configuration)), model)
 
 
 def inertia_matrix(model: Model, configuration: int) -> Any:

@@ -100,7 +100,7 @@ def _decode(data: bytes, notes: Notes) -> str:
         text = data.decode(encoding)
     except UnicodeDecodeError as fault:
         line = data.count(b"\n", 0, fault.start) + 1 if "16" not in encoding else None
-        if _looks_binary(data):
+        if encoding == "utf-8" and _looks_binary(data):
             raise notes.error("not XML but binary data: give a URDF file", 1) from None
         byte = f"byte 0x{data[fault.start]:02x}" if fault.start < len(data) else "end of file"
         raise notes.error(
