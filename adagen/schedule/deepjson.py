@@ -88,12 +88,12 @@ class _Key(str):
 
 
 def _put(stack: list[Any], value: Any) -> None:
-    if isinstance(stack[-1], _Key):
-        key: str = stack.pop()
-        inside: dict[str, Any] = stack[-1]
-        inside[str(key)] = value
+    top = stack[-1]
+    if isinstance(top, _Key):
+        stack.pop()
+        stack[-1][str(top)] = value
     else:
-        stack[-1].append(value)
+        top.append(value)
 
 
 def _skip(text: str, at: int) -> int:

@@ -2,13 +2,58 @@
 
 from __future__ import annotations
 
+import logging
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import get_args
+
 from adagen.errors import UsageError
-from adagen.schedule.chains import WHOLE, Chains
+from adagen.schedule.astar import AStar
+from adagen.schedule.beam import incumbent
+from adagen.schedule.bounds import Rules
+from adagen.schedule.budget import Budget, OutOfBudget, Progress
+from adagen.schedule.chains import WHOLE
 from adagen.schedule.draft import Draft
+from adagen.schedule.exact import ExactSearch
+from adagen.schedule.options import Space
 from adagen.schedule.profile import TICKS, CostProfile
-from adagen.schedule.single import SingleProcess
+from adagen.schedule.ties import LeastWork, walk
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Schedule, Split, Strategy, Tie, loads_of, makespan_of
+
+MOST_PROCESSES = 1024
+EXPANSIONS = 20_000
+"""Default limit on expansions: the same answer on every machine, within seconds."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """What a strategy comes back with; times in ticks.
+
+    Attributes:
+        draft: the schedule tree.
+        lower: proven lower bound on the makespan.
+        expanded: states or nodes expanded.
+        tie_proven: whether the preference among equals is met for certain.
+    """
+
+    draft: Draft
+    lower: int
+    expanded: int
+    tie_proven: bool
+
+
+@dataclass(frozen=True)
+class Request:
+    """What is asked of a strategy."""
+
+    space: Space
+    processes: int
+    tie: Tie
+    improved: bool
+    expansions: int
+    seconds: float | None
+    progress: Callable[[Progress], None] | None
 
 
 def find_schedule(
@@ -18,31 +63,178 @@ def find_schedule(
     profile: CostProfile,
     tie: Tie = "work",
     strategy: Strategy = "exact",
+    improved: bool = True,
     split: Split = "always",
+    expansions: int = EXPANSIONS,
+    time_budget: float | None = None,
+    progress: Callable[[Progress], None] | None = None,
 ) -> Schedule:
-    """Return a schedule for a robot on P processes."""
-    if processes != 1:
-        raise UsageError("only one process is supported as yet")
-    chains = Chains(topology, profile)
-    single = SingleProcess(chains)
-    draft = Draft(len(topology))
-    draft.root = draft.contract(topology, single.order(WHOLE))
-    draft.assign(draft.root, (0, processes))
-    root = draft.finish(topology, profile)
+    """Return a schedule of the robot for P processes that minimises the makespan.
+
+    Ranges are halved where P is a power of two (III-C) and divided in any way otherwise.
+
+    Args:
+        topology: the robot.
+        processes: P, 1 to 1024.
+        profile: what a join costs.
+        tie: among schedules that are equally long, ``work``: the least total work; ``lex``: the
+            smallest sequence of joints, slots filled level by level with the root side first (what
+            Table I shows; with P not a power of two, of pairs of joint and processes for its root
+            side). A chain on one process is always in the order of III-D.
+        strategy: ``exact``: branch and bound over partial chains; ``astar``: A* over sequences
+            with an admissible estimate; ``paper``: the same with the paper's, which is not
+            admissible, so that the schedule may be longer than the best.
+        improved: for A*, the improved NextNodes() instead of the naive one.
+        split: ``always``: two descendants divide their range (III-C); ``free``: they may share it
+            instead, one after the other (``exact`` only).
+        expansions: states or nodes the search may expand; the answer depends on nothing else.
+        time_budget: seconds after which the search ends too; None for no such limit. Where it
+            strikes, the answer depends on the machine.
+        progress: called now and then with what is known.
+
+    Returns:
+        The schedule; its verdict is ``optimal`` only where that is proven.
+
+    Raises:
+        InputError: the robot has no joint, or costs are too large.
+        UsageError: an argument is out of range.
+    """
+    _check(processes, tie, strategy, split, expansions, time_budget)
+    rules = Rules.of(processes, split)
+    space = Space(topology, profile, rules)
+    searched = processes if rules.halving else rules.useful(processes, len(topology))
+    request = Request(space, searched, tie, improved, expansions, time_budget, progress)
+    if searched == 1:
+        found = _one(request)
+    elif strategy == "exact":
+        found = _exact(request)
+    else:
+        found = _astar(request, strategy)
+    _give_all(found.draft, searched, processes)
+    root = found.draft.finish(topology, profile)
     makespan = makespan_of(root)
-    assert makespan == single.work(WHOLE) / TICKS
+    lower = found.lower / TICKS
     return Schedule(
         root=root,
         processes=processes,
         makespan=makespan,
-        verdict="optimal",
-        gap=0.0,
-        lower_bound=makespan,
+        verdict="optimal" if lower >= makespan else "gap",
+        gap=0.0 if lower >= makespan else makespan / lower - 1.0,
+        lower_bound=min(lower, makespan),
         profile=profile.name,
         tie=tie,
-        tie_proven=True,
+        tie_proven=found.tie_proven,
         strategy=strategy,
         split=split,
-        expanded=0,
+        expanded=found.expanded,
         loads=loads_of(root, processes),
     )
+
+
+def _check(
+    processes: int,
+    tie: str,
+    strategy: str,
+    split: str,
+    expansions: int,
+    time_budget: float | None,
+) -> None:
+    if not 1 <= processes <= MOST_PROCESSES:
+        raise UsageError(f"the number of processes must be 1 to {MOST_PROCESSES}, not {processes}")
+    strategies = tuple(name for name in get_args(Strategy) if name != "file")
+    for value, known, what in (
+        (tie, get_args(Tie), "tie-break"),
+        (strategy, strategies, "strategy"),
+        (split, get_args(Split), "way to split"),
+    ):
+        if value not in known:
+            raise UsageError(f"unknown {what} '{value}': expected {', '.join(known)}")
+    if split == "free" and strategy != "exact":
+        raise UsageError("free splitting needs the strategy 'exact': A* follows the paper")
+    if expansions < 0 or (time_budget is not None and not time_budget >= 0):
+        raise UsageError("a search budget must not be negative")
+
+
+def _give_all(draft: Draft, searched: int, processes: int) -> None:
+    """Leave processes that are of no use idle at the end of the last range."""
+    if searched < processes:
+        draft.ranges = [(a, processes if b == searched else b) for a, b in draft.ranges]
+
+
+def _one(request: Request) -> Found:
+    space = request.space
+    draft = Draft(len(space.topology))
+    draft.root = draft.contract(space.topology, space.single.order(WHOLE))
+    draft.assign(draft.root, (0, 1))
+    return Found(draft, space.single.work(WHOLE), 0, True)
+
+
+def _budget(request: Request, report: Callable[[int], None] | None = None) -> Budget:
+    return Budget(request.expansions, request.seconds, report)
+
+
+def _exact(request: Request) -> Found:
+    """Return what branch and bound finds; a beam's schedule where the budget runs out."""
+    space, processes = request.space, request.processes
+    lower = space.bounds.whole(processes)
+    known, draft = incumbent(space, processes, lower, max(64, request.expansions // 20))
+
+    def report(expanded: int) -> None:
+        if request.progress is not None:
+            bound = max(lower, search.lower) / TICKS
+            request.progress(Progress(expanded, known / TICKS, bound))
+
+    search = ExactSearch(space, _budget(request, report))
+    optimum = search.tighten(processes, known)
+    if optimum is None:
+        return Found(draft, search.lower, search.budget.expanded, False)
+    expanded = search.budget.expanded
+    best, proven = _preferred(request, search, optimum)
+    if best is None:
+        best = draft if known == optimum else None
+    if best is None:
+        search.budget = Budget(1 << 40)
+        best = walk(space, search, processes, optimum, lexicographic=False)
+    return Found(best, optimum, expanded, proven)
+
+
+def _preferred(request: Request, search: ExactSearch, optimum: int) -> tuple[Draft | None, bool]:
+    """Return the schedule that the tie-break prefers, if it is found within another budget."""
+    search.budget = _budget(request)
+    # With shared ranges the time left to one side depends on how the other one is filled: the
+    # choice is then made for the second side's best time alone.
+    proven = request.space.rules.split == "always"
+    try:
+        if request.tie == "lex":
+            return walk(request.space, search, request.processes, optimum, True), proven
+        least = LeastWork(request.space, search, search.budget)
+        return least.draft(request.processes, optimum), proven
+    except OutOfBudget:
+        logging.getLogger(__name__).debug("the tie-break was given up")
+        return None, False
+
+
+def _astar(request: Request, strategy: Strategy) -> Found:
+    space, processes = request.space, request.processes
+    lower = space.bounds.whole(processes)
+
+    def report(expanded: int) -> None:
+        if request.progress is not None:
+            bound = max(lower, search.lower) / TICKS
+            request.progress(Progress(expanded, None, bound))
+
+    search = AStar(
+        space,
+        "paper" if strategy == "paper" else "admissible",
+        request.improved,
+        request.tie,
+        _budget(request, report),
+    )
+    goal = search.search(processes)
+    lower = max(lower, search.lower)
+    if goal is None:
+        _, draft = incumbent(space, processes, lower, max(64, request.expansions // 20))
+        return Found(draft, lower, search.budget.expanded, False)
+    # A naive sequence is not in the canonical order of slots, so that its smallest is another one.
+    proven = strategy == "astar" and (request.improved or request.tie == "work")
+    return Found(search.draft(goal), lower, search.budget.expanded, proven)

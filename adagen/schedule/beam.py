@@ -1,0 +1,120 @@
+"""A quick good schedule: at every state only the few most promising options are followed."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from adagen.schedule.budget import Budget, OutOfBudget, Task, run
+from adagen.schedule.chains import WHOLE, Chain
+from adagen.schedule.draft import Draft
+from adagen.schedule.options import FOREVER, Option, Options, Space
+from adagen.schedule.ties import Builder, Slot
+
+
+class Beam:
+    """Beam search over partial chains; finds a schedule, proves nothing.
+
+    Args:
+        space: the search space.
+        width: options that divide the processes, followed at each state; of the others, half.
+        budget: where it ends, chains not reached any more are left to the order of least work.
+    """
+
+    def __init__(self, space: Space, width: int, budget: Budget) -> None:
+        self.space = space
+        self.width = width
+        self.budget = budget
+        self._memo: dict[tuple[int, int], int] = {}
+
+    def time(self, processes: int) -> int:
+        """Return the time of the schedule that :meth:`draft` gives, ticks."""
+        return run(self._solve(WHOLE, processes))
+
+    def draft(self, processes: int) -> Draft:
+        """Return the schedule found for the whole robot."""
+        builder = Builder(self.space)
+        slots: list[Slot] = [(WHOLE, processes, 0, -1, False, 0)]
+        while slots:
+            chain, p, _, above, is_end, first = slots.pop()
+            option = self._choice(chain, p)
+            if option is None:
+                builder.leaf(chain, above, is_end, (first, first + p))
+                continue
+            starts = builder.node(option, above, is_end, first, p)
+            joint = self.space.chains.original[option.position]
+            if option.root_work:
+                slots.append((option.root, option.first, 0, joint, False, starts[0]))
+            if option.end_work:
+                slots.append((option.end, option.second, 0, joint, True, starts[1]))
+        return builder.draft
+
+    def _choice(self, chain: Chain, processes: int) -> Option | None:
+        """Return the best option followed; None: the order of least work."""
+        best, choice = self.space.single.work(chain), None
+        if processes == 1:
+            return None
+        options = self.space.options(chain, processes)
+        for i in self._promising(options, processes):
+            option = self.space.option(chain, processes, options, i)
+            if int(options.bound[i]) < best and (time := run(self._try(option))) < best:
+                best, choice = time, option
+        return choice
+
+    def _promising(self, options: Options, processes: int) -> list[int]:
+        order = np.argsort(options.bound, kind="stable")
+        divides = options.first[order] < processes
+        chosen = np.concatenate(
+            [order[divides][: self.width], order[~divides][: (self.width + 1) // 2]]
+        )
+        return [int(i) for i in chosen]
+
+    def _try(self, o: Option) -> Task[int]:
+        root: int = (yield self._solve(o.root, o.first)) if o.root_work else 0
+        end: int = (yield self._solve(o.end, o.second)) if o.end_work else 0
+        return o.cost + (root + end if o.shared else max(root, end))
+
+    def _solve(self, chain: Chain, processes: int) -> Task[int]:
+        work = self.space.single.work(chain)
+        processes = self.space.rules.useful(processes, self.space.size(chain))
+        if processes == 1:
+            return work
+        key = (self.space.canon.key(chain), processes)
+        known = self._memo.get(key)
+        if known is not None:
+            return known
+        self._memo[key] = best = work
+        try:
+            self.budget.spend()
+        except OutOfBudget:
+            return work
+        options = self.space.options(chain, processes)
+        for i in self._promising(options, processes):
+            if int(options.bound[i]) < best:
+                time: int = yield self._try(self.space.option(chain, processes, options, i))
+                best = min(best, time)
+        self._memo[key] = best
+        return best
+
+
+def incumbent(space: Space, processes: int, lower: int, expansions: int) -> tuple[int, Draft]:
+    """Return the best of several beams of growing width: its time in ticks and the schedule.
+
+    Args:
+        space: the search space.
+        processes: P.
+        lower: a proven bound; a schedule that meets it ends the search.
+        expansions: states that may be expanded in all.
+    """
+    best, chosen = FOREVER, None
+    for width in (1, 2, 4, 8, 16):
+        budget = Budget(expansions)
+        beam = Beam(space, width, budget)
+        time = beam.time(processes)
+        if time < best:
+            best, chosen = time, beam
+        expansions -= budget.expanded
+        if best <= lower or expansions <= 0:
+            break
+    assert chosen is not None
+    chosen.budget = Budget(1 << 30)
+    return best, chosen.draft(processes)

@@ -1,0 +1,81 @@
+"""What a search may spend, and how it recurses without depth."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from dataclasses import dataclass
+from time import monotonic
+from typing import Any, TypeVar
+
+T = TypeVar("T")
+
+
+class OutOfBudget(Exception):
+    """The search has used up what it was given."""
+
+
+@dataclass(frozen=True)
+class Progress:
+    """What a search knows so far.
+
+    Attributes:
+        expanded: partial chains or search nodes expanded.
+        makespan: of the best schedule known, microseconds; None if there is none.
+        lower_bound: proven, microseconds.
+    """
+
+    expanded: int
+    makespan: float | None
+    lower_bound: float
+
+
+class Budget:
+    """What a search may spend: expansions (the same on every machine), and time if asked for."""
+
+    EVERY = 64
+
+    def __init__(
+        self,
+        expansions: int,
+        seconds: float | None = None,
+        report: Callable[[int], None] | None = None,
+    ) -> None:
+        self.left = expansions
+        self.expanded = 0
+        self._deadline = None if seconds is None else monotonic() + seconds
+        self._report = report
+
+    def spend(self) -> None:
+        """Count one expansion.
+
+        Raises:
+            OutOfBudget: there is nothing left.
+        """
+        self.expanded += 1
+        self.left -= 1
+        if self.left < 0:
+            raise OutOfBudget
+        if self.expanded % self.EVERY == 0 and self._report is not None:
+            self._report(self.expanded)
+        if self._deadline is not None and monotonic() > self._deadline:
+            raise OutOfBudget
+
+
+Task = Generator[Any, Any, T]
+
+
+def run(task: Task[T]) -> T:
+    """Run a generator that yields the generators whose results it needs."""
+    stack: list[Task[Any]] = [task]
+    value: Any = None
+    while True:
+        try:
+            request = stack[-1].send(value)
+        except StopIteration as done:
+            stack.pop()
+            value = done.value
+            if not stack:
+                return value  # type: ignore[no-any-return]
+        else:
+            stack.append(request)
+            value = None
