@@ -40,6 +40,9 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 128 + int(signal.SIGPIPE)
     except KeyboardInterrupt:
         return _say("interrupted", INTERRUPTED, False)
+    except OSError as error:
+        what = f"{error.strerror or error}{f' ({error.filename})' if error.filename else ''}"
+        return _say(f"error: {printable(what)}", INTERNAL, _debugging(words))
     except MemoryError:
         return _say("error: not enough memory", INTERNAL, _debugging(words))
     except RecursionError:

@@ -136,7 +136,8 @@ def _finite(text: str) -> float:
 
 
 def _processes(text: str) -> int:
-    if not (text.isascii() and text.isdigit()) or not 1 <= int(text[:9]) <= MAX_PROCESSES:
+    digits = text.isascii() and text.isdigit() and len(text) < 10
+    if not digits or not 1 <= int(text) <= MAX_PROCESSES:
         raise argparse.ArgumentTypeError(
             f"must be a whole number from 1 to {MAX_PROCESSES}, not {text!r}"
         )
