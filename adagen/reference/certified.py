@@ -97,21 +97,24 @@ def exact_forward_dynamics(model: Model, q: Any, v: Any, tau: Any, digits: int =
         shares, still = coupling(BALLS, model), BALLS.zeros(model.nv)
         held = joint_torques(BALLS, model, at, speed, still)
         needed = shares.T.dot(exact(state[2]) - held)
-        reduced = shares.T.dot(inertia_matrix(BALLS, model, at)).dot(shares)
-        result: Numeric = shares.dot(_solve(reduced, needed))
+        result: Numeric = shares.dot(_solve(inertia_matrix(BALLS, model, at), shares, needed))
         return result
 
     return _to_digits(attempt, digits)
 
 
-def _solve(matrix: Numeric, right: Numeric) -> Numeric:
-    """Solve in C; entries are NaN where this precision cannot prove the matrix regular."""
-    n = len(right)
-    left, column = arb_mat(n, n, matrix.reshape(-1).tolist()), arb_mat(n, 1, right.tolist())
-    solution = left.solve(column, nonstop=True)
-    result = np.empty(n, dtype=object)
-    result[:] = solution.entries()
+def _solve(inertia: Numeric, shares: Numeric, right: Numeric) -> Numeric:
+    """Solve (G^T H G) x = right in C; x is NaN where the matrix is not proven regular."""
+    g, column = _matrix(shares), arb_mat(len(right), 1, right.tolist())
+    reduced = g.transpose() * _matrix(inertia) * g
+    result = np.empty(len(right), dtype=object)
+    result[:] = reduced.solve(column, nonstop=True).entries()
     return result
+
+
+def _matrix(values: Numeric) -> arb_mat:
+    rows, columns = values.shape
+    return arb_mat(rows, columns, values.reshape(-1).tolist())
 
 
 def _to_digits(attempt: Callable[[], Numeric], digits: int) -> Certified:
