@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import argparse
 import math
+from collections.abc import Callable
 from typing import NoReturn
 
 from adagen import __version__
 from adagen.errors import UsageError, printable
 
-MAX_PROCESSES = 4096
+MOST_PROCESSES = 1024
 
 
 class Parser(argparse.ArgumentParser):
@@ -62,7 +63,11 @@ def add_model(parser: argparse.ArgumentParser, *, gravity: bool = True) -> None:
 def add_schedule(parser: argparse.ArgumentParser) -> None:
     """Add the number of processes and how the schedule is searched."""
     parser.add_argument(
-        "--procs", type=_processes, required=True, metavar="P", help="number of processes, >= 1"
+        "--procs",
+        type=_whole(1, MOST_PROCESSES),
+        required=True,
+        metavar="P",
+        help=f"number of processes, 1 to {MOST_PROCESSES}",
     )
     parser.add_argument(
         "--profile",
@@ -82,6 +87,18 @@ def add_schedule(parser: argparse.ArgumentParser) -> None:
         default="exact",
         help="how it is searched: over partial chains (exact, default), by A*, or by A* with the "
         "paper's own bounds and successors",
+    )
+    parser.add_argument(
+        "--naive",
+        action="store_true",
+        help="let A* use the paper's naive NextNodes() instead of the improved one",
+    )
+    parser.add_argument(
+        "--expansions",
+        type=_whole(1, 10**9),
+        metavar="N",
+        help="how much the search may expand (default: what takes seconds); a schedule that is "
+        "not proven optimal says so",
     )
     parser.add_argument(
         "--split",
@@ -135,10 +152,15 @@ def _finite(text: str) -> float:
     return value
 
 
-def _processes(text: str) -> int:
-    digits = text.isascii() and text.isdigit() and len(text) < 10
-    if not digits or not 1 <= int(text) <= MAX_PROCESSES:
-        raise argparse.ArgumentTypeError(
-            f"must be a whole number from 1 to {MAX_PROCESSES}, not {text!r}"
-        )
-    return int(text)
+def _whole(least: int, most: int) -> Callable[[str], int]:
+    """Return what reads a whole number within limits."""
+
+    def read(text: str) -> int:
+        digits = text.isascii() and text.isdigit() and len(text) < 12
+        if not digits or not least <= int(text) <= most:
+            raise argparse.ArgumentTypeError(
+                f"must be a whole number from {least} to {most}, not {text!r}"
+            )
+        return int(text)
+
+    return read

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import hashlib
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -46,7 +46,7 @@ def read_model(
     Raises:
         InputError: the robot description is refused.
     """
-    with stages.stage("read"), progress(f"reading {options.model}"):
+    with stages.stage("read"), progress(f"reading {Path(options.model).name}"):
         from adagen.urdf import read_robot
 
         reading = read_robot(
@@ -59,7 +59,7 @@ def read_model(
         warn(warning)
     if options.verbose:
         for ignored in reading.ignored:
-            note(f"note: not modelled: {ignored}")
+            note(f"note: {ignored}")
     return reading.model
 
 
@@ -82,6 +82,8 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
             tie=options.tie,
             strategy=options.strategy,
             split=options.split,
+            improved=not options.naive,
+            **({} if options.expansions is None else {"expansions": options.expansions}),
         )
 
 
@@ -122,8 +124,6 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
     Raises:
         InputError: the robot cannot be treated in this form.
     """
-    if options.name is not None:
-        model = replace(model, name=options.name)
     schedule = schedule_model(model, options, stages)
     with stages.stage("plan"), progress("planning"):
         from adagen.plan import make_plan
@@ -139,7 +139,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
     with stages.stage("emit"), progress("emitting"):
         from adagen.emit import emit
 
-        files = emit(plan, svg=draw(schedule, model))
+        files = emit(plan, name=options.name, svg=draw(schedule, model))
     return Generated(schedule, plan, files)
 
 
