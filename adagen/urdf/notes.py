@@ -9,7 +9,8 @@ from lxml import etree
 from adagen.errors import InputError, printable
 
 SHOWN = 5  # warnings of one kind before they are summed up in one line
-LAST_LINE = 65535  # libxml2 stops counting here
+LONGEST = 1000  # characters of a message
+LAST_LINE = 65535  # where an older libxml2 stops counting
 
 
 class Notes:
@@ -28,12 +29,12 @@ class Notes:
 
     def error(self, message: str, line: int | None = None) -> InputError:
         """Return (not raise) the refusal of this file."""
-        return InputError(message, self.file, line)
+        return InputError(shortened(message), self.file, line)
 
     def warn(self, message: str, line: int | None = None) -> None:
         """Record a warning."""
         place = f"{printable(self.file)}:" + ("" if line is None else f"{line}:")
-        self.warnings.append(f"{place} warning: {printable(message)}")
+        self.warnings.append(f"{place} warning: {printable(shortened(message))}")
 
     def warn_each(self, found: Sequence[tuple[str, str, int | None]], rest: str) -> None:
         """Record warnings of one kind: the first ones in full, the names of the others in one line.
@@ -51,7 +52,14 @@ class Notes:
 
     def ignore(self, text: str) -> None:
         """Record something that was read and is not modelled."""
-        self.ignored.append(printable(text))
+        self.ignored.append(printable(shortened(text)))
+
+
+def shortened(text: str) -> str:
+    """Return text without its middle where it is too long for one line (a name may be a book)."""
+    if len(text) <= LONGEST:
+        return text
+    return f"{text[: LONGEST // 2]} ... {text[-LONGEST // 2 :]}"
 
 
 def quoted(names: Sequence[str], shown: int = 6) -> str:
@@ -63,4 +71,4 @@ def quoted(names: Sequence[str], shown: int = 6) -> str:
 def line_of(element: etree._Element) -> int | None:
     """Return the line of an element, or None where libxml2 has lost count."""
     line = element.sourceline
-    return line if isinstance(line, int) and line < LAST_LINE else None
+    return line if isinstance(line, int) and line != LAST_LINE else None

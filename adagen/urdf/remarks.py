@@ -14,6 +14,9 @@ from adagen.urdf.numbers import number
 ROUNDING = 1e-9
 """Relative; printed moments of inertia rarely carry more digits."""
 
+SHOWN = 20
+"""Kinds of ignored elements before the rest is summed up."""
+
 _LINK_EXTRAS = ("visual", "collision")
 _JOINT_EXTRAS = {
     "limit": "limits (position, velocity, effort)",
@@ -42,8 +45,12 @@ def remark_ignored(root: Element, notes: Notes) -> None:
                 counts[f"{name}s"] += 1
             else:
                 counts[f"<{name}> elements of a {tag}"] += 1
-    for text in sorted(counts):
+    for text in sorted(counts)[:SHOWN]:
         notes.ignore(f"{text}: {counts[text]}, not modelled")
+    others = sorted(counts)[SHOWN:]
+    if others:
+        count = sum(counts[text] for text in others)
+        notes.ignore(f"elements with {len(others)} other names: {count}, not modelled")
 
 
 def warn_limits(root: Element, notes: Notes) -> None:

@@ -119,6 +119,13 @@ def test_what_is_ignored_is_told(read: Read) -> None:
     assert 'joint "j1": <limit> "nan" is not finite' in reading.warnings[0]
 
 
+def test_a_thousand_unknown_names_take_few_lines(read: Read) -> None:
+    odd = "".join(f"<t{i}/>" for i in range(1000))
+    ignored = read(pair().replace("</robot>", odd + "</robot>")).ignored
+    assert len(ignored) == 21
+    assert ignored[-1] == "elements with 980 other names: 980, not modelled"
+
+
 def test_warnings(read: Read) -> None:
     thin = '<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.05"/>'
     turned = '<origin rpy="90 0 0"/>'

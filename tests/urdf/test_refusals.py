@@ -177,6 +177,17 @@ def test_names_are_printed_harmlessly(refusal: Refusal) -> None:
     assert "a\\n\\x7fb" in said
 
 
+def test_long_names_are_shortened(refusal: Refusal) -> None:
+    name = "n" * 10**6
+    said = refusal(robot(link(name), link(name)))
+    assert len(said) < 1100
+    assert said.endswith("rename one")
+
+
+def test_lines_far_down(refusal: Refusal) -> None:
+    assert refusal("<robot>" + "\n" * 99_999 + "<link/></robot>").startswith("robot.urdf:100000:")
+
+
 class TestFiles:
     def test_missing(self, tmp_path: Path) -> None:
         self._refused(tmp_path / "does_not_exist.urdf", "no such file")
