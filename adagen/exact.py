@@ -48,9 +48,7 @@ def rounded(values: Exact) -> Matrix:
 def skew(v: Exact) -> Exact:
     """Return the 3x3 matrix v x with (v x) u = cross(v, u)."""
     zero = arb(0)
-    return np.array(
-        [[zero, -v[2], v[1]], [v[2], zero, -v[0]], [-v[1], v[0], zero]], dtype=object
-    )
+    return np.array([[zero, -v[2], v[1]], [v[2], zero, -v[0]], [-v[1], v[0], zero]], dtype=object)
 
 
 def identity(n: int) -> Exact:

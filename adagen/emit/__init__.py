@@ -1,0 +1,164 @@
+"""From a plan to text: C++ source, the plan itself, and the Makefile that builds them."""
+
+from __future__ import annotations
+
+from adagen import __version__
+from adagen.emit import ada
+from adagen.emit.names import file_stem, quoted
+from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
+from adagen.emit.templates import render, templates_folder
+from adagen.emit.words import Words
+from adagen.model.kinds import KINDS
+from adagen.plan import Plan, plan_to_json
+
+JOINT_ROWS = {"ada": ada.joint_rows}
+
+# Largest residual that an emitted self-check lets pass: what the scalar keeps, with a margin for
+# long chains (docs/accuracy.md).
+TOLERANCE = {"double": 1e-9, "float": 1e-3}
+
+HEADERS = (
+    "algorithm",
+    "array",
+    "atomic",
+    "charconv",
+    "chrono",
+    "cmath",
+    "cstddef",
+    "cstdint",
+    "cstdio",
+    "cstdlib",
+    "cstring",
+    "fstream",
+    "iterator",
+    "limits",
+    "memory",
+    "new",
+    "sstream",
+    "stdexcept",
+    "string",
+    "thread",
+    "utility",
+    "vector",
+)
+
+__all__ = ["emit", "file_stem", "stem_of", "templates_folder"]
+
+
+def stem_of(plan: Plan, name: str | None = None) -> str:
+    """Return NAME_pP, what the emitted files of a plan are called without their endings."""
+    return f"{file_stem(plan.name if name is None else name)}_p{len(plan.processes)}"
+
+
+def emit(plan: Plan, *, name: str | None = None, svg: str | None = None) -> dict[str, str]:
+    """Return the emitted files, file name to text.
+
+    Args:
+        plan: the plan; nothing else is looked at.
+        name: what to call the files (made safe here); the robot's name if not given.
+        svg: a drawing of the schedule to put beside them.
+
+    Returns:
+        NAME_pP.cpp, NAME_pP.plan.json, Makefile and, if given, NAME_pP.svg.
+    """
+    stem = stem_of(plan, name)
+    files = {
+        f"{stem}.cpp": source(plan, stem),
+        f"{stem}.plan.json": plan_to_json(plan),
+        "Makefile": render("Makefile.j2", stem=stem, process_count=len(plan.processes)),
+    }
+    if svg is not None:
+        files[f"{stem}.svg"] = svg
+    return files
+
+
+def source(plan: Plan, stem: str) -> str:
+    """Return the C++ source of a plan; ``stem`` begins the names of its C functions."""
+    words = Words(plan)
+    number, numbers = words.printer.number, words.printer.numbers
+    prefix = stem.replace("-", "_")
+    return render(
+        "solver.cpp.j2",
+        stem=prefix if prefix[0].isalpha() else f"robot_{prefix}",
+        version=__version__,
+        robot=quoted(plan.name),
+        source_hash=plan.source_hash or "not given",
+        form=plan.form,
+        shape="kernels",
+        scalar=plan.scalar,
+        channel=plan.channel,
+        base="floating" if plan.floating else "fixed",
+        floating=plan.floating,
+        schedule=quoted(plan.schedule)[1:-1],
+        gravity=", ".join(repr(g) for g in plan.gravity),
+        tolerance=TOLERANCE[plan.scalar],
+        headers=HEADERS,
+        nq=sum(KINDS[joint.kind].nq for joint in plan.joints),
+        nv=sum(KINDS[joint.kind].nv for joint in plan.joints),
+        columns=plan.right_hand_sides,
+        process_count=len(plan.processes),
+        links=[
+            {
+                "id": words.links[k],
+                "quoted": quoted(link.name),
+                "mass": number(link.mass),
+                "com": numbers(link.com),
+                "tensor": numbers(x for row in link.tensor for x in row),
+                "tensor_inverse": numbers(x for row in link.tensor_inverse for x in row),
+                "phi_upper": numbers(x for i, row in enumerate(link.phi) for x in row[i:]),
+            }
+            for k, link in enumerate(plan.links)
+        ],
+        joints=[
+            {**constants, **rows}
+            for constants, rows in zip(
+                _joint_constants(words), JOINT_ROWS[plan.form](words), strict=True
+            )
+        ],
+        processes=process_rows(words),
+        run_list=", ".join(f"run_{p}" for p in range(len(plan.processes))),
+        messages=plan.messages,
+        channel_messages=_channel_messages(words),
+    )
+
+
+def _joint_constants(words: Words) -> list[dict[str, object]]:
+    numbers = words.printer.numbers
+    rows = []
+    for j, joint in enumerate(words.plan.joints):
+        source, multiplier, offset = joint.mimic or (-1, 0.0, 0.0)
+        rows.append(
+            {
+                "quoted": quoted(joint.name),
+                "Kind": words.type_of(j),
+                "parent": joint.parent,
+                "q": joint.q,
+                "nq": words.kind(j).nq,
+                "v": joint.v,
+                "nv": words.kind(j).nv,
+                "rotation": numbers(x for row in joint.rotation for x in row),
+                "translation": numbers(joint.translation),
+                "source": source,
+                "multiplier": repr(multiplier),
+                "offset": repr(offset),
+            }
+        )
+    return rows
+
+
+def _channel_messages(words: Words) -> list[dict[str, object]]:
+    """The plan's messages, and behind them state and result of each process but the first."""
+    rows: list[dict[str, object]] = [
+        {
+            "source": message.source,
+            "target": message.target,
+            "size": message_size(words, message),
+            "comment": describe_message(words, message),
+        }
+        for message in words.plan.messages
+    ]
+    for p, process in enumerate(words.plan.processes[1:], start=1):
+        state, result = table_sizes(words, process)
+        rows.append({"source": 0, "target": p, "size": state, "comment": "state"})
+        rows.append({"source": p, "target": 0, "size": result, "comment": "accelerations"})
+    return rows

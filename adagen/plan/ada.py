@@ -114,7 +114,9 @@ class AdaPlanner:
     def _send_chain(self, chain: _Chain, target: int) -> None:
         if chain.process == target or not chain.biases:
             return
-        blocks = tuple(b for b in sorted(chain.blocks.values(), key=_block_key) if b.joint is not None)
+        blocks = tuple(
+            b for b in sorted(chain.blocks.values(), key=_block_key) if b.joint is not None
+        )
         biases = tuple(chain.biases[h] for h in sorted(chain.biases))
         self._message(
             Message(chain.process, target, "assembly", chain.joint, blocks=blocks, biases=biases)
@@ -141,9 +143,7 @@ class AdaPlanner:
 
         whole = _Chain(i, process, parts=(a, b))
         for part in (a, b):
-            whole.blocks.update(
-                {k: block for k, block in part.blocks.items() if not gone & set(k)}
-            )
+            whole.blocks.update({k: block for k, block in part.blocks.items() if not gone & set(k)})
             whole.biases.update({h: bias for h, bias in part.biases.items() if h not in gone})
         blocks = []
         for k, first in enumerate(couplings):
@@ -187,7 +187,9 @@ class AdaPlanner:
             assert i is not None  # bare links are never pushed
             updates = []
             below = []
-            for side, part, at in zip("AB", chain.parts, (self.joints[i].parent, i + 1), strict=True):
+            for side, part, at in zip(
+                "AB", chain.parts, (self.joints[i].parent, i + 1), strict=True
+            ):
                 if part.joint is None:
                     continue
                 inner = {h: forces[h] for h in part.biases if h in forces}
@@ -236,4 +238,3 @@ class AdaPlanner:
 
 def _block_key(block: Block) -> tuple[int, int, int]:
     return (-1 if block.joint is None else block.joint, block.row, block.column)
-

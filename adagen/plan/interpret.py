@@ -81,7 +81,13 @@ class _Machine:
     """One process: a memory and the meaning of each step."""
 
     def __init__(
-        self, plan: Plan, mail: dict[int, dict[Any, Array]], q: Array, v: Array, tau: Array, qdd: Array
+        self,
+        plan: Plan,
+        mail: dict[int, dict[Any, Array]],
+        q: Array,
+        v: Array,
+        tau: Array,
+        qdd: Array,
     ) -> None:
         self.plan, self.mail, self.q, self.v, self.tau, self.qdd = plan, mail, q, v, tau, qdd
         self.memory: dict[Any, Any] = {}

@@ -161,16 +161,7 @@ class ApplyCoupling:
     """Add what these torques do to this process's accelerations."""
 
 
-Step = (
-    Kinematics
-    | LinkBias
-    | Join
-    | Disassemble
-    | Send
-    | Receive
-    | SolveCoupling
-    | ApplyCoupling
-)
+Step = Kinematics | LinkBias | Join | Disassemble | Send | Receive | SolveCoupling | ApplyCoupling
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,137 @@
+"""Kinematics of a joint as C++ lines, its constants folded in."""
+
+from __future__ import annotations
+
+from adagen.emit.words import Words
+
+
+def kinematics_lines(words: Words, j: int) -> list[str]:
+    """Return the lines that set X_j and the velocity of the child link from q and v."""
+    joint, kind = words.plan.joints[j], words.kind(j)
+    source = j if joint.mimic is None else joint.mimic[0]
+    state = words.plan.joints[source]
+    lines = [
+        f"auto& i = {words.memory(j)};",
+        f"require_finite(w, w.q + {state.q}, {kind.nq}, {source});",
+        f"require_finite(w, w.v + {state.v}, {kind.nv}, {source});",
+        *configuration(words, j),
+        *_PLACES[kind.name](words, j),
+    ]
+    motion = velocity(words, j)
+    if joint.parent == 0:
+        lines.append(f"i.v = joint_velocity<{words.type_of(j)}>({motion});")
+    else:
+        above = words.memory(joint.parent - 1)
+        lines.append(f"i.v = i.X * {above}.v + joint_velocity<{words.type_of(j)}>({motion});")
+    return lines
+
+
+def configuration(words: Words, j: int) -> list[str]:
+    """Return the line that names the joint's configuration q and, for a slaved joint, velocity."""
+    joint = words.plan.joints[j]
+    if joint.mimic is None:
+        if words.kind(j).nq == 1:
+            return [f"const Real q = w.q[{joint.q}];"]
+        return [f"const Real* const q = w.q + {joint.q};"]
+    source, multiplier, offset = joint.mimic
+    q, v = words.plan.joints[source].q, words.plan.joints[source].v
+    linear = words.printer.linear
+    return [
+        f"const Real q = {linear([(multiplier, f'w.q[{q}]')], offset)};"
+        f"  // slaved to {words.quoted_joint(source)}",
+        f"const Real qd = {linear([(multiplier, f'w.v[{v}]')])};",
+    ]
+
+
+def velocity(words: Words, j: int) -> str:
+    """Return the pointer to a joint's velocity, within the scope of ``configuration``."""
+    joint = words.plan.joints[j]
+    return f"w.v + {joint.v}" if joint.mimic is None else "&qd"
+
+
+def _matrix(words: Words, entries: list[list[str]]) -> list[str]:
+    rows = [", ".join(row) for row in entries]
+    return [f"i.X.E << {rows[0]},  //", f"    {rows[1]},  //", f"    {rows[2]};"]
+
+
+def _origin(words: Words, j: int, shift: list[list[tuple[float, str]]] | None = None) -> str:
+    """The origin of the child frame: constant, plus what the configuration adds."""
+    joint = words.plan.joints[j]
+    entries = [
+        words.printer.linear(shift[k] if shift else [], joint.translation[k]) for k in range(3)
+    ]
+    return f"i.X.r << {', '.join(entries)};"
+
+
+def _turned(words: Words, j: int) -> list[list[str]]:
+    """E = Rz(q)^T R^T, R being the joint frame's rotation."""
+    rotation = words.plan.joints[j].rotation
+    linear = words.printer.linear
+    return [
+        [linear([(rotation[k][0], "c"), (rotation[k][1], "s")]) for k in range(3)],
+        [linear([(rotation[k][1], "c"), (-rotation[k][0], "s")]) for k in range(3)],
+        [linear([], rotation[k][2]) for k in range(3)],
+    ]
+
+
+def _revolute(words: Words, j: int) -> list[str]:
+    return [
+        "const Real c = std::cos(q), s = std::sin(q);",
+        *_matrix(words, _turned(words, j)),
+        _origin(words, j),
+    ]
+
+
+def _prismatic(words: Words, j: int) -> list[str]:
+    rotation = words.plan.joints[j].rotation
+    entries = [[words.printer.linear([], rotation[k][i]) for k in range(3)] for i in range(3)]
+    shift = [[(rotation[k][2], "q")] for k in range(3)]
+    return [*_matrix(words, entries), _origin(words, j, shift)]
+
+
+def _planar(words: Words, j: int) -> list[str]:
+    rotation = words.plan.joints[j].rotation
+    shift = [[(rotation[k][0], "q[0]"), (rotation[k][1], "q[1]")] for k in range(3)]
+    return [
+        "const Real c = std::cos(q[2]), s = std::sin(q[2]);",
+        *_matrix(words, _turned(words, j)),
+        _origin(words, j, shift),
+    ]
+
+
+def _oriented(words: Words, j: int, quaternion: str) -> list[str]:
+    """E = Q R^T, Q turning joint coordinates into child coordinates."""
+    rotation = words.plan.joints[j].rotation
+    if all(rotation[i][k] == float(i == k) for i in range(3) for k in range(3)):
+        return [f"require_length(w, conjugate_rotation({quaternion}, i.X.E), {j});"]
+    entries = [
+        [
+            words.printer.linear([(rotation[k][m], f"Q({i}, {m})") for m in range(3)])
+            for k in range(3)
+        ]
+        for i in range(3)
+    ]
+    return [
+        "Mat3 Q;",
+        f"require_length(w, conjugate_rotation({quaternion}, Q), {j});",
+        *_matrix(words, entries),
+    ]
+
+
+def _spherical(words: Words, j: int) -> list[str]:
+    return [*_oriented(words, j, "q"), _origin(words, j)]
+
+
+def _floating(words: Words, j: int) -> list[str]:
+    rotation = words.plan.joints[j].rotation
+    shift = [[(rotation[k][m], f"q[{m}]") for m in range(3)] for k in range(3)]
+    return [*_oriented(words, j, "q + 3"), _origin(words, j, shift)]
+
+
+_PLACES = {
+    "revolute": _revolute,
+    "prismatic": _prismatic,
+    "planar": _planar,
+    "spherical": _spherical,
+    "floating": _floating,
+}

@@ -1,0 +1,59 @@
+"""Names from a robot description are data: one sanitiser and one escaper let them near code."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+LONGEST = 48
+
+# Never used bare: every identifier gets a prefix (see rows.py), so that keywords, macros and names
+# of the standard library or MPI cannot be met.
+
+
+def identifiers(names: Iterable[str]) -> tuple[str, ...]:
+    """Return for each name a distinct word of [A-Za-z0-9_], at most ``LONGEST`` + a number long.
+
+    Words do not start or end with an underscore and hold no two in a row, so that a prefix makes
+    them legal identifiers that are not reserved. Names that meet once cleaned get numbers.
+    """
+    taken: set[str] = set()
+    result = []
+    for name in names:
+        word = _word(name)
+        unique, number = word, 2
+        while unique in taken:
+            unique = f"{word}_{number}"
+            number += 1
+        taken.add(unique)
+        result.append(unique)
+    return tuple(result)
+
+
+def _word(name: str) -> str:
+    word = re.sub(r"[^A-Za-z0-9]+", "_", name)[:LONGEST].strip("_")
+    return word or "unnamed"
+
+
+def file_stem(name: str) -> str:
+    """Return a file name without folders, dots or anything but [A-Za-z0-9_-] made of a name."""
+    stem = re.sub(r"[^A-Za-z0-9_-]+", "_", name)[:LONGEST].strip("_-")
+    return stem or "robot"
+
+
+def quoted(name: str) -> str:
+    r"""Return a name as a C++ string literal in ASCII, fit for code and for one-line comments.
+
+    Bytes beyond printable ASCII are octal escapes of UTF-8, which unlike ``\x`` end after three
+    digits; ``?`` is escaped against trigraphs. The result never ends in a backslash.
+    """
+    text = []
+    for byte in name.encode("utf-8", errors="replace"):
+        character = chr(byte)
+        if character in '"\\?':
+            text.append("\\" + character)
+        elif 0x20 <= byte < 0x7F:
+            text.append(character)
+        else:
+            text.append(f"\\{byte:03o}")
+    return '"' + "".join(text) + '"'

@@ -1,0 +1,156 @@
+"""Each process's list of steps as C++ lines, and what it reads and owns of the state."""
+
+from __future__ import annotations
+
+from adagen.emit.words import Words
+from adagen.plan.types import (
+    ApplyCoupling,
+    Disassemble,
+    Join,
+    Kinematics,
+    LinkBias,
+    Message,
+    Process,
+    Receive,
+    Send,
+    SolveCoupling,
+    Step,
+)
+
+_NAMED = 6  # joints that a summary names before it only counts
+
+
+def process_rows(words: Words) -> list[dict[str, object]]:
+    """Return what the template says of each process."""
+    return [
+        {
+            "summary": _summary(words, process),
+            "lines": [line for step in process.steps for line in _lines(words, process, step)],
+            "tables": _tables(words, p, process),
+            "info": ", ".join(
+                f"{table['count']}, {table['name']}.data()" if table["count"] else "0, nullptr"
+                for table in _tables(words, p, process)
+            ),
+        }
+        for p, process in enumerate(words.plan.processes)
+    ]
+
+
+def _summary(words: Words, process: Process) -> str:
+    if not process.owns:
+        return "has nothing to do"
+    names = [words.quoted_joint(j) for j in process.owns[:_NAMED]]
+    more = ", ..." if len(process.owns) > _NAMED else ""
+    passing = len(process.reads) - len(process.owns)
+    path = f"; kinematics of {passing} more on the way to the ground" if passing else ""
+    return f"{len(process.owns)} of {len(words.plan.joints)} joints: {', '.join(names)}{more}{path}"
+
+
+def _lines(words: Words, process: Process, step: Step) -> list[str]:
+    match step:
+        case Kinematics():
+            return [f"kinematics_{words.joints[step.joint]}(w);"]
+        case LinkBias():
+            memory = words.memory(step.link - 1)
+            return [f"link_bias(kLinks[{step.link}], {memory}.v, {memory}.b);"]
+        case Join():
+            return [f"assemble_{words.joints[step.joint]}(w);"]
+        case Disassemble():
+            return [f"disassemble_{words.joints[step.joint]}(w);"]
+        case Send():
+            return _send(words, step.message)
+        case Receive():
+            return _receive(words, step.message)
+        case SolveCoupling():
+            return _solve_coupling(words)
+        case ApplyCoupling():
+            return [
+                f"store_coupled(w, {j}, {words.plan.joints[j].v}, {words.memory(j)}.qdd, w.coupling);"
+                for j in process.owns
+            ]
+
+
+def _contents(words: Words, message: Message) -> list[str]:
+    if message.sweep == "torques":
+        return ["w.coupling"]
+    return [
+        *(words.block(block) for block in message.blocks),
+        *(words.bias(bias) for bias in message.biases),
+        *(words.force(force) for force in message.forces),
+        *(f"{words.memory(j)}.qdd[0]" for j in message.joints),
+    ]
+
+
+def describe_message(words: Words, message: Message) -> str:
+    """Return what a message is about, in a few words."""
+    if message.joint is None:
+        what = "accelerations" if message.sweep == "slaved" else "torques"
+        return f"{what} of slaved joints"
+    what = "assembled" if message.sweep == "assembly" else "forces on"
+    return f"{what}: chain of {words.quoted_joint(message.joint)}"
+
+
+def message_size(words: Words, message: Message) -> int:
+    """Return the numbers in a message."""
+    columns = words.plan.right_hand_sides
+    if message.sweep == "torques":
+        return columns - 1
+    vectors = len(message.biases) + len(message.forces)
+    return 36 * len(message.blocks) + 6 * columns * vectors + columns * len(message.joints)
+
+
+def _send(words: Words, number: int) -> list[str]:
+    message = words.plan.messages[number]
+    return [
+        f"{{  // to process {message.target}: {describe_message(words, message)}",
+        f"  Real* to = channel.outgoing({number}, w.status);",
+        *(f"  to = put(to, {item});" for item in _contents(words, message)),
+        f"  channel.send({number}, w.status);",
+        "}",
+    ]
+
+
+def _receive(words: Words, number: int) -> list[str]:
+    message = words.plan.messages[number]
+    return [
+        f"{{  // from process {message.source}: {describe_message(words, message)}",
+        f"  const Real* from = channel.receive({number}, w.status);",
+        *(f"  from = get(from, {item});" for item in _contents(words, message)),
+        "}",
+    ]
+
+
+def _solve_coupling(words: Words) -> list[str]:
+    plan = words.plan
+    lines = ["{", "  std::array<std::array<Real, kColumns>, kColumns - 1> rows;"]
+    for k, slaved in enumerate(plan.slaved):
+        mimic = plan.joints[slaved].mimic
+        assert mimic is not None  # that is what slaved means
+        lines.append(
+            f"  coupling_row(rows[{k}], {words.memory(slaved)}.qdd[0], "
+            f"{words.memory(mimic[0])}.qdd[0], {mimic[1]!r});"
+        )
+    return [*lines, f"  solve_coupling(w, {plan.slaved[0]}, rows, w.coupling);", "}"]
+
+
+def _tables(words: Words, p: int, process: Process) -> list[dict[str, object]]:
+    """What a process reads of q and v (a slaved joint's from its source), and its own entries."""
+    joints = words.plan.joints
+    read = []
+    for j in process.reads:
+        mimic = joints[j].mimic
+        read.append(j if mimic is None else mimic[0])
+    read = sorted(set(read))
+    q = [joints[j].q + k for j in read for k in range(words.kind(j).nq)]
+    v = [joints[j].v + k for j in read for k in range(words.kind(j).nv)]
+    own = [joints[j].v + k for j in process.owns for k in range(words.kind(j).nv)]
+    return [
+        {"name": f"{name}_{p}", "count": len(entries), "entries": ", ".join(map(str, entries))}
+        for name, entries in (("kReadQ", q), ("kReadV", v), ("kOwn", own))
+    ]
+
+
+def table_sizes(words: Words, process: Process) -> tuple[int, int]:
+    """Return the numbers that process 0 sends it of the state, and that it sends back."""
+    sizes = [int(str(table["count"])) for table in _tables(words, 0, process)]
+    return sum(sizes), sizes[2]

@@ -1,0 +1,45 @@
+"""Finds the templates and renders them."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from adagen.errors import EnvironmentFault
+
+
+@cache
+def templates_folder() -> Path:
+    """Return where the templates are: inside the installed package, or beside it in a checkout."""
+    package = Path(__file__).resolve().parents[1]
+    for folder in (package / "templates", package.parent / "templates"):
+        if (folder / "solver.cpp.j2").is_file():
+            return folder
+    raise EnvironmentFault("the templates are missing from this installation; install adagen anew")
+
+
+@cache
+def environment() -> Environment:
+    """Return the one Jinja environment: undefined names are errors, blocks leave no blank lines."""
+    env = Environment(
+        loader=FileSystemLoader(templates_folder()),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,  # C++, not HTML; names are quoted by adagen.emit.names
+    )
+    env.globals["verbatim"] = _verbatim
+    return env
+
+
+def _verbatim(name: str) -> str:
+    """Return a C++ part that holds no template syntax, as it stands."""
+    return (templates_folder() / name).read_text(encoding="utf-8").rstrip("\n")
+
+
+def render(template: str, **values: object) -> str:
+    """Return a rendered template."""
+    return environment().get_template(template).render(**values)

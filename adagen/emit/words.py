@@ -1,0 +1,76 @@
+"""The names by which emitted code calls a plan's joints, links and buffers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from adagen.emit.expressions import Printer
+from adagen.emit.names import identifiers, quoted
+from adagen.model.kinds import KINDS, JointKind
+from adagen.plan import Plan
+from adagen.plan.types import Bias, Block, Force
+
+
+@dataclass(frozen=True)
+class Words:
+    """Names and numbers of one plan as C++ text."""
+
+    plan: Plan
+
+    @cached_property
+    def joints(self) -> tuple[str, ...]:
+        """A word for each joint."""
+        return identifiers(joint.name for joint in self.plan.joints)
+
+    @cached_property
+    def links(self) -> tuple[str, ...]:
+        """A word for each link."""
+        return identifiers(link.name for link in self.plan.links)
+
+    @cached_property
+    def printer(self) -> Printer:
+        """Prints numbers of the plan's scalar."""
+        return Printer(self.plan.scalar)
+
+    def kind(self, joint: int) -> JointKind:
+        """A joint's kind."""
+        return KINDS[self.plan.joints[joint].kind]
+
+    def type_of(self, joint: int) -> str:
+        """The C++ type that stands for a joint's kind."""
+        return self.kind(joint).name.capitalize()
+
+    def memory(self, joint: int) -> str:
+        """A joint's part of the workspace."""
+        return f"w.j_{self.joints[joint]}"
+
+    def block_member(self, block: Block) -> str:
+        """The member that holds a block in the memory of the joint that completed its chain."""
+        if block.row == block.column:
+            return f"Phi_{self.links[block.row]}"
+        return f"Phi_{self.links[block.row]}_{self.links[block.column]}"
+
+    def block(self, block: Block) -> str:
+        """A block, wherever it is."""
+        if block.joint is None:
+            return f"Phi_{self.links[block.row]}"
+        return f"{self.memory(block.joint)}.{self.block_member(block)}"
+
+    def bias(self, bias: Bias) -> str:
+        """A bias; a bare link's is kept with the joint above the link."""
+        if bias.joint is None:
+            return f"{self.memory(bias.handle - 1)}.b"
+        return f"{self.memory(bias.joint)}.b_{self.links[bias.handle]}"
+
+    def force(self, force: Force) -> str:
+        """An outer wrench."""
+        return f"{self.memory(force.joint)}.F_{self.links[force.handle]}"
+
+    def quoted_joint(self, joint: int) -> str:
+        """A joint's name as a string literal."""
+        return quoted(self.plan.joints[joint].name)
+
+    def quoted_link(self, link: int) -> str:
+        """A link's name as a string literal."""
+        return quoted(self.plan.links[link].name)

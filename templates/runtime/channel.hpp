@@ -1,0 +1,203 @@
+// Exchange between processes. Processes on one node meet in a shared window: a message is a slot that
+// its source fills and then numbers (release), and that its target reads once it sees the number
+// (acquire). Other pairs exchange MPI messages. A slot is free again when it is next written, because
+// each pair answers each other within an evaluation (assembly up, disassembly down; state, result).
+enum class ChannelMode { kAuto, kWindow, kMessage };
+
+inline void relax() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
+
+class Channel {
+ public:
+  Channel() = default;
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
+
+  // Collective. Returns an empty string, or what is wrong.
+  std::string open(MPI_Comm comm, ChannelMode mode, double time_limit) {
+    MPI_Comm_dup(comm, &comm_);
+    MPI_Comm_rank(comm_, &rank_);
+    time_limit_ = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_limit));
+    ports_.resize(kMessages.size());
+    if (mode != ChannelMode::kMessage) open_window(mode);
+    int missing = 0;
+    for (std::size_t k = 0; k < ports_.size(); ++k) {
+      const MessageInfo& info = kMessages[k];
+      if (ports_[k].slot || (info.source != rank_ && info.target != rank_)) continue;
+      if (mode == ChannelMode::kWindow) ++missing;
+      ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &missing, 1, MPI_INT, MPI_SUM, comm_);
+    return missing == 0 ? "" : "channel window: not all processes are on one node";
+  }
+
+  void close() {
+    if (comm_ == MPI_COMM_NULL) return;
+    for (Port& port : ports_)
+      if (port.request != MPI_REQUEST_NULL) MPI_Cancel(&port.request), MPI_Request_free(&port.request);
+    if (window_ != MPI_WIN_NULL) {
+      MPI_Win_unlock_all(window_);
+      MPI_Win_free(&window_);
+    }
+    if (node_ != MPI_COMM_NULL) MPI_Comm_free(&node_);
+    MPI_Comm_free(&comm_);
+  }
+
+  // Where to write message k. Waits for an MPI message that is still under way.
+  Real* outgoing(int k, int& status) {
+    Port& port = ports_[k];
+    if (port.slot) return port.slot->content() + 1;
+    if (port.request != MPI_REQUEST_NULL) wait_for_request(port, kMessages[k].target, status);
+    return port.buffer.data() + 1;
+  }
+
+  void send(int k, int& status) {
+    Port& port = ports_[k];
+    if (port.slot) {
+      port.slot->content()[0] = static_cast<Real>(status);
+      port.slot->number.store(++port.count, std::memory_order_release);
+      return;
+    }
+    port.buffer[0] = static_cast<Real>(status);
+    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal, kMessages[k].target,
+              k, comm_, &port.request);
+  }
+
+  // Waits for message k and returns its content; what its source knows of failures joins the status.
+  const Real* receive(int k, int& status) {
+    Port& port = ports_[k];
+    const Real* content;
+    if (port.slot) {
+      const std::uint64_t number = ++port.count;
+      if (!wait_until([&] { return port.slot->number.load(std::memory_order_acquire) >= number; }))
+        fail(status, failure(kNoAnswer, kMessages[k].source));
+      content = port.slot->content();
+    } else {
+      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+                kMessages[k].source, k, comm_, &port.request);
+      wait_for_request(port, kMessages[k].source, status);
+      content = port.buffer.data();
+    }
+    if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
+    return content + 1;
+  }
+
+  static void fail(int& status, int failure) {
+    if (status == kFine) status = failure;
+  }
+
+  MPI_Comm comm() const { return comm_; }
+  int rank() const { return rank_; }
+  bool broken() const { return broken_; }
+  bool windowed() const { return window_ != MPI_WIN_NULL; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  struct alignas(kCacheLine) Slot {
+    std::atomic<std::uint64_t> number;
+    Real* content() { return reinterpret_cast<Real*>(reinterpret_cast<char*>(this) + kCacheLine); }
+  };
+
+  struct Port {
+    Slot* slot = nullptr;
+    std::uint64_t count = 0;
+    std::vector<Real> buffer;
+    MPI_Request request = MPI_REQUEST_NULL;
+  };
+
+  static std::size_t slot_bytes(const MessageInfo& info) {
+    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Real);
+    return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
+  }
+
+  // Each process holds the slots of the messages that it sends to processes on its node.
+  void open_window(ChannelMode mode) {
+    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node_);
+    std::vector<int> on_node(kProcesses, MPI_UNDEFINED), all(kProcesses);
+    for (int p = 0; p < kProcesses; ++p) all[p] = p;
+    MPI_Group whole, near;
+    MPI_Comm_group(comm_, &whole);
+    MPI_Comm_group(node_, &near);
+    MPI_Group_translate_ranks(whole, kProcesses, all.data(), near, on_node.data());
+    MPI_Group_free(&whole);
+    MPI_Group_free(&near);
+    int node_size = 1;
+    MPI_Comm_size(node_, &node_size);
+    if (node_size == 1 && mode == ChannelMode::kAuto) return;  // nobody to share a window with
+
+    const auto near_pair = [&](const MessageInfo& info) {
+      return on_node[info.source] != MPI_UNDEFINED && on_node[info.target] != MPI_UNDEFINED;
+    };
+    std::size_t own = 0;
+    for (const MessageInfo& info : kMessages)
+      if (info.source == rank_ && near_pair(info)) own += slot_bytes(info);
+    char* base = nullptr;
+    MPI_Info hints;
+    MPI_Info_create(&hints);
+    MPI_Info_set(hints, "alloc_shared_noncontig", "true");  // every part on pages of its own process
+    MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base, &window_);
+    MPI_Info_free(&hints);
+    MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
+    std::vector<char*> next(kProcesses, nullptr);
+    for (int p = 0; p < kProcesses; ++p) {
+      if (on_node[p] == MPI_UNDEFINED) continue;
+      MPI_Aint bytes;
+      int unit;
+      MPI_Win_shared_query(window_, on_node[p], &bytes, &unit, &next[p]);
+    }
+    for (std::size_t k = 0; k < ports_.size(); ++k) {
+      const MessageInfo& info = kMessages[k];
+      if (!near_pair(info)) continue;
+      ports_[k].slot = reinterpret_cast<Slot*>(next[info.source]);
+      next[info.source] += slot_bytes(info);
+      if (info.source == rank_) {
+        std::memset(static_cast<void*>(ports_[k].slot), 0, slot_bytes(info));  // first touch
+        new (ports_[k].slot) Slot{};
+      }
+    }
+    MPI_Win_sync(window_);
+    MPI_Barrier(node_);
+    MPI_Win_sync(window_);
+  }
+
+  // Spins briefly, then yields, so that more processes than cores still finish.
+  template <class Ready>
+  bool wait_until(Ready ready) {
+    for (int k = 0; k < 4000; ++k) {
+      if (ready()) return true;
+      relax();
+    }
+    if (broken_) return false;  // a peer is gone: do not wait for it once more
+    const Clock::time_point end = Clock::now() + time_limit_;
+    while (!ready()) {
+      std::this_thread::yield();
+      if (Clock::now() > end) {
+        broken_ = true;
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void wait_for_request(Port& port, int peer, int& status) {
+    const bool done = wait_until([&] {
+      int flag = 0;
+      MPI_Test(&port.request, &flag, MPI_STATUS_IGNORE);
+      return flag != 0;
+    });
+    if (!done) fail(status, failure(kNoAnswer, peer));
+  }
+
+  MPI_Comm comm_ = MPI_COMM_NULL, node_ = MPI_COMM_NULL;
+  MPI_Win window_ = MPI_WIN_NULL;
+  int rank_ = 0;
+  Clock::duration time_limit_{};
+  bool broken_ = false;
+  std::vector<Port> ports_;
+};

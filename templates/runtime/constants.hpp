@@ -1,0 +1,37 @@
+enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
+
+// A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link has
+// the joint's frame at q = 0.
+struct JointConstants {
+  const char* name;
+  JointKind kind;
+  int parent;          // parent link; the child link has the joint's number plus one
+  int q, nq, v, nv;    // where its configuration and velocity are
+  Real rotation[9];    // joint frame to parent link's frame, row by row
+  Real translation[3]; // origin of the joint frame in the parent link's frame, m
+  int source;          // joint that it is slaved to, or -1: q = multiplier q_source + offset
+  double multiplier, offset;
+};
+
+struct LinkConstants {
+  const char* name;
+  Real mass;               // kg
+  Real com[3];             // centre of mass, m
+  Real tensor[9];          // rotational inertia about it, kg m^2
+  Real tensor_inverse[9];  // J, its inverse
+};
+
+// What a process reads and owns of the state.
+struct ProcessInfo {
+  int q_count;
+  const int* q;
+  int v_read_count;
+  const int* v_read;
+  int v_count;
+  const int* v;
+};
+
+// What goes from one process to another once in an evaluation.
+struct MessageInfo {
+  int source, target, size;  // size in Real, the status not counted
+};

@@ -1,0 +1,154 @@
+// An independent check: inverse dynamics by Newton's and Euler's equations, body by body, in double.
+// It shares the model's constants with the solver, and no arithmetic.
+namespace check {
+
+using Vec = std::array<double, 3>;
+using Mat = std::array<Vec, 3>;
+
+Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Vec cross(const Vec& a, const Vec& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vec times(const Mat& m, const Vec& a) {
+  Vec result{};
+  for (int i = 0; i < 3; ++i) result[i] = m[i][0] * a[0] + m[i][1] * a[1] + m[i][2] * a[2];
+  return result;
+}
+Vec transposed_times(const Mat& m, const Vec& a) {
+  Vec result{};
+  for (int i = 0; i < 3; ++i) result[i] = m[0][i] * a[0] + m[1][i] * a[1] + m[2][i] * a[2];
+  return result;
+}
+Mat times(const Mat& a, const Mat& b) {
+  Mat result{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
+  return result;
+}
+Vec vec3(const Real* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
+Mat mat3(const Real* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
+
+struct Body {
+  Mat turn;   // child to parent coordinates
+  Vec shift;  // child origin in parent coordinates
+  Vec w, dw;  // angular velocity and acceleration, in the body's frame
+  Vec a;      // acceleration of its origin minus gravity, in the body's frame
+  Vec f, n;   // force on it through its joint, and moment about its origin
+};
+
+// Rotation and origin of the child frame in the joint frame.
+void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift) {
+  turn = {Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
+  shift = {};
+  const auto about_z = [&turn](double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    turn = {Vec{c, -s, 0}, Vec{s, c, 0}, Vec{0, 0, 1}};
+  };
+  const auto orient = [&turn](const Real* p) {
+    double x = double(p[0]), y = double(p[1]), z = double(p[2]), w = double(p[3]);
+    const double length = std::sqrt(x * x + y * y + z * z + w * w);
+    x /= length, y /= length, z /= length, w /= length;
+    turn = {Vec{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+            Vec{2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+            Vec{2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}};
+  };
+  switch (joint.kind) {
+    case JointKind::kRevolute: about_z(double(q[0])); break;
+    case JointKind::kPrismatic: shift[2] = double(q[0]); break;
+    case JointKind::kSpherical: orient(q); break;
+    case JointKind::kPlanar: about_z(double(q[2])), shift = {double(q[0]), double(q[1]), 0}; break;
+    case JointKind::kFloating: orient(q + 3), shift = vec3(q); break;
+  }
+}
+
+// Angular and linear part of a joint's velocity or acceleration, in the child's frame.
+void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linear) {
+  angular = linear = {};
+  switch (joint.kind) {
+    case JointKind::kRevolute: angular[2] = double(x[0]); break;
+    case JointKind::kPrismatic: linear[2] = double(x[0]); break;
+    case JointKind::kSpherical: angular = vec3(x); break;
+    case JointKind::kPlanar: linear = {double(x[0]), double(x[1]), 0}, angular[2] = double(x[2]); break;
+    case JointKind::kFloating: linear = vec3(x), angular = vec3(x + 3); break;
+  }
+}
+
+// Torques that give accelerations qdd at (q, v); slaved joints count through their sources' torques.
+void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau) {
+  static std::array<Body, kLinkCount> body;
+  body[0] = {};
+  for (int k = 0; k < 3; ++k) body[0].a[k] = -kGravity[k];
+  for (int j = 0; j < kJointCount; ++j) {
+    const JointConstants& joint = kJoints[j];
+    const LinkConstants& link = kLinks[j + 1];
+    const Body& parent = body[joint.parent];
+    Body& b = body[j + 1];
+    Mat turn;
+    Vec shift, spin, slide, spin_rate, slide_rate;
+    displace(joint, q + joint.q, turn, shift);
+    motion(joint, v + joint.v, spin, slide);
+    motion(joint, qdd + joint.v, spin_rate, slide_rate);
+    b.turn = times(mat3(joint.rotation), turn);
+    b.shift = vec3(joint.translation) + times(mat3(joint.rotation), shift);
+    const Vec carried = transposed_times(b.turn, parent.w);
+    b.w = carried + spin;
+    b.dw = transposed_times(b.turn, parent.dw) + cross(carried, spin) + spin_rate;
+    const Vec at_origin =
+        parent.a + cross(parent.dw, b.shift) + cross(parent.w, cross(parent.w, b.shift));
+    const Vec coriolis = cross(carried, slide);
+    b.a = transposed_times(b.turn, at_origin) + coriolis + coriolis + cross(spin, slide) + slide_rate;
+    const Vec c = vec3(link.com);
+    const Vec at_com = b.a + cross(b.dw, c) + cross(b.w, cross(b.w, c));
+    const Mat inertia = mat3(link.tensor);
+    for (int k = 0; k < 3; ++k) b.f[k] = double(link.mass) * at_com[k];
+    b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
+  }
+  for (int j = kJointCount - 1; j >= 0; --j) {
+    const JointConstants& joint = kJoints[j];
+    const Body& b = body[j + 1];
+    double* t = tau + joint.v;
+    switch (joint.kind) {
+      case JointKind::kRevolute: t[0] = b.n[2]; break;
+      case JointKind::kPrismatic: t[0] = b.f[2]; break;
+      case JointKind::kSpherical: std::copy(b.n.begin(), b.n.end(), t); break;
+      case JointKind::kPlanar: t[0] = b.f[0], t[1] = b.f[1], t[2] = b.n[2]; break;
+      case JointKind::kFloating:
+        std::copy(b.f.begin(), b.f.end(), t);
+        std::copy(b.n.begin(), b.n.end(), t + 3);
+        break;
+    }
+    Body& parent = body[joint.parent];
+    const Vec force = times(b.turn, b.f);
+    parent.f = parent.f + force;
+    parent.n = parent.n + times(b.turn, b.n) + cross(b.shift, force);
+  }
+  for (int j = 0; j < kJointCount; ++j) {
+    if (kJoints[j].source < 0) continue;
+    tau[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * tau[kJoints[j].v];
+    tau[kJoints[j].v] = 0;
+  }
+}
+
+// |ID(q, v, qdd) - tau| relative to the size of the torques that it balances.
+double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
+  static std::array<double, kNv> needed, at_rest;
+  static std::array<Real, kNv> zero{};
+  inverse_dynamics(q, v, qdd, needed.data());
+  inverse_dynamics(q, v, zero.data(), at_rest.data());
+  std::array<double, kNv> given{};
+  for (int k = 0; k < kNv; ++k) given[k] = double(tau[k]);
+  for (int j = 0; j < kJointCount; ++j) {
+    if (kJoints[j].source < 0) continue;
+    given[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * given[kJoints[j].v];
+    given[kJoints[j].v] = 0;
+  }
+  double error = 0, size = 0;
+  for (int k = 0; k < kNv; ++k) {
+    error += (needed[k] - given[k]) * (needed[k] - given[k]);
+    size += given[k] * given[k] + at_rest[k] * at_rest[k];
+  }
+  return size > 0 ? std::sqrt(error / size) : std::sqrt(error);
+}
+
+}  // namespace check
