@@ -69,7 +69,7 @@ def rotation_from_rpy(rpy: Sequence[float]) -> Exact:
     )
 
 
-def rotation_taking_z_to(axis: Sequence[float]) -> Exact:
+def rotation_taking_z_to(axis: Sequence[float] | Matrix) -> Exact:
     """Return a rotation whose third column is the unit vector along ``axis`` (length 3, not zero).
 
     An axis along a coordinate axis gives a signed permutation, so that nothing is rounded; any
@@ -102,5 +102,5 @@ def rotation_taking_z_to(axis: Sequence[float]) -> Exact:
 
 def rotated_inertia(rotation: Exact, tensor: Exact) -> Exact:
     """Return R T R^T, exactly symmetric, for a rotation and an inertia tensor (both 3x3)."""
-    product = rotation.dot(tensor).dot(rotation.T)
-    return (product + product.T) / 2
+    product: Exact = rotation.dot(tensor).dot(rotation.T)
+    return np.asarray((product + product.T) / 2, dtype=object)

@@ -1,4 +1,4 @@
-"""Form `ada`: each joint's memory, assembly and disassembly as C++ lines, with the paper's symbols."""
+"""Form `ada`: a joint's memory, assembly and disassembly as C++ lines, in the paper's symbols."""
 
 from __future__ import annotations
 

@@ -49,7 +49,7 @@ def velocity(words: Words, j: int) -> str:
     return f"w.v + {joint.v}" if joint.mimic is None else "&qd"
 
 
-def _matrix(words: Words, entries: list[list[str]]) -> list[str]:
+def _matrix(entries: list[list[str]]) -> list[str]:
     rows = [", ".join(row) for row in entries]
     return [f"i.X.E << {rows[0]},  //", f"    {rows[1]},  //", f"    {rows[2]};"]
 
@@ -77,7 +77,7 @@ def _turned(words: Words, j: int) -> list[list[str]]:
 def _revolute(words: Words, j: int) -> list[str]:
     return [
         "const Real c = std::cos(q), s = std::sin(q);",
-        *_matrix(words, _turned(words, j)),
+        *_matrix(_turned(words, j)),
         _origin(words, j),
     ]
 
@@ -86,7 +86,7 @@ def _prismatic(words: Words, j: int) -> list[str]:
     rotation = words.plan.joints[j].rotation
     entries = [[words.printer.linear([], rotation[k][i]) for k in range(3)] for i in range(3)]
     shift = [[(rotation[k][2], "q")] for k in range(3)]
-    return [*_matrix(words, entries), _origin(words, j, shift)]
+    return [*_matrix(entries), _origin(words, j, shift)]
 
 
 def _planar(words: Words, j: int) -> list[str]:
@@ -94,7 +94,7 @@ def _planar(words: Words, j: int) -> list[str]:
     shift = [[(rotation[k][0], "q[0]"), (rotation[k][1], "q[1]")] for k in range(3)]
     return [
         "const Real c = std::cos(q[2]), s = std::sin(q[2]);",
-        *_matrix(words, _turned(words, j)),
+        *_matrix(_turned(words, j)),
         _origin(words, j, shift),
     ]
 
@@ -114,7 +114,7 @@ def _oriented(words: Words, j: int, quaternion: str) -> list[str]:
     return [
         "Mat3 Q;",
         f"require_length(w, conjugate_rotation({quaternion}, Q), {j});",
-        *_matrix(words, entries),
+        *_matrix(entries),
     ]
 
 

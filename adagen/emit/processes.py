@@ -65,8 +65,8 @@ def _lines(words: Words, process: Process, step: Step) -> list[str]:
             return _solve_coupling(words)
         case ApplyCoupling():
             return [
-                f"store_coupled(w, {j}, {words.plan.joints[j].v}, {words.memory(j)}.qdd, w.coupling);"
-                for j in process.owns
+                f"store_coupled(w, {j}, {words.plan.joints[j].v}, {memory}.qdd, w.coupling);"
+                for j, memory in ((j, words.memory(j)) for j in process.owns)
             ]
 
 

@@ -29,7 +29,7 @@ def environment() -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
-        autoescape=False,  # C++, not HTML; names are quoted by adagen.emit.names
+        autoescape=False,  # noqa: S701 (C++, not HTML; names are quoted by adagen.emit.names)
     )
     env.globals["verbatim"] = _verbatim
     return env

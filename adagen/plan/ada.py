@@ -81,7 +81,7 @@ class AdaPlanner:
         return tuple(processes), tuple(self.messages)
 
     def _reads(self, owns: list[int]) -> tuple[int, ...]:
-        """The joints whose motion a process needs: its own and those between them and the ground."""
+        """The joints whose motion a process needs: its own and those on the way to the ground."""
         reads: set[int] = set()
         for joint in owns:
             j = joint

@@ -98,7 +98,8 @@ def _positive_definite(tensor: Exact) -> bool:
 
 def _inverse3(a: Exact) -> Exact:
     cofactors = np.array([_cross(a[1], a[2]), _cross(a[2], a[0]), _cross(a[0], a[1])], dtype=object)
-    return cofactors.T / a[0].dot(cofactors[0])
+    inverse: Exact = cofactors.T / a[0].dot(cofactors[0])
+    return inverse
 
 
 def _cross(u: Exact, v: Exact) -> list[object]:

@@ -247,7 +247,7 @@ class _Machine:
             self.qdd[joint.v : joint.v + kind.nv] = qdd[:, 0]
 
     def _solve_coupling(self) -> None:
-        """Solve A qdd = 0 for the coupling torques; A's rows are qdd_slaved - multiplier qdd_source."""
+        """Solve A qdd = 0 for the coupling torques; a row is qdd_slaved - multiplier qdd_source."""
         rows = []
         for slaved in self.plan.slaved:
             mimic = self.plan.joints[slaved].mimic
@@ -267,7 +267,7 @@ class _Machine:
 
 
 def motion_transform(e: Array, r: Array) -> Array:
-    """Return X = [[E, 0], [-E rx, E]] for rotation E (3x3) and child origin r (3,) in the parent."""
+    """Return X = [[E, 0], [-E rx, E]] for a rotation E (3x3) and the child origin r (3,)."""
     x = np.zeros((6, 6))
     x[:3, :3] = x[3:, 3:] = e
     rx = np.array([[0.0, -r[2], r[1]], [r[2], 0.0, -r[0]], [-r[1], r[0], 0.0]])
@@ -282,7 +282,7 @@ def cross_motion(v: Array, m: Array) -> Array:
 
 
 def _placement(kind: JointKind, q: Array) -> tuple[Array, Array]:
-    """Rotation (child to joint frame) and origin of the child frame in the canonical joint frame."""
+    """Rotation and origin of the child frame in the canonical joint frame."""
     turn, shift = np.eye(3), np.zeros(3)
     if kind.quaternion is not None:
         x, y, z, w = q[kind.quaternion :] / np.linalg.norm(q[kind.quaternion :])

@@ -130,7 +130,7 @@ def test_json_and_back() -> None:
 
 def test_massless_links_are_named_with_the_way_out() -> None:
     model = three_axis_chain(2)
-    with pytest.raises(InputError, match='link ".*" has no mass; .*spherical joint'):
+    with pytest.raises(InputError, match=r'link ".*" has no mass; .*spherical joint'):
         make_plan(model, random_schedule(model, 1, np.random.default_rng(0)))
 
 
