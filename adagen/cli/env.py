@@ -8,7 +8,7 @@ import shlex
 from collections.abc import Sequence
 
 from adagen.build import cache_folder, find_toolchain
-from adagen.cli.options import make_parser
+from adagen.cli.options import make_parser, parse
 
 _EPILOG = """examples:
   adagen env                         what would be used, a line each
@@ -33,7 +33,7 @@ def run(argv: Sequence[str]) -> int:
         which.add_argument(
             option, dest="which", action="store_const", const=option[2:], help=help_text
         )
-    options = parser.parse_args(argv)
+    options = parse(parser, argv)
     toolchain = find_toolchain(os.environ)
     lines = {
         "mpicxx": shlex.join(toolchain.mpicxx),

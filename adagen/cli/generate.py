@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from adagen.cli.console import Stages, note
-from adagen.cli.options import add_emission, add_model, add_schedule, make_parser
+from adagen.cli.options import add_emission, add_model, add_schedule, make_parser, parse
 
 _DESCRIPTION = """\
 Compile a robot description into one C++/MPI source file for P processes that computes its
@@ -36,7 +36,7 @@ def run(argv: Sequence[str]) -> int:
         "--out", type=Path, default=Path(), metavar="DIR", help="where to write (default: here)"
     )
     parser.add_argument("--name", help="name of the files (default: the robot's)")
-    options = parser.parse_args(argv)
+    options = parse(parser, argv)
 
     from adagen.cli import pipeline
     from adagen.cli.files import write_files

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NoReturn
 
 from adagen import __version__
@@ -19,6 +19,18 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Raise the complaint with where to read on."""
         raise UsageError(f"{printable(message)}; see {self.prog} --help")
+
+
+def parse(parser: Parser, argv: Sequence[str]) -> argparse.Namespace:
+    """Return the options that the words say.
+
+    Raises:
+        UsageError: the words are not a command line of this parser.
+    """
+    options = parser.parse_args(argv)
+    if [] in vars(options).values():  # what argparse makes of --name=--
+        parser.error("an option cannot have the value --")
+    return options
 
 
 def make_parser(prog: str, description: str, epilog: str) -> Parser:

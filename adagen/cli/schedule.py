@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import Stages, note
-from adagen.cli.options import add_model, add_schedule, make_parser
+from adagen.cli.options import add_model, add_schedule, make_parser, parse
 
 if TYPE_CHECKING:
     from adagen.schedule import Schedule
@@ -27,7 +27,7 @@ def run(argv: Sequence[str]) -> int:
     add_schedule(parser)
     parser.add_argument("--json", action="store_true", help="print the schedule tree as JSON")
     parser.add_argument("--svg", type=Path, metavar="FILE", help="draw the schedule tree")
-    options = parser.parse_args(argv)
+    options = parse(parser, argv)
 
     from adagen.cli import pipeline
     from adagen.cli.files import write_file

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import Stages, note, progress
-from adagen.cli.options import add_emission, add_model, add_schedule, make_parser, seconds
+from adagen.cli.options import add_emission, add_model, add_schedule, make_parser, parse, seconds
 from adagen.errors import EnvironmentFault
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def run(argv: Sequence[str]) -> int:
         metavar="S",
         help="end a run that takes longer (default: 600 s)",
     )
-    options = parser.parse_args(argv)
+    options = parse(parser, argv)
     options.name = None
     stages = Stages()
     try:

@@ -62,6 +62,7 @@ class TestUsage:
             (["solve", "robot.urdf", "--procs", "2"], "required: --states"),
             (["solve", "r", "--procs", "2", "--states", "s", "--timeout", "0"], "more than 0 s"),
             (["env", "--mpicxx", "--eigen"], "not allowed with"),
+            (["r.urdf", "--procs", "2", "--name=--"], "cannot have the value --"),
             (["r.urdf", "--procs", "2", "a\nb"], "a\\nb"),
         ],
     )

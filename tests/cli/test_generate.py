@@ -1,0 +1,289 @@
+"""Generating, scheduling and solving through the command line, on small robots."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import time
+import xml.etree.ElementTree as ET
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.build import find_toolchain
+from adagen.cli import main
+from adagen.cli.console import Stages, note, progress, warn
+from adagen.reference import forward_dynamics
+from adagen.states import random_states, read_result, write_states
+from adagen.urdf import read_robot
+
+LINK = (
+    '<link name="{name}"><inertial><mass value="1.5"/><origin xyz="0.01 0.02 0.1"/>'
+    '<inertia ixx="0.02" iyy="0.03" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial></link>'
+)
+JOINT = (
+    '<joint name="{name}" type="continuous"><parent link="{parent}"/><child link="{child}"/>'
+    '<axis xyz="{axis}"/><origin xyz="0 0.1 0.3"/></joint>'
+)
+Said = Callable[[], tuple[str, str]]
+
+
+def write_arm(path: Path, joints: int = 3, name: str = "arm") -> Path:
+    """Write a chain whose axes are not parallel."""
+    parts = [LINK.format(name="l0")]
+    for j in range(joints):
+        parts.append(LINK.format(name=f"l{j + 1}"))
+        axis = ("1 0 0", "0 1 0", "0 0 1")[j % 3]
+        parts.append(JOINT.format(name=f"j{j}", parent=f"l{j}", child=f"l{j + 1}", axis=axis))
+    path.write_text(f'<robot name="{name}">{"".join(parts)}</robot>')
+    return path
+
+
+@pytest.fixture
+def arm(tmp_path: Path) -> Path:
+    return write_arm(tmp_path / "arm.urdf")
+
+
+@pytest.fixture
+def said(capsys: pytest.CaptureFixture[str]) -> Said:
+    """What was said to stdout and stderr since the last call."""
+
+    def read() -> tuple[str, str]:
+        out, err = capsys.readouterr()
+        return out, err
+
+    return read
+
+
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A cache of builds: what one test has built serves the others."""
+    return tmp_path_factory.mktemp("cache")
+
+
+class TestGenerate:
+    def test_the_four_files_are_written_and_told(
+        self, arm: Path, tmp_path: Path, said: Said
+    ) -> None:
+        out = tmp_path / "out"
+        assert main([str(arm), "--procs", "2", "--out", str(out)]) == 0
+        names = {"arm_p2.cpp", "arm_p2.plan.json", "arm_p2.svg", "Makefile"}
+        assert {p.name for p in out.iterdir()} == names
+        stdout, stderr = said()
+        assert stdout == ""
+        assert all(name in stderr for name in names)
+        assert "us predicted" in stderr
+        json.loads((out / "arm_p2.plan.json").read_text())
+        ET.fromstring((out / "arm_p2.svg").read_text())
+
+    def test_no_machine_path_and_the_same_bytes_anywhere(self, arm: Path, tmp_path: Path) -> None:
+        elsewhere = tmp_path / "elsewhere"
+        elsewhere.mkdir()
+        other = elsewhere / "other.urdf"
+        other.write_bytes(arm.read_bytes())
+        for model, out in ((arm, "a"), (other, "b")):
+            assert main([str(model), "--procs", "2", "--out", str(tmp_path / out)]) == 0
+        for file in (tmp_path / "a").iterdir():
+            assert file.read_bytes() == (tmp_path / "b" / file.name).read_bytes()
+            assert str(tmp_path) not in file.read_text()
+
+    def test_generating_again_replaces_and_keeps_other_files(
+        self, arm: Path, tmp_path: Path
+    ) -> None:
+        (tmp_path / "out").mkdir()
+        (tmp_path / "out" / "notes.txt").write_text("mine")
+        for _ in range(2):
+            assert main([str(arm), "--procs", "2", "--out", str(tmp_path / "out")]) == 0
+        assert (tmp_path / "out" / "notes.txt").read_text() == "mine"
+
+    def test_a_makefile_of_somebody_else_is_left(
+        self, arm: Path, tmp_path: Path, said: Said
+    ) -> None:
+        (tmp_path / "Makefile").write_text("all: ; my own\n")
+        assert main([str(arm), "--procs", "2", "--out", str(tmp_path)]) == 2
+        assert "was not written by adagen" in said()[1]
+        assert sorted(p.name for p in tmp_path.iterdir()) == ["Makefile", "arm.urdf"]
+
+    @pytest.mark.parametrize("name", ["../escape", "/etc/x", "a b\n", "-", "é", "."])
+    def test_a_hostile_name_stays_in_the_folder(self, name: str, arm: Path, tmp_path: Path) -> None:
+        out = tmp_path / "deep" / "out"
+        words = [str(arm), "--procs", "1", "--out", str(out), f"--name={name}"]
+        assert main(words) == 0
+        assert len(list(out.iterdir())) == 4
+        assert [p.name for p in (tmp_path / "deep").iterdir()] == ["out"]
+
+    def test_a_refused_robot_writes_nothing(self, tmp_path: Path, said: Said) -> None:
+        bad = tmp_path / "bad.urdf"
+        bad.write_text("<robot name='x'><link")
+        assert main([str(bad), "--procs", "2", "--out", str(tmp_path / "out")]) == 1
+        stdout, stderr = said()
+        assert stdout == ""
+        assert stderr.startswith(f"{bad}:1: error: ") and stderr.count("\n") == 1
+        assert not (tmp_path / "out").exists()
+
+    def test_gravity_and_base_reach_the_plan(self, arm: Path, tmp_path: Path) -> None:
+        words = [str(arm), "--procs", "1", "--out", str(tmp_path / "o"), "--floating"]
+        assert main([*words, "--gravity", "0", "-1.5", "0"]) == 0
+        text = (tmp_path / "o" / "arm_p1.plan.json").read_text()
+        plan = json.loads(text)
+        assert plan["gravity"] == [0.0, -1.5, 0.0]
+        assert plan["floating"] is True
+
+    def test_the_stages_are_timed_for_who_asks(self, arm: Path, tmp_path: Path, said: Said) -> None:
+        assert main([str(arm), "--procs", "2", "--out", str(tmp_path / "o"), "-v"]) == 0
+        (line,) = [row for row in said()[1].splitlines() if row.startswith("stages: ")]
+        for stage in ("read", "schedule", "plan", "emit", "write", "total"):
+            assert f"{stage} " in line
+
+
+class TestSchedule:
+    def test_for_people(self, arm: Path, said: Said) -> None:
+        assert main(["schedule", str(arm), "--procs", "2"]) == 0
+        stdout, stderr = said()
+        assert all(f"j{j}" in stdout for j in range(3))
+        assert "us predicted (default profile, optimal)" in stdout
+        assert stderr == ""
+
+    def test_as_json_and_back(self, arm: Path, tmp_path: Path, said: Said) -> None:
+        assert main(["schedule", str(arm), "--procs", "2", "--json"]) == 0
+        text = said()[0]
+        told = json.loads(text)
+        assert told["verdict"] == "optimal"
+        (tmp_path / "s.json").write_text(text)
+        words = ["schedule", str(arm), "--procs", "2", "--json"]
+        assert main([*words, "--schedule", str(tmp_path / "s.json")]) == 0
+        again = json.loads(said()[0])
+        assert again["root"] == told["root"]
+        assert again["makespan"] == told["makespan"]
+
+    def test_a_schedule_for_other_processes_is_refused(
+        self, arm: Path, tmp_path: Path, said: Said
+    ) -> None:
+        assert main(["schedule", str(arm), "--procs", "2", "--json"]) == 0
+        (tmp_path / "s.json").write_text(said()[0])
+        words = ["schedule", str(arm), "--procs", "1", "--schedule", str(tmp_path / "s.json")]
+        assert main(words) == 1
+        assert "is for 2 processes, not 1" in said()[1]
+
+    def test_drawn(self, arm: Path, tmp_path: Path) -> None:
+        assert main(["schedule", str(arm), "--procs", "2", "--svg", str(tmp_path / "t.svg")]) == 0
+        assert ET.fromstring((tmp_path / "t.svg").read_text()).tag.endswith("svg")
+
+    @pytest.mark.parametrize("words", [["--profile", "none"], ["--schedule", "none"]])
+    def test_a_file_that_is_not_there_is_told(
+        self, words: list[str], arm: Path, said: Said
+    ) -> None:
+        assert main(["schedule", str(arm), "--procs", "2", *words]) == 1
+        stderr = said()[1]
+        assert "error: " in stderr and "none" in stderr and stderr.count("\n") == 1
+
+
+class TestSolve:
+    @pytest.fixture(autouse=True)
+    def _cache(self, cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setenv("XDG_CACHE_HOME", str(cache))
+        monkeypatch.setenv("CXXFLAGS", "-O1")  # the compiler's time, not the program's
+
+    @pytest.mark.parametrize("processes", [1, 2])
+    def test_right_accelerations_and_a_second_call_without_a_compiler(
+        self, processes: int, arm: Path, tmp_path: Path, said: Said, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        model = read_robot(arm, gravity=[0.0, 1.0, -3.0]).model
+        states = random_states(model, 4)
+        write_states(states, model, tmp_path / "states.json")
+        words = ["solve", str(arm), "--procs", str(processes)]
+        words += ["--states", str(tmp_path / "states.json"), "-v"]
+        assert main([*words, "--result", str(tmp_path / "r.json")]) == 0
+        assert "build " in said()[1]
+        found = read_result(tmp_path / "r.json", model)
+        for q, v, tau, qdd in zip(states.q, states.v, states.tau, found, strict=True):
+            np.testing.assert_allclose(qdd, forward_dynamics(model, q, v, tau), rtol=1e-10)
+
+        def no_compiler(*_: object) -> None:
+            raise AssertionError("it was compiled again")
+
+        monkeypatch.setattr("adagen.build.cache._compile", no_compiler)
+        assert main(words) == 0
+        assert said()[0] == (tmp_path / "r.json").read_text()
+
+    def test_states_of_another_robot_are_refused_before_anything_is_built(
+        self, arm: Path, tmp_path: Path, said: Said, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+        states = tmp_path / "states.json"
+        states.write_text('{"joints": {"j9": {"q": [0], "v": [0], "tau": [0]}}}')
+        assert main(["solve", str(arm), "--procs", "1", "--states", str(states)]) == 1
+        stdout, stderr = said()
+        assert stdout == ""
+        assert stderr.startswith(f"{states}") and "j9" in stderr
+        assert not (tmp_path / "cache").exists()
+
+    def test_a_compiler_that_fails_is_status_3(
+        self, arm: Path, tmp_path: Path, said: Said, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setenv("CXXFLAGS", "-no-such-option")
+        model = read_robot(arm).model
+        write_states(random_states(model, 1), model, tmp_path / "states.json")
+        words = ["solve", str(arm), "--procs", "1", "--states", str(tmp_path / "states.json")]
+        assert main(words) == 3
+        assert "no-such-option" in said()[1]
+
+    def test_a_run_over_its_time_is_status_3(self, arm: Path, tmp_path: Path, said: Said) -> None:
+        model = read_robot(arm).model
+        write_states(random_states(model, 1), model, tmp_path / "states.json")
+        words = ["solve", str(arm), "--procs", "2", "--states", str(tmp_path / "states.json")]
+        assert main([*words, "--timeout", "0.001"]) == 3
+        assert "no answer within 0.001 s" in said()[1]
+
+
+def test_the_emitted_makefile_builds_and_checks(arm: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    assert main([str(arm), "--procs", "2", "--out", str(out)]) == 0
+    toolchain = find_toolchain()
+    command = [
+        "make",
+        "-C",
+        str(out),
+        f"MPICXX={toolchain.mpicxx[0]}",
+        f"MPIEXEC={toolchain.mpiexec[0]}",
+        f"EIGEN={toolchain.eigen}",
+        "CXXFLAGS=-O1 -Wall -Wextra -Wpedantic -Werror",
+        "check",
+    ]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr
+    assert "right" in done.stdout
+
+
+class TestConsole:
+    def test_words_for_people_are_single_lines(self, said: Said) -> None:
+        warn("a.urdf:3: warning: two\nlines")
+        warn("plain")
+        note("\x1b[31mred")
+        assert said() == (
+            "",
+            "a.urdf:3: warning: two\\nlines\nwarning: plain\n\\x1b[31mred\n",
+        )
+
+    def test_what_is_quick_is_silent_and_what_is_slow_is_told(
+        self, said: Said, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        with progress("compiling"):
+            pass
+        assert said() == ("", "")
+        monkeypatch.setattr("adagen.cli.console._PATIENCE_SECONDS", 0.0)
+        with progress("compiling"):
+            time.sleep(0.2)
+        assert said() == ("", "compiling ...\n")
+
+    def test_stages_are_told_in_their_order_also_after_a_failure(self) -> None:
+        stages = Stages()
+        assert str(stages) == "stages: none"
+        with stages.stage("read"):
+            pass
+        with pytest.raises(ValueError), stages.stage("plan"):
+            raise ValueError
+        words = str(stages).replace(",", "").split()
+        assert words[1::3] == ["read", "plan", "total"]
