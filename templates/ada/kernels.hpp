@@ -6,11 +6,26 @@ struct Selection {
   static constexpr std::array<int, sizeof...(Rows)> row{Rows...};
 };
 
-struct Revolute { using Free = Selection<2>; using Constrained = Selection<0, 1, 3, 4, 5>; };
-struct Prismatic { using Free = Selection<5>; using Constrained = Selection<0, 1, 2, 3, 4>; };
-struct Spherical { using Free = Selection<0, 1, 2>; using Constrained = Selection<3, 4, 5>; };
-struct Planar { using Free = Selection<3, 4, 2>; using Constrained = Selection<0, 1, 5>; };
-struct Floating { using Free = Selection<3, 4, 5, 0, 1, 2>; using Constrained = Selection<>; };
+struct Revolute {
+  using Free = Selection<2>;
+  using Constrained = Selection<0, 1, 3, 4, 5>;
+};
+struct Prismatic {
+  using Free = Selection<5>;
+  using Constrained = Selection<0, 1, 2, 3, 4>;
+};
+struct Spherical {
+  using Free = Selection<0, 1, 2>;
+  using Constrained = Selection<3, 4, 5>;
+};
+struct Planar {
+  using Free = Selection<3, 4, 2>;
+  using Constrained = Selection<0, 1, 5>;
+};
+struct Floating {
+  using Free = Selection<3, 4, 5, 0, 1, 2>;
+  using Constrained = Selection<>;
+};
 
 template <class Kind>
 constexpr int kFree = Kind::Free::count;
@@ -40,10 +55,10 @@ Columns6 velocity_product(const Vec6& velocity, const Real* qd) {
 template <class Kind>
 struct Joined {
   static constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
-  std::array<std::array<Real, m>, m> L;   // Cholesky factor of V_i^-1; its diagonal inverted
-  std::array<std::array<Real, m>, n> RPN; // R_i (Phi_Ai + Phi_Bi) N_i^T
-  std::array<std::array<Real, kColumns>, m> z;      // L^-1 N_i beta_i
-  std::array<std::array<Real, kColumns>, n> R_beta; // R_i beta_i
+  std::array<std::array<Real, m>, m> L;         // Cholesky factor of V_i^-1; its diagonal inverted
+  std::array<std::array<Real, m>, n> RPN;       // R_i (Phi_Ai + Phi_Bi) N_i^T
+  std::array<std::array<Real, kColumns>, m> z;  // L^-1 N_i beta_i
+  std::array<std::array<Real, kColumns>, n> R_beta;  // R_i beta_i
   std::array<std::array<Real, kColumns>, n> tau;
 };
 
@@ -110,7 +125,8 @@ ADAGEN_NOINLINE bool join(Joined<Kind>& i, const Mat6& Phi_A, const Mat6& Phi_B,
     for (int column = 0; column < kColumns; ++column)
       beta.col(column) -= Phi.col(free[k]) * i.tau[k][column];
   for (int row = 0; row < n; ++row) {
-    for (int column = 0; column < kColumns; ++column) i.R_beta[row][column] = beta(free[row], column);
+    for (int column = 0; column < kColumns; ++column)
+      i.R_beta[row][column] = beta(free[row], column);
     for (int k = 0; k < m; ++k) i.RPN[row][k] = Phi(free[row], constrained[k]);
   }
   if constexpr (m > 0) {
@@ -184,10 +200,12 @@ class Release {
     if constexpr (kConstrained<Kind> > 0) backward_substitute(i_.L, z_);
     Columns6 f;
     for (int column = 0; column < kColumns; ++column) {
-      for (int k = 0; k < kConstrained<Kind>; ++k) f(Kind::Constrained::row[k], column) = z_[k][column];
+      for (int k = 0; k < kConstrained<Kind>; ++k)
+        f(Kind::Constrained::row[k], column) = z_[k][column];
       for (int k = 0; k < kFree<Kind>; ++k) {
         f(Kind::Free::row[k], column) = i_.tau[k][column];
-        for (int l = 0; l < kConstrained<Kind>; ++l) qdd_[k][column] += i_.RPN[k][l] * z_[l][column];
+        for (int l = 0; l < kConstrained<Kind>; ++l)
+          qdd_[k][column] += i_.RPN[k][l] * z_[l][column];
       }
     }
     return f;

@@ -1,4 +1,6 @@
-inline void fail(Workspace& w, Failure kind, int joint) { Channel::fail(w.status, failure(kind, joint)); }
+inline void fail(Workspace& w, Failure kind, int joint) {
+  Channel::fail(w.status, failure(kind, joint));
+}
 
 // x - x is zero for finite x only.
 inline void require_finite(Workspace& w, const Real* x, int count, int joint) {
@@ -23,7 +25,8 @@ void load_torque(Workspace& w, int joint, int v, std::array<std::array<Real, kCo
 
 // An acceleration is given only where all went well.
 template <std::size_t n>
-void store_acceleration(Workspace& w, int joint, int v, const std::array<std::array<Real, kColumns>, n>& qdd) {
+void store_acceleration(Workspace& w, int joint, int v,
+                        const std::array<std::array<Real, kColumns>, n>& qdd) {
   Real sum = 0;
   for (std::size_t k = 0; k < n; ++k) sum += qdd[k][0] - qdd[k][0];
   if (!(sum == 0)) fail(w, kOverflow, joint);
@@ -96,7 +99,8 @@ void solve_coupling(Workspace& w, int joint, const std::array<std::array<Real, m
 
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>
-void store_coupled(Workspace& w, int joint, int v, const std::array<std::array<Real, kColumns>, n>& qdd,
+void store_coupled(Workspace& w, int joint, int v,
+                   const std::array<std::array<Real, kColumns>, n>& qdd,
                    const std::array<Real, m>& torques) {
   std::array<std::array<Real, kColumns>, n> sum{};
   for (std::size_t k = 0; k < n; ++k) {

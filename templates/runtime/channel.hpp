@@ -1,7 +1,8 @@
-// Exchange between processes. Processes on one node meet in a shared window: a message is a slot that
-// its source fills and then numbers (release), and that its target reads once it sees the number
-// (acquire). Other pairs exchange MPI messages. A slot is free again when it is next written, because
-// each pair answers each other within an evaluation (assembly up, disassembly down; state, result).
+// Exchange between processes. Processes on one node meet in a shared window: a message is a slot
+// that its source fills and then numbers (release), and that its target reads once it sees the
+// number (acquire). Other pairs exchange MPI messages. A slot is free again when it is next
+// written, because each pair answers each other within an evaluation (assembly up, disassembly
+// down; state, result).
 enum class ChannelMode { kAuto, kWindow, kMessage };
 
 inline void relax() {
@@ -22,7 +23,8 @@ class Channel {
   std::string open(MPI_Comm comm, ChannelMode mode, double time_limit) {
     MPI_Comm_dup(comm, &comm_);
     MPI_Comm_rank(comm_, &rank_);
-    time_limit_ = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_limit));
+    time_limit_ =
+        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_limit));
     ports_.resize(kMessages.size());
     if (mode != ChannelMode::kMessage) open_window(mode);
     int missing = 0;
@@ -39,7 +41,8 @@ class Channel {
   void close() {
     if (comm_ == MPI_COMM_NULL) return;
     for (Port& port : ports_)
-      if (port.request != MPI_REQUEST_NULL) MPI_Cancel(&port.request), MPI_Request_free(&port.request);
+      if (port.request != MPI_REQUEST_NULL)
+        MPI_Cancel(&port.request), MPI_Request_free(&port.request);
     if (window_ != MPI_WIN_NULL) {
       MPI_Win_unlock_all(window_);
       MPI_Win_free(&window_);
@@ -64,11 +67,12 @@ class Channel {
       return;
     }
     port.buffer[0] = static_cast<Real>(status);
-    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal, kMessages[k].target,
-              k, comm_, &port.request);
+    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+              kMessages[k].target, k, comm_, &port.request);
   }
 
-  // Waits for message k and returns its content; what its source knows of failures joins the status.
+  // Waits for message k and returns its content; what its source knows of failures joins the
+  // status.
   const Real* receive(int k, int& status) {
     Port& port = ports_[k];
     const Real* content;
@@ -140,7 +144,8 @@ class Channel {
     char* base = nullptr;
     MPI_Info hints;
     MPI_Info_create(&hints);
-    MPI_Info_set(hints, "alloc_shared_noncontig", "true");  // every part on pages of its own process
+    MPI_Info_set(hints, "alloc_shared_noncontig",
+                 "true");  // every part on pages of its own process
     MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base, &window_);
     MPI_Info_free(&hints);
     MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);

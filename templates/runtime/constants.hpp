@@ -1,15 +1,15 @@
 enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
 
-// A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link has
-// the joint's frame at q = 0.
+// A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link
+// has the joint's frame at q = 0.
 struct JointConstants {
   const char* name;
   JointKind kind;
-  int parent;          // parent link; the child link has the joint's number plus one
-  int q, nq, v, nv;    // where its configuration and velocity are
-  Real rotation[9];    // joint frame to parent link's frame, row by row
-  Real translation[3]; // origin of the joint frame in the parent link's frame, m
-  int source;          // joint that it is slaved to, or -1: q = multiplier q_source + offset
+  int parent;           // parent link; the child link has the joint's number plus one
+  int q, nq, v, nv;     // where its configuration and velocity are
+  Real rotation[9];     // joint frame to parent link's frame, row by row
+  Real translation[3];  // origin of the joint frame in the parent link's frame, m
+  int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
   double multiplier, offset;
 };
 

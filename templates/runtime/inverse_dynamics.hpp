@@ -1,5 +1,5 @@
-// An independent check: inverse dynamics by Newton's and Euler's equations, body by body, in double.
-// It shares the model's constants with the solver, and no arithmetic.
+// An independent check: inverse dynamics by Newton's and Euler's equations, body by body, in
+// double. It shares the model's constants with the solver, and no arithmetic.
 namespace check {
 
 using Vec = std::array<double, 3>;
@@ -54,11 +54,21 @@ void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift)
             Vec{2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}};
   };
   switch (joint.kind) {
-    case JointKind::kRevolute: about_z(double(q[0])); break;
-    case JointKind::kPrismatic: shift[2] = double(q[0]); break;
-    case JointKind::kSpherical: orient(q); break;
-    case JointKind::kPlanar: about_z(double(q[2])), shift = {double(q[0]), double(q[1]), 0}; break;
-    case JointKind::kFloating: orient(q + 3), shift = vec3(q); break;
+    case JointKind::kRevolute:
+      about_z(double(q[0]));
+      break;
+    case JointKind::kPrismatic:
+      shift[2] = double(q[0]);
+      break;
+    case JointKind::kSpherical:
+      orient(q);
+      break;
+    case JointKind::kPlanar:
+      about_z(double(q[2])), shift = {double(q[0]), double(q[1]), 0};
+      break;
+    case JointKind::kFloating:
+      orient(q + 3), shift = vec3(q);
+      break;
   }
 }
 
@@ -66,15 +76,26 @@ void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift)
 void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linear) {
   angular = linear = {};
   switch (joint.kind) {
-    case JointKind::kRevolute: angular[2] = double(x[0]); break;
-    case JointKind::kPrismatic: linear[2] = double(x[0]); break;
-    case JointKind::kSpherical: angular = vec3(x); break;
-    case JointKind::kPlanar: linear = {double(x[0]), double(x[1]), 0}, angular[2] = double(x[2]); break;
-    case JointKind::kFloating: linear = vec3(x), angular = vec3(x + 3); break;
+    case JointKind::kRevolute:
+      angular[2] = double(x[0]);
+      break;
+    case JointKind::kPrismatic:
+      linear[2] = double(x[0]);
+      break;
+    case JointKind::kSpherical:
+      angular = vec3(x);
+      break;
+    case JointKind::kPlanar:
+      linear = {double(x[0]), double(x[1]), 0}, angular[2] = double(x[2]);
+      break;
+    case JointKind::kFloating:
+      linear = vec3(x), angular = vec3(x + 3);
+      break;
   }
 }
 
-// Torques that give accelerations qdd at (q, v); slaved joints count through their sources' torques.
+// Torques that give accelerations qdd at (q, v); slaved joints count through their sources'
+// torques.
 void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau) {
   static std::array<Body, kLinkCount> body;
   body[0] = {};
@@ -97,7 +118,8 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
     const Vec at_origin =
         parent.a + cross(parent.dw, b.shift) + cross(parent.w, cross(parent.w, b.shift));
     const Vec coriolis = cross(carried, slide);
-    b.a = transposed_times(b.turn, at_origin) + coriolis + coriolis + cross(spin, slide) + slide_rate;
+    b.a =
+        transposed_times(b.turn, at_origin) + coriolis + coriolis + cross(spin, slide) + slide_rate;
     const Vec c = vec3(link.com);
     const Vec at_com = b.a + cross(b.dw, c) + cross(b.w, cross(b.w, c));
     const Mat inertia = mat3(link.tensor);
@@ -109,10 +131,18 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
     const Body& b = body[j + 1];
     double* t = tau + joint.v;
     switch (joint.kind) {
-      case JointKind::kRevolute: t[0] = b.n[2]; break;
-      case JointKind::kPrismatic: t[0] = b.f[2]; break;
-      case JointKind::kSpherical: std::copy(b.n.begin(), b.n.end(), t); break;
-      case JointKind::kPlanar: t[0] = b.f[0], t[1] = b.f[1], t[2] = b.n[2]; break;
+      case JointKind::kRevolute:
+        t[0] = b.n[2];
+        break;
+      case JointKind::kPrismatic:
+        t[0] = b.f[2];
+        break;
+      case JointKind::kSpherical:
+        std::copy(b.n.begin(), b.n.end(), t);
+        break;
+      case JointKind::kPlanar:
+        t[0] = b.f[0], t[1] = b.f[1], t[2] = b.n[2];
+        break;
       case JointKind::kFloating:
         std::copy(b.f.begin(), b.f.end(), t);
         std::copy(b.n.begin(), b.n.end(), t + 3);

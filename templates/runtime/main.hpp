@@ -11,9 +11,11 @@ struct Options {
 enum ExitStatus : int { kDone = 0, kInputAtFault = 1, kUsage = 2, kFault = 3 };
 
 const char* const kUsageText =
-    "  --states FILE     solve these states (JSON, joints by name); --result FILE takes the answer\n"
+    "  --states FILE     solve these states (JSON, joints by name); --result FILE takes the "
+    "answer\n"
     "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
-    "  --check           residual of an independent inverse dynamics, for the given or random states\n"
+    "  --check           residual of an independent inverse dynamics, for the given or random "
+    "states\n"
     "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
     "  --repeat N        evaluations of each random state when timing (200)\n"
     "  --seed N          seed of the random states (1)\n"
@@ -23,7 +25,8 @@ const char* const kUsageText =
     "  --no-pin          leave the processes to the system's scheduler when timing\n"
     "  --json            report as JSON on standard output\n"
     "  --help            this text\n"
-    "Without --states, --check or --time it checks and times. Exit status: 0 done, 1 input at fault\n"
+    "Without --states, --check or --time it checks and times. Exit status: 0 done, 1 input at "
+    "fault\n"
     "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
 
 // Returns an empty string, or what is wrong.
@@ -31,42 +34,58 @@ std::string parse(int count, char** words, Options& options) {
   for (int k = 1; k < count; ++k) {
     const std::string word = words[k];
     const auto flag = [&word](const char* name) { return word == name; };
-    if (flag("--check")) options.check = true;
-    else if (flag("--time")) options.time = true;
-    else if (flag("--json")) options.json = true;
-    else if (flag("--help")) options.help = true;
-    else if (flag("--no-pin")) options.pin = false;
+    if (flag("--check"))
+      options.check = true;
+    else if (flag("--time"))
+      options.time = true;
+    else if (flag("--json"))
+      options.json = true;
+    else if (flag("--help"))
+      options.help = true;
+    else if (flag("--no-pin"))
+      options.pin = false;
     else {
-      const char* const known[] = {"--states", "--result", "--repeat", "--seed", "--tolerance", "--channel", "--timeout"};
+      const char* const known[] = {"--states",    "--result",  "--repeat", "--seed",
+                                   "--tolerance", "--channel", "--timeout"};
       if (std::none_of(std::begin(known), std::end(known), flag)) return "unknown option " + word;
       if (k + 1 == count) return word + " needs a value";
       const std::string value = words[++k];
       char* end = nullptr;
       const double number = std::strtod(value.c_str(), &end);
       const bool numeric = !value.empty() && *end == '\0' && std::isfinite(number) && number >= 0;
-      if (flag("--states")) options.states = value;
-      else if (flag("--result")) options.result = value;
+      if (flag("--states"))
+        options.states = value;
+      else if (flag("--result"))
+        options.result = value;
       else if (flag("--channel")) {
-        if (value == "auto") options.channel = ChannelMode::kAuto;
-        else if (value == "window") options.channel = ChannelMode::kWindow;
-        else if (value == "message") options.channel = ChannelMode::kMessage;
-        else return "--channel takes auto, window or message";
-      }
-      else if (!numeric) return word + " takes a number of 0 or more, not \"" + value + "\"";
+        if (value == "auto")
+          options.channel = ChannelMode::kAuto;
+        else if (value == "window")
+          options.channel = ChannelMode::kWindow;
+        else if (value == "message")
+          options.channel = ChannelMode::kMessage;
+        else
+          return "--channel takes auto, window or message";
+      } else if (!numeric)
+        return word + " takes a number of 0 or more, not \"" + value + "\"";
       else if (flag("--repeat")) {
         if (number < 1 || number > 1e6) return "--repeat takes a number from 1 to 1000000";
         options.repeat = static_cast<int>(number);
-      }
-      else if (flag("--seed")) options.seed = static_cast<unsigned long>(number);
-      else if (flag("--tolerance")) options.tolerance = number;
-      else if (number <= 0) return "--timeout takes a number of seconds above 0";
-      else options.time_limit = number;
+      } else if (flag("--seed"))
+        options.seed = static_cast<unsigned long>(number);
+      else if (flag("--tolerance"))
+        options.tolerance = number;
+      else if (number <= 0)
+        return "--timeout takes a number of seconds above 0";
+      else
+        options.time_limit = number;
     }
   }
   if (!options.result.empty() && options.states.empty()) return "--result needs --states";
   if (options.json && options.result.empty() && !options.states.empty())
     return "--json needs --result FILE where there are --states: both would go to standard output";
-  if (options.states.empty() && !options.check && !options.time) options.check = options.time = true;
+  if (options.states.empty() && !options.check && !options.time)
+    options.check = options.time = true;
   return "";
 }
 
@@ -80,13 +99,17 @@ States random_states(int count, std::uint64_t seed) {
   };
   States states;
   states.count = count;
-  const auto size = [count](int n) { return static_cast<std::size_t>(count) * static_cast<std::size_t>(n); };
+  const auto size = [count](int n) {
+    return static_cast<std::size_t>(count) * static_cast<std::size_t>(n);
+  };
   states.q.resize(size(kNq));
   states.v.resize(size(kNv));
   states.tau.resize(size(kNv));
   for (int s = 0; s < count; ++s) {
-    Real* q = states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* v = states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Real* q =
+        states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Real* v =
+        states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     Real* tau = states.tau.data() + (v - states.v.data());
     for (const JointConstants& joint : kJoints) {
       const bool turns = joint.kind == JointKind::kRevolute;
@@ -119,8 +142,10 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
     std::ostringstream text;
     text << file.rdbuf();
     std::string wrong;
-    if (!file) wrong = " error: cannot read the states file";
-    else wrong = StatesReader(text.str()).read(states);
+    if (!file)
+      wrong = " error: cannot read the states file";
+    else
+      wrong = StatesReader(text.str()).read(states);
     if (!wrong.empty()) {
       std::fprintf(stderr, "%s:%s\n", path.c_str(), wrong.c_str());
       status = kInputAtFault;
@@ -146,7 +171,8 @@ struct Statistics {
 Statistics statistics(std::vector<double> ns) {
   std::sort(ns.begin(), ns.end());
   const auto at = [&ns](double part) {
-    return ns[std::min(ns.size() - 1, static_cast<std::size_t>(part * static_cast<double>(ns.size())))];
+    return ns[std::min(ns.size() - 1,
+                       static_cast<std::size_t>(part * static_cast<double>(ns.size())))];
   };
   return {at(0.5), ns.front(), at(0.99)};
 }
@@ -156,7 +182,8 @@ class Program {
   Program(Options options, int rank) : options_(std::move(options)), rank_(rank) {}
 
   int run() {
-    const std::string wrong = solver_.channel.open(MPI_COMM_WORLD, options_.channel, options_.time_limit);
+    const std::string wrong =
+        solver_.channel.open(MPI_COMM_WORLD, options_.channel, options_.time_limit);
     if (!wrong.empty()) return complain(kFault, wrong);
     int status = kDone;
     if (!options_.states.empty()) {
@@ -219,8 +246,10 @@ class Program {
     // Each process wrote its own joints and left the others zero.
     void* const all = qdd_.data();
     const int size = static_cast<int>(qdd_.size());
-    if (rank_ == 0) MPI_Reduce(MPI_IN_PLACE, all, size, kMpiReal, MPI_SUM, 0, solver_.channel.comm());
-    else MPI_Reduce(all, nullptr, size, kMpiReal, MPI_SUM, 0, solver_.channel.comm());
+    if (rank_ == 0)
+      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiReal, MPI_SUM, 0, solver_.channel.comm());
+    else
+      MPI_Reduce(all, nullptr, size, kMpiReal, MPI_SUM, 0, solver_.channel.comm());
     return kDone;
   }
 
@@ -229,7 +258,8 @@ class Program {
     if (rank_ == 0) {
       std::vector<double> residuals;
       for (int s = 0; s < states_.count; ++s)
-        residuals.push_back(check::residual(q(s), v(s), tau(s), qdd_.data() + static_cast<long>(s) * kNv));
+        residuals.push_back(
+            check::residual(q(s), v(s), tau(s), qdd_.data() + static_cast<long>(s) * kNv));
       std::sort(residuals.begin(), residuals.end());
       residual_median_ = residuals[residuals.size() / 2];
       residual_max_ = residuals.back();
@@ -251,7 +281,8 @@ class Program {
     MPI_Comm_size(node, &count);
     MPI_Comm_free(&node);
     cpu_set_t allowed, one;
-    if (options_.pin && sched_getaffinity(0, sizeof allowed, &allowed) == 0 && CPU_COUNT(&allowed) >= count) {
+    if (options_.pin && sched_getaffinity(0, sizeof allowed, &allowed) == 0 &&
+        CPU_COUNT(&allowed) >= count) {
       int cpu = 0;
       for (int k = -1; cpu < CPU_SETSIZE; ++cpu)
         if (CPU_ISSET(cpu, &allowed) && ++k == place) break;
@@ -268,7 +299,8 @@ class Program {
   Clock::time_point start_together() const {
     if (kProcesses == 1) return Clock::now();
     Clock::rep start = 0;
-    if (rank_ == 0) start = (Clock::now() + std::chrono::microseconds(5)).time_since_epoch().count();
+    if (rank_ == 0)
+      start = (Clock::now() + std::chrono::microseconds(5)).time_since_epoch().count();
     MPI_Bcast(&start, static_cast<int>(sizeof start), MPI_BYTE, 0, solver_.channel.comm());
     const Clock::time_point at{Clock::duration(start)};
     const Clock::time_point latest = Clock::now() + std::chrono::microseconds(50);
@@ -283,16 +315,19 @@ class Program {
     pinned_ = pin();
     std::vector<double> in_place, at_root;
     int failed = kFine;
-    for (int pass = -1; pass < options_.repeat && failed == kFine; ++pass) {  // the first one warms up
+    for (int pass = -1; pass < options_.repeat && failed == kFine;
+         ++pass) {  // the first one warms up
       for (int s = 0; s < states_.count; ++s) {
         Real* const qdd = qdd_.data() + static_cast<long>(s) * kNv;
         const Clock::time_point start = start_together();
         const int first = solver_.solve(q(s), v(s), tau(s), qdd);
-        const double in_place_ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+        const double in_place_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
         if (kProcesses > 1) MPI_Barrier(solver_.channel.comm());
         const Clock::time_point start_root = Clock::now();
         const int second = solver_.solve_at_root(q(s), v(s), tau(s), qdd);
-        const double root_ns = std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
+        const double root_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
         give_up_if_broken(first);
         give_up_if_broken(second);
         if (failed == kFine) failed = first != kFine ? first : second;
@@ -304,8 +339,8 @@ class Program {
     }
     if (failed != kFine) return complain(kInputAtFault, "random state: " + describe(failed));
     // An evaluation is over when its last process is done.
-    MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE, MPI_MAX,
-                  solver_.channel.comm());
+    MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
+                  MPI_MAX, solver_.channel.comm());
     in_place_ = statistics(std::move(in_place));
     at_root_ = statistics(std::move(at_root));
     timed_ = true;
@@ -317,33 +352,42 @@ class Program {
       std::printf(format, t.median, t.least, t.percentile99);
     };
     if (options_.json) {
-      std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"", quoted(kRobot).c_str(), kProcesses,
-                  solver_.channel.windowed() ? "window" : kProcesses == 1 ? "none" : "message");
+      std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"", quoted(kRobot).c_str(),
+                  kProcesses,
+                  solver_.channel.windowed() ? "window"
+                  : kProcesses == 1          ? "none"
+                                             : "message");
       if (!options_.states.empty()) std::printf(", \"solved\": %d", solved_);
       if (checked_)
-        std::printf(", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, \"ok\": %s}",
-                    residual_median_, residual_max_, options_.tolerance,
-                    residual_max_ <= options_.tolerance ? "true" : "false");
+        std::printf(
+            ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
+            "\"ok\": %s}",
+            residual_median_, residual_max_, options_.tolerance,
+            residual_max_ <= options_.tolerance ? "true" : "false");
       if (timed_) {
-        std::printf(", \"time\": {\"evaluations\": %d, \"pinned\": %s", options_.repeat * kRandomStates,
-                    pinned_ ? "true" : "false");
-        times(in_place_, ", \"in_place\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}");
-        times(at_root_, ", \"through_root\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}}");
+        std::printf(", \"time\": {\"evaluations\": %d, \"pinned\": %s",
+                    options_.repeat * kRandomStates, pinned_ ? "true" : "false");
+        times(in_place_,
+              ", \"in_place\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}");
+        times(at_root_,
+              ", \"through_root\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}}");
       }
       std::printf("}\n");
       return;
     }
     std::FILE* const out = options_.states.empty() || !options_.result.empty() ? stdout : stderr;
     if (checked_)
-      std::fprintf(out, "check  residual of inverse dynamics: median %.1e, largest %.1e: %s\n", residual_median_,
-                   residual_max_, residual_max_ <= options_.tolerance ? "right" : "WRONG");
+      std::fprintf(out, "check  residual of inverse dynamics: median %.1e, largest %.1e: %s\n",
+                   residual_median_, residual_max_,
+                   residual_max_ <= options_.tolerance ? "right" : "WRONG");
     if (timed_) {
-      std::fprintf(out, "time   %d process%s%s, ns per evaluation: median, minimum, 99th percentile\n", kProcesses,
-                   kProcesses == 1 ? "" : "es", pinned_ ? ", pinned" : "");
-      std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n", in_place_.median,
-                   in_place_.least, in_place_.percentile99);
-      std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n", at_root_.median,
-                   at_root_.least, at_root_.percentile99);
+      std::fprintf(out,
+                   "time   %d process%s%s, ns per evaluation: median, minimum, 99th percentile\n",
+                   kProcesses, kProcesses == 1 ? "" : "es", pinned_ ? ", pinned" : "");
+      std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
+                   in_place_.median, in_place_.least, in_place_.percentile99);
+      std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n",
+                   at_root_.median, at_root_.least, at_root_.percentile99);
     }
   }
 

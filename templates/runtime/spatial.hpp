@@ -1,5 +1,5 @@
-// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns: the
-// motion itself, and one for each slaved joint's coupling torque.
+// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
+// the motion itself, and one for each slaved joint's coupling torque.
 using Vec3 = Eigen::Matrix<Real, 3, 1>;
 using Mat3 = Eigen::Matrix<Real, 3, 3>;
 using Vec6 = Eigen::Matrix<Real, 6, 1>;
@@ -55,7 +55,8 @@ ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
 }
 
 template <int columns>
-Eigen::Matrix<Real, 6, columns> operator*(const Transform& X, const Eigen::Matrix<Real, 6, columns>& m) {
+Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
+                                          const Eigen::Matrix<Real, 6, columns>& m) {
   Eigen::Matrix<Real, 6, columns> result;
   X.times(m, result);
   return result;

@@ -14,7 +14,8 @@ class StatesReader {
       parse(states);
       return "";
     } catch (const std::runtime_error& error) {
-      return std::to_string(1 + std::count(text_.begin(), text_.begin() + static_cast<long>(at_), '\n')) +
+      return std::to_string(
+                 1 + std::count(text_.begin(), text_.begin() + static_cast<long>(at_), '\n')) +
              ": error: " + error.what();
     }
   }
@@ -71,8 +72,10 @@ class StatesReader {
         if (static_cast<int>(entry.size()) != size)
           refuse("joint \"" + name + "\": " + key + " has " + std::to_string(entry.size()) +
                  " numbers, not " + std::to_string(size));
-        if (states.count > 0 && count >= states.count) refuse("joint \"" + name + "\": " + key + " has too many states");
-        const std::size_t needed = static_cast<std::size_t>(stride) * (static_cast<std::size_t>(count) + 1);
+        if (states.count > 0 && count >= states.count)
+          refuse("joint \"" + name + "\": " + key + " has too many states");
+        const std::size_t needed =
+            static_cast<std::size_t>(stride) * (static_cast<std::size_t>(count) + 1);
         if (values.size() < needed) values.resize(needed);
         for (int k = 0; k < size; ++k)
           values[needed - static_cast<std::size_t>(stride) + static_cast<std::size_t>(start + k)] =
@@ -82,15 +85,16 @@ class StatesReader {
       if (count == 0) refuse("joint \"" + name + "\": " + key + " has no state");
       if (states.count == 0) states.count = count;
       if (count != states.count)
-        refuse("joint \"" + name + "\": " + key + " has " + std::to_string(count) + " states, others " +
-               std::to_string(states.count));
+        refuse("joint \"" + name + "\": " + key + " has " + std::to_string(count) +
+               " states, others " + std::to_string(states.count));
     });
     if (found != 3) refuse("joint \"" + name + "\" needs q, v and tau, once each");
   }
 
   static void fill_slaved(States& states) {
     for (int s = 0; s < states.count; ++s)
-      slave(states.q.data() + static_cast<long>(s) * kNq, states.v.data() + static_cast<long>(s) * kNv);
+      slave(states.q.data() + static_cast<long>(s) * kNq,
+            states.v.data() + static_cast<long>(s) * kNv);
   }
 
   void white() {
@@ -215,7 +219,8 @@ class StatesReader {
     if (at_ + 4 > text_.size()) refuse("a string does not end");
     unsigned value = 0;
     const auto end = std::from_chars(text_.data() + at_, text_.data() + at_ + 4, value, 16);
-    if (end.ec != std::errc() || end.ptr != text_.data() + at_ + 4) refuse("four hexadecimal digits expected");
+    if (end.ec != std::errc() || end.ptr != text_.data() + at_ + 4)
+      refuse("four hexadecimal digits expected");
     at_ += 4;
     return value;
   }
@@ -231,7 +236,8 @@ class StatesReader {
     if (c < 0x80) return put(c);
     if (c < 0x800) return put(0xC0 | c >> 6), put(0x80 | (c & 63));
     if (c < 0x10000) return put(0xE0 | c >> 12), put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
-    put(0xF0 | c >> 18), put(0x80 | (c >> 12 & 63)), put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
+    put(0xF0 | c >> 18), put(0x80 | (c >> 12 & 63)), put(0x80 | (c >> 6 & 63)),
+        put(0x80 | (c & 63));
   }
 
   void skip() {

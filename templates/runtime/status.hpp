@@ -2,11 +2,11 @@
 // learn of a failure and none waits for an answer that cannot come. It must be exact in a float.
 enum Failure : int {
   kFine = 0,
-  kNotFinite = 1,      // the state of a joint is not a finite number
-  kZeroQuaternion = 2, // the orientation of a joint is a quaternion of no length
-  kFactorization = 3,  // V^-1 of a joint is not positive definite
-  kOverflow = 4,       // the acceleration of a joint is not a finite number
-  kNoAnswer = 5,       // a process did not answer in time (numbered in place of a joint)
+  kNotFinite = 1,       // the state of a joint is not a finite number
+  kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length
+  kFactorization = 3,   // V^-1 of a joint is not positive definite
+  kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -18,12 +18,17 @@ std::string describe(int status) {
   const int place = failure_place(status);
   const auto joint = [place] { return "joint \"" + std::string(kJoints[place].name) + "\": "; };
   switch (failure_kind(status)) {
-    case kFine: return "no error";
-    case kNotFinite: return joint() + "its q, v or tau is not a finite number";
-    case kZeroQuaternion: return joint() + "its quaternion has no length";
+    case kFine:
+      return "no error";
+    case kNotFinite:
+      return joint() + "its q, v or tau is not a finite number";
+    case kZeroQuaternion:
+      return joint() + "its quaternion has no length";
     case kFactorization:
-      return joint() + "factorization failed: the inertias beside it differ too much for the scalar";
-    case kOverflow: return joint() + "its acceleration is not a finite number (overflow)";
+      return joint() +
+             "factorization failed: the inertias beside it differ too much for the scalar";
+    case kOverflow:
+      return joint() + "its acceleration is not a finite number (overflow)";
     case kNoAnswer:
       return "process " + std::to_string(place) + " did not answer within the time limit";
   }
