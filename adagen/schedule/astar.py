@@ -104,11 +104,12 @@ class AStar:
                 return step
             try:
                 self.budget.spend()
+                following = self._next_nodes(step)
             except OutOfBudget:
                 return None
-            for following in self._next_nodes(step):
+            for offspring in following:
                 count += 1
-                heapq.heappush(queue, (self._priority(following), count, following))
+                heapq.heappush(queue, (self._priority(offspring), count, offspring))
         raise AssertionError("a search over a finite set ends at a goal")
 
     def draft(self, goal: Step) -> Draft:

@@ -62,6 +62,7 @@ class Beam:
 
     def _promising(self, options: Options, processes: int) -> list[int]:
         order = np.argsort(options.bound, kind="stable")
+        order = order[~options.hard[order]]
         divides = options.first[order] < processes
         chosen = np.concatenate(
             [order[divides][: self.width], order[~divides][: (self.width + 1) // 2]]

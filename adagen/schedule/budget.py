@@ -30,19 +30,25 @@ class Progress:
 
 
 class Budget:
-    """What a search may spend: expansions (the same on every machine), and time if asked for."""
+    """What a search may spend.
+
+    Args:
+        expansions: partial chains or search nodes; the same on every machine.
+        deadline: on the monotonic clock; None for no such limit.
+        report: called now and then with the number of expansions.
+    """
 
     EVERY = 64
 
     def __init__(
         self,
         expansions: int,
-        seconds: float | None = None,
+        deadline: float | None = None,
         report: Callable[[int], None] | None = None,
     ) -> None:
         self.left = expansions
         self.expanded = 0
-        self._deadline = None if seconds is None else monotonic() + seconds
+        self._deadline = deadline
         self._report = report
 
     def spend(self) -> None:

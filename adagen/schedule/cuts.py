@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.schedule.chains import Chain, Chains
-from adagen.schedule.single import SingleProcess
+from adagen.schedule.single import SingleProcess, TooManyBranches
 
 Ints = NDArray[np.int64]
 
@@ -23,6 +23,8 @@ class Cuts(NamedTuple):
         end_work: f(end side, 1).
         root_size: joints on the root side.
         end_size: joints on the end side.
+        hard: whether a side has too intricate a boundary to be worked out: its work is then only
+            a lower bound.
         work: f(chain, 1), a number.
     """
 
@@ -32,6 +34,7 @@ class Cuts(NamedTuple):
     end_work: Ints
     root_size: Ints
     end_size: Ints
+    hard: NDArray[np.bool_]
     work: int
 
     def take(self, keep: NDArray[np.bool_]) -> Cuts:
@@ -43,6 +46,7 @@ class Cuts(NamedTuple):
             self.end_work[keep],
             self.root_size[keep],
             self.end_size[keep],
+            self.hard[keep],
             self.work,
         )
 
@@ -85,8 +89,9 @@ class Cutter:
             end_size -= (chains.end[cut] - cut) * row
         root_work = chains.linear_work(chain) - end_work - self._fixed[at]
         root_size = len(at) - 1 - end_size
-        end_work += self._end_corrections(chain, at, inside, end_size)
-        root_work += self._root_corrections(chain, at, inside, root_size)
+        hard = np.zeros(len(at), dtype=np.bool_)
+        end_work += self._end_corrections(chain, at, inside, end_size, hard)
+        root_work += self._root_corrections(chain, at, inside, root_size, hard)
         return Cuts(
             at,
             cost,
@@ -94,6 +99,7 @@ class Cutter:
             np.where(end_size > 0, end_work, 0),
             root_size,
             end_size,
+            hard,
             self.single.work(chain),
         )
 
@@ -102,8 +108,15 @@ class Cutter:
         q = self.chains.q
         return (links - 1) * q[2] - links * q[1]
 
+    def _correction(self, links: list[int]) -> tuple[int, bool]:
+        """Return a correction, and whether it is only a lower bound."""
+        try:
+            return self.single.correction(tuple(sorted(links))), False
+        except TooManyBranches as error:
+            return error.least, True
+
     def _end_corrections(
-        self, chain: Chain, at: Ints, inside: NDArray[np.bool_], size: Ints
+        self, chain: Chain, at: Ints, inside: NDArray[np.bool_], size: Ints, hard: NDArray[np.bool_]
     ) -> Ints:
         chains = self.chains
         result = np.zeros(len(at), dtype=np.int64)
@@ -116,11 +129,11 @@ class Cutter:
         for i in np.flatnonzero((count > 1) & (size > 0)):
             p = int(at[i])
             links = [chains.parent[cut] for cut in chain.cuts if p < cut < chains.end[p]]
-            result[i] = self.single.correction(tuple(sorted([p + 1, *links])))
+            result[i], hard[i] = self._correction([p + 1, *links])
         return result
 
     def _root_corrections(
-        self, chain: Chain, at: Ints, inside: NDArray[np.bool_], size: Ints
+        self, chain: Chain, at: Ints, inside: NDArray[np.bool_], size: Ints, hard: NDArray[np.bool_]
     ) -> Ints:
         chains = self.chains
         result = np.zeros(len(at), dtype=np.int64)
@@ -135,5 +148,6 @@ class Cutter:
             p = int(at[i])
             links = [chains.parent[cut] for cut in chain.cuts if not p < cut < chains.end[p]]
             links += [chain.top] if chain.top else []
-            result[i] = self.single.correction(tuple(sorted([*links, chains.parent[p]])))
+            result[i], hardly = self._correction([*links, chains.parent[p]])
+            hard[i] |= hardly
         return result

@@ -12,7 +12,7 @@ from adagen.schedule.canon import Canon
 from adagen.schedule.chains import Chain, Chains
 from adagen.schedule.cuts import Cuts, Cutter
 from adagen.schedule.profile import CostProfile
-from adagen.schedule.single import SingleProcess
+from adagen.schedule.single import SingleProcess, TooManyBranches
 from adagen.schedule.topology import Topology
 
 FOREVER = 1 << 62
@@ -28,6 +28,7 @@ class Options(NamedTuple):
         first: processes for the root side.
         second: processes for the end side; ``first == second == P`` where they share the range or
             a side is a bare link.
+        hard: whether nothing but the bound is known (see :class:`Cuts`).
     """
 
     bound: Ints
@@ -35,6 +36,7 @@ class Options(NamedTuple):
     cut: Ints
     first: Ints
     second: Ints
+    hard: NDArray[np.bool_]
 
 
 class Option(NamedTuple):
@@ -108,10 +110,17 @@ class Space:
             cut,
             np.repeat([first for _, _, first, _ in rows], sizes),
             np.repeat([second for _, _, _, second in rows], sizes),
+            cuts.hard[cut],
         )
 
     def option(self, chain: Chain, processes: int, options: Options, i: int) -> Option:
-        """Return option number ``i`` of a state."""
+        """Return option number ``i`` of a state.
+
+        Raises:
+            TooManyBranches: it is a hard one.
+        """
+        if options.hard[i]:
+            raise TooManyBranches(int(options.bound[i]))
         cuts = self.cuts(chain)
         at = int(options.cut[i])
         position = int(cuts.position[at])

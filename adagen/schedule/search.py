@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Callable
 from dataclasses import dataclass
+from time import monotonic
 from typing import get_args
 
 from adagen.errors import UsageError
@@ -22,7 +23,7 @@ from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Schedule, Split, Strategy, Tie, loads_of, makespan_of
 
 MOST_PROCESSES = 1024
-EXPANSIONS = 20_000
+EXPANSIONS = 5_000
 """Default limit on expansions: the same answer on every machine, within seconds."""
 
 
@@ -45,14 +46,14 @@ class Found:
 
 @dataclass(frozen=True)
 class Request:
-    """What is asked of a strategy."""
+    """What is asked of a strategy; ``deadline`` is on the monotonic clock."""
 
     space: Space
     processes: int
     tie: Tie
     improved: bool
     expansions: int
-    seconds: float | None
+    deadline: float | None
     progress: Callable[[Progress], None] | None
 
 
@@ -103,7 +104,8 @@ def find_schedule(
     rules = Rules.of(processes, split)
     space = Space(topology, profile, rules)
     searched = processes if rules.halving else rules.useful(processes, len(topology))
-    request = Request(space, searched, tie, improved, expansions, time_budget, progress)
+    deadline = None if time_budget is None else monotonic() + time_budget
+    request = Request(space, searched, tie, improved, expansions, deadline, progress)
     if searched == 1:
         found = _one(request)
     elif strategy == "exact":
@@ -170,7 +172,7 @@ def _one(request: Request) -> Found:
 
 
 def _budget(request: Request, report: Callable[[int], None] | None = None) -> Budget:
-    return Budget(request.expansions, request.seconds, report)
+    return Budget(request.expansions, request.deadline, report)
 
 
 def _exact(request: Request) -> Found:

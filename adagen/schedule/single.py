@@ -17,14 +17,19 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Protocol
 
+from adagen.schedule.budget import OutOfBudget
 from adagen.schedule.chains import Chain, Chains
 
 MOST_BRANCHES = 12
 """Branch links up to which the merge of step 3 is solved."""
 
 
-class TooManyBranches(Exception):
+class TooManyBranches(OutOfBudget):
     """The Steiner tree of a boundary has more branch links than the exact merge is meant for."""
+
+    def __init__(self, least: int) -> None:
+        super().__init__()
+        self.least = least
 
 
 class SupportsJoin(Protocol):
@@ -56,6 +61,9 @@ class SingleProcess:
 
         Args:
             handles: links that boundary joints touch, ascending, with repetition.
+
+        Raises:
+            TooManyBranches: see there; its ``least`` is a lower bound on the correction.
         """
         if len(handles) <= 1:
             return 0
@@ -85,7 +93,10 @@ class SingleProcess:
                     edges.append((number[u], number[last]))
                     if run:
                         total += (run - 1) * q[2] + q[min(degree[u], degree[last])]
-        return total + self.merge(tuple(degree[v] for v in branches), tuple(edges)).cost
+        try:
+            return total + self.merge(tuple(degree[v] for v in branches), tuple(edges)).cost
+        except TooManyBranches as error:
+            raise TooManyBranches(total + error.least) from None
 
     def _steiner(self, handles: tuple[int, ...]) -> tuple[dict[int, list[tuple[int, int]]], int]:
         """Return the Steiner tree of links, runs shortened, and the number of links left out.
@@ -125,7 +136,10 @@ class SingleProcess:
         known = self._merges.get(key)
         if known is None:
             if len(degrees) > MOST_BRANCHES:
-                raise TooManyBranches
+                # Merging two of them leaves degree 4 or more, and the last merge leaves all.
+                outside = sum(degrees) - 2 * len(edges)
+                q = self.chains.q
+                raise TooManyBranches((len(degrees) - 2) * q[4] + q[outside])
             known = self._merges[key] = Merge(self.chains.q, degrees, edges)
         return known
 
