@@ -48,6 +48,12 @@ def interpret(plan: Plan, q: Array, v: Array, tau: Array) -> Array:
         PlanError: a process waits for a message that never comes, or reads what it does not have.
         FloatingPointError: a factorization failed; the message names the joint.
     """
+    qdd, _ = execute(plan, q, v, tau)
+    return qdd
+
+
+def execute(plan: Plan, q: Array, v: Array, tau: Array) -> tuple[Array, list[dict[Any, Any]]]:
+    """Do what ``interpret`` does; return every process's memory as well."""
     q, v = _with_slaved(plan, q, v)
     qdd = np.full(v.shape, np.nan)
     mail: dict[int, dict[Any, Array]] = {}
@@ -63,7 +69,7 @@ def interpret(plan: Plan, q: Array, v: Array, tau: Array) -> Array:
     for p, process in enumerate(plan.processes):
         if positions[p] < len(process.steps):
             raise PlanError(f"process {p} waits for ever at {process.steps[positions[p]]}")
-    return qdd
+    return qdd, [machine.memory for machine in machines]
 
 
 def _with_slaved(plan: Plan, q: Array, v: Array) -> tuple[Array, Array]:

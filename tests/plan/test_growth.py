@@ -1,0 +1,57 @@
+"""The digits that form `ada` loses beside light links, predicted and measured."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from adagen.model import Inertia, Model
+from adagen.plan import make_plan
+from adagen.plan.growth import predicted_growth
+from adagen.plan.interpret import interpret
+from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
+from adagen.states import random_states
+from tests.models import human_figure, serial_chain
+from tests.schedules import random_schedule
+
+
+def with_light_link(ratio: float) -> Model:
+    """Return a chain whose link 5 of 10 is lighter by a factor, in mass and inertia."""
+    model = serial_chain(10)
+    heavy = model.links[5].inertia
+    light = Inertia(heavy.mass * ratio, heavy.com, heavy.tensor * ratio)
+    links = list(model.links)
+    links[5] = replace(links[5], inertia=light)
+    return replace(model, links=tuple(links))
+
+
+@pytest.mark.parametrize("ratio", [1e-4, 1e-6, 1e-8])
+def test_the_prediction_is_right_within_two_digits(ratio: float) -> None:
+    model = with_light_link(ratio)
+    plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(2)))
+    growth = predicted_growth(plan)
+    assert growth.joint in (4, 5)  # above or below the light link
+    assert growth.largest > 0.1 / ratio
+    sample = random_states(model, 5, seed=3)
+    worst = 0.0
+    for q, v, tau in zip(sample.q, sample.v, sample.tau, strict=True):
+        truth = exact_forward_dynamics(model, q, v, tau).value
+        error = interpret(plan, q, v, tau) - truth
+        worst = max(worst, energy_norm_error(joint_space_inertia(model, q), error, truth))
+    assert growth.error / 100 < worst < growth.error * 100
+
+
+def test_ordinary_robots_lose_nothing() -> None:
+    model = human_figure()
+    plan = make_plan(model, random_schedule(model, 2, np.random.default_rng(0)))
+    assert predicted_growth(plan).error < 1e-13
+
+
+def test_float_is_told_apart() -> None:
+    model = with_light_link(1e-2)
+    schedule = random_schedule(model, 1, np.random.default_rng(2))
+    double = predicted_growth(make_plan(model, schedule))
+    single = predicted_growth(make_plan(model, schedule, scalar="float"))
+    assert single.error == pytest.approx(double.error * 2.0**29)
