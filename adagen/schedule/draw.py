@@ -1,0 +1,225 @@
+"""A schedule as a picture: both sweeps in time, the schedule tree, and the robot in its colours."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from adagen.errors import printable
+from adagen.schedule.outline import Row, robot_rows, schedule_rows
+from adagen.schedule.svg import INK, MUTED, Canvas, colour, shorten, text_width
+from adagen.schedule.timeline import Timeline, predict
+from adagen.schedule.topology import Topology
+from adagen.schedule.tree import Node, Schedule, preorder
+
+MARGIN = 24.0
+LANE = 22.0
+ROW = 18.0
+INDENT = 20.0
+SIZE = 11.0
+NAME = 240.0
+"""Most width for a joint's name, pixels."""
+LEAST_WIDTH = 960.0
+MOST_LANES = 64
+WAIT = "#e4e4e4"
+
+
+def schedule_svg(schedule: Schedule, topology: Topology, title: str) -> str:
+    """Return a drawing of a schedule: a Gantt chart, the schedule tree, and the robot's tree.
+
+    Args:
+        schedule: the schedule.
+        topology: the robot.
+        title: such as the robot's name.
+
+    Returns:
+        An SVG document that needs no other resource; the same bytes for the same arguments.
+    """
+    canvas = Canvas()
+    nodes = {node.joint: node for node in preorder(schedule.root)}
+    left, right = schedule_rows(schedule, topology), robot_rows(topology)
+    tree_label = _tree_label(nodes, topology)
+    robot_label = _robot_label(topology)
+    middle = MARGIN + _width(left, tree_label) + 2 * MARGIN
+    width = max(middle + _width(right, robot_label) + MARGIN, LEAST_WIDTH)
+    middle = max(middle, width / 2)
+    bottom = _head(canvas, schedule, title, width)
+    bottom = _gantt(canvas, schedule, topology, bottom, width)
+    canvas.text(MARGIN, bottom, "Schedule tree", 13, bold=True)
+    canvas.text(middle, bottom, "Robot", 13, bold=True)
+    note = "assembled bottom-up, disassembled top-down; number: process; k: boundary joints"
+    canvas.text(MARGIN, bottom + 15, note, 10, fill=MUTED)
+    canvas.text(middle, bottom + 15, "joint under joint, in the same colours", 10, fill=MUTED)
+    bottom += 34
+    _outline(canvas, left, nodes, tree_label, MARGIN, bottom)
+    _outline(canvas, right, nodes, robot_label, middle, bottom)
+    return canvas.document(width, bottom + ROW * len(left) + MARGIN, title)
+
+
+Label = Callable[[Row], tuple[str, str]]
+
+
+def _tree_label(nodes: dict[int, Node], topology: Topology) -> Label:
+    def label(row: Row) -> tuple[str, str]:
+        node = nodes[row.joint]
+        a, b = node.processes
+        parts = [row.label] if row.label else []
+        parts += [f"k={node.boundary}", f"{node.cost:.2f} µs"]
+        parts += [f"processes {a}–{b - 1}"] if b - a > 1 else []
+        return shorten(topology.names[row.joint], NAME, SIZE), ", ".join(parts)
+
+    return label
+
+
+def _robot_label(topology: Topology) -> Label:
+    def label(row: Row) -> tuple[str, str]:
+        dofs = topology.dofs[row.joint]
+        return shorten(topology.names[row.joint], NAME, SIZE), f"{dofs} DOF" if dofs > 1 else ""
+
+    return label
+
+
+def _width(rows: list[Row], label: Label) -> float:
+    widths = []
+    for row in rows:
+        name, note = label(row)
+        widths.append(row.indent * INDENT + text_width(name, SIZE) + text_width(note, 9) + 26)
+    return max(widths)
+
+
+def _head(canvas: Canvas, schedule: Schedule, title: str, width: float) -> float:
+    canvas.text(MARGIN, 34, shorten(title, width - 2 * MARGIN, 18), 18, bold=True)
+    verdict = "proven optimal"
+    if schedule.verdict == "gap":
+        verdict = f"at most {100 * schedule.gap:.1f} % above the optimum"
+    count = "1 process" if schedule.processes == 1 else f"{schedule.processes} processes"
+    line = (
+        f"{count}: predicted {schedule.makespan:.2f} µs ({verdict}; costs: {schedule.profile}; "
+        f"strategy: {schedule.strategy}; tie-break: {schedule.tie})"
+    )
+    canvas.text(MARGIN, 54, line, SIZE, fill=MUTED)
+    return 84.0
+
+
+def _gantt(
+    canvas: Canvas, schedule: Schedule, topology: Topology, top: float, width: float
+) -> float:
+    """Draw the chart of both sweeps; return where the next part begins."""
+    timeline = predict(schedule)
+    lanes = sorted({bar.process for bar in timeline.bars})
+    hidden = schedule.processes - len(lanes[:MOST_LANES])
+    lanes = lanes[:MOST_LANES]
+    labels = [f"process {p}" for p in lanes]
+    start = MARGIN + max(text_width(label, SIZE) for label in labels) + 30
+    scale = (width - MARGIN - start - 70) / timeline.end
+    canvas.text(MARGIN, top, "Predicted time", 13, bold=True)
+    _gantt_legend(canvas, MARGIN, top + 18)
+    top += 32
+    place = {p: top + i * LANE for i, p in enumerate(lanes)}
+    busy = dict.fromkeys(lanes, 0.0)
+    for p, label in zip(lanes, labels, strict=True):
+        canvas.rect(MARGIN, place[p] + 5, 12, 12, colour(p)[0])
+        canvas.text(MARGIN + 18, place[p] + 15, label, SIZE)
+        canvas.rect(start, place[p] + 2, timeline.end * scale, LANE - 4, WAIT)
+    for bar in timeline.bars:
+        if bar.process in place:
+            busy[bar.process] += bar.end - bar.start
+    _bars(canvas, timeline, topology, place, start, scale)
+    for p in lanes:
+        share = f"{100 * busy[p] / timeline.end:.0f} % busy"
+        canvas.text(start + timeline.end * scale + 8, place[p] + 15, share, 10, fill=MUTED)
+    _messages(canvas, timeline, place, start, scale)
+    bottom = top + LANE * len(lanes) + 4
+    _axis(canvas, timeline.end, start, scale, bottom)
+    if hidden:
+        what = "1 process computes" if hidden == 1 else f"{hidden} processes compute"
+        canvas.text(MARGIN, bottom + 28, f"{what} nothing or are not shown", 10, fill=MUTED)
+    return bottom + 56
+
+
+def _gantt_legend(canvas: Canvas, x: float, y: float) -> None:
+    first = colour(0)[0]
+    canvas.rect(x, y - 9, 18, 11, first)
+    canvas.text(x + 24, y, "assembly", 10, fill=MUTED)
+    canvas.rect(x + 84, y - 9, 18, 11, first)
+    canvas.rect(x + 84, y - 5.5, 18, 4, "#ffffff")
+    canvas.text(x + 108, y, "disassembly (half of Eq. 11 each)", 10, fill=MUTED)
+    canvas.rect(x + 296, y - 9, 18, 11, WAIT)
+    canvas.text(x + 320, y, "waiting", 10, fill=MUTED)
+    canvas.path([(x + 376, y - 4), (x + 394, y - 4)], INK)
+    canvas.circle(x + 394, y - 4, 2, INK)
+    canvas.text(x + 402, y, "message", 10, fill=MUTED)
+
+
+def _bars(
+    canvas: Canvas,
+    timeline: Timeline,
+    topology: Topology,
+    place: dict[int, float],
+    start: float,
+    scale: float,
+) -> None:
+    for bar in timeline.bars:
+        if bar.process not in place:
+            continue
+        x, y = start + bar.start * scale, place[bar.process] + 2
+        width = (bar.end - bar.start) * scale
+        fill, ink = colour(bar.process)
+        name = topology.names[bar.joint]
+        note = f"{name}: {bar.sweep}, {bar.start:.3f} to {bar.end:.3f} µs"
+        canvas.rect(x, y, width, LANE - 4, fill, stroke="#ffffff", note=note)
+        if bar.sweep == "disassembly":
+            canvas.rect(x + 0.5, y + 13, width - 1, 3, "#ffffff")
+        short = printable(name)
+        if text_width(short, 9) > width - 4:
+            short = str(bar.joint)
+        if text_width(short, 9) <= width - 4:
+            baseline = y + (12.5 if bar.sweep == "assembly" else 10)
+            canvas.text(x + width / 2, baseline, short, 9, fill=ink, anchor="middle")
+
+
+def _messages(
+    canvas: Canvas, timeline: Timeline, place: dict[int, float], start: float, scale: float
+) -> None:
+    for message in timeline.messages:
+        if message.sender not in place or message.receiver not in place:
+            continue
+        x, x2 = start + message.sent * scale, start + message.used * scale
+        down = place[message.receiver] > place[message.sender]
+        y = place[message.sender] + (LANE - 2 if down else 2)
+        y2 = place[message.receiver] + (2 if down else LANE - 2)
+        canvas.path([(x, y), (x2, y2)], INK)
+        canvas.circle(x2, y2, 2, INK)
+
+
+def _axis(canvas: Canvas, end: float, start: float, scale: float, y: float) -> None:
+    step = 1e-6
+    while end / step > 10:
+        step *= 2.5 if f"{step:e}".startswith("2") else 2
+    digits = max(0, next(d for d in range(9) if abs(step - round(step, d)) < 1e-9 * step))
+    canvas.path([(start, y), (start + end * scale, y)])
+    for i in range(int(end / step + 1e-9) + 1):
+        x = start + i * step * scale
+        canvas.path([(x, y), (x, y + 4)])
+        canvas.text(x, y + 15, f"{i * step:.{digits}f}", 10, fill=MUTED, anchor="middle")
+    canvas.text(start + end * scale + 8, y + 15, "µs", 10, fill=MUTED)
+
+
+def _outline(
+    canvas: Canvas, rows: list[Row], nodes: dict[int, Node], label: Label, x: float, y: float
+) -> None:
+    def centre(row: int) -> tuple[float, float]:
+        return x + 7 + rows[row].indent * INDENT, y + row * ROW
+
+    for i, row in enumerate(rows):
+        if row.above >= 0:
+            (px, py), (cx, cy) = centre(row.above), centre(i)
+            canvas.path([(px, py), (px, cy), (cx, cy)] if px != cx else [(px, py), (cx, cy)])
+    for i, row in enumerate(rows):
+        cx, cy = centre(i)
+        process = nodes[row.joint].processes[0]
+        fill, ink = colour(process)
+        name, note = label(row)
+        canvas.circle(cx, cy, 7, fill)
+        canvas.text(cx, cy + 3, str(process), 8.5, fill=ink, anchor="middle")
+        canvas.text(cx + 12, cy + 4, name, SIZE)
+        canvas.text(cx + 18 + text_width(name, SIZE), cy + 4, note, 9, fill=MUTED)

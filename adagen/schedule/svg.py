@@ -1,0 +1,124 @@
+"""The little of SVG that the drawings need, with the same bytes for the same picture."""
+
+from __future__ import annotations
+
+from unicodedata import east_asian_width
+from xml.sax.saxutils import escape, quoteattr
+
+from adagen.errors import printable
+
+FONT = "sans-serif"
+INK, MUTED, RULE, PAPER = "#1a1a1a", "#5c5c5c", "#b8b8b8", "#ffffff"
+
+# Okabe and Ito's colours, told apart by people of any colour vision. More processes than colours
+# repeat them in lighter shades; the process number is written as well.
+_COLOURS = (
+    (0, 114, 178),
+    (230, 159, 0),
+    (0, 158, 115),
+    (204, 121, 167),
+    (86, 180, 233),
+    (213, 94, 0),
+    (240, 228, 66),
+    (128, 128, 128),
+)
+_SHADES = (0.0, 0.4, 0.65)
+
+
+def colour(process: int) -> tuple[str, str]:
+    """Return the colour of a process, and the colour of text on it."""
+    shade = _SHADES[process // len(_COLOURS) % len(_SHADES)]
+    r, g, b = (round(c + (255 - c) * shade) for c in _COLOURS[process % len(_COLOURS)])
+    dark = 0.299 * r + 0.587 * g + 0.114 * b < 120
+    return f"#{r:02x}{g:02x}{b:02x}", PAPER if dark else INK
+
+
+def text_width(text: str, size: float) -> float:
+    """Return an estimate of the width of text in a sans-serif face, on the safe side."""
+    units = sum(1.05 if east_asian_width(c) in "WF" else 0.62 for c in text)
+    return units * size
+
+
+def shorten(text: str, width: float, size: float) -> str:
+    """Return a name in printable characters, cut with an ellipsis so that it fits the width."""
+    text = printable(text)
+    if text_width(text, size) <= width:
+        return text
+    while text and text_width(text + "…", size) > width:
+        text = text[:-1]
+    return text + "…" if text else ""
+
+
+class Canvas:
+    """Collects shapes; coordinates are pixels, written with one decimal."""
+
+    def __init__(self) -> None:
+        self._shapes: list[str] = []
+
+    def rect(
+        self,
+        x: float,
+        y: float,
+        width: float,
+        height: float,
+        fill: str,
+        *,
+        stroke: str = "none",
+        note: str = "",
+    ) -> None:
+        """Draw a rectangle; ``note`` is shown under a pointer."""
+        self._shapes.append(
+            f'<rect x="{x:.1f}" y="{y:.1f}" width="{max(width, 0.0):.1f}" height="{height:.1f}" '
+            f'fill="{fill}" stroke="{stroke}" stroke-width="0.5"{_close("rect", note)}'
+        )
+
+    def circle(self, x: float, y: float, radius: float, fill: str, note: str = "") -> None:
+        """Draw a disc; ``note`` is shown under a pointer."""
+        self._shapes.append(
+            f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius:.1f}" fill="{fill}"'
+            f"{_close('circle', note)}"
+        )
+
+    def path(
+        self, points: list[tuple[float, float]], stroke: str = RULE, *, dashed: bool = False
+    ) -> None:
+        """Draw straight lines through points."""
+        line = " ".join(f"{'L' if i else 'M'}{x:.1f} {y:.1f}" for i, (x, y) in enumerate(points))
+        dash = ' stroke-dasharray="2 2"' if dashed else ""
+        self._shapes.append(f'<path d="{line}" fill="none" stroke="{stroke}"{dash}/>')
+
+    def text(
+        self,
+        x: float,
+        y: float,
+        text: str,
+        size: float,
+        *,
+        fill: str = INK,
+        anchor: str = "start",
+        bold: bool = False,
+    ) -> None:
+        """Draw text with its baseline at y."""
+        weight = ' font-weight="bold"' if bold else ""
+        self._shapes.append(
+            f'<text x="{x:.1f}" y="{y:.1f}" font-size="{size:.1f}" fill="{fill}" '
+            f'text-anchor="{anchor}"{weight}>{escape(printable(text))}</text>'
+        )
+
+    def document(self, width: float, height: float, title: str) -> str:
+        """Return the whole picture on a white ground."""
+        w, h = f"{width:.0f}", f"{height:.0f}"
+        return "\n".join(
+            [
+                f'<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" '
+                f'viewBox="0 0 {w} {h}" font-family={quoteattr(FONT)} role="img">',
+                f"<title>{escape(printable(title))}</title>",
+                f'<rect width="{w}" height="{h}" fill="{PAPER}"/>',
+                *self._shapes,
+                "</svg>\n",
+            ]
+        )
+
+
+def _close(tag: str, note: str) -> str:
+    return f"><title>{escape(printable(note))}</title></{tag}>" if note else "/>"
