@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from adagen import __version__
 from adagen.emit import ada
-from adagen.emit.names import file_stem, quoted
+from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
 from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words
@@ -76,10 +76,9 @@ def source(plan: Plan, stem: str) -> str:
     """Return the C++ source of a plan; ``stem`` begins the names of its C functions."""
     words = Words(plan)
     number, numbers = words.printer.number, words.printer.numbers
-    prefix = stem.replace("-", "_")
     return render(
         "solver.cpp.j2",
-        stem=prefix if prefix[0].isalpha() else f"robot_{prefix}",
+        stem=prefix_of(stem),
         version=__version__,
         robot=quoted(plan.name),
         source_hash=plan.source_hash or "not given",
@@ -99,7 +98,7 @@ def source(plan: Plan, stem: str) -> str:
         process_count=len(plan.processes),
         links=[
             {
-                "id": words.links[k],
+                "bare_block": words.bare_block(k),
                 "quoted": quoted(link.name),
                 "mass": number(link.mass),
                 "com": numbers(link.com),

@@ -67,7 +67,7 @@ def _members(words: Words, joins: dict[int, Join], ends: dict[int, Disassemble])
         for bias in joins[j].biases:
             lines.append(f"Columns6 b_{words.links[bias.target.handle]};")
         for force in sorted(forces[j]):
-            lines.append(f"Columns6 F_{words.links[force.handle]};  // outer wrench on that chain")
+            lines.append(f"Columns6 {words.force_member(force)};  // outer wrench on that chain")
         if plan.right_hand_sides > 1:
             lines.append(f"std::array<std::array<Real, kColumns>, kFree<{kind}>> qdd;")
         result.append(lines)

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 
 LONGEST = 48
 
-# Never used bare: every identifier gets a prefix (see rows.py), so that keywords, macros and names
-# of the standard library or MPI cannot be met.
+# Never used bare: every identifier gets a prefix (see words.py) that no macro of the C library or
+# MPI has, so that keywords and names of others cannot be met.
 
 
 def identifiers(names: Iterable[str]) -> tuple[str, ...]:
@@ -17,10 +17,14 @@ def identifiers(names: Iterable[str]) -> tuple[str, ...]:
     Words do not start or end with an underscore and hold no two in a row, so that a prefix makes
     them legal identifiers that are not reserved. Names that meet once cleaned get numbers.
     """
+    return distinct(_word(name) for name in names)
+
+
+def distinct(words: Iterable[str]) -> tuple[str, ...]:
+    """Return the words, those that were there before with a number behind."""
     taken: set[str] = set()
     result = []
-    for name in names:
-        word = _word(name)
+    for word in words:
         unique, number = word, 2
         while unique in taken:
             unique = f"{word}_{number}"
@@ -39,6 +43,12 @@ def file_stem(name: str) -> str:
     """Return a file name without folders, dots or anything but [A-Za-z0-9_-] made of a name."""
     stem = re.sub(r"[^A-Za-z0-9_-]+", "_", name)[:LONGEST].strip("_-")
     return stem or "robot"
+
+
+def prefix_of(stem: str) -> str:
+    """Return what the C functions of a file begin with: its stem as an identifier."""
+    prefix = re.sub(r"[-_]+", "_", stem)
+    return prefix if prefix[0].isalpha() else f"robot_{prefix}"
 
 
 def quoted(name: str) -> str:

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from adagen.emit.expressions import Printer
-from adagen.emit.names import identifiers, quoted
+from adagen.emit.names import distinct, identifiers, quoted
 from adagen.model.kinds import KINDS, JointKind
 from adagen.plan import Plan
-from adagen.plan.types import Bias, Block, Force
+from adagen.plan.types import Bias, Block, Force, Join
 
 
 @dataclass(frozen=True)
@@ -45,16 +45,30 @@ class Words:
         """A joint's part of the workspace."""
         return f"w.j_{self.joints[joint]}"
 
+    @cached_property
+    def _members(self) -> dict[tuple[int, int], str]:
+        """A word for each pair of handles: links "a", "b" and "a_b" must not meet in "a_b"."""
+        joins = (s for p in self.plan.processes for s in p.steps if isinstance(s, Join))
+        targets = (update.target for join in joins for update in join.blocks)
+        pairs = sorted({(block.row != block.column, block.row, block.column) for block in targets})
+        words = distinct(
+            f"{self.links[row]}_{self.links[column]}" if apart else self.links[row]
+            for apart, row, column in pairs
+        )
+        return {(row, column): word for (_, row, column), word in zip(pairs, words, strict=True)}
+
     def block_member(self, block: Block) -> str:
         """The member that holds a block in the memory of the joint that completed its chain."""
-        if block.row == block.column:
-            return f"Phi_{self.links[block.row]}"
-        return f"Phi_{self.links[block.row]}_{self.links[block.column]}"
+        return f"Phi_{self._members[block.row, block.column]}"
+
+    def bare_block(self, link: int) -> str:
+        """The constant that holds a bare link's block; apart from the locals Phi_A and X_Phi_A."""
+        return f"kPhi_{self.links[link]}"
 
     def block(self, block: Block) -> str:
         """A block, wherever it is."""
         if block.joint is None:
-            return f"Phi_{self.links[block.row]}"
+            return self.bare_block(block.row)
         return f"{self.memory(block.joint)}.{self.block_member(block)}"
 
     def bias(self, bias: Bias) -> str:
@@ -65,7 +79,11 @@ class Words:
 
     def force(self, force: Force) -> str:
         """An outer wrench."""
-        return f"{self.memory(force.joint)}.F_{self.links[force.handle]}"
+        return f"{self.memory(force.joint)}.{self.force_member(force)}"
+
+    def force_member(self, force: Force) -> str:
+        """The member that holds an outer wrench (not F_OK, which is a macro)."""
+        return f"F_on_{self.links[force.handle]}"
 
     def quoted_joint(self, joint: int) -> str:
         """A joint's name as a string literal."""

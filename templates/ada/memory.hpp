@@ -9,7 +9,7 @@ inline void require_finite(Workspace& w, const Real* x, int count, int joint) {
   if (!(sum == 0)) fail(w, kNotFinite, joint);
 }
 
-inline void require_length(Workspace& w, Real squared, int joint) {
+[[maybe_unused]] inline void require_length(Workspace& w, Real squared, int joint) {
   if (!(squared >= std::numeric_limits<Real>::min() && squared <= std::numeric_limits<Real>::max()))
     fail(w, kZeroQuaternion, joint);
 }
@@ -76,8 +76,10 @@ Mat6 symmetric(const std::array<Real, 21>& upper) {
 }
 
 // One row of A qdd = 0, which keeps a slaved joint in step with its source.
-inline void coupling_row(std::array<Real, kColumns>& row, const std::array<Real, kColumns>& slaved,
-                         const std::array<Real, kColumns>& source, double multiplier) {
+[[maybe_unused]] inline void coupling_row(std::array<Real, kColumns>& row,
+                                          const std::array<Real, kColumns>& slaved,
+                                          const std::array<Real, kColumns>& source,
+                                          double multiplier) {
   for (std::size_t k = 0; k < kColumns; ++k) row[k] = slaved[k] - Real(multiplier) * source[k];
 }
 

@@ -1,93 +1,4 @@
-// The program around the solver: reads its arguments, solves given states, checks, times, reports.
-struct Options {
-  std::string states, result;
-  bool check = false, time = false, json = false, help = false, pin = true;
-  int repeat = 200;
-  unsigned long seed = 1;
-  double time_limit = 30, tolerance = kTolerance;
-  ChannelMode channel = kChannelMode;
-};
-
-enum ExitStatus : int { kDone = 0, kInputAtFault = 1, kUsage = 2, kFault = 3 };
-
-const char* const kUsageText =
-    "  --states FILE     solve these states (JSON, joints by name); --result FILE takes the "
-    "answer\n"
-    "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
-    "  --check           residual of an independent inverse dynamics, for the given or random "
-    "states\n"
-    "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
-    "  --repeat N        evaluations of each random state when timing (200)\n"
-    "  --seed N          seed of the random states (1)\n"
-    "  --tolerance X     largest residual that --check lets pass\n"
-    "  --channel KIND    auto, window (processes share memory) or message (MPI messages)\n"
-    "  --timeout S       how long a process waits for another before it gives up, in seconds (30)\n"
-    "  --no-pin          leave the processes to the system's scheduler when timing\n"
-    "  --json            report as JSON on standard output\n"
-    "  --help            this text\n"
-    "Without --states, --check or --time it checks and times. Exit status: 0 done, 1 input at "
-    "fault\n"
-    "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
-
-// Returns an empty string, or what is wrong.
-std::string parse(int count, char** words, Options& options) {
-  for (int k = 1; k < count; ++k) {
-    const std::string word = words[k];
-    const auto flag = [&word](const char* name) { return word == name; };
-    if (flag("--check"))
-      options.check = true;
-    else if (flag("--time"))
-      options.time = true;
-    else if (flag("--json"))
-      options.json = true;
-    else if (flag("--help"))
-      options.help = true;
-    else if (flag("--no-pin"))
-      options.pin = false;
-    else {
-      const char* const known[] = {"--states",    "--result",  "--repeat", "--seed",
-                                   "--tolerance", "--channel", "--timeout"};
-      if (std::none_of(std::begin(known), std::end(known), flag)) return "unknown option " + word;
-      if (k + 1 == count) return word + " needs a value";
-      const std::string value = words[++k];
-      char* end = nullptr;
-      const double number = std::strtod(value.c_str(), &end);
-      const bool numeric = !value.empty() && *end == '\0' && std::isfinite(number) && number >= 0;
-      if (flag("--states"))
-        options.states = value;
-      else if (flag("--result"))
-        options.result = value;
-      else if (flag("--channel")) {
-        if (value == "auto")
-          options.channel = ChannelMode::kAuto;
-        else if (value == "window")
-          options.channel = ChannelMode::kWindow;
-        else if (value == "message")
-          options.channel = ChannelMode::kMessage;
-        else
-          return "--channel takes auto, window or message";
-      } else if (!numeric)
-        return word + " takes a number of 0 or more, not \"" + value + "\"";
-      else if (flag("--repeat")) {
-        if (number < 1 || number > 1e6) return "--repeat takes a number from 1 to 1000000";
-        options.repeat = static_cast<int>(number);
-      } else if (flag("--seed"))
-        options.seed = static_cast<unsigned long>(number);
-      else if (flag("--tolerance"))
-        options.tolerance = number;
-      else if (number <= 0)
-        return "--timeout takes a number of seconds above 0";
-      else
-        options.time_limit = number;
-    }
-  }
-  if (!options.result.empty() && options.states.empty()) return "--result needs --states";
-  if (options.json && options.result.empty() && !options.states.empty())
-    return "--json needs --result FILE where there are --states: both would go to standard output";
-  if (options.states.empty() && !options.check && !options.time)
-    options.check = options.time = true;
-  return "";
-}
+// The program around the solver: solves given states, checks, times, reports.
 
 // Random states, the same on every machine (splitmix64).
 States random_states(int count, std::uint64_t seed) {
@@ -142,7 +53,7 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
     std::ostringstream text;
     text << file.rdbuf();
     std::string wrong;
-    if (!file)
+    if (!file || text.bad())
       wrong = " error: cannot read the states file";
     else
       wrong = StatesReader(text.str()).read(states);
@@ -182,6 +93,7 @@ class Program {
   Program(Options options, int rank) : options_(std::move(options)), rank_(rank) {}
 
   int run() {
+    watch_.start(rank_, options_.time_limit);
     const std::string wrong =
         solver_.channel.open(MPI_COMM_WORLD, options_.channel, options_.time_limit);
     if (!wrong.empty()) return complain(kFault, wrong);
@@ -192,19 +104,21 @@ class Program {
       if (status == kDone && rank_ == 0) {
         const std::string path = options_.result.empty() ? "/dev/stdout" : options_.result;
         if (!write_result(path, qdd_, states_.count))
-          status = complain(kFault, path + ": cannot write the result");
+          status = complain(kFault, "cannot write the result", path);
       }
       MPI_Bcast(&status, 1, MPI_INT, 0, solver_.channel.comm());
     } else if (options_.check) {
       states_ = random_states(kRandomStates, options_.seed);
       status = solve_all();
     }
+    watch_.again();
     if (status == kDone && options_.check) status = check_all();
     if (status != kFault && status != kUsage && options_.time) {
       const int timed = time_all();
       if (status == kDone) status = timed;
     }
     if (rank_ == 0 && status != kFault) report();
+    watch_.again();
     solver_.channel.close();
     return status;
   }
@@ -212,8 +126,9 @@ class Program {
  private:
   using Clock = std::chrono::steady_clock;
 
-  int complain(int status, const std::string& what) const {
-    if (rank_ == 0) std::fprintf(stderr, "error: %s\n", what.c_str());
+  int complain(int status, const std::string& what, const std::string& file = "") const {
+    const std::string place = file.empty() ? "" : file + ": ";
+    if (rank_ == 0) std::fprintf(stderr, "%serror: %s\n", place.c_str(), what.c_str());
     return status;
   }
 
@@ -234,6 +149,7 @@ class Program {
     qdd_.assign(static_cast<std::size_t>(states_.count) * kNv, Real(0));
     int failed = kFine, at = 0;
     for (int s = 0; s < states_.count && failed == kFine; ++s) {
+      watch_.again();
       failed = solver_.solve(q(s), v(s), tau(s), qdd_.data() + static_cast<long>(s) * kNv);
       give_up_if_broken(failed);
       // Processes that share no joint's motion do not hear of each other's failures by themselves.
@@ -241,7 +157,8 @@ class Program {
       at = s;
     }
     if (failed != kFine)
-      return complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed));
+      return complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
+                      options_.states);
     solved_ = states_.count;
     // Each process wrote its own joints and left the others zero.
     void* const all = qdd_.data();
@@ -317,6 +234,7 @@ class Program {
     int failed = kFine;
     for (int pass = -1; pass < options_.repeat && failed == kFine;
          ++pass) {  // the first one warms up
+      watch_.again();
       for (int s = 0; s < states_.count; ++s) {
         Real* const qdd = qdd_.data() + static_cast<long>(s) * kNv;
         const Clock::time_point start = start_together();
@@ -393,6 +311,7 @@ class Program {
 
   Options options_;
   int rank_;
+  Watch watch_;
   Solver solver_;
   States states_;
   std::vector<Real> qdd_;

@@ -41,15 +41,15 @@ ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
 }
 
 ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
-  Mat6 result;
-  X.times<Mat6>(m.transpose(), result);
+  Mat6 transposed, result;
+  transposed.noalias() = m.transpose();
+  X.times(transposed, result);
   return result;
 }
 
 // m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
 ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
-  Mat6 result;
-  X.times<Mat6>(m.transpose(), result);
+  Mat6 result = times_transposed(X, m);
   result.transposeInPlace();
   return result;
 }

@@ -21,7 +21,9 @@ class StatesReader {
   }
 
  private:
-  [[noreturn]] static void refuse(const std::string& what) { throw std::runtime_error(what); }
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw std::runtime_error(where_ + what);
+  }
 
   void parse(States& states) {
     std::array<bool, kJointCount> seen{};
@@ -39,7 +41,7 @@ class StatesReader {
         if (given.size() != 3 || !std::equal(given.begin(), given.end(), kGravity.begin()))
           refuse("\"gravity\": another gravity is compiled into this solver; generate it anew");
       } else {
-        skip();
+        refuse("unknown member " + quoted(key.c_str()));
       }
     });
     white();
@@ -47,48 +49,55 @@ class StatesReader {
     if (!joints) refuse("\"joints\" is missing");
     for (int j = 0; j < kJointCount; ++j)
       if (!seen[j] && kJoints[j].source < 0)
-        refuse("joint \"" + std::string(kJoints[j].name) + "\" is missing");
+        refuse("joint " + quoted(kJoints[j].name) + " is missing");
     fill_slaved(states);
   }
 
   void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
     int j = 0;
     while (j < kJointCount && name != kJoints[j].name) ++j;
-    if (j == kJointCount) refuse("unknown joint \"" + name + "\"");
-    if (seen[j]) refuse("joint \"" + name + "\" comes twice");
+    if (j == kJointCount) refuse("unknown joint " + quoted(name.c_str()));
+    const std::string joint = "joint " + quoted(name.c_str());
+    if (seen[j]) refuse(joint + " comes twice");
     seen[j] = true;
-    const JointConstants& joint = kJoints[j];
-    int found = 0;
+    std::array<bool, 3> found{};
     object([&](const std::string& key) {
-      const bool is_q = key == "q", is_v = key == "v", is_tau = key == "tau";
-      if (!is_q && !is_v && !is_tau) return skip();
-      ++found;
-      const int size = is_q ? joint.nq : joint.nv, start = is_q ? joint.q : joint.v;
-      const int stride = is_q ? kNq : kNv;
-      std::vector<Real>& values = is_q ? states.q : is_v ? states.v : states.tau;
-      int count = 0;
-      array([&] {
-        const std::vector<double> entry = numbers();
-        if (static_cast<int>(entry.size()) != size)
-          refuse("joint \"" + name + "\": " + key + " has " + std::to_string(entry.size()) +
-                 " numbers, not " + std::to_string(size));
-        if (states.count > 0 && count >= states.count)
-          refuse("joint \"" + name + "\": " + key + " has too many states");
-        const std::size_t needed =
-            static_cast<std::size_t>(stride) * (static_cast<std::size_t>(count) + 1);
-        if (values.size() < needed) values.resize(needed);
-        for (int k = 0; k < size; ++k)
-          values[needed - static_cast<std::size_t>(stride) + static_cast<std::size_t>(start + k)] =
-              static_cast<Real>(entry[static_cast<std::size_t>(k)]);
-        ++count;
-      });
-      if (count == 0) refuse("joint \"" + name + "\": " + key + " has no state");
-      if (states.count == 0) states.count = count;
-      if (count != states.count)
-        refuse("joint \"" + name + "\": " + key + " has " + std::to_string(count) +
-               " states, others " + std::to_string(states.count));
+      if (key == "type" || key == "qdd") return skip();  // as in a file of true answers
+      const char* const fields[] = {"q", "v", "tau"};
+      const auto field = std::find(std::begin(fields), std::end(fields), key);
+      if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
+      bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
+      if (there) refuse(joint + ": " + key + " comes twice");
+      there = true;
+      where_ = joint + ": " + key + ": ";
+      read_field(kJoints[j], key, states);
+      where_.clear();
     });
-    if (found != 3) refuse("joint \"" + name + "\" needs q, v and tau, once each");
+    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and tau");
+  }
+
+  // One of q, v and tau of a joint: an entry for each state.
+  void read_field(const JointConstants& joint, const std::string& key, States& states) {
+    const bool is_q = key == "q";
+    const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
+    const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
+    const std::size_t stride = is_q ? kNq : kNv;
+    std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
+    int count = 0;
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != size)
+        refuse("state " + std::to_string(count + 1) + " has " + std::to_string(entry.size()) +
+               " numbers, not " + std::to_string(size));
+      const std::size_t row = stride * static_cast<std::size_t>(count);
+      if (values.size() < row + stride) values.resize(row + stride);
+      for (std::size_t k = 0; k < size; ++k) values[row + start + k] = static_cast<Real>(entry[k]);
+      ++count;
+    });
+    if (count == 0) refuse("there is no state");
+    if (states.count == 0) states.count = count;
+    if (count != states.count)
+      refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
   }
 
   static void fill_slaved(States& states) {
@@ -256,28 +265,10 @@ class StatesReader {
       number();
   }
 
-  std::string text_;
+  std::string text_, where_;
   std::size_t at_ = 0;
   int depth_ = 0;
 };
-
-std::string quoted(const char* text) {
-  std::string result = "\"";
-  for (; *text != '\0'; ++text) {
-    const unsigned char c = static_cast<unsigned char>(*text);
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += *text;
-    } else if (c < 0x20 || c == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      result += escape;
-    } else {
-      result += *text;
-    }
-  }
-  return result + "\"";
-}
 
 bool write_result(const std::string& path, const std::vector<Real>& qdd, int count) {
   std::FILE* file = std::fopen(path.c_str(), "w");

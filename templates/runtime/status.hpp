@@ -3,7 +3,7 @@
 enum Failure : int {
   kFine = 0,
   kNotFinite = 1,       // the state of a joint is not a finite number
-  kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length
+  kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
@@ -14,16 +14,35 @@ constexpr int failure(Failure kind, int joint) { return kind * kFailureBase + jo
 constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
 constexpr int failure_place(int status) { return status % kFailureBase; }
 
+// Text as a JSON string, in one line.
+std::string quoted(const char* text) {
+  std::string result = "\"";
+  for (; *text != '\0'; ++text) {
+    const unsigned char c = static_cast<unsigned char>(*text);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += *text;
+    } else if (c < 0x20 || c == 0x7F) {
+      char escape[8];
+      std::snprintf(escape, sizeof escape, "\\u%04x", c);
+      result += escape;
+    } else {
+      result += *text;
+    }
+  }
+  return result + "\"";
+}
+
 std::string describe(int status) {
   const int place = failure_place(status);
-  const auto joint = [place] { return "joint \"" + std::string(kJoints[place].name) + "\": "; };
+  const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
   switch (failure_kind(status)) {
     case kFine:
       return "no error";
     case kNotFinite:
       return joint() + "its q, v or tau is not a finite number";
     case kZeroQuaternion:
-      return joint() + "its quaternion has no length";
+      return joint() + "its quaternion cannot be normalised";
     case kFactorization:
       return joint() +
              "factorization failed: the inertias beside it differ too much for the scalar";

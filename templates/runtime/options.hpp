@@ -1,0 +1,93 @@
+// What the program is asked to do.
+struct Options {
+  std::string states, result;
+  bool check = false, time = false, json = false, help = false, pin = true;
+  int repeat = 200;
+  std::uint64_t seed = 1;
+  double time_limit = 30, tolerance = kTolerance;
+  ChannelMode channel = kChannelMode;
+};
+
+enum ExitStatus : int { kDone = 0, kInputAtFault = 1, kUsage = 2, kFault = 3 };
+
+const char* const kUsageText =
+    "  --states FILE     solve these states (JSON, joints by name); --result FILE takes the "
+    "answer\n"
+    "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
+    "  --check           residual of an independent inverse dynamics, for the given or random "
+    "states\n"
+    "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
+    "  --repeat N        evaluations of each random state when timing (200)\n"
+    "  --seed N          seed of the random states (1)\n"
+    "  --tolerance X     largest residual that --check lets pass\n"
+    "  --channel KIND    auto, window (processes share memory) or message (MPI messages)\n"
+    "  --timeout S       how long a process waits for another before it gives up, in seconds (30)\n"
+    "  --no-pin          leave the processes to the system's scheduler when timing\n"
+    "  --json            report as JSON on standard output\n"
+    "  --help            this text\n"
+    "Without --states, --check or --time it checks and times. Exit status: 0 done, 1 input at "
+    "fault\n"
+    "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
+
+// Returns an empty string, or what is wrong.
+std::string parse(int count, char** words, Options& options) {
+  for (int k = 1; k < count; ++k) {
+    const std::string word = words[k];
+    const auto flag = [&word](const char* name) { return word == name; };
+    if (flag("--check"))
+      options.check = true;
+    else if (flag("--time"))
+      options.time = true;
+    else if (flag("--json"))
+      options.json = true;
+    else if (flag("--help"))
+      options.help = true;
+    else if (flag("--no-pin"))
+      options.pin = false;
+    else {
+      const char* const known[] = {"--states",    "--result",  "--repeat", "--seed",
+                                   "--tolerance", "--channel", "--timeout"};
+      if (std::none_of(std::begin(known), std::end(known), flag)) return "unknown option " + word;
+      if (k + 1 == count) return word + " needs a value";
+      const std::string value = words[++k];
+      char* end = nullptr;
+      const double number = std::strtod(value.c_str(), &end);
+      const bool numeric = !value.empty() && *end == '\0' && std::isfinite(number) && number >= 0;
+      if (flag("--states"))
+        options.states = value;
+      else if (flag("--result"))
+        options.result = value;
+      else if (flag("--channel")) {
+        if (value == "auto")
+          options.channel = ChannelMode::kAuto;
+        else if (value == "window")
+          options.channel = ChannelMode::kWindow;
+        else if (value == "message")
+          options.channel = ChannelMode::kMessage;
+        else
+          return "--channel takes auto, window or message";
+      } else if (!numeric)
+        return word + " takes a number of 0 or more, not \"" + value + "\"";
+      else if (flag("--repeat")) {
+        if (number < 1 || number > 1e6 || number != std::floor(number))
+          return "--repeat takes a whole number from 1 to 1000000";
+        options.repeat = static_cast<int>(number);
+      } else if (flag("--seed")) {
+        if (number > 0x1p53 || number != std::floor(number))
+          return "--seed takes a whole number of 0 or more";
+        options.seed = static_cast<std::uint64_t>(number);
+      } else if (flag("--tolerance"))
+        options.tolerance = number;
+      else if (number <= 0 || number > 1e6)
+        return "--timeout takes a number of seconds above 0, at most 1000000";
+      else
+        options.time_limit = number;
+    }
+  }
+  if (!options.result.empty() && options.states.empty()) return "--result needs --states";
+  if (options.json && options.result.empty() && !options.states.empty())
+    return "--json needs --result FILE where there are --states: both would go to standard output";
+  if (options.states.empty() && !options.check && !options.time)
+    options.check = options.time = true;
+  return "";
+}
