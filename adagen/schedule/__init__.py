@@ -1,6 +1,8 @@
 """Which joint joins which partial chains on which process, and what that is predicted to cost."""
 
-from adagen.schedule.profile import CostProfile, load_profile
+from adagen.schedule.budget import Progress
+from adagen.schedule.draw import schedule_svg
+from adagen.schedule.profile import CostProfile, load_profile, parse_profile
 from adagen.schedule.search import find_schedule
 from adagen.schedule.text import (
     schedule_from_json,
@@ -26,16 +28,19 @@ __all__ = [
     "CostProfile",
     "InvalidSchedule",
     "Node",
+    "Progress",
     "Schedule",
     "Topology",
     "find_schedule",
     "levels",
     "load_profile",
     "makespan_of",
+    "parse_profile",
     "postorder",
     "preorder",
     "schedule_from_json",
     "schedule_line",
+    "schedule_svg",
     "schedule_to_dict",
     "schedule_to_json",
     "schedule_tree",

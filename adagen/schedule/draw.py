@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 
 from adagen.errors import printable
@@ -19,6 +20,7 @@ SIZE = 11.0
 NAME = 240.0
 """Most width for a joint's name, pixels."""
 LEAST_WIDTH = 960.0
+MOST_WIDTH = 1920.0
 MOST_LANES = 64
 WAIT = "#e4e4e4"
 
@@ -40,19 +42,29 @@ def schedule_svg(schedule: Schedule, topology: Topology, title: str) -> str:
     tree_label = _tree_label(nodes, topology)
     robot_label = _robot_label(topology)
     middle = MARGIN + _width(left, tree_label) + 2 * MARGIN
-    width = max(middle + _width(right, robot_label) + MARGIN, LEAST_WIDTH)
+    width = max(middle + _width(right, robot_label) + MARGIN, _chart_width(nodes))
     middle = max(middle, width / 2)
     bottom = _head(canvas, schedule, title, width)
     bottom = _gantt(canvas, schedule, topology, bottom, width)
     canvas.text(MARGIN, bottom, "Schedule tree", 13, bold=True)
     canvas.text(middle, bottom, "Robot", 13, bold=True)
-    note = "assembled bottom-up, disassembled top-down; number: process; k: boundary joints"
+    note = (
+        "assembled from below, in the circle: process; then joint number, boundary joints k, cost"
+    )
     canvas.text(MARGIN, bottom + 15, note, 10, fill=MUTED)
-    canvas.text(middle, bottom + 15, "joint under joint, in the same colours", 10, fill=MUTED)
+    canvas.text(
+        middle, bottom + 15, "joint under joint, in the same colours; joint number", 10, fill=MUTED
+    )
     bottom += 34
     _outline(canvas, left, nodes, tree_label, MARGIN, bottom)
     _outline(canvas, right, nodes, robot_label, middle, bottom)
     return canvas.document(width, bottom + ROW * len(left) + MARGIN, title)
+
+
+def _chart_width(nodes: dict[int, Node]) -> float:
+    """Return the width at which most bars of the busiest lane can hold the number of a joint."""
+    busiest = max(Counter(node.processes[0] for node in nodes.values()).values())
+    return min(max(LEAST_WIDTH, 240 + 2 * busiest * 26.0), MOST_WIDTH)
 
 
 Label = Callable[[Row], tuple[str, str]]
@@ -62,8 +74,8 @@ def _tree_label(nodes: dict[int, Node], topology: Topology) -> Label:
     def label(row: Row) -> tuple[str, str]:
         node = nodes[row.joint]
         a, b = node.processes
-        parts = [row.label] if row.label else []
-        parts += [f"k={node.boundary}", f"{node.cost:.2f} µs"]
+        parts = [f"{row.joint}:  k={node.boundary}", f"{node.cost:.2f} µs"]
+        parts += [row.label] if row.label else []
         parts += [f"processes {a}–{b - 1}"] if b - a > 1 else []
         return shorten(topology.names[row.joint], NAME, SIZE), ", ".join(parts)
 
@@ -73,17 +85,19 @@ def _tree_label(nodes: dict[int, Node], topology: Topology) -> Label:
 def _robot_label(topology: Topology) -> Label:
     def label(row: Row) -> tuple[str, str]:
         dofs = topology.dofs[row.joint]
-        return shorten(topology.names[row.joint], NAME, SIZE), f"{dofs} DOF" if dofs > 1 else ""
+        note = f"{row.joint}:  {dofs} DOF" if dofs > 1 else f"{row.joint}"
+        return shorten(topology.names[row.joint], NAME, SIZE), note
 
     return label
 
 
+def _note_column(rows: list[Row], label: Label) -> float:
+    """Return where the notes of an outline begin, from its left edge."""
+    return max(row.indent * INDENT + text_width(label(row)[0], SIZE) for row in rows) + 30
+
+
 def _width(rows: list[Row], label: Label) -> float:
-    widths = []
-    for row in rows:
-        name, note = label(row)
-        widths.append(row.indent * INDENT + text_width(name, SIZE) + text_width(note, 9) + 26)
-    return max(widths)
+    return _note_column(rows, label) + max(text_width(label(row)[1], 9) for row in rows)
 
 
 def _head(canvas: Canvas, schedule: Schedule, title: str, width: float) -> float:
@@ -214,6 +228,7 @@ def _outline(
         if row.above >= 0:
             (px, py), (cx, cy) = centre(row.above), centre(i)
             canvas.path([(px, py), (px, cy), (cx, cy)] if px != cx else [(px, py), (cx, cy)])
+    notes = x + _note_column(rows, label)
     for i, row in enumerate(rows):
         cx, cy = centre(i)
         process = nodes[row.joint].processes[0]
@@ -222,4 +237,4 @@ def _outline(
         canvas.circle(cx, cy, 7, fill)
         canvas.text(cx, cy + 3, str(process), 8.5, fill=ink, anchor="middle")
         canvas.text(cx + 12, cy + 4, name, SIZE)
-        canvas.text(cx + 18 + text_width(name, SIZE), cy + 4, note, 9, fill=MUTED)
+        canvas.text(notes, cy + 4, note, 9, fill=MUTED)
