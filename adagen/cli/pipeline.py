@@ -136,11 +136,33 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             channel=options.channel,
             source_hash=_hash(Path(options.model)),
         )
+    with stages.stage("assess"):
+        _warn_of_lost_digits(plan, options.model)
     with stages.stage("emit"), progress("emitting"):
         from adagen.emit import emit
 
         files = emit(plan, name=options.name, svg=draw(schedule, model))
     return Generated(schedule, plan, files)
+
+
+def _warn_of_lost_digits(plan: Plan, file: str) -> None:
+    """Warn where the emitted code will keep fewer digits than its own check asks for.
+
+    Raises:
+        InputError: it keeps none: a factorization fails already here.
+    """
+    from adagen.emit import TOLERANCE
+    from adagen.plan.growth import predicted_growth
+
+    try:
+        growth = predicted_growth(plan)
+    except FloatingPointError as error:
+        raise InputError(f"form {plan.form} cannot solve this robot: {error}", file) from None
+    if growth.error > TOLERANCE[plan.scalar]:
+        warn(
+            f"{file}: warning: relative errors of about {growth.error:.0e} are to be expected: a "
+            f'link at joint "{plan.joints[growth.joint].name}" is much lighter than its neighbours'
+        )
 
 
 def prediction(schedule: Schedule) -> str:

@@ -131,6 +131,19 @@ class TestGenerate:
         assert plan["gravity"] == [0.0, -1.5, 0.0]
         assert plan["floating"] is True
 
+    def test_lost_digits_are_foretold(self, tmp_path: Path, said: Said) -> None:
+        """A link of a microgram between two of 1.5 kg."""
+        text = write_arm(tmp_path / "arm.urdf").read_text()
+        assert main([str(tmp_path / "arm.urdf"), "--procs", "2", "--out", str(tmp_path / "a")]) == 0
+        assert "warning" not in said()[1]
+        light = LINK.format(name="l2")
+        for number in ("1.5", "0.02", "0.03", "0.01"):
+            light = light.replace(f'="{number}"', f'="{number}e-9"')
+        (tmp_path / "b.urdf").write_text(text.replace(LINK.format(name="l2"), light))
+        assert main([str(tmp_path / "b.urdf"), "--procs", "2", "--out", str(tmp_path / "b")]) == 0
+        (line,) = [row for row in said()[1].splitlines() if "errors of about" in row]
+        assert line.startswith(f"{tmp_path / 'b.urdf'}: warning: ")
+
     def test_the_stages_are_timed_for_who_asks(self, arm: Path, tmp_path: Path, said: Said) -> None:
         assert main([str(arm), "--procs", "2", "--out", str(tmp_path / "o"), "-v"]) == 0
         (line,) = [row for row in said()[1].splitlines() if row.startswith("stages: ")]
