@@ -5,12 +5,13 @@ from __future__ import annotations
 from adagen.errors import UsageError
 from adagen.model import Model
 from adagen.plan.ada import AdaPlanner
-from adagen.plan.constants import links_and_joints
+from adagen.plan.constants import joints_of, links_of
+from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serialise import plan_from_json, plan_to_json
-from adagen.plan.types import Plan
+from adagen.plan.types import LinkBias, Plan
 from adagen.schedule import Schedule, Topology, schedule_line
 
-FORMS = {"ada": AdaPlanner}
+FORMS: dict[str, type[AdaPlanner]] = {"segment": SegmentPlanner, "ada": AdaPlanner}
 SCALARS = ("double", "float")
 CHANNELS = ("auto", "window", "message")
 
@@ -55,8 +56,9 @@ def make_plan(
     ):
         if word not in known:
             raise UsageError(f'unknown {what} "{word}"; known: {", ".join(known)}')
-    links, joints = links_and_joints(model)
+    joints = joints_of(model)
     processes, messages = FORMS[form](joints, schedule).plan()
+    bare = {step.link for p in processes for step in p.steps if isinstance(step, LinkBias)}
     return Plan(
         name=model.name,
         source_hash=source_hash,
@@ -66,7 +68,7 @@ def make_plan(
         schedule=schedule_line(schedule, Topology.of(model)),
         floating=model.floating,
         gravity=tuple(float(g) + 0.0 for g in model.gravity),
-        links=links,
+        links=links_of(model, bare),
         joints=joints,
         slaved=tuple(j for j, joint in enumerate(joints) if joint.mimic is not None),
         processes=processes,

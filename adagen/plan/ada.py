@@ -1,6 +1,7 @@
 """From a schedule to the steps of the assembly-disassembly algorithm, joint by joint (form `ada`).
 
-The schedule tree is walked once upwards (assembly, Eq. 3-7) and once downwards (disassembly,
+Form `segment` shares all of this and replaces what one process does alone: see segment.py. The
+schedule tree is walked once upwards (assembly, Eq. 3-7) and once downwards (disassembly,
 Eq. 8-10). Every process does its steps in the order of one global walk, so that sends and receives
 cannot wait for each other in a circle.
 """
@@ -30,27 +31,29 @@ from adagen.plan.types import (
     SolveCoupling,
     Step,
 )
-from adagen.schedule import Schedule, postorder
+from adagen.schedule import Node, Schedule, postorder
 
 
 @dataclass
-class _Chain:
+class Chain:
     """A partial chain under construction: its handles and where their blocks and biases are."""
 
     joint: int | None
     process: int
     blocks: dict[tuple[int, int], Block] = field(default_factory=dict)
     biases: dict[int, Bias] = field(default_factory=dict)
-    parts: tuple[_Chain, ...] = ()
+    parts: tuple[Chain, ...] = ()
+    segment: object = None
 
     def block(self, g: int, h: int) -> Block | None:
+        """Return Phi_gh's name, if the two handles feel each other."""
         return self.blocks.get((min(g, h), max(g, h)))
 
 
-def _bare(link: int, process: int) -> _Chain:
+def _bare(link: int, process: int) -> Chain:
     if link == 0:
-        return _Chain(None, process)
-    return _Chain(None, process, {(link, link): Block(None, link, link)}, {link: Bias(None, link)})
+        return Chain(None, process)
+    return Chain(None, process, {(link, link): Block(None, link, link)}, {link: Bias(None, link)})
 
 
 class AdaPlanner:
@@ -92,11 +95,17 @@ class AdaPlanner:
 
     # --- assembly ------------------------------------------------------------------------------
 
-    def _assemble(self) -> _Chain:
-        chains: dict[int, _Chain] = {}
+    def _assemble(self) -> Chain:
+        chains: dict[int, Chain] = {}
         for node in postorder(self.schedule.root):
             i, p = node.joint, node.processes[0]
             self.owns[p].append(i)
+            if self._inside(node):
+                continue
+            whole = self._segment(node)
+            if whole is not None:
+                chains[i] = whole
+                continue
             parts = []
             for side, link in ((node.root_side, self.joints[i].parent), (node.end_side, i + 1)):
                 if side is None:
@@ -111,7 +120,19 @@ class AdaPlanner:
             chains[i] = self._join(i, p, parts[0], parts[1])
         return chains[self.schedule.root.joint]
 
-    def _send_chain(self, chain: _Chain, target: int) -> None:
+    def _inside(self, node: Node) -> bool:  # noqa: ARG002 (form ada has no segments)
+        """Whether a node is treated with the segment that it is inside of."""
+        return False
+
+    def _segment(self, node: Node) -> Chain | None:  # noqa: ARG002
+        """Assemble a whole segment, if the node is the topmost of one."""
+        return None
+
+    def _release(self, chain: Chain, forces: dict[int, Force]) -> None:  # noqa: ARG002
+        """Compute what is inside a segment, given the forces on its handles."""
+        raise AssertionError("form ada has no segments")
+
+    def _send_chain(self, chain: Chain, target: int) -> None:
         if chain.process == target or not chain.biases:
             return
         blocks = tuple(
@@ -128,7 +149,7 @@ class AdaPlanner:
         self.steps[message.source].append(Send(number))
         self.steps[message.target].append(Receive(number))
 
-    def _join(self, i: int, process: int, a: _Chain, b: _Chain) -> _Chain:
+    def _join(self, i: int, process: int, a: Chain, b: Chain) -> Chain:
         parent, child = self.joints[i].parent, i + 1
         self.open[parent] -= 1
         self.open[child] -= 1
@@ -141,7 +162,7 @@ class AdaPlanner:
                     couplings.append(Coupling(h, side, source, transposed=h < at))
         couplings.sort(key=lambda coupling: coupling.handle)
 
-        whole = _Chain(i, process, parts=(a, b))
+        whole = Chain(i, process, parts=(a, b))
         for part in (a, b):
             whole.blocks.update({k: block for k, block in part.blocks.items() if not gone & set(k)})
             whole.biases.update({h: bias for h, bias in part.biases.items() if h not in gone})
@@ -178,11 +199,14 @@ class AdaPlanner:
 
     # --- disassembly ---------------------------------------------------------------------------
 
-    def _disassemble(self, top: _Chain) -> None:
-        stack: list[tuple[_Chain, dict[int, Force]]] = [(top, {})]
+    def _disassemble(self, top: Chain) -> None:
+        stack: list[tuple[Chain, dict[int, Force]]] = [(top, {})]
         joins = {s.joint: s for steps in self.steps for s in steps if isinstance(s, Join)}
         while stack:
             chain, forces = stack.pop()
+            if chain.segment is not None:
+                self._release(chain, forces)
+                continue
             i = chain.joint
             assert i is not None  # bare links are never pushed
             updates = []

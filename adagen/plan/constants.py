@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
@@ -18,27 +18,27 @@ WAY_OUT = (
 )
 
 
-def links_and_joints(model: Model) -> tuple[tuple[PlanLink, ...], tuple[PlanJoint, ...]]:
-    """Return the constants of a model's links and joints in canonical frames.
+def links_of(model: Model, inverted: Collection[int]) -> tuple[PlanLink, ...]:
+    """Return the constants of a model's links, with the inverse inertias of those asked for.
 
     Raises:
-        InputError: the inertia of a moving link cannot be inverted.
+        InputError: the inertia of such a link cannot be inverted.
     """
-    robot = canonical(model)
     links = [_ground(model.links[0].name)]
-    for link in robot.links[1:]:
-        inverse, phi = inverse_inertia(link.inertia, link.name)
-        links.append(
-            PlanLink(
-                link.name,
-                link.inertia.mass,
-                _tuple(link.inertia.com),
-                _rows(link.inertia.tensor),
-                _rows(inverse),
-                _rows(phi),
-            )
-        )
-    joints = tuple(
+    for k, link in enumerate(canonical(model).links[1:], start=1):
+        mass, com, tensor = link.inertia.mass, link.inertia.com, link.inertia.tensor
+        inverse: tuple[tuple[float, ...], ...] = ()
+        phi: tuple[tuple[float, ...], ...] = ()
+        if k in inverted:
+            inverse, phi = map(_rows, inverse_inertia(link.inertia, link.name))
+        links.append(PlanLink(link.name, mass, _tuple(com), _rows(tensor), inverse, phi))
+    return tuple(links)
+
+
+def joints_of(model: Model) -> tuple[PlanJoint, ...]:
+    """Return the constants of a model's joints in canonical frames."""
+    robot = canonical(model)
+    return tuple(
         PlanJoint(
             joint.name,
             joint.kind.name,
@@ -53,7 +53,6 @@ def links_and_joints(model: Model) -> tuple[tuple[PlanLink, ...], tuple[PlanJoin
         )
         for j, joint in enumerate(robot.joints)
     )
-    return tuple(links), joints
 
 
 def inverse_inertia(inertia: Inertia, name: str) -> tuple[np.ndarray, np.ndarray]:

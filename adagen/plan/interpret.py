@@ -8,20 +8,32 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model.kinds import KINDS, JointKind
+from adagen.plan.interpret_segment import SegmentMachine
 from adagen.plan.types import (
+    Accelerate,
+    AccelerateRoot,
     ApplyCoupling,
+    Articulate,
     Bias,
     Block,
+    Deliver,
     Disassemble,
     Force,
+    FreeAcceleration,
+    FreeBase,
+    InvertRoot,
     Join,
     Kinematics,
     LinkBias,
+    Load,
     Message,
     Plan,
+    Propagate,
     Receive,
     Send,
     SolveCoupling,
+    SolveRoot,
+    StartLink,
     Step,
 )
 
@@ -57,7 +69,7 @@ def execute(plan: Plan, q: Array, v: Array, tau: Array) -> tuple[Array, list[dic
     q, v = _with_slaved(plan, q, v)
     qdd = np.full(v.shape, np.nan)
     mail: dict[int, dict[Any, Array]] = {}
-    machines = [_Machine(plan, mail, q, v, tau, qdd) for _ in plan.processes]
+    machines = [Machine(plan, mail, q, v, tau, qdd) for _ in plan.processes]
     positions = [0] * len(machines)
     moved = True
     while moved:
@@ -83,7 +95,7 @@ def _with_slaved(plan: Plan, q: Array, v: Array) -> tuple[Array, Array]:
     return q, v
 
 
-class _Machine:
+class Machine:
     """One process: a memory and the meaning of each step."""
 
     def __init__(
@@ -98,6 +110,7 @@ class _Machine:
         self.plan, self.mail, self.q, self.v, self.tau, self.qdd = plan, mail, q, v, tau, qdd
         self.memory: dict[Any, Any] = {}
         self.columns = plan.right_hand_sides
+        self.segments = SegmentMachine(self)
 
     def step(self, step: Step) -> bool:
         """Do one step; return False if it has to wait for a message."""
@@ -111,6 +124,20 @@ class _Machine:
                     self._join(step)
                 case Disassemble():
                     self._disassemble(step)
+                case (
+                    StartLink()
+                    | FreeBase()
+                    | Articulate()
+                    | InvertRoot()
+                    | SolveRoot()
+                    | Propagate()
+                    | Load()
+                    | Deliver()
+                    | AccelerateRoot()
+                    | FreeAcceleration()
+                    | Accelerate()
+                ):
+                    self.segments.step(step)
                 case Send():
                     items = self._contents(self.plan.messages[step.message])
                     self.mail[step.message] = {item: self.memory[item] for item in items}
@@ -149,11 +176,15 @@ class _Machine:
         self.memory["velocity", step.joint + 1] = velocity
         self.memory["motion", step.joint] = motion
 
-    def _column(self, first: Array) -> Array:
+    def column(self, first: Array) -> Array:
         """First column of a right-hand side; the others answer to unit torques of slaved joints."""
         result = np.zeros((len(first), self.columns))
         result[:, 0] = first
         return result
+
+    def ground(self) -> Array:
+        """Acceleration of the ground relative to free fall."""
+        return self.column(np.concatenate([np.zeros(3), -np.array(self.plan.gravity)]))
 
     def _link_bias(self, number: int) -> None:
         link = self.plan.links[number]
@@ -162,7 +193,12 @@ class _Machine:
         tensor, inverse = np.array(link.tensor), np.array(link.tensor_inverse)
         al = -inverse @ np.cross(w, tensor @ w)
         linear = -np.cross(al, c) - np.cross(w, np.cross(w, c)) - np.cross(w, v)
-        self.memory[Bias(None, number)] = self._column(np.concatenate([al, linear]))
+        self.memory[Bias(None, number)] = self.column(np.concatenate([al, linear]))
+
+    def velocity_product(self, j: int) -> Array:
+        """C = v x S qd of a joint."""
+        velocity = self.memory["velocity", j + 1]
+        return self.column(cross_motion(velocity, self.memory["motion", j]))
 
     def _block(self, block: Block, transposed: bool = False) -> Array:
         if block.joint is None:
@@ -171,11 +207,11 @@ class _Machine:
             matrix = self.memory[block]
         return matrix.T if transposed else matrix
 
-    def _torques(self, j: int) -> Array:
+    def torques(self, j: int) -> Array:
         """Torques of joint j, shape (n, columns): its own, then those of the coupling rows."""
         joint = self.plan.joints[j]
         n = KINDS[joint.kind].nv
-        result = self._column(self.tau[joint.v : joint.v + n])
+        result = self.column(self.tau[joint.v : joint.v + n])
         for column, slaved in enumerate(self.plan.slaved, start=1):
             mimic = self.plan.joints[slaved].mimic
             assert mimic is not None
@@ -189,14 +225,10 @@ class _Machine:
         kind = KINDS[self.plan.joints[step.joint].kind]
         free, constrained = list(kind.free), list(kind.constrained)
         x = self.memory["X", step.joint]
-        c = self._column(np.zeros(6))
-        if step.velocity_product:
-            velocity = self.memory["velocity", step.joint + 1]
-            c = self._column(cross_motion(velocity, self.memory["motion", step.joint]))
-        tau = self._torques(step.joint)
+        c = self.velocity_product(step.joint)
+        tau = self.torques(step.joint)
         phi_a = np.zeros((6, 6)) if step.a is None else x @ self._block(step.a) @ x.T
-        ground = self._column(np.concatenate([np.zeros(3), -np.array(self.plan.gravity)]))
-        b_a = x @ (ground if step.a_bias is None else self.memory[step.a_bias])
+        b_a = x @ (self.ground() if step.a_bias is None else self.memory[step.a_bias])
         phi = phi_a + self._block(step.b)
         beta = b_a - self.memory[step.b_bias] + c - phi[:, free] @ tau
         m = phi[np.ix_(constrained, constrained)]
@@ -248,9 +280,14 @@ class _Machine:
             acting = 0.0 if update.source is None else self.memory[update.source]
             x = self.memory["X", step.joint]
             self.memory[update.target] = acting + (-x.T @ f if update.side == "A" else f)
-        self.memory["qdd", step.joint] = qdd
+        self.accelerate(step.joint, qdd)
+
+    def accelerate(self, j: int, qdd: Array) -> None:
+        """Keep a joint's accelerations, shape (n, columns); with slaved joints they come later."""
+        joint = self.plan.joints[j]
+        self.memory["qdd", j] = qdd
         if not self.plan.slaved:
-            self.qdd[joint.v : joint.v + kind.nv] = qdd[:, 0]
+            self.qdd[joint.v : joint.v + KINDS[joint.kind].nv] = qdd[:, 0]
 
     def _solve_coupling(self) -> None:
         """Solve A qdd = 0 for the coupling torques; a row is qdd_slaved - multiplier qdd_source."""

@@ -161,7 +161,147 @@ class ApplyCoupling:
     """Add what these torques do to this process's accelerations."""
 
 
-Step = Kinematics | LinkBias | Join | Disassemble | Send | Receive | SolveCoupling | ApplyCoupling
+@dataclass(frozen=True)
+class StartLink:
+    """I^A and p^A of a link start as its own inertia and v x* I v (Featherstone, RBDA 7.3)."""
+
+    link: int
+
+
+@dataclass(frozen=True)
+class FreeBase:
+    """A floating joint on the ground only adds its torque to the link: nothing holds the link."""
+
+    joint: int
+
+
+@dataclass(frozen=True)
+class Articulate:
+    """I^A and p^A of the link on a joint's far side, through the joint, onto its near side.
+
+    Far and near are seen from the root of the segment: far is the child link, or the parent link
+    where ``reversed`` (the segment's root lies below the joint). By exact projection.
+    """
+
+    joint: int
+    reversed: bool
+
+
+@dataclass(frozen=True)
+class InvertRoot:
+    """Phi = (I^A)^-1 and b = -Phi p^A of a segment's root that is a handle."""
+
+    link: int
+    block: Block
+    bias: Bias
+
+
+@dataclass(frozen=True)
+class SolveRoot:
+    """Acceleration of a segment's root that is no handle: I^A a = -p^A."""
+
+    link: int
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Phi between the link reached and a handle passed before: L times the near link's.
+
+    Where ``target_transposed`` (``source_transposed``) the block has the handle in its rows and
+    the link reached (the near link) in its columns.
+    """
+
+    handle: int
+    target: Block
+    target_transposed: bool
+    source: Block
+    source_transposed: bool
+
+
+@dataclass(frozen=True)
+class Propagate:
+    """Mobility outwards across a joint: Omega = L Omega L^T + S D^-1 S^T, Psi = L Psi.
+
+    Attributes:
+        joint: the joint.
+        reversed: as in ``Articulate``.
+        block: Omega of the far link.
+        near: Omega of the near link; None for the ground, which does not move.
+        bias: acceleration of the far link under no handle forces.
+        near_bias: the near link's; None for the ground.
+        spreads: couplings with handles passed before.
+    """
+
+    joint: int
+    reversed: bool
+    block: Block
+    near: Block | None
+    bias: Bias
+    near_bias: Bias | None
+    spreads: tuple[Spread, ...]
+
+
+@dataclass(frozen=True)
+class Load:
+    """What handle forces load a link with, before the joints beyond it add theirs."""
+
+    link: int
+    force: Force | None
+
+
+@dataclass(frozen=True)
+class Deliver:
+    """The load on a joint's far link, through the joint, onto its near link: L^T."""
+
+    joint: int
+    reversed: bool
+
+
+@dataclass(frozen=True)
+class AccelerateRoot:
+    """Acceleration of a root that is a handle: a = b + Phi load."""
+
+    link: int
+    block: Block
+    bias: Bias
+
+
+@dataclass(frozen=True)
+class FreeAcceleration:
+    """qdd of a floating joint on the ground, from its link's acceleration."""
+
+    joint: int
+
+
+@dataclass(frozen=True)
+class Accelerate:
+    """qdd of a joint and the acceleration of its far link."""
+
+    joint: int
+    reversed: bool
+
+
+Step = (
+    Kinematics
+    | LinkBias
+    | Join
+    | Disassemble
+    | StartLink
+    | FreeBase
+    | Articulate
+    | InvertRoot
+    | SolveRoot
+    | Propagate
+    | Load
+    | Deliver
+    | AccelerateRoot
+    | FreeAcceleration
+    | Accelerate
+    | Send
+    | Receive
+    | SolveCoupling
+    | ApplyCoupling
+)
 
 
 @dataclass(frozen=True)
@@ -258,7 +398,7 @@ class Plan:
     Attributes:
         name: the robot's name (data, not fit for code).
         source_hash: of the robot description, hexadecimal.
-        form: "ada".
+        form: "ada" or "segment".
         scalar: "double" or "float".
         channel: "auto", "window" or "message": what the emitted program prefers.
         schedule: the schedule in one line.

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from adagen.errors import InputError, UsageError
 from adagen.model import Inertia, Model
-from adagen.plan import make_plan, plan_from_json, plan_to_json
+from adagen.plan import FORMS, make_plan, plan_from_json, plan_to_json
 from adagen.plan.interpret import PlanError, interpret
 from adagen.plan.types import Join, Plan, Receive, Send
 from adagen.reference import exact_forward_dynamics, forward_dynamics
@@ -37,8 +37,9 @@ def worst(model: Model, plan: Plan, states: int = 2) -> float:
 def test_any_schedule_of_any_tree_is_right(joints: int, processes: int, seed: int) -> None:
     rng = np.random.default_rng(seed)
     model = random_tree(rng, joints)
-    plan = make_plan(model, random_schedule(model, processes, rng))
-    assert worst(model, plan) < 1e-8
+    schedule = random_schedule(model, processes, rng)
+    for form in FORMS:
+        assert worst(model, make_plan(model, schedule, form=form)) < 1e-8
 
 
 @settings(max_examples=30, deadline=None)
@@ -46,8 +47,9 @@ def test_any_schedule_of_any_tree_is_right(joints: int, processes: int, seed: in
 def test_slaved_joints_follow_their_sources(joints: int, processes: int, seed: int) -> None:
     rng = np.random.default_rng(seed)
     model = random_tree(rng, joints, mimics=2)
-    plan = make_plan(model, random_schedule(model, processes, rng))
-    assert worst(model, plan) < 1e-8
+    schedule = random_schedule(model, processes, rng)
+    for form in FORMS:
+        assert worst(model, make_plan(model, schedule, form=form)) < 1e-8
 
 
 @pytest.mark.parametrize("processes", [1, 2, 3, 4, 7])
@@ -56,9 +58,10 @@ def test_slaved_joints_follow_their_sources(joints: int, processes: int, seed: i
     [serial_chain(16), human_figure(), star(6, floating=True), binary(4, floating=True)],
     ids=lambda model: model.name,
 )
-def test_known_robots(model: Model, processes: int) -> None:
-    plan = make_plan(model, random_schedule(model, processes, np.random.default_rng(processes)))
-    assert worst(model, plan) < 1e-9
+@pytest.mark.parametrize("form", FORMS)
+def test_known_robots(model: Model, processes: int, form: str) -> None:
+    schedule = random_schedule(model, processes, np.random.default_rng(processes))
+    assert worst(model, make_plan(model, schedule, form=form)) < 1e-9
 
 
 def test_against_sixty_digits() -> None:
