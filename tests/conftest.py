@@ -6,7 +6,26 @@ from pathlib import Path
 
 import pytest
 
+from adagen.build import find_toolchain
+from tests.emitted import Builder
+
 ROOT = Path(__file__).resolve().parents[1]
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--update-golden",
+        action="store_true",
+        help="write generated_examples anew instead of comparing with it (make golden)",
+    )
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Let an update run nothing but what writes the golden files."""
+    if config.getoption("--update-golden"):
+        kept = [item for item in items if item.get_closest_marker("golden")]
+        config.hook.pytest_deselected(items=[item for item in items if item not in kept])
+        items[:] = kept
 
 
 @pytest.fixture(scope="session")
@@ -16,3 +35,9 @@ def shared() -> Path:
     if not folder.is_dir():
         pytest.skip("the shared robots are not beside this checkout")
     return folder
+
+
+@pytest.fixture(scope="session")
+def builder(request: pytest.FixtureRequest) -> Builder:
+    """Builds emitted sources; what was built before, by any test or worker, is found again."""
+    return Builder(request.config.cache.mkdir("adagen-builds"), find_toolchain())

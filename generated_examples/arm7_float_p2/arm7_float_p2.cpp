@@ -1,0 +1,2600 @@
+// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+//
+// robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
+// options   form ada, shape kernels, scalar float, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// schedule  forearm_roll@0-1(elbow_pitch@0(upper_arm_roll(shoulder_pitch(base_yaw|)|)|) | wrist_pitch@1(|flange_roll(|left_finger_slide(right_finger_slide|))))
+// licence   yours to choose: what adagen emits belongs to whoever emits it
+//
+// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
+// b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
+// joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
+// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. How to read on:
+//   1. interface   what a program that links this file calls
+//   2. model       the robot's constants
+//   3. runtime     spatial algebra, joints, exchange between processes
+//   4. joints      for each joint: its memory, kinematics, assembly, disassembly
+//   5. processes   who does what, in order
+//   6. program     states in, accelerations out; check; time
+
+#include <mpi.h>
+
+// ---- 1. interface -------------------------------------------------------------------------------
+// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN, link it, and get these
+// declarations by including it with ADAGEN_DECLARATIONS defined.
+#ifdef __cplusplus
+extern "C" {
+#endif
+typedef struct arm7_float_p2_solver arm7_float_p2_solver;
+
+// Joints in order, each with its place in the state: arm7_float_p2_joint gives name, start and size in q
+// and v of joint k, or returns 0 where there is none.
+int arm7_float_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
+
+// Collective over a communicator of 2 processes. channel: "auto", "window" or "message";
+// time_limit: seconds that a process waits for another. Returns null where it cannot be done.
+arm7_float_p2_solver* arm7_float_p2_open(MPI_Comm comm, const char* channel, double time_limit);
+
+// One evaluation, collective. q: 9 numbers, v and tau: 9 each, qdd: 9; joints in order,
+// quaternions x y z w (normalised here), floating joints [linear; angular] in the body's frame.
+// solve: every process passes the state and gets its own joints' accelerations (others untouched);
+// solve_at_root: process 0 passes the state and gets them all, the others may pass null.
+// Returns 0, or what arm7_float_p2_failure puts into words; no acceleration is written then.
+int arm7_float_p2_solve(arm7_float_p2_solver* solver, const float* q, const float* v, const float* tau, float* qdd);
+int arm7_float_p2_solve_at_root(arm7_float_p2_solver* solver, const float* q, const float* v, const float* tau, float* qdd);
+
+// The last failure in words; valid until the next call.
+const char* arm7_float_p2_failure(const arm7_float_p2_solver* solver);
+
+// Collective.
+void arm7_float_p2_close(arm7_float_p2_solver* solver);
+#ifdef __cplusplus
+}
+#endif
+#ifndef ADAGEN_DECLARATIONS
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+#if defined(__linux__)
+#include <sched.h>
+#endif
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <csignal>
+#endif
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
+
+namespace {
+
+using Real = float;
+constexpr int kProcesses = 2;
+constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
+constexpr int kNq = 9, kNv = 9;
+constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+constexpr int kPlanMessages = 2;
+constexpr std::size_t kCacheLine = 64;
+constexpr bool kFloatingBase = false;
+constexpr double kTolerance = 0.001;
+constexpr int kRandomStates = 64;
+constexpr const char* kRobot = "arm7";
+const MPI_Datatype kMpiReal = MPI_FLOAT;
+
+// ---- 2. model -----------------------------------------------------------------------------------
+
+enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
+
+// A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link
+// has the joint's frame at q = 0.
+struct JointConstants {
+  const char* name;
+  JointKind kind;
+  int parent;           // parent link; the child link has the joint's number plus one
+  int q, nq, v, nv;     // where its configuration and velocity are
+  Real rotation[9];     // joint frame to parent link's frame, row by row
+  Real translation[3];  // origin of the joint frame in the parent link's frame, m
+  int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
+  double multiplier, offset;
+};
+
+struct LinkConstants {
+  const char* name;
+  Real mass;               // kg
+  Real com[3];             // centre of mass, m
+  Real tensor[9];          // rotational inertia about it, kg m^2
+  Real tensor_inverse[9];  // J, its inverse
+};
+
+// What a process reads and owns of the state.
+struct ProcessInfo {
+  int q_count;
+  const int* q;
+  int v_read_count;
+  const int* v_read;
+  int v_count;
+  const int* v;
+};
+
+// What goes from one process to another once in an evaluation.
+struct MessageInfo {
+  int source, target, size;  // size in Real, the status not counted
+};
+
+constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
+
+constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
+    {"pedestal", 0.0f, {0.0f, 0.0f, 0.0f},
+     {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f},
+     {}},
+    {"turret", 3.6f, {0.0f, 0.0f, 0.1f},
+     {0.01641f, 0.0f, 0.0f, 0.0f, 0.01641f, 0.0f, 0.0f, 0.0f, 0.00882f},
+     {60.93845216331505f, 0.0f, 0.0f, 0.0f, 60.93845216331505f, 0.0f, 0.0f, 0.0f, 113.37868480725623f}},
+    {"upper_arm", 3.1f, {0.0f, -0.1f, 0.0f},
+     {0.01767f, 0.0f, 0.0f, 0.0f, 0.00558f, 0.0f, 0.0f, 0.0f, 0.01767f},
+     {56.59309564233163f, 0.0f, 0.0f, 0.0f, 179.2114695340502f, 0.0f, 0.0f, 0.0f, 56.59309564233163f}},
+    {"elbow_housing", 2.6f, {0.0f, 0.0f, -0.03f},
+     {0.00898625f, 0.0f, 0.0f, 0.0f, 0.00898625f, 0.0f, 0.0f, 0.0f, 0.0039325f},
+     {111.2811239393518f, 0.0f, 0.0f, 0.0f, 111.2811239393518f, 0.0f, 0.0f, 0.0f, 254.29116338207245f}},
+    {"forearm", 2.2f, {-0.05f, 0.1f, 0.0f},
+     {0.0102483f, 0.0f, 0.0f, 0.0f, 0.00275f, 0.0f, 0.0f, 0.0f, 0.0102483f},
+     {97.57715913858884f, 0.0f, 0.0f, 0.0f, 363.6363636363637f, 0.0f, 0.0f, 0.0f, 97.57715913858884f}},
+    {"wrist_housing", 1.7f, {0.0f, 0.01f, -0.08f},
+     {0.00448729f, 0.0f, 0.0f, 0.0f, 0.00448729f, 0.0f, 0.0f, 0.0f, 0.00172125f},
+     {222.85165433925602f, 0.0f, 0.0f, 0.0f, 222.85165433925602f, 0.0f, 0.0f, 0.0f, 580.9731299927379f}},
+    {"wrist", 1.3f, {0.04f, 0.01f, 0.0f},
+     {0.0013f, 0.0f, 0.0f, 0.0f, 0.0013f, 0.0f, 0.0f, 0.0f, 0.0013f},
+     {769.2307692307693f, 0.0f, 0.0f, 0.0f, 769.2307692307693f, 0.0f, 0.0f, 0.0f, 769.2307692307693f}},
+    {"hand", 0.85f, {0.008470588235294117f, 0.0f, 0.08870588235294118f},
+     {0.0034019064705882356f, 0.0f, 0.0004946823529411765f, 0.0f, 0.0014865882352941176f, 0.0f, 0.0004946823529411765f, 0.0f, 0.0031133417647058823f},
+     {300.9051975855012f, 0.0f, -47.81116318204386f, 0.0f, 672.6812282367838f, 0.0f, -47.81116318204386f, 0.0f, 328.7950427750268f}},
+    {"left_finger", 0.05f, {0.03f, 0.0f, 0.01f},
+     {3.33333e-06f, 0.0f, 0.0f, 0.0f, 1.66667e-05f, 0.0f, 0.0f, 0.0f, 1.66667e-05f},
+     {300000.3000003f, 0.0f, 0.0f, 0.0f, 59999.880000239995f, 0.0f, 0.0f, 0.0f, 59999.880000239995f}},
+    {"right_finger", 0.05f, {0.03f, 0.0f, 0.01f},
+     {3.33333e-06f, 0.0f, 0.0f, 0.0f, 1.66667e-05f, 0.0f, 0.0f, 0.0f, 1.66667e-05f},
+     {300000.3000003f, 0.0f, 0.0f, 0.0f, 59999.880000239995f, 0.0f, 0.0f, 0.0f, 59999.880000239995f}},
+} };
+
+constexpr std::array<JointConstants, kJointCount> kJoints{ {
+    {"base_yaw", JointKind::kRevolute, 0, 0, 1, 0, 1,
+     {1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f},
+     {0.0f, 0.0f, 0.16f}, -1, 0.0, 0.0},
+    {"shoulder_pitch", JointKind::kRevolute, 1, 1, 1, 1, 1,
+     {1.0f, 0.0f, 0.0f, 0.0f, -3.673205103346574e-06f, 0.9999999999932537f, 0.0f, -0.9999999999932537f, -3.673205103346574e-06f},
+     {0.0f, 0.0f, 0.18f}, -1, 0.0, 0.0},
+    {"upper_arm_roll", JointKind::kRevolute, 2, 2, 1, 2, 1,
+     {1.0f, 0.0f, 0.0f, 0.0f, -3.673205103346574e-06f, -0.9999999999932537f, 0.0f, 0.9999999999932537f, -3.673205103346574e-06f},
+     {0.0f, -0.3f, 0.0f}, -1, 0.0, 0.0},
+    {"elbow_pitch", JointKind::kRevolute, 3, 3, 1, 3, 1,
+     {1.0f, 0.0f, 0.0f, 0.0f, -3.673205103346574e-06f, -0.9999999999932537f, 0.0f, 0.9999999999932537f, -3.673205103346574e-06f},
+     {0.08f, 0.0f, 0.0f}, -1, 0.0, 0.0},
+    {"forearm_roll", JointKind::kRevolute, 4, 4, 1, 4, 1,
+     {1.0f, 0.0f, 0.0f, 0.0f, -3.673205103346574e-06f, 0.9999999999932537f, 0.0f, -0.9999999999932537f, -3.673205103346574e-06f},
+     {-0.08f, 0.38f, 0.0f}, -1, 0.0, 0.0},
+    {"wrist_pitch", JointKind::kRevolute, 5, 5, 1, 5, 1,
+     {1.0f, 0.0f, 0.0f, 0.0f, -3.673205103346574e-06f, -0.9999999999932537f, 0.0f, 0.9999999999932537f, -3.673205103346574e-06f},
+     {0.0f, 0.0f, 0.0f}, -1, 0.0, 0.0},
+    {"flange_roll", JointKind::kRevolute, 6, 6, 1, 6, 1,
+     {1.0f, 0.0f, 0.0f, 0.0f, -3.673205103346574e-06f, -0.9999999999932537f, 0.0f, 0.9999999999932537f, -3.673205103346574e-06f},
+     {0.09f, 0.0f, 0.0f}, -1, 0.0, 0.0},
+    {"left_finger_slide", JointKind::kPrismatic, 7, 7, 1, 7, 1,
+     {0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f, 0.0f, 0.0f},
+     {0.0f, 0.0f, 0.13f}, -1, 0.0, 0.0},
+    {"right_finger_slide", JointKind::kPrismatic, 7, 8, 1, 8, 1,
+     {0.0f, -0.9999999999964793f, -2.65358979335273e-06f, 0.0f, 2.65358979335273e-06f, -0.9999999999964793f, 1.0f, 0.0f, 0.0f},
+     {0.0f, 0.0f, 0.13f}, -1, 0.0, 0.0},
+} };
+
+// Slaved joints follow their sources; what was given for them is ignored.
+inline void slave([[maybe_unused]] Real* q, [[maybe_unused]] Real* v) {
+  for (const JointConstants& joint : kJoints) {
+    if (joint.source < 0) continue;
+    const JointConstants& source = kJoints[static_cast<std::size_t>(joint.source)];
+    q[joint.q] = static_cast<Real>(joint.multiplier * double(q[source.q]) + joint.offset);
+    v[joint.v] = static_cast<Real>(joint.multiplier * double(v[source.v]));
+  }
+}
+
+// ---- 3. runtime ---------------------------------------------------------------------------------
+
+// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
+// the motion itself, and one for each slaved joint's coupling torque.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+using Mat3 = Eigen::Matrix<Real, 3, 3>;
+using Vec6 = Eigen::Matrix<Real, 6, 1>;
+using Mat6 = Eigen::Matrix<Real, 6, 6>;
+using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
+
+// Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
+struct Transform {
+  Mat3 E;  // rotates parent coordinates into child coordinates
+  Vec3 r;  // origin of the child frame in parent coordinates
+
+  template <class M>
+  void times(const M& m, M& result) const {
+    for (int k = 0; k < M::ColsAtCompileTime; ++k) {
+      const Vec3 angular = m.col(k).template head<3>();
+      const Vec3 linear = m.col(k).template tail<3>();
+      result.col(k).template head<3>().noalias() = E * angular;
+      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
+    }
+  }
+
+  // X^T m: takes a wrench on the child to the same wrench on the parent.
+  Columns6 transposed_times(const Columns6& m) const {
+    Columns6 result;
+    for (int k = 0; k < kColumns; ++k) {
+      const Vec3 force = E.transpose() * m.col(k).template tail<3>();
+      result.col(k).template head<3>() =
+          E.transpose() * m.col(k).template head<3>() + r.cross(force);
+      result.col(k).template tail<3>() = force;
+    }
+    return result;
+  }
+};
+
+ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
+  Mat6 result;
+  X.times(m, result);
+  return result;
+}
+
+ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
+  Mat6 transposed, result;
+  transposed.noalias() = m.transpose();
+  X.times(transposed, result);
+  return result;
+}
+
+// m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
+ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
+  Mat6 result = times_transposed(X, m);
+  result.transposeInPlace();
+  return result;
+}
+
+template <int columns>
+Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
+                                          const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
+  X.times(m, result);
+  return result;
+}
+
+// Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
+// quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
+[[maybe_unused]] Real conjugate_rotation(const Real* quaternion, Mat3& E) {
+  const Real x = quaternion[0], y = quaternion[1], z = quaternion[2], w = quaternion[3];
+  const Real squared = x * x + y * y + z * z + w * w;
+  const Real s = 2 / squared;
+  E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
+      s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w),   //
+      s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y);
+  return squared;
+}
+
+// b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
+ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
+  using Constant3 = Eigen::Map<const Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>>;
+  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 c(link.com[0], link.com[1], link.com[2]);
+  const Vec3 momentum = Constant3(link.tensor) * omega;
+  const Vec3 alpha = Constant3(link.tensor_inverse) * momentum.cross(omega);
+  b.setZero();
+  b.col(0).template head<3>() = alpha;
+  b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
+}
+
+// What can go wrong in an evaluation. A status travels with every message, so that all processes
+// learn of a failure and none waits for an answer that cannot come. It must be exact in a float.
+enum Failure : int {
+  kFine = 0,
+  kNotFinite = 1,       // the state of a joint is not a finite number
+  kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
+  kFactorization = 3,   // V^-1 of a joint is not positive definite
+  kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
+};
+
+constexpr int kFailureBase = 1 << 20;
+constexpr int failure(Failure kind, int joint) { return kind * kFailureBase + joint; }
+constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
+constexpr int failure_place(int status) { return status % kFailureBase; }
+
+// Text as a JSON string, in one line.
+std::string quoted(const char* text) {
+  std::string result = "\"";
+  for (; *text != '\0'; ++text) {
+    const unsigned char c = static_cast<unsigned char>(*text);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += *text;
+    } else if (c < 0x20 || c == 0x7F) {
+      char escape[8];
+      std::snprintf(escape, sizeof escape, "\\u%04x", c);
+      result += escape;
+    } else {
+      result += *text;
+    }
+  }
+  return result + "\"";
+}
+
+std::string describe(int status) {
+  const int place = failure_place(status);
+  const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
+  switch (failure_kind(status)) {
+    case kFine:
+      return "no error";
+    case kNotFinite:
+      return joint() + "its q, v or tau is not a finite number";
+    case kZeroQuaternion:
+      return joint() + "its quaternion cannot be normalised";
+    case kFactorization:
+      return joint() +
+             "factorization failed: the inertias beside it differ too much for the scalar";
+    case kOverflow:
+      return joint() + "its acceleration is not a finite number (overflow)";
+    case kNoAnswer:
+      return "process " + std::to_string(place) + " did not answer within the time limit";
+  }
+  return "unknown failure";
+}
+
+// Joint kinds in their canonical frames: the rows of a spatial vector that a joint frees (R, S) and
+// those it constrains (N). Both are selections, so N and R cost nothing and round nothing.
+template <int... Rows>
+struct Selection {
+  static constexpr int count = sizeof...(Rows);
+  static constexpr std::array<int, sizeof...(Rows)> row{Rows...};
+};
+
+struct Revolute {
+  using Free = Selection<2>;
+  using Constrained = Selection<0, 1, 3, 4, 5>;
+};
+struct Prismatic {
+  using Free = Selection<5>;
+  using Constrained = Selection<0, 1, 2, 3, 4>;
+};
+struct Spherical {
+  using Free = Selection<0, 1, 2>;
+  using Constrained = Selection<3, 4, 5>;
+};
+struct Planar {
+  using Free = Selection<3, 4, 2>;
+  using Constrained = Selection<0, 1, 5>;
+};
+struct Floating {
+  using Free = Selection<3, 4, 5, 0, 1, 2>;
+  using Constrained = Selection<>;
+};
+
+template <class Kind>
+constexpr int kFree = Kind::Free::count;
+template <class Kind>
+constexpr int kConstrained = Kind::Constrained::count;
+
+// S qd, the velocity across a joint.
+template <class Kind>
+Vec6 joint_velocity(const Real* qd) {
+  Vec6 result = Vec6::Zero();
+  for (int k = 0; k < kFree<Kind>; ++k) result[Kind::Free::row[k]] = qd[k];
+  return result;
+}
+
+// c_i = v_i x S qd, the part of the acceleration across a joint that qdd has no say in.
+template <class Kind>
+Columns6 velocity_product(const Vec6& velocity, const Real* qd) {
+  const Vec6 motion = joint_velocity<Kind>(qd);
+  Columns6 result = Columns6::Zero();
+  result.col(0).template head<3>() = velocity.head<3>().cross(motion.head<3>());
+  result.col(0).template tail<3>() =
+      velocity.head<3>().cross(motion.tail<3>()) + velocity.tail<3>().cross(motion.head<3>());
+  return result;
+}
+
+// What disassembly needs of a joint i that was assembled.
+template <class Kind>
+struct Joined {
+  static constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  std::array<std::array<Real, m>, m> L;         // Cholesky factor of V_i^-1; its diagonal inverted
+  std::array<std::array<Real, m>, n> RPN;       // R_i (Phi_Ai + Phi_Bi) N_i^T
+  std::array<std::array<Real, kColumns>, m> z;  // L^-1 N_i beta_i
+  std::array<std::array<Real, kColumns>, n> R_beta;  // R_i beta_i
+  std::array<std::array<Real, kColumns>, n> tau;
+};
+
+// How a joint i and a handle j of one chain feel each other: Z = L^-1 N_i Phi_ij, Y = R_i Phi_ij.
+template <class Kind>
+struct Coupled {
+  std::array<std::array<Real, 6>, kConstrained<Kind>> Z;
+  std::array<std::array<Real, 6>, kFree<Kind>> Y;
+};
+
+// x <- L^-1 x, row by row.
+template <std::size_t m, std::size_t k>
+void forward_substitute(const std::array<std::array<Real, m>, m>& L,
+                        std::array<std::array<Real, k>, m>& x) {
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t c = 0; c < k; ++c) x[i][c] -= L[i][j] * x[j][c];
+    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
+  }
+}
+
+// x <- L^-T x.
+template <std::size_t m, std::size_t k>
+void backward_substitute(const std::array<std::array<Real, m>, m>& L,
+                         std::array<std::array<Real, k>, m>& x) {
+  for (std::size_t i = m; i-- > 0;) {
+    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t c = 0; c < k; ++c) x[j][c] -= L[i][j] * x[i][c];
+  }
+}
+
+// Cholesky's factorization in place, the inverse of the diagonal in its place. False where a pivot
+// has lost every digit, or was none to begin with.
+template <std::size_t m>
+bool factorize(std::array<std::array<Real, m>, m>& L) {
+  bool good = true;
+  for (std::size_t j = 0; j < m; ++j) {
+    Real pivot = L[j][j];
+    const Real least = 8 * std::numeric_limits<Real>::epsilon() * pivot;
+    for (std::size_t k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
+    good = good && pivot > least && pivot <= std::numeric_limits<Real>::max();
+    const Real inverse = 1 / std::sqrt(pivot);
+    L[j][j] = inverse;
+    for (std::size_t i = j + 1; i < m; ++i) {
+      for (std::size_t k = 0; k < j; ++k) L[i][j] -= L[i][k] * L[j][k];
+      L[i][j] *= inverse;
+    }
+  }
+  return good;
+}
+
+// V_i and beta_i of Eq. (3)-(7): Phi_A and Phi_B are those of the joint's two sides in its frame,
+// b_A, b_B and c the accelerations there. Returns false where the factorization fails.
+template <class Kind>
+ADAGEN_NOINLINE bool join(Joined<Kind>& i, const Mat6& Phi_A, const Mat6& Phi_B,
+                          const Columns6& b_A, const Columns6& b_B, const Columns6& c) {
+  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  constexpr auto& free = Kind::Free::row;
+  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
+  const Mat6 Phi = Phi_A + Phi_B;
+  Columns6 beta = b_A - b_B + c;
+  for (int k = 0; k < n; ++k)
+    for (int column = 0; column < kColumns; ++column)
+      beta.col(column) -= Phi.col(free[k]) * i.tau[k][column];
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column < kColumns; ++column)
+      i.R_beta[row][column] = beta(free[row], column);
+    for (int k = 0; k < m; ++k) i.RPN[row][k] = Phi(free[row], constrained[k]);
+  }
+  if constexpr (m > 0) {
+    for (int row = 0; row < m; ++row) {
+      for (int k = 0; k <= row; ++k) i.L[row][k] = Phi(constrained[row], constrained[k]);
+      for (int column = 0; column < kColumns; ++column)
+        i.z[row][column] = beta(constrained[row], column);
+    }
+    const bool good = factorize(i.L);
+    forward_substitute(i.L, i.z);
+    return good;
+  }
+  return true;
+}
+
+// Z and Y of a handle j, Phi_ij being given with the joint's frame on its left.
+template <class Kind>
+ADAGEN_NOINLINE void couple(const Joined<Kind>& i, const Mat6& Phi_ij, Coupled<Kind>& j) {
+  for (int row = 0; row < kFree<Kind>; ++row)
+    for (int k = 0; k < 6; ++k) j.Y[row][k] = Phi_ij(Kind::Free::row[row], k);
+  if constexpr (kConstrained<Kind> > 0) {
+    for (int row = 0; row < kConstrained<Kind>; ++row)
+      for (int k = 0; k < 6; ++k) j.Z[row][k] = Phi_ij(Kind::Constrained::row[row], k);
+    forward_substitute(i.L, j.Z);
+  }
+}
+
+// Phi_Aji W_i Phi_Aik = Z_j^T Z_k: what Eq. (3) and (4) subtract and Eq. (5) is.
+template <class Kind>
+ADAGEN_NOINLINE Mat6 product([[maybe_unused]] const Coupled<Kind>& j,
+                             [[maybe_unused]] const Coupled<Kind>& k) {
+  Mat6 result = Mat6::Zero();
+  if constexpr (kConstrained<Kind> > 0) {
+    for (int row = 0; row < kConstrained<Kind>; ++row) {
+      const Vec6 left = Eigen::Map<const Vec6>(j.Z[row].data());
+      const Vec6 right = Eigen::Map<const Vec6>(k.Z[row].data());
+      result.noalias() += left * right.transpose();
+    }
+  }
+  return result;
+}
+
+// Phi_ji gamma_i = Z^T z + Y^T tau: the change of b_j in Eq. (6) and (7).
+template <class Kind>
+Columns6 bias_change(const Joined<Kind>& i, const Coupled<Kind>& j) {
+  Columns6 result = Columns6::Zero();
+  for (int column = 0; column < kColumns; ++column) {
+    for (int row = 0; row < kConstrained<Kind>; ++row)
+      result.col(column) += Eigen::Map<const Vec6>(j.Z[row].data()) * i.z[row][column];
+    for (int row = 0; row < kFree<Kind>; ++row)
+      result.col(column) += Eigen::Map<const Vec6>(j.Y[row].data()) * i.tau[row][column];
+  }
+  return result;
+}
+
+// Disassembly of a joint: collects what the outer forces do to it, then gives its acceleration and
+// its force.
+template <class Kind>
+class Release {
+ public:
+  explicit Release(const Joined<Kind>& i) : i_(i), z_(i.z), qdd_(i.R_beta) {
+    for (auto& row : qdd_)
+      for (Real& x : row) x = -x;
+  }
+
+  void feel_A(const Coupled<Kind>& j, const Columns6& f) { feel(j, f, Real(1)); }
+  void feel_B(const Coupled<Kind>& k, const Columns6& f) { feel(k, f, Real(-1)); }
+
+  // f_i, Eq. (10); on the way n_i, Eq. (8), and qdd_i, Eq. (9).
+  Columns6 force() {
+    if constexpr (kConstrained<Kind> > 0) backward_substitute(i_.L, z_);
+    Columns6 f;
+    for (int column = 0; column < kColumns; ++column) {
+      for (int k = 0; k < kConstrained<Kind>; ++k)
+        f(Kind::Constrained::row[k], column) = z_[k][column];
+      for (int k = 0; k < kFree<Kind>; ++k) {
+        f(Kind::Free::row[k], column) = i_.tau[k][column];
+        for (int l = 0; l < kConstrained<Kind>; ++l)
+          qdd_[k][column] += i_.RPN[k][l] * z_[l][column];
+      }
+    }
+    return f;
+  }
+
+  const std::array<std::array<Real, kColumns>, kFree<Kind>>& qdd() const { return qdd_; }
+
+ private:
+  void feel(const Coupled<Kind>& j, const Columns6& f, Real sign) {
+    for (int column = 0; column < kColumns; ++column) {
+      const Vec6 signed_f = sign * f.col(column);
+      for (int row = 0; row < kConstrained<Kind>; ++row)
+        z_[row][column] += Eigen::Map<const Vec6>(j.Z[row].data()).dot(signed_f);
+      for (int row = 0; row < kFree<Kind>; ++row)
+        qdd_[row][column] -= Eigen::Map<const Vec6>(j.Y[row].data()).dot(signed_f);
+    }
+  }
+
+  const Joined<Kind>& i_;
+  std::array<std::array<Real, kColumns>, kConstrained<Kind>> z_;
+  std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
+};
+
+constexpr std::array<MessageInfo, 4> kMessages{ {
+    {1, 0, 42},  // 0: assembled: chain of "wrist_pitch"
+    {0, 1, 6},  // 1: forces on: chain of "wrist_pitch"
+    {0, 1, 22},  // 2: state
+    {1, 0, 4},  // 3: accelerations
+} };
+
+// Exchange between processes. Processes on one node meet in a shared window: a message is a slot
+// that its source fills and then numbers (release), and that its target reads once it sees the
+// number (acquire). Other pairs exchange MPI messages. A slot is free again when it is next
+// written, because each pair answers each other within an evaluation (assembly up, disassembly
+// down; state, result).
+enum class ChannelMode { kAuto, kWindow, kMessage };
+
+inline void relax() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
+
+class Channel {
+ public:
+  Channel() = default;
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
+
+  // Collective. Returns an empty string, or what is wrong.
+  std::string open(MPI_Comm comm, ChannelMode mode, double time_limit) {
+    MPI_Comm_dup(comm, &comm_);
+    MPI_Comm_rank(comm_, &rank_);
+    time_limit_ = std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(std::min(time_limit, 1e8)));
+    ports_.resize(kMessages.size());
+    if (mode != ChannelMode::kMessage) open_window(mode);
+    int missing = 0;
+    for (std::size_t k = 0; k < ports_.size(); ++k) {
+      const MessageInfo& info = kMessages[k];
+      if (ports_[k].slot || (info.source != rank_ && info.target != rank_)) continue;
+      if (mode == ChannelMode::kWindow) ++missing;
+      ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &missing, 1, MPI_INT, MPI_SUM, comm_);
+    return missing == 0 ? "" : "channel window: not all processes are on one node";
+  }
+
+  void close() {
+    if (comm_ == MPI_COMM_NULL) return;
+    for (Port& port : ports_)
+      if (port.request != MPI_REQUEST_NULL)
+        MPI_Cancel(&port.request), MPI_Request_free(&port.request);
+    if (window_ != MPI_WIN_NULL) {
+      MPI_Win_unlock_all(window_);
+      MPI_Win_free(&window_);
+    }
+    if (node_ != MPI_COMM_NULL) MPI_Comm_free(&node_);
+    MPI_Comm_free(&comm_);
+  }
+
+  // Where to write message k. Waits for an MPI message that is still under way.
+  Real* outgoing(int k, int& status) {
+    Port& port = ports_[k];
+    if (port.slot) return port.slot->content() + 1;
+    if (port.request != MPI_REQUEST_NULL) wait_for_request(port, kMessages[k].target, status);
+    return port.buffer.data() + 1;
+  }
+
+  void send(int k, int& status) {
+    Port& port = ports_[k];
+    if (port.slot) {
+      port.slot->content()[0] = static_cast<Real>(status);
+      port.slot->number.store(++port.count, std::memory_order_release);
+      return;
+    }
+    port.buffer[0] = static_cast<Real>(status);
+    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+              kMessages[k].target, k, comm_, &port.request);
+  }
+
+  // Waits for message k and returns its content; what its source knows of failures joins the
+  // status.
+  const Real* receive(int k, int& status) {
+    Port& port = ports_[k];
+    const Real* content;
+    if (port.slot) {
+      const std::uint64_t number = ++port.count;
+      if (!wait_until([&] { return port.slot->number.load(std::memory_order_acquire) >= number; }))
+        fail(status, failure(kNoAnswer, kMessages[k].source));
+      content = port.slot->content();
+    } else {
+      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+                kMessages[k].source, k, comm_, &port.request);
+      wait_for_request(port, kMessages[k].source, status);
+      content = port.buffer.data();
+    }
+    if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
+    return content + 1;
+  }
+
+  static void fail(int& status, int failure) {
+    if (status == kFine) status = failure;
+  }
+
+  MPI_Comm comm() const { return comm_; }
+  int rank() const { return rank_; }
+  bool broken() const { return broken_; }
+  bool windowed() const { return window_ != MPI_WIN_NULL; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  struct alignas(kCacheLine) Slot {
+    std::atomic<std::uint64_t> number;
+    Real* content() { return reinterpret_cast<Real*>(reinterpret_cast<char*>(this) + kCacheLine); }
+  };
+
+  struct Port {
+    Slot* slot = nullptr;
+    std::uint64_t count = 0;
+    std::vector<Real> buffer;
+    MPI_Request request = MPI_REQUEST_NULL;
+  };
+
+  static std::size_t slot_bytes(const MessageInfo& info) {
+    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Real);
+    return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
+  }
+
+  // Each process holds the slots of the messages that it sends to processes on its node.
+  void open_window(ChannelMode mode) {
+    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node_);
+    std::vector<int> on_node(kProcesses, MPI_UNDEFINED), all(kProcesses);
+    for (int p = 0; p < kProcesses; ++p) all[p] = p;
+    MPI_Group whole, near;
+    MPI_Comm_group(comm_, &whole);
+    MPI_Comm_group(node_, &near);
+    MPI_Group_translate_ranks(whole, kProcesses, all.data(), near, on_node.data());
+    MPI_Group_free(&whole);
+    MPI_Group_free(&near);
+    int node_size = 1;
+    MPI_Comm_size(node_, &node_size);
+    if (node_size == 1 && mode == ChannelMode::kAuto) return;  // nobody to share a window with
+
+    const auto near_pair = [&](const MessageInfo& info) {
+      return on_node[info.source] != MPI_UNDEFINED && on_node[info.target] != MPI_UNDEFINED;
+    };
+    std::size_t own = 0;
+    for (const MessageInfo& info : kMessages)
+      if (info.source == rank_ && near_pair(info)) own += slot_bytes(info);
+    char* base = nullptr;
+    MPI_Info hints;
+    MPI_Info_create(&hints);
+    MPI_Info_set(hints, "alloc_shared_noncontig",
+                 "true");  // every part on pages of its own process
+    MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base, &window_);
+    MPI_Info_free(&hints);
+    MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
+    std::vector<char*> next(kProcesses, nullptr);
+    for (int p = 0; p < kProcesses; ++p) {
+      if (on_node[p] == MPI_UNDEFINED) continue;
+      MPI_Aint bytes;
+      int unit;
+      MPI_Win_shared_query(window_, on_node[p], &bytes, &unit, &next[p]);
+    }
+    for (std::size_t k = 0; k < ports_.size(); ++k) {
+      const MessageInfo& info = kMessages[k];
+      if (!near_pair(info)) continue;
+      ports_[k].slot = reinterpret_cast<Slot*>(next[info.source]);
+      next[info.source] += slot_bytes(info);
+      if (info.source == rank_) {
+        std::memset(static_cast<void*>(ports_[k].slot), 0, slot_bytes(info));  // first touch
+        new (ports_[k].slot) Slot{};
+      }
+    }
+    MPI_Win_sync(window_);
+    MPI_Barrier(node_);
+    MPI_Win_sync(window_);
+  }
+
+  // Spins briefly, then yields, so that more processes than cores still finish.
+  template <class Ready>
+  bool wait_until(Ready ready) {
+    for (int k = 0; k < 4000; ++k) {
+      if (ready()) return true;
+      relax();
+    }
+    if (broken_) return false;  // a peer is gone: do not wait for it once more
+    const Clock::time_point end = Clock::now() + time_limit_;
+    while (!ready()) {
+      std::this_thread::yield();
+      if (Clock::now() > end) {
+        broken_ = true;
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void wait_for_request(Port& port, int peer, int& status) {
+    const bool done = wait_until([&] {
+      int flag = 0;
+      MPI_Test(&port.request, &flag, MPI_STATUS_IGNORE);
+      return flag != 0;
+    });
+    if (!done) fail(status, failure(kNoAnswer, peer));
+  }
+
+  MPI_Comm comm_ = MPI_COMM_NULL, node_ = MPI_COMM_NULL;
+  MPI_Win window_ = MPI_WIN_NULL;
+  int rank_ = 0;
+  Clock::duration time_limit_{};
+  bool broken_ = false;
+  std::vector<Port> ports_;
+};
+
+// ---- 4. joints ----------------------------------------------------------------------------------
+
+// The memory of a process. Whatever belongs to a joint is kept with it.
+struct Workspace;
+
+struct Joint_base_yaw {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "turret"
+  Columns6 b;  // bias acceleration of the bare link "turret"
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_turret;
+  Mat6 Phi_turret;  // of the chain it completes
+  Columns6 b_turret;
+  Columns6 F_on_turret;  // outer wrench on that chain
+};
+
+struct Joint_shoulder_pitch {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "upper_arm"
+  Columns6 b;  // bias acceleration of the bare link "upper_arm"
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_upper_arm;
+  Mat6 Phi_upper_arm;  // of the chain it completes
+  Columns6 b_upper_arm;
+  Columns6 F_on_upper_arm;  // outer wrench on that chain
+};
+
+struct Joint_upper_arm_roll {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "elbow_housing"
+  Columns6 b;  // bias acceleration of the bare link "elbow_housing"
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_elbow_housing;
+  Mat6 Phi_elbow_housing;  // of the chain it completes
+  Columns6 b_elbow_housing;
+  Columns6 F_on_elbow_housing;  // outer wrench on that chain
+};
+
+struct Joint_elbow_pitch {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "forearm"
+  Columns6 b;  // bias acceleration of the bare link "forearm"
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_forearm;
+  Mat6 Phi_forearm;  // of the chain it completes
+  Columns6 b_forearm;
+  Columns6 F_on_forearm;  // outer wrench on that chain
+};
+
+struct Joint_forearm_roll {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "wrist_housing"
+  Columns6 b;  // bias acceleration of the bare link "wrist_housing"
+  Joined<Revolute> joined;
+};
+
+struct Joint_wrist_pitch {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "wrist"
+  Columns6 b;  // bias acceleration of the bare link "wrist"
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_wrist_housing;
+  Mat6 Phi_wrist_housing;  // of the chain it completes
+  Columns6 b_wrist_housing;
+  Columns6 F_on_wrist_housing;  // outer wrench on that chain
+};
+
+struct Joint_flange_roll {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "hand"
+  Columns6 b;  // bias acceleration of the bare link "hand"
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_wrist;
+  Mat6 Phi_wrist;  // of the chain it completes
+  Columns6 b_wrist;
+  Columns6 F_on_wrist;  // outer wrench on that chain
+};
+
+struct Joint_left_finger_slide {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "left_finger"
+  Columns6 b;  // bias acceleration of the bare link "left_finger"
+  Joined<Prismatic> joined;
+  Coupled<Prismatic> at_hand;
+  Mat6 Phi_hand;  // of the chain it completes
+  Columns6 b_hand;
+  Columns6 F_on_hand;  // outer wrench on that chain
+};
+
+struct Joint_right_finger_slide {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "right_finger"
+  Columns6 b;  // bias acceleration of the bare link "right_finger"
+  Joined<Prismatic> joined;
+  Coupled<Prismatic> at_hand;
+  Mat6 Phi_hand;  // of the chain it completes
+  Columns6 b_hand;
+  Columns6 F_on_hand;  // outer wrench on that chain
+};
+
+struct Workspace {
+  const Real* q = nullptr;
+  const Real* v = nullptr;
+  const Real* tau = nullptr;
+  Real* qdd = nullptr;
+  int status = kFine;
+  Joint_base_yaw j_base_yaw;
+  Joint_shoulder_pitch j_shoulder_pitch;
+  Joint_upper_arm_roll j_upper_arm_roll;
+  Joint_elbow_pitch j_elbow_pitch;
+  Joint_forearm_roll j_forearm_roll;
+  Joint_wrist_pitch j_wrist_pitch;
+  Joint_flange_roll j_flange_roll;
+  Joint_left_finger_slide j_left_finger_slide;
+  Joint_right_finger_slide j_right_finger_slide;
+
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+inline void fail(Workspace& w, Failure kind, int joint) {
+  Channel::fail(w.status, failure(kind, joint));
+}
+
+// x - x is zero for finite x only.
+inline void require_finite(Workspace& w, const Real* x, int count, int joint) {
+  Real sum = 0;
+  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
+  if (!(sum == 0)) fail(w, kNotFinite, joint);
+}
+
+[[maybe_unused]] inline void require_length(Workspace& w, Real squared, int joint) {
+  if (!(squared >= std::numeric_limits<Real>::min() && squared <= std::numeric_limits<Real>::max()))
+    fail(w, kZeroQuaternion, joint);
+}
+
+template <std::size_t n>
+void load_torque(Workspace& w, int joint, int v, std::array<std::array<Real, kColumns>, n>& tau) {
+  require_finite(w, w.tau + v, static_cast<int>(n), joint);
+  for (std::size_t k = 0; k < n; ++k) {
+    tau[k] = {};
+    tau[k][0] = w.tau[v + static_cast<int>(k)];
+  }
+}
+
+// An acceleration is given only where all went well.
+template <std::size_t n>
+void store_acceleration(Workspace& w, int joint, int v,
+                        const std::array<std::array<Real, kColumns>, n>& qdd) {
+  Real sum = 0;
+  for (std::size_t k = 0; k < n; ++k) sum += qdd[k][0] - qdd[k][0];
+  if (!(sum == 0)) fail(w, kOverflow, joint);
+  if (w.status != kFine) return;
+  for (std::size_t k = 0; k < n; ++k) w.qdd[v + static_cast<int>(k)] = qdd[k][0];
+}
+
+template <class M>
+Real* put(Real* to, const M& m) {
+  Eigen::Map<M>{to} = m;
+  return to + M::SizeAtCompileTime;
+}
+
+template <class M>
+const Real* get(const Real* from, M& m) {
+  m = Eigen::Map<const M>(from);
+  return from + M::SizeAtCompileTime;
+}
+
+template <std::size_t n>
+Real* put(Real* to, const std::array<Real, n>& x) {
+  return std::copy(x.begin(), x.end(), to);
+}
+
+template <std::size_t n>
+const Real* get(const Real* from, std::array<Real, n>& x) {
+  std::copy(from, from + n, x.begin());
+  return from + n;
+}
+
+const Mat6 kZero = Mat6::Zero();
+
+// The ground accelerates against gravity: all accelerations are relative to free fall.
+const Columns6 kGround = [] {
+  Columns6 result = Columns6::Zero();
+  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
+  return result;
+}();
+
+// Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
+Mat6 symmetric(const std::array<Real, 21>& upper) {
+  Mat6 result;
+  std::size_t k = 0;
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j) result(i, j) = result(j, i) = upper[k++];
+  return result;
+}
+
+// One row of A qdd = 0, which keeps a slaved joint in step with its source.
+[[maybe_unused]] inline void coupling_row(std::array<Real, kColumns>& row,
+                                          const std::array<Real, kColumns>& slaved,
+                                          const std::array<Real, kColumns>& source,
+                                          double multiplier) {
+  for (std::size_t k = 0; k < kColumns; ++k) row[k] = slaved[k] - Real(multiplier) * source[k];
+}
+
+// The torques that make A qdd zero: (A H^-1 A^T) torques = -A qdd, by Cholesky's factorization.
+template <std::size_t m>
+void solve_coupling(Workspace& w, int joint, const std::array<std::array<Real, m + 1>, m>& rows,
+                    std::array<Real, m>& torques) {
+  std::array<std::array<Real, m>, m> L;
+  std::array<std::array<Real, 1>, m> x;
+  for (std::size_t i = 0; i < m; ++i) {
+    x[i][0] = -rows[i][0];
+    for (std::size_t k = 0; k < m; ++k) L[i][k] = rows[i][k + 1];
+  }
+  if (!factorize(L)) fail(w, kFactorization, joint);
+  forward_substitute(L, x);
+  backward_substitute(L, x);
+  for (std::size_t i = 0; i < m; ++i) torques[i] = x[i][0];
+}
+
+// Accelerations of all right-hand sides, added up with the coupling torques.
+template <std::size_t n, std::size_t m>
+void store_coupled(Workspace& w, int joint, int v,
+                   const std::array<std::array<Real, kColumns>, n>& qdd,
+                   const std::array<Real, m>& torques) {
+  std::array<std::array<Real, kColumns>, n> sum{};
+  for (std::size_t k = 0; k < n; ++k) {
+    sum[k][0] = qdd[k][0];
+    for (std::size_t c = 0; c < m; ++c) sum[k][0] += qdd[k][c + 1] * torques[c];
+  }
+  store_acceleration(w, joint, v, sum);
+}
+
+const Mat6 kPhi_turret = symmetric({60.93845216331505f, 0.0f, 0.0f, 0.0f, 6.0938452163315056f, 0.0f, 60.93845216331505f, 0.0f, -6.0938452163315056f, 0.0f, 0.0f, 113.37868480725623f, 0.0f, 0.0f, 0.0f, 0.8871622994109283f, 0.0f, 0.0f, 0.8871622994109283f, 0.0f, 0.2777777777777778f});
+const Mat6 kPhi_upper_arm = symmetric({56.59309564233163f, 0.0f, 0.0f, 0.0f, 0.0f, 5.659309564233164f, 179.2114695340502f, 0.0f, 0.0f, 0.0f, 0.0f, 56.59309564233163f, -5.659309564233164f, 0.0f, 0.0f, 0.8885116015846066f, 0.0f, 0.0f, 0.3225806451612903f, 0.0f, 0.8885116015846066f});
+const Mat6 kPhi_elbow_housing = symmetric({111.2811239393518f, 0.0f, 0.0f, 0.0f, -3.338433718180554f, 0.0f, 111.2811239393518f, 0.0f, 3.338433718180554f, 0.0f, 0.0f, 254.29116338207245f, 0.0f, 0.0f, 0.0f, 0.4847683961608012f, 0.0f, 0.0f, 0.4847683961608012f, 0.0f, 0.3846153846153846f});
+const Mat6 kPhi_forearm = symmetric({97.57715913858884f, 0.0f, 0.0f, 0.0f, 0.0f, -9.757715913858885f, 363.6363636363637f, 0.0f, 0.0f, 0.0f, -18.181818181818183f, 97.57715913858884f, 9.757715913858885f, 4.878857956929442f, 0.0f, 1.430317045931343f, 0.48788579569294427f, 0.0f, 0.6984883523919266f, 0.0f, 2.3394079550222524f});
+const Mat6 kPhi_wrist_housing = symmetric({222.85165433925602f, 0.0f, 0.0f, 0.0f, -17.828132347140482f, -2.2285165433925602f, 222.85165433925602f, 0.0f, 17.828132347140482f, 0.0f, 0.0f, 580.9731299927379f, 5.809731299927379f, 0.0f, 0.0f, 2.0725831948881592f, 0.0f, 0.0f, 2.0144858818888856f, 0.17828132347140482f, 0.6105204595515726f});
+const Mat6 kPhi_wrist = symmetric({769.2307692307693f, 0.0f, 0.0f, 0.0f, 0.0f, -7.6923076923076925f, 769.2307692307693f, 0.0f, 0.0f, 0.0f, 30.76923076923077f, 769.2307692307693f, 7.6923076923076925f, -30.76923076923077f, 0.0f, 0.8461538461538461f, -0.3076923076923077f, 0.0f, 2.0f, 0.0f, 2.076923076923077f});
+const Mat6 kPhi_hand = symmetric({300.9051975855012f, 0.0f, -47.81116318204386f, 0.0f, 27.097049732773534f, 0.0f, 672.6812282367838f, 0.0f, -59.67078189300412f, 0.0f, 5.698005698005698f, 328.7950427750268f, 0.0f, -7.026218837536823f, 0.0f, 6.46961994674413f, 0.0f, -0.5054466230936819f, 3.639654500566341f, 0.0f, 1.2247360482654601f});
+const Mat6 kPhi_left_finger = symmetric({300000.3000003f, 0.0f, 0.0f, 0.0f, 3000.003000003f, 0.0f, 59999.880000239995f, 0.0f, -599.9988000024f, 0.0f, 1799.9964000071998f, 59999.880000239995f, 0.0f, -1799.9964000071998f, 0.0f, 25.999988000024f, 0.0f, -17.999964000071998f, 103.99992200024599f, 0.0f, 73.999892000216f});
+const Mat6 kPhi_right_finger = symmetric({300000.3000003f, 0.0f, 0.0f, 0.0f, 3000.003000003f, 0.0f, 59999.880000239995f, 0.0f, -599.9988000024f, 0.0f, 1799.9964000071998f, 59999.880000239995f, 0.0f, -1799.9964000071998f, 0.0f, 25.999988000024f, 0.0f, -17.999964000071998f, 103.99992200024599f, 0.0f, 73.999892000216f});
+
+// =================================================================================================
+// Joint 0 "base_yaw": revolute, between links "pedestal" and "turret"
+// =================================================================================================
+
+void kinematics_base_yaw(Workspace& w) {
+  auto& i = w.j_base_yaw;
+  require_finite(w, w.q + 0, 1, 0);
+  require_finite(w, w.v + 0, 1, 0);
+  const Real q = w.q[0];
+  const Real c = std::cos(q), s = std::sin(q);
+  i.X.E << c, s, 0.0f,  //
+      -s, c, 0.0f,  //
+      0.0f, 0.0f, 1.0f;
+  i.X.r << 0.0f, 0.0f, 0.16f;
+  i.v = joint_velocity<Revolute>(w.v + 0);
+}
+
+// A: the ground "pedestal"; B: link "turret"; C feels the joint at "turret"
+void assemble_base_yaw(Workspace& w) {
+  auto& i = w.j_base_yaw;
+  load_torque(w, 0, 0, i.joined.tau);
+  const Columns6 c = Columns6::Zero();  // v x S qd, v being S qd itself
+  if (!join(i.joined, kZero, kPhi_turret, i.X * kGround, w.j_base_yaw.b, c))
+    fail(w, kFactorization, 0);
+  couple(i.joined, kPhi_turret, i.at_turret);
+  i.Phi_turret = kPhi_turret - product(i.at_turret, i.at_turret);  // Eq. (4)
+  i.b_turret = w.j_base_yaw.b + bias_change(i.joined, i.at_turret);  // Eq. (7)
+}
+
+void disassemble_base_yaw(Workspace& w) {
+  auto& i = w.j_base_yaw;
+  Release<Revolute> release(i.joined);
+  release.feel_B(i.at_turret, w.j_base_yaw.F_on_turret);
+  release.force();  // Eq. (8)
+  store_acceleration(w, 0, 0, release.qdd());  // Eq. (9)
+}
+
+// =================================================================================================
+// Joint 1 "shoulder_pitch": revolute, between links "turret" and "upper_arm"
+// =================================================================================================
+
+void kinematics_shoulder_pitch(Workspace& w) {
+  auto& i = w.j_shoulder_pitch;
+  require_finite(w, w.q + 1, 1, 1);
+  require_finite(w, w.v + 1, 1, 1);
+  const Real q = w.q[1];
+  const Real c = std::cos(q), s = std::sin(q);
+  i.X.E << c, -3.673205103346574e-06f * s, -0.9999999999932537f * s,  //
+      -s, -3.673205103346574e-06f * c, -0.9999999999932537f * c,  //
+      0.0f, 0.9999999999932537f, -3.673205103346574e-06f;
+  i.X.r << 0.0f, 0.0f, 0.18f;
+  i.v = i.X * w.j_base_yaw.v + joint_velocity<Revolute>(w.v + 1);
+}
+
+// A: the chain of "base_yaw"; B: link "upper_arm"; C feels the joint at "upper_arm"
+void assemble_shoulder_pitch(Workspace& w) {
+  auto& i = w.j_shoulder_pitch;
+  load_torque(w, 1, 1, i.joined.tau);
+  const Mat6 X_Phi_A = i.X * w.j_base_yaw.Phi_turret;
+  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 1);
+  if (!join(i.joined, Phi_A, kPhi_upper_arm, i.X * w.j_base_yaw.b_turret, w.j_shoulder_pitch.b, c))
+    fail(w, kFactorization, 1);
+  couple(i.joined, kPhi_upper_arm, i.at_upper_arm);
+  i.Phi_upper_arm = kPhi_upper_arm - product(i.at_upper_arm, i.at_upper_arm);  // Eq. (4)
+  i.b_upper_arm = w.j_shoulder_pitch.b + bias_change(i.joined, i.at_upper_arm);  // Eq. (7)
+}
+
+void disassemble_shoulder_pitch(Workspace& w) {
+  auto& i = w.j_shoulder_pitch;
+  Release<Revolute> release(i.joined);
+  release.feel_B(i.at_upper_arm, w.j_shoulder_pitch.F_on_upper_arm);
+  const Columns6 f = release.force();  // Eq. (8), (10)
+  store_acceleration(w, 1, 1, release.qdd());  // Eq. (9)
+  w.j_base_yaw.F_on_turret = -i.X.transposed_times(f);
+}
+
+// =================================================================================================
+// Joint 2 "upper_arm_roll": revolute, between links "upper_arm" and "elbow_housing"
+// =================================================================================================
+
+void kinematics_upper_arm_roll(Workspace& w) {
+  auto& i = w.j_upper_arm_roll;
+  require_finite(w, w.q + 2, 1, 2);
+  require_finite(w, w.v + 2, 1, 2);
+  const Real q = w.q[2];
+  const Real c = std::cos(q), s = std::sin(q);
+  i.X.E << c, -3.673205103346574e-06f * s, 0.9999999999932537f * s,  //
+      -s, -3.673205103346574e-06f * c, 0.9999999999932537f * c,  //
+      0.0f, -0.9999999999932537f, -3.673205103346574e-06f;
+  i.X.r << 0.0f, -0.3f, 0.0f;
+  i.v = i.X * w.j_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 2);
+}
+
+// A: the chain of "shoulder_pitch"; B: link "elbow_housing"; C feels the joint at "elbow_housing"
+void assemble_upper_arm_roll(Workspace& w) {
+  auto& i = w.j_upper_arm_roll;
+  load_torque(w, 2, 2, i.joined.tau);
+  const Mat6 X_Phi_A = i.X * w.j_shoulder_pitch.Phi_upper_arm;
+  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 2);
+  if (!join(i.joined, Phi_A, kPhi_elbow_housing, i.X * w.j_shoulder_pitch.b_upper_arm, w.j_upper_arm_roll.b, c))
+    fail(w, kFactorization, 2);
+  couple(i.joined, kPhi_elbow_housing, i.at_elbow_housing);
+  i.Phi_elbow_housing = kPhi_elbow_housing - product(i.at_elbow_housing, i.at_elbow_housing);  // Eq. (4)
+  i.b_elbow_housing = w.j_upper_arm_roll.b + bias_change(i.joined, i.at_elbow_housing);  // Eq. (7)
+}
+
+void disassemble_upper_arm_roll(Workspace& w) {
+  auto& i = w.j_upper_arm_roll;
+  Release<Revolute> release(i.joined);
+  release.feel_B(i.at_elbow_housing, w.j_upper_arm_roll.F_on_elbow_housing);
+  const Columns6 f = release.force();  // Eq. (8), (10)
+  store_acceleration(w, 2, 2, release.qdd());  // Eq. (9)
+  w.j_shoulder_pitch.F_on_upper_arm = -i.X.transposed_times(f);
+}
+
+// =================================================================================================
+// Joint 3 "elbow_pitch": revolute, between links "elbow_housing" and "forearm"
+// =================================================================================================
+
+void kinematics_elbow_pitch(Workspace& w) {
+  auto& i = w.j_elbow_pitch;
+  require_finite(w, w.q + 3, 1, 3);
+  require_finite(w, w.v + 3, 1, 3);
+  const Real q = w.q[3];
+  const Real c = std::cos(q), s = std::sin(q);
+  i.X.E << c, -3.673205103346574e-06f * s, 0.9999999999932537f * s,  //
+      -s, -3.673205103346574e-06f * c, 0.9999999999932537f * c,  //
+      0.0f, -0.9999999999932537f, -3.673205103346574e-06f;
+  i.X.r << 0.08f, 0.0f, 0.0f;
+  i.v = i.X * w.j_upper_arm_roll.v + joint_velocity<Revolute>(w.v + 3);
+}
+
+// A: the chain of "upper_arm_roll"; B: link "forearm"; C feels the joint at "forearm"
+void assemble_elbow_pitch(Workspace& w) {
+  auto& i = w.j_elbow_pitch;
+  load_torque(w, 3, 3, i.joined.tau);
+  const Mat6 X_Phi_A = i.X * w.j_upper_arm_roll.Phi_elbow_housing;
+  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 3);
+  if (!join(i.joined, Phi_A, kPhi_forearm, i.X * w.j_upper_arm_roll.b_elbow_housing, w.j_elbow_pitch.b, c))
+    fail(w, kFactorization, 3);
+  couple(i.joined, kPhi_forearm, i.at_forearm);
+  i.Phi_forearm = kPhi_forearm - product(i.at_forearm, i.at_forearm);  // Eq. (4)
+  i.b_forearm = w.j_elbow_pitch.b + bias_change(i.joined, i.at_forearm);  // Eq. (7)
+}
+
+void disassemble_elbow_pitch(Workspace& w) {
+  auto& i = w.j_elbow_pitch;
+  Release<Revolute> release(i.joined);
+  release.feel_B(i.at_forearm, w.j_elbow_pitch.F_on_forearm);
+  const Columns6 f = release.force();  // Eq. (8), (10)
+  store_acceleration(w, 3, 3, release.qdd());  // Eq. (9)
+  w.j_upper_arm_roll.F_on_elbow_housing = -i.X.transposed_times(f);
+}
+
+// =================================================================================================
+// Joint 4 "forearm_roll": revolute, between links "forearm" and "wrist_housing"
+// =================================================================================================
+
+void kinematics_forearm_roll(Workspace& w) {
+  auto& i = w.j_forearm_roll;
+  require_finite(w, w.q + 4, 1, 4);
+  require_finite(w, w.v + 4, 1, 4);
+  const Real q = w.q[4];
+  const Real c = std::cos(q), s = std::sin(q);
+  i.X.E << c, -3.673205103346574e-06f * s, -0.9999999999932537f * s,  //
+      -s, -3.673205103346574e-06f * c, -0.9999999999932537f * c,  //
+      0.0f, 0.9999999999932537f, -3.673205103346574e-06f;
+  i.X.r << -0.08f, 0.38f, 0.0f;
+  i.v = i.X * w.j_elbow_pitch.v + joint_velocity<Revolute>(w.v + 4);
+}
+
+// A: the chain of "elbow_pitch"; B: the chain of "wrist_pitch"; C feels the joint at no link
+void assemble_forearm_roll(Workspace& w) {
+  auto& i = w.j_forearm_roll;
+  load_torque(w, 4, 4, i.joined.tau);
+  const Mat6 X_Phi_A = i.X * w.j_elbow_pitch.Phi_forearm;
+  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
+  if (!join(i.joined, Phi_A, w.j_wrist_pitch.Phi_wrist_housing, i.X * w.j_elbow_pitch.b_forearm, w.j_wrist_pitch.b_wrist_housing, c))
+    fail(w, kFactorization, 4);
+}
+
+void disassemble_forearm_roll(Workspace& w) {
+  auto& i = w.j_forearm_roll;
+  Release<Revolute> release(i.joined);
+  const Columns6 f = release.force();  // Eq. (8), (10)
+  store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
+  w.j_elbow_pitch.F_on_forearm = -i.X.transposed_times(f);
+  w.j_wrist_pitch.F_on_wrist_housing = f;
+}
+
+// =================================================================================================
+// Joint 5 "wrist_pitch": revolute, between links "wrist_housing" and "wrist"
+// =================================================================================================
+
+void kinematics_wrist_pitch(Workspace& w) {
+  auto& i = w.j_wrist_pitch;
+  require_finite(w, w.q + 5, 1, 5);
+  require_finite(w, w.v + 5, 1, 5);
+  const Real q = w.q[5];
+  const Real c = std::cos(q), s = std::sin(q);
+  i.X.E << c, -3.673205103346574e-06f * s, 0.9999999999932537f * s,  //
+      -s, -3.673205103346574e-06f * c, 0.9999999999932537f * c,  //
+      0.0f, -0.9999999999932537f, -3.673205103346574e-06f;
+  i.X.r << 0.0f, 0.0f, 0.0f;
+  i.v = i.X * w.j_forearm_roll.v + joint_velocity<Revolute>(w.v + 5);
+}
+
+// A: link "wrist_housing"; B: the chain of "flange_roll"; C feels the joint at "wrist_housing"
+void assemble_wrist_pitch(Workspace& w) {
+  auto& i = w.j_wrist_pitch;
+  load_torque(w, 5, 5, i.joined.tau);
+  const Mat6 X_Phi_A = i.X * kPhi_wrist_housing;
+  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
+  if (!join(i.joined, Phi_A, w.j_flange_roll.Phi_wrist, i.X * w.j_forearm_roll.b, w.j_flange_roll.b_wrist, c))
+    fail(w, kFactorization, 5);
+  couple(i.joined, X_Phi_A, i.at_wrist_housing);
+  i.Phi_wrist_housing = kPhi_wrist_housing - product(i.at_wrist_housing, i.at_wrist_housing);  // Eq. (3)
+  i.b_wrist_housing = w.j_forearm_roll.b - bias_change(i.joined, i.at_wrist_housing);  // Eq. (6)
+}
+
+void disassemble_wrist_pitch(Workspace& w) {
+  auto& i = w.j_wrist_pitch;
+  Release<Revolute> release(i.joined);
+  release.feel_A(i.at_wrist_housing, w.j_wrist_pitch.F_on_wrist_housing);
+  const Columns6 f = release.force();  // Eq. (8), (10)
+  store_acceleration(w, 5, 5, release.qdd());  // Eq. (9)
+  w.j_flange_roll.F_on_wrist = f;
+}
+
+// =================================================================================================
+// Joint 6 "flange_roll": revolute, between links "wrist" and "hand"
+// =================================================================================================
+
+void kinematics_flange_roll(Workspace& w) {
+  auto& i = w.j_flange_roll;
+  require_finite(w, w.q + 6, 1, 6);
+  require_finite(w, w.v + 6, 1, 6);
+  const Real q = w.q[6];
+  const Real c = std::cos(q), s = std::sin(q);
+  i.X.E << c, -3.673205103346574e-06f * s, 0.9999999999932537f * s,  //
+      -s, -3.673205103346574e-06f * c, 0.9999999999932537f * c,  //
+      0.0f, -0.9999999999932537f, -3.673205103346574e-06f;
+  i.X.r << 0.09f, 0.0f, 0.0f;
+  i.v = i.X * w.j_wrist_pitch.v + joint_velocity<Revolute>(w.v + 6);
+}
+
+// A: link "wrist"; B: the chain of "left_finger_slide"; C feels the joint at "wrist"
+void assemble_flange_roll(Workspace& w) {
+  auto& i = w.j_flange_roll;
+  load_torque(w, 6, 6, i.joined.tau);
+  const Mat6 X_Phi_A = i.X * kPhi_wrist;
+  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
+  if (!join(i.joined, Phi_A, w.j_left_finger_slide.Phi_hand, i.X * w.j_wrist_pitch.b, w.j_left_finger_slide.b_hand, c))
+    fail(w, kFactorization, 6);
+  couple(i.joined, X_Phi_A, i.at_wrist);
+  i.Phi_wrist = kPhi_wrist - product(i.at_wrist, i.at_wrist);  // Eq. (3)
+  i.b_wrist = w.j_wrist_pitch.b - bias_change(i.joined, i.at_wrist);  // Eq. (6)
+}
+
+void disassemble_flange_roll(Workspace& w) {
+  auto& i = w.j_flange_roll;
+  Release<Revolute> release(i.joined);
+  release.feel_A(i.at_wrist, w.j_flange_roll.F_on_wrist);
+  const Columns6 f = release.force();  // Eq. (8), (10)
+  store_acceleration(w, 6, 6, release.qdd());  // Eq. (9)
+  w.j_left_finger_slide.F_on_hand = f;
+}
+
+// =================================================================================================
+// Joint 7 "left_finger_slide": prismatic, between links "hand" and "left_finger"
+// =================================================================================================
+
+void kinematics_left_finger_slide(Workspace& w) {
+  auto& i = w.j_left_finger_slide;
+  require_finite(w, w.q + 7, 1, 7);
+  require_finite(w, w.v + 7, 1, 7);
+  const Real q = w.q[7];
+  i.X.E << 0.0f, 0.0f, 1.0f,  //
+      1.0f, 0.0f, 0.0f,  //
+      0.0f, 1.0f, 0.0f;
+  i.X.r << 0.0f, q, 0.13f;
+  i.v = i.X * w.j_flange_roll.v + joint_velocity<Prismatic>(w.v + 7);
+}
+
+// A: the chain of "right_finger_slide"; B: link "left_finger"; C feels the joint at "hand"
+void assemble_left_finger_slide(Workspace& w) {
+  auto& i = w.j_left_finger_slide;
+  load_torque(w, 7, 7, i.joined.tau);
+  const Mat6 X_Phi_A = i.X * w.j_right_finger_slide.Phi_hand;
+  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+  const Columns6 c = velocity_product<Prismatic>(i.v, w.v + 7);
+  if (!join(i.joined, Phi_A, kPhi_left_finger, i.X * w.j_right_finger_slide.b_hand, w.j_left_finger_slide.b, c))
+    fail(w, kFactorization, 7);
+  couple(i.joined, X_Phi_A, i.at_hand);
+  i.Phi_hand = w.j_right_finger_slide.Phi_hand - product(i.at_hand, i.at_hand);  // Eq. (3)
+  i.b_hand = w.j_right_finger_slide.b_hand - bias_change(i.joined, i.at_hand);  // Eq. (6)
+}
+
+void disassemble_left_finger_slide(Workspace& w) {
+  auto& i = w.j_left_finger_slide;
+  Release<Prismatic> release(i.joined);
+  release.feel_A(i.at_hand, w.j_left_finger_slide.F_on_hand);
+  const Columns6 f = release.force();  // Eq. (8), (10)
+  store_acceleration(w, 7, 7, release.qdd());  // Eq. (9)
+  w.j_right_finger_slide.F_on_hand = w.j_left_finger_slide.F_on_hand - i.X.transposed_times(f);
+}
+
+// =================================================================================================
+// Joint 8 "right_finger_slide": prismatic, between links "hand" and "right_finger"
+// =================================================================================================
+
+void kinematics_right_finger_slide(Workspace& w) {
+  auto& i = w.j_right_finger_slide;
+  require_finite(w, w.q + 8, 1, 8);
+  require_finite(w, w.v + 8, 1, 8);
+  const Real q = w.q[8];
+  i.X.E << 0.0f, 0.0f, 1.0f,  //
+      -0.9999999999964793f, 2.65358979335273e-06f, 0.0f,  //
+      -2.65358979335273e-06f, -0.9999999999964793f, 0.0f;
+  i.X.r << -2.65358979335273e-06f * q, -0.9999999999964793f * q, 0.13f;
+  i.v = i.X * w.j_flange_roll.v + joint_velocity<Prismatic>(w.v + 8);
+}
+
+// A: link "hand"; B: link "right_finger"; C feels the joint at "hand"
+void assemble_right_finger_slide(Workspace& w) {
+  auto& i = w.j_right_finger_slide;
+  load_torque(w, 8, 8, i.joined.tau);
+  const Mat6 X_Phi_A = i.X * kPhi_hand;
+  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+  const Columns6 c = velocity_product<Prismatic>(i.v, w.v + 8);
+  if (!join(i.joined, Phi_A, kPhi_right_finger, i.X * w.j_flange_roll.b, w.j_right_finger_slide.b, c))
+    fail(w, kFactorization, 8);
+  couple(i.joined, X_Phi_A, i.at_hand);
+  i.Phi_hand = kPhi_hand - product(i.at_hand, i.at_hand);  // Eq. (3)
+  i.b_hand = w.j_flange_roll.b - bias_change(i.joined, i.at_hand);  // Eq. (6)
+}
+
+void disassemble_right_finger_slide(Workspace& w) {
+  auto& i = w.j_right_finger_slide;
+  Release<Prismatic> release(i.joined);
+  release.feel_A(i.at_hand, w.j_right_finger_slide.F_on_hand);
+  release.force();  // Eq. (8)
+  store_acceleration(w, 8, 8, release.qdd());  // Eq. (9)
+}
+
+
+// ---- 5. processes -------------------------------------------------------------------------------
+
+// Process 0: 5 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll"
+void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  kinematics_base_yaw(w);
+  kinematics_shoulder_pitch(w);
+  kinematics_upper_arm_roll(w);
+  kinematics_elbow_pitch(w);
+  kinematics_forearm_roll(w);
+  link_bias(kLinks[1], w.j_base_yaw.v, w.j_base_yaw.b);
+  assemble_base_yaw(w);
+  link_bias(kLinks[2], w.j_shoulder_pitch.v, w.j_shoulder_pitch.b);
+  assemble_shoulder_pitch(w);
+  link_bias(kLinks[3], w.j_upper_arm_roll.v, w.j_upper_arm_roll.b);
+  assemble_upper_arm_roll(w);
+  link_bias(kLinks[4], w.j_elbow_pitch.v, w.j_elbow_pitch.b);
+  assemble_elbow_pitch(w);
+  {  // from process 1: assembled: chain of "wrist_pitch"
+    const Real* from = channel.receive(0, w.status);
+    from = get(from, w.j_wrist_pitch.Phi_wrist_housing);
+    from = get(from, w.j_wrist_pitch.b_wrist_housing);
+  }
+  assemble_forearm_roll(w);
+  disassemble_forearm_roll(w);
+  {  // to process 1: forces on: chain of "wrist_pitch"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.j_wrist_pitch.F_on_wrist_housing);
+    channel.send(1, w.status);
+  }
+  disassemble_elbow_pitch(w);
+  disassemble_upper_arm_roll(w);
+  disassemble_shoulder_pitch(w);
+  disassemble_base_yaw(w);
+}
+
+// Process 1: 4 of 9 joints: "wrist_pitch", "flange_roll", "left_finger_slide", "right_finger_slide"; kinematics of 5 more on the way to the ground
+void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  kinematics_base_yaw(w);
+  kinematics_shoulder_pitch(w);
+  kinematics_upper_arm_roll(w);
+  kinematics_elbow_pitch(w);
+  kinematics_forearm_roll(w);
+  kinematics_wrist_pitch(w);
+  kinematics_flange_roll(w);
+  kinematics_left_finger_slide(w);
+  kinematics_right_finger_slide(w);
+  link_bias(kLinks[7], w.j_flange_roll.v, w.j_flange_roll.b);
+  link_bias(kLinks[9], w.j_right_finger_slide.v, w.j_right_finger_slide.b);
+  assemble_right_finger_slide(w);
+  link_bias(kLinks[8], w.j_left_finger_slide.v, w.j_left_finger_slide.b);
+  assemble_left_finger_slide(w);
+  link_bias(kLinks[6], w.j_wrist_pitch.v, w.j_wrist_pitch.b);
+  assemble_flange_roll(w);
+  link_bias(kLinks[5], w.j_forearm_roll.v, w.j_forearm_roll.b);
+  assemble_wrist_pitch(w);
+  {  // to process 0: assembled: chain of "wrist_pitch"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.j_wrist_pitch.Phi_wrist_housing);
+    to = put(to, w.j_wrist_pitch.b_wrist_housing);
+    channel.send(0, w.status);
+  }
+  {  // from process 0: forces on: chain of "wrist_pitch"
+    const Real* from = channel.receive(1, w.status);
+    from = get(from, w.j_wrist_pitch.F_on_wrist_housing);
+  }
+  disassemble_wrist_pitch(w);
+  disassemble_flange_roll(w);
+  disassemble_left_finger_slide(w);
+  disassemble_right_finger_slide(w);
+}
+
+constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
+
+// What each process reads of q and v, and the velocity entries whose tau and qdd are its own.
+constexpr std::array<int, 5> kReadQ_0{0, 1, 2, 3, 4};
+constexpr std::array<int, 5> kReadV_0{0, 1, 2, 3, 4};
+constexpr std::array<int, 5> kOwn_0{0, 1, 2, 3, 4};
+constexpr std::array<int, 9> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 7, 8};
+constexpr std::array<int, 9> kReadV_1{0, 1, 2, 3, 4, 5, 6, 7, 8};
+constexpr std::array<int, 4> kOwn_1{5, 6, 7, 8};
+constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
+    {5, kReadQ_0.data(), 5, kReadV_0.data(), 5, kOwn_0.data()},
+    {9, kReadQ_1.data(), 9, kReadV_1.data(), 4, kOwn_1.data()},
+} };
+
+// Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
+// first the state to each process, then the accelerations from each.
+class Solver {
+ public:
+  Workspace w;
+  Channel channel;
+  std::string text;  // of the last failure
+
+  // State and result in place: reads what this process needs, writes what it owns.
+  int solve(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+    if (channel.broken()) return finish(failure(kNoAnswer, 0));
+    prepare(q, v, tau, qdd);
+    kRun[channel.rank()](w, channel);
+    return finish(w.status);
+  }
+
+  // Everything through process 0: it has the state and gets all accelerations.
+  int solve_at_root(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+    if constexpr (kProcesses == 1) return solve(q, v, tau, qdd);
+    if (channel.broken()) return finish(failure(kNoAnswer, 0));
+    return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
+  }
+
+ private:
+  int solve_for_root() {
+    const int rank = channel.rank();
+    const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
+    if (own.v_count == 0) return finish(kFine);
+    int status = kFine;
+    const Real* content = channel.receive(state_message(rank), status);
+    for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
+    for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
+    for (int k = 0; k < own.v_count; ++k) tau_[own.v[k]] = *content++;
+    prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
+    Channel::fail(w.status, status);
+    kRun[rank](w, channel);
+    Real* result = channel.outgoing(result_message(rank), w.status);
+    for (int k = 0; k < own.v_count; ++k) result[k] = qdd_[own.v[k]];
+    channel.send(result_message(rank), w.status);
+    return finish(w.status);
+  }
+
+  int solve_as_root(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+    int status = kFine;
+    for (int p = 1; p < kProcesses; ++p) {
+      const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
+      if (other.v_count == 0) continue;
+      Real* content = channel.outgoing(state_message(p), status);
+      for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
+      for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
+      for (int k = 0; k < other.v_count; ++k) *content++ = tau[other.v[k]];
+      channel.send(state_message(p), status);
+    }
+    prepare(q, v, tau, qdd_.data());
+    Channel::fail(w.status, status);
+    kRun[0](w, channel);
+    for (int p = 1; p < kProcesses; ++p) {
+      const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
+      if (other.v_count == 0) continue;
+      const Real* result = channel.receive(result_message(p), w.status);
+      for (int k = 0; k < other.v_count; ++k) qdd_[other.v[k]] = result[k];
+    }
+    if (w.status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
+    return finish(w.status);
+  }
+
+  void prepare(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+    w.q = q;
+    w.v = v;
+    w.tau = tau;
+    w.qdd = qdd;
+    w.status = kFine;
+  }
+
+  int finish(int status) {
+    if (status != kFine) text = describe(status);
+    return status;
+  }
+
+  static int state_message(int process) { return kPlanMessages + 2 * (process - 1); }
+  static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
+
+  std::array<Real, kNq> q_{};
+  std::array<Real, kNv> v_{}, tau_{}, qdd_{};
+};
+
+}  // namespace
+
+struct arm7_float_p2_solver : Solver {};
+
+extern "C" {
+
+int arm7_float_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv) {
+  if (k < 0 || k >= kJointCount) return 0;
+  const JointConstants& joint = kJoints[k];
+  *name = joint.name, *q = joint.q, *nq = joint.nq, *v = joint.v, *nv = joint.nv;
+  return 1;
+}
+
+arm7_float_p2_solver* arm7_float_p2_open(MPI_Comm comm, const char* channel, double time_limit) {
+  int size = 0;
+  MPI_Comm_size(comm, &size);
+  const std::string kind = channel;
+  if (size != kProcesses || (kind != "auto" && kind != "window" && kind != "message")) return nullptr;
+  auto* const solver = new arm7_float_p2_solver;
+  const ChannelMode mode = kind == "window"    ? ChannelMode::kWindow
+                           : kind == "message" ? ChannelMode::kMessage
+                                               : ChannelMode::kAuto;
+  if (solver->channel.open(comm, mode, time_limit).empty()) return solver;
+  arm7_float_p2_close(solver);
+  return nullptr;
+}
+
+int arm7_float_p2_solve(arm7_float_p2_solver* solver, const float* q, const float* v, const float* tau, float* qdd) {
+  return solver->solve(q, v, tau, qdd);
+}
+
+int arm7_float_p2_solve_at_root(arm7_float_p2_solver* solver, const float* q, const float* v, const float* tau, float* qdd) {
+  return solver->solve_at_root(q, v, tau, qdd);
+}
+
+const char* arm7_float_p2_failure(const arm7_float_p2_solver* solver) { return solver->text.c_str(); }
+
+void arm7_float_p2_close(arm7_float_p2_solver* solver) {
+  solver->channel.close();
+  delete solver;
+}
+
+}  // extern "C"
+
+// ---- 6. program ---------------------------------------------------------------------------------
+
+#ifndef ADAGEN_NO_MAIN
+namespace {
+
+// An independent check: inverse dynamics by Newton's and Euler's equations, body by body, in
+// double. It shares the model's constants with the solver, and no arithmetic.
+namespace check {
+
+using Vec = std::array<double, 3>;
+using Mat = std::array<Vec, 3>;
+
+Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Vec cross(const Vec& a, const Vec& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vec times(const Mat& m, const Vec& a) {
+  Vec result{};
+  for (int i = 0; i < 3; ++i) result[i] = m[i][0] * a[0] + m[i][1] * a[1] + m[i][2] * a[2];
+  return result;
+}
+Vec transposed_times(const Mat& m, const Vec& a) {
+  Vec result{};
+  for (int i = 0; i < 3; ++i) result[i] = m[0][i] * a[0] + m[1][i] * a[1] + m[2][i] * a[2];
+  return result;
+}
+Mat times(const Mat& a, const Mat& b) {
+  Mat result{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
+  return result;
+}
+Vec vec3(const Real* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
+Mat mat3(const Real* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
+
+struct Body {
+  Mat turn;   // child to parent coordinates
+  Vec shift;  // child origin in parent coordinates
+  Vec w, dw;  // angular velocity and acceleration, in the body's frame
+  Vec a;      // acceleration of its origin minus gravity, in the body's frame
+  Vec f, n;   // force on it through its joint, and moment about its origin
+};
+
+// Rotation and origin of the child frame in the joint frame.
+void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift) {
+  turn = {Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
+  shift = {};
+  const auto about_z = [&turn](double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    turn = {Vec{c, -s, 0}, Vec{s, c, 0}, Vec{0, 0, 1}};
+  };
+  const auto orient = [&turn](const Real* p) {
+    double x = double(p[0]), y = double(p[1]), z = double(p[2]), w = double(p[3]);
+    const double length = std::sqrt(x * x + y * y + z * z + w * w);
+    x /= length, y /= length, z /= length, w /= length;
+    turn = {Vec{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+            Vec{2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+            Vec{2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}};
+  };
+  switch (joint.kind) {
+    case JointKind::kRevolute:
+      about_z(double(q[0]));
+      break;
+    case JointKind::kPrismatic:
+      shift[2] = double(q[0]);
+      break;
+    case JointKind::kSpherical:
+      orient(q);
+      break;
+    case JointKind::kPlanar:
+      about_z(double(q[2])), shift = {double(q[0]), double(q[1]), 0};
+      break;
+    case JointKind::kFloating:
+      orient(q + 3), shift = vec3(q);
+      break;
+  }
+}
+
+// Angular and linear part of a joint's velocity or acceleration, in the child's frame.
+void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linear) {
+  angular = linear = {};
+  switch (joint.kind) {
+    case JointKind::kRevolute:
+      angular[2] = double(x[0]);
+      break;
+    case JointKind::kPrismatic:
+      linear[2] = double(x[0]);
+      break;
+    case JointKind::kSpherical:
+      angular = vec3(x);
+      break;
+    case JointKind::kPlanar:
+      linear = {double(x[0]), double(x[1]), 0}, angular[2] = double(x[2]);
+      break;
+    case JointKind::kFloating:
+      linear = vec3(x), angular = vec3(x + 3);
+      break;
+  }
+}
+
+// Torques that give accelerations qdd at (q, v); slaved joints count through their sources'
+// torques.
+void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau) {
+  static std::array<Body, kLinkCount> body;
+  body[0] = {};
+  for (int k = 0; k < 3; ++k) body[0].a[k] = -kGravity[k];
+  for (int j = 0; j < kJointCount; ++j) {
+    const JointConstants& joint = kJoints[j];
+    const LinkConstants& link = kLinks[j + 1];
+    const Body& parent = body[joint.parent];
+    Body& b = body[j + 1];
+    Mat turn;
+    Vec shift, spin, slide, spin_rate, slide_rate;
+    displace(joint, q + joint.q, turn, shift);
+    motion(joint, v + joint.v, spin, slide);
+    motion(joint, qdd + joint.v, spin_rate, slide_rate);
+    b.turn = times(mat3(joint.rotation), turn);
+    b.shift = vec3(joint.translation) + times(mat3(joint.rotation), shift);
+    const Vec carried = transposed_times(b.turn, parent.w);
+    b.w = carried + spin;
+    b.dw = transposed_times(b.turn, parent.dw) + cross(carried, spin) + spin_rate;
+    const Vec at_origin =
+        parent.a + cross(parent.dw, b.shift) + cross(parent.w, cross(parent.w, b.shift));
+    const Vec coriolis = cross(carried, slide);
+    b.a =
+        transposed_times(b.turn, at_origin) + coriolis + coriolis + cross(spin, slide) + slide_rate;
+    const Vec c = vec3(link.com);
+    const Vec at_com = b.a + cross(b.dw, c) + cross(b.w, cross(b.w, c));
+    const Mat inertia = mat3(link.tensor);
+    for (int k = 0; k < 3; ++k) b.f[k] = double(link.mass) * at_com[k];
+    b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
+  }
+  for (int j = kJointCount - 1; j >= 0; --j) {
+    const JointConstants& joint = kJoints[j];
+    const Body& b = body[j + 1];
+    double* t = tau + joint.v;
+    switch (joint.kind) {
+      case JointKind::kRevolute:
+        t[0] = b.n[2];
+        break;
+      case JointKind::kPrismatic:
+        t[0] = b.f[2];
+        break;
+      case JointKind::kSpherical:
+        std::copy(b.n.begin(), b.n.end(), t);
+        break;
+      case JointKind::kPlanar:
+        t[0] = b.f[0], t[1] = b.f[1], t[2] = b.n[2];
+        break;
+      case JointKind::kFloating:
+        std::copy(b.f.begin(), b.f.end(), t);
+        std::copy(b.n.begin(), b.n.end(), t + 3);
+        break;
+    }
+    Body& parent = body[joint.parent];
+    const Vec force = times(b.turn, b.f);
+    parent.f = parent.f + force;
+    parent.n = parent.n + times(b.turn, b.n) + cross(b.shift, force);
+  }
+  for (int j = 0; j < kJointCount; ++j) {
+    if (kJoints[j].source < 0) continue;
+    tau[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * tau[kJoints[j].v];
+    tau[kJoints[j].v] = 0;
+  }
+}
+
+// |ID(q, v, qdd) - tau| relative to the size of the torques that it balances.
+double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
+  static std::array<double, kNv> needed, at_rest;
+  static std::array<Real, kNv> zero{};
+  inverse_dynamics(q, v, qdd, needed.data());
+  inverse_dynamics(q, v, zero.data(), at_rest.data());
+  std::array<double, kNv> given{};
+  for (int k = 0; k < kNv; ++k) given[k] = double(tau[k]);
+  for (int j = 0; j < kJointCount; ++j) {
+    if (kJoints[j].source < 0) continue;
+    given[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * given[kJoints[j].v];
+    given[kJoints[j].v] = 0;
+  }
+  double error = 0, size = 0;
+  for (int k = 0; k < kNv; ++k) {
+    error += (needed[k] - given[k]) * (needed[k] - given[k]);
+    size += given[k] * given[k] + at_rest[k] * at_rest[k];
+  }
+  return size > 0 ? std::sqrt(error / size) : std::sqrt(error);
+}
+
+}  // namespace check
+
+// Reads a states file (JSON) and writes a result file, joints by name.
+struct States {
+  int count = 0;
+  std::vector<Real> q, v, tau;  // one state after the other
+};
+
+class StatesReader {
+ public:
+  explicit StatesReader(std::string text) : text_(std::move(text)) {}
+
+  // Returns an empty string, or what is wrong, as "LINE: message".
+  std::string read(States& states) {
+    try {
+      parse(states);
+      return "";
+    } catch (const std::runtime_error& error) {
+      return std::to_string(
+                 1 + std::count(text_.begin(), text_.begin() + static_cast<long>(at_), '\n')) +
+             ": error: " + error.what();
+    }
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw std::runtime_error(where_ + what);
+  }
+
+  void parse(States& states) {
+    std::array<bool, kJointCount> seen{};
+    bool joints = false;
+    object([&](const std::string& key) {
+      if (key == "joints") {
+        joints = true;
+        object([&](const std::string& name) { read_joint(name, seen, states); });
+      } else if (key == "floating") {
+        if (boolean() != kFloatingBase)
+          refuse(std::string("\"floating\": this solver's base is ") +
+                 (kFloatingBase ? "floating" : "fixed") + "; generate it anew");
+      } else if (key == "gravity") {
+        const std::vector<double> given = numbers();
+        if (given.size() != 3 || !std::equal(given.begin(), given.end(), kGravity.begin()))
+          refuse("\"gravity\": another gravity is compiled into this solver; generate it anew");
+      } else {
+        refuse("unknown member " + quoted(key.c_str()));
+      }
+    });
+    white();
+    if (at_ != text_.size()) refuse("text behind the end");
+    if (!joints) refuse("\"joints\" is missing");
+    for (int j = 0; j < kJointCount; ++j)
+      if (!seen[j] && kJoints[j].source < 0)
+        refuse("joint " + quoted(kJoints[j].name) + " is missing");
+    fill_slaved(states);
+  }
+
+  void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
+    int j = 0;
+    while (j < kJointCount && name != kJoints[j].name) ++j;
+    if (j == kJointCount) refuse("unknown joint " + quoted(name.c_str()));
+    const std::string joint = "joint " + quoted(name.c_str());
+    if (seen[j]) refuse(joint + " comes twice");
+    seen[j] = true;
+    std::array<bool, 3> found{};
+    object([&](const std::string& key) {
+      if (key == "type" || key == "qdd") return skip();  // as in a file of true answers
+      const char* const fields[] = {"q", "v", "tau"};
+      const auto field = std::find(std::begin(fields), std::end(fields), key);
+      if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
+      bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
+      if (there) refuse(joint + ": " + key + " comes twice");
+      there = true;
+      where_ = joint + ": " + key + ": ";
+      read_field(kJoints[j], key, states);
+      where_.clear();
+    });
+    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and tau");
+  }
+
+  // One of q, v and tau of a joint: an entry for each state.
+  void read_field(const JointConstants& joint, const std::string& key, States& states) {
+    const bool is_q = key == "q";
+    const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
+    const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
+    const std::size_t stride = is_q ? kNq : kNv;
+    std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
+    int count = 0;
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != size)
+        refuse("state " + std::to_string(count + 1) + " has " + std::to_string(entry.size()) +
+               " numbers, not " + std::to_string(size));
+      const std::size_t row = stride * static_cast<std::size_t>(count);
+      if (values.size() < row + stride) values.resize(row + stride);
+      for (std::size_t k = 0; k < size; ++k) values[row + start + k] = static_cast<Real>(entry[k]);
+      ++count;
+    });
+    if (count == 0) refuse("there is no state");
+    if (states.count == 0) states.count = count;
+    if (count != states.count)
+      refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
+  }
+
+  static void fill_slaved(States& states) {
+    for (int s = 0; s < states.count; ++s)
+      slave(states.q.data() + static_cast<long>(s) * kNq,
+            states.v.data() + static_cast<long>(s) * kNv);
+  }
+
+  void white() {
+    while (at_ < text_.size() && std::strchr(" \t\r\n", text_[at_]) != nullptr) ++at_;
+  }
+  char peek() {
+    white();
+    if (at_ >= text_.size()) refuse("the file ends too early");
+    return text_[at_];
+  }
+  void expect(char c) {
+    if (peek() != c) refuse(std::string("expected '") + c + "', found '" + text_[at_] + "'");
+    ++at_;
+  }
+  bool take(char c) {
+    if (peek() != c) return false;
+    ++at_;
+    return true;
+  }
+
+  template <class Item>
+  void array(Item item) {
+    if (++depth_ > 64) refuse("nested too deeply");
+    expect('[');
+    if (!take(']')) {
+      do item();
+      while (take(','));
+      expect(']');
+    }
+    --depth_;
+  }
+  template <class Item>
+  void object(Item item) {
+    if (++depth_ > 64) refuse("nested too deeply");
+    expect('{');
+    if (!take('}')) {
+      do {
+        const std::string key = string();
+        expect(':');
+        item(key);
+      } while (take(','));
+      expect('}');
+    }
+    --depth_;
+  }
+
+  std::vector<double> numbers() {
+    std::vector<double> result;
+    if (peek() == '[')
+      array([&] { result.push_back(number()); });
+    else
+      result.push_back(number());
+    return result;
+  }
+
+  double number() {
+    peek();
+    const std::size_t start = at_;
+    const auto digits = [this] {
+      const std::size_t first = at_;
+      while (at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9') ++at_;
+      return at_ > first;
+    };
+    const auto next_is = [this](char a, char b) {
+      return at_ < text_.size() && (text_[at_] == a || text_[at_] == b);
+    };
+    if (next_is('-', '-')) ++at_;
+    bool good = digits();
+    if (good && next_is('.', '.')) ++at_, good = digits();
+    if (good && next_is('e', 'E')) {
+      ++at_;
+      if (next_is('+', '-')) ++at_;
+      good = digits();
+    }
+    double value = 0;
+    if (good) {
+      const auto end = std::from_chars(text_.data() + start, text_.data() + at_, value);
+      good = end.ec == std::errc() && end.ptr == text_.data() + at_ && std::isfinite(value);
+    }
+    if (!good) refuse("expected a finite number");
+    return value;
+  }
+
+  bool boolean() {
+    peek();
+    for (const bool value : {true, false}) {
+      const std::string word = value ? "true" : "false";
+      if (text_.compare(at_, word.size(), word) == 0) {
+        at_ += word.size();
+        return value;
+      }
+    }
+    refuse("expected true or false");
+  }
+
+  std::string string() {
+    expect('"');
+    std::string result;
+    for (;;) {
+      if (at_ >= text_.size()) refuse("a string does not end");
+      const char c = text_[at_++];
+      if (c == '"') return result;
+      if (static_cast<unsigned char>(c) < 0x20) refuse("a control character in a string");
+      if (c != '\\') {
+        result += c;
+        continue;
+      }
+      if (at_ >= text_.size()) refuse("a string does not end");
+      const char escape = text_[at_++];
+      const char* const from = "\"\\/bfnrt";
+      const char* const to = "\"\\/\b\f\n\r\t";
+      if (const char* place = std::strchr(from, escape); place != nullptr && escape != '\0')
+        result += to[place - from];
+      else if (escape == 'u')
+        append_utf8(result, code_point());
+      else
+        refuse("an unknown escape in a string");
+    }
+  }
+
+  unsigned hex4() {
+    if (at_ + 4 > text_.size()) refuse("a string does not end");
+    unsigned value = 0;
+    const auto end = std::from_chars(text_.data() + at_, text_.data() + at_ + 4, value, 16);
+    if (end.ec != std::errc() || end.ptr != text_.data() + at_ + 4)
+      refuse("four hexadecimal digits expected");
+    at_ += 4;
+    return value;
+  }
+  unsigned code_point() {
+    const unsigned high = hex4();
+    if (high < 0xD800 || high > 0xDBFF) return high;
+    if (text_.compare(at_, 2, "\\u") != 0) refuse("half a surrogate pair in a string");
+    at_ += 2;
+    return 0x10000 + ((high - 0xD800) << 10) + ((hex4() - 0xDC00) & 0x3FF);
+  }
+  static void append_utf8(std::string& s, unsigned c) {
+    const auto put = [&s](unsigned byte) { s += static_cast<char>(byte); };
+    if (c < 0x80) return put(c);
+    if (c < 0x800) return put(0xC0 | c >> 6), put(0x80 | (c & 63));
+    if (c < 0x10000) return put(0xE0 | c >> 12), put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
+    put(0xF0 | c >> 18), put(0x80 | (c >> 12 & 63)), put(0x80 | (c >> 6 & 63)),
+        put(0x80 | (c & 63));
+  }
+
+  void skip() {
+    const char c = peek();
+    if (c == '{')
+      object([&](const std::string&) { skip(); });
+    else if (c == '[')
+      array([&] { skip(); });
+    else if (c == '"')
+      string();
+    else if (c == 't' || c == 'f')
+      boolean();
+    else if (text_.compare(at_, 4, "null") == 0)
+      at_ += 4;
+    else
+      number();
+  }
+
+  std::string text_, where_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+bool write_result(const std::string& path, const std::vector<Real>& qdd, int count) {
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  if (file == nullptr) return false;
+  std::fputs("{\"joints\": {", file);
+  for (int j = 0; j < kJointCount; ++j) {
+    std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",", quoted(kJoints[j].name).c_str());
+    for (int s = 0; s < count; ++s) {
+      const Real* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
+      std::fputs(s == 0 ? "" : ", ", file);
+      if (kJoints[j].nv > 1) std::fputs("[", file);
+      for (int k = 0; k < kJoints[j].nv; ++k)
+        std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
+      if (kJoints[j].nv > 1) std::fputs("]", file);
+    }
+    std::fputs("]}", file);
+  }
+  std::fputs("\n}}\n", file);
+  const bool good = std::ferror(file) == 0;
+  return std::fclose(file) == 0 && good;
+}
+
+constexpr ChannelMode kChannelMode = ChannelMode::kAuto;
+
+// What the program is asked to do.
+struct Options {
+  std::string states, result;
+  bool check = false, time = false, json = false, help = false, pin = true;
+  int repeat = 200;
+  std::uint64_t seed = 1;
+  double time_limit = 30, tolerance = kTolerance;
+  ChannelMode channel = kChannelMode;
+};
+
+enum ExitStatus : int { kDone = 0, kInputAtFault = 1, kUsage = 2, kFault = 3 };
+
+const char* const kUsageText =
+    "  --states FILE     solve these states (JSON, joints by name); --result FILE takes the "
+    "answer\n"
+    "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
+    "  --check           residual of an independent inverse dynamics, for the given or random "
+    "states\n"
+    "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
+    "  --repeat N        evaluations of each random state when timing (200)\n"
+    "  --seed N          seed of the random states (1)\n"
+    "  --tolerance X     largest residual that --check lets pass\n"
+    "  --channel KIND    auto, window (processes share memory) or message (MPI messages)\n"
+    "  --timeout S       how long a process waits for another before it gives up, in seconds (30)\n"
+    "  --no-pin          leave the processes to the system's scheduler when timing\n"
+    "  --json            report as JSON on standard output\n"
+    "  --help            this text\n"
+    "Without --states, --check or --time it checks and times. Exit status: 0 done, 1 input at "
+    "fault\n"
+    "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
+
+// Returns an empty string, or what is wrong.
+std::string parse(int count, char** words, Options& options) {
+  for (int k = 1; k < count; ++k) {
+    const std::string word = words[k];
+    const auto flag = [&word](const char* name) { return word == name; };
+    if (flag("--check"))
+      options.check = true;
+    else if (flag("--time"))
+      options.time = true;
+    else if (flag("--json"))
+      options.json = true;
+    else if (flag("--help"))
+      options.help = true;
+    else if (flag("--no-pin"))
+      options.pin = false;
+    else {
+      const char* const known[] = {"--states",    "--result",  "--repeat", "--seed",
+                                   "--tolerance", "--channel", "--timeout"};
+      if (std::none_of(std::begin(known), std::end(known), flag)) return "unknown option " + word;
+      if (k + 1 == count) return word + " needs a value";
+      const std::string value = words[++k];
+      char* end = nullptr;
+      const double number = std::strtod(value.c_str(), &end);
+      const bool numeric = !value.empty() && *end == '\0' && std::isfinite(number) && number >= 0;
+      if (flag("--states"))
+        options.states = value;
+      else if (flag("--result"))
+        options.result = value;
+      else if (flag("--channel")) {
+        if (value == "auto")
+          options.channel = ChannelMode::kAuto;
+        else if (value == "window")
+          options.channel = ChannelMode::kWindow;
+        else if (value == "message")
+          options.channel = ChannelMode::kMessage;
+        else
+          return "--channel takes auto, window or message";
+      } else if (!numeric)
+        return word + " takes a number of 0 or more, not \"" + value + "\"";
+      else if (flag("--repeat")) {
+        if (number < 1 || number > 1e6 || number != std::floor(number))
+          return "--repeat takes a whole number from 1 to 1000000";
+        options.repeat = static_cast<int>(number);
+      } else if (flag("--seed")) {
+        if (number > 0x1p53 || number != std::floor(number))
+          return "--seed takes a whole number of 0 or more";
+        options.seed = static_cast<std::uint64_t>(number);
+      } else if (flag("--tolerance"))
+        options.tolerance = number;
+      else if (number <= 0 || number > 1e6)
+        return "--timeout takes a number of seconds above 0, at most 1000000";
+      else
+        options.time_limit = number;
+    }
+  }
+  if (!options.result.empty() && options.states.empty()) return "--result needs --states";
+  if (options.json && options.result.empty() && !options.states.empty())
+    return "--json needs --result FILE where there are --states: both would go to standard output";
+  if (options.states.empty() && !options.check && !options.time)
+    options.check = options.time = true;
+  return "";
+}
+
+// Bounds the waits that the channel does not: MPI's own collective calls wait for ever for a
+// process that was stopped. Whoever sees no progress for the time limit, and a second for the
+// channel to say it better, ends, and mpiexec ends the others.
+class Watch {
+ public:
+  void start(int rank, double time_limit) {
+    std::snprintf(text(), kLength,
+                  "error: process %d: another process did not answer within the time limit\n",
+                  rank);
+    seconds_ = time_limit + 1;
+#if defined(__unix__) || defined(__APPLE__)
+    struct sigaction action = {};
+    action.sa_handler = give_up;
+    sigaction(SIGALRM, &action, nullptr);
+#endif
+    again();
+  }
+
+  // There was progress: the time starts anew.
+  void again() const {
+#if defined(__unix__) || defined(__APPLE__)
+    itimerval timer = {};
+    timer.it_value.tv_sec = static_cast<decltype(timer.it_value.tv_sec)>(seconds_);
+    timer.it_value.tv_usec =
+        static_cast<decltype(timer.it_value.tv_usec)>(1e6 * (seconds_ - std::floor(seconds_)));
+    setitimer(ITIMER_REAL, &timer, nullptr);
+#endif
+  }
+
+ private:
+  static constexpr std::size_t kLength = 100;
+
+  static char* text() {
+    static char place[kLength];
+    return place;
+  }
+
+#if defined(__unix__) || defined(__APPLE__)
+  // Only what a signal handler may call.
+  static void give_up(int) {
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, text(), std::strlen(text()));
+    _exit(kFault);
+  }
+#endif
+
+  double seconds_ = 0;
+};
+
+// The program around the solver: solves given states, checks, times, reports.
+
+// Random states, the same on every machine (splitmix64).
+States random_states(int count, std::uint64_t seed) {
+  const auto uniform = [&seed] {
+    std::uint64_t z = (seed += 0x9E3779B97F4A7C15ULL);
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
+    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;  // in [-1, 1)
+  };
+  States states;
+  states.count = count;
+  const auto size = [count](int n) {
+    return static_cast<std::size_t>(count) * static_cast<std::size_t>(n);
+  };
+  states.q.resize(size(kNq));
+  states.v.resize(size(kNv));
+  states.tau.resize(size(kNv));
+  for (int s = 0; s < count; ++s) {
+    Real* q =
+        states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Real* v =
+        states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Real* tau = states.tau.data() + (v - states.v.data());
+    for (const JointConstants& joint : kJoints) {
+      const bool turns = joint.kind == JointKind::kRevolute;
+      for (int k = 0; k < joint.nq; ++k)
+        q[joint.q + k] = static_cast<Real>(turns ? 3.141592653589793 * uniform() : uniform());
+      if (joint.nq >= 4) {
+        double p[4], squared;
+        do {
+          squared = 0;
+          for (double& x : p) x = uniform(), squared += x * x;
+        } while (squared > 1 || squared < 0.01);
+        for (int k = 0; k < 4; ++k)
+          q[joint.q + joint.nq - 4 + k] = static_cast<Real>(p[k] / std::sqrt(squared));
+      }
+      for (int k = 0; k < joint.nv; ++k) {
+        v[joint.v + k] = static_cast<Real>(uniform());
+        tau[joint.v + k] = static_cast<Real>(uniform());
+      }
+    }
+    slave(q, v);
+  }
+  return states;
+}
+
+// The states file, read by process 0 and handed to all.
+int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
+  int status = kDone;
+  if (rank == 0) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    std::string wrong;
+    if (!file || text.bad())
+      wrong = " error: cannot read the states file";
+    else
+      wrong = StatesReader(text.str()).read(states);
+    if (!wrong.empty()) {
+      std::fprintf(stderr, "%s:%s\n", path.c_str(), wrong.c_str());
+      status = kInputAtFault;
+    }
+  }
+  MPI_Bcast(&status, 1, MPI_INT, 0, comm);
+  if (status != kDone) return status;
+  MPI_Bcast(&states.count, 1, MPI_INT, 0, comm);
+  const auto share = [&](std::vector<Real>& x, int n) {
+    x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
+    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiReal, 0, comm);
+  };
+  share(states.q, kNq);
+  share(states.v, kNv);
+  share(states.tau, kNv);
+  return status;
+}
+
+struct Statistics {
+  double median = 0, least = 0, percentile99 = 0;
+};
+
+Statistics statistics(std::vector<double> ns) {
+  std::sort(ns.begin(), ns.end());
+  const auto at = [&ns](double part) {
+    return ns[std::min(ns.size() - 1,
+                       static_cast<std::size_t>(part * static_cast<double>(ns.size())))];
+  };
+  return {at(0.5), ns.front(), at(0.99)};
+}
+
+class Program {
+ public:
+  Program(Options options, int rank) : options_(std::move(options)), rank_(rank) {}
+
+  int run() {
+    watch_.start(rank_, options_.time_limit);
+    const std::string wrong =
+        solver_.channel.open(MPI_COMM_WORLD, options_.channel, options_.time_limit);
+    if (!wrong.empty()) return complain(kFault, wrong);
+    int status = kDone;
+    if (!options_.states.empty()) {
+      status = load(options_.states, solver_.channel.comm(), rank_, states_);
+      if (status == kDone) status = solve_all();
+      if (status == kDone && rank_ == 0) {
+        const std::string path = options_.result.empty() ? "/dev/stdout" : options_.result;
+        if (!write_result(path, qdd_, states_.count))
+          status = complain(kFault, "cannot write the result", path);
+      }
+      MPI_Bcast(&status, 1, MPI_INT, 0, solver_.channel.comm());
+    } else if (options_.check) {
+      states_ = random_states(kRandomStates, options_.seed);
+      status = solve_all();
+    }
+    watch_.again();
+    if (status == kDone && options_.check) status = check_all();
+    if (status != kFault && status != kUsage && options_.time) {
+      const int timed = time_all();
+      if (status == kDone) status = timed;
+    }
+    if (rank_ == 0 && status != kFault) report();
+    watch_.again();
+    solver_.channel.close();
+    return status;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  int complain(int status, const std::string& what, const std::string& file = "") const {
+    const std::string place = file.empty() ? "" : file + ": ";
+    if (rank_ == 0) std::fprintf(stderr, "%serror: %s\n", place.c_str(), what.c_str());
+    return status;
+  }
+
+  const Real* q(int s) const { return states_.q.data() + static_cast<long>(s) * kNq; }
+  const Real* v(int s) const { return states_.v.data() + static_cast<long>(s) * kNv; }
+  const Real* tau(int s) const { return states_.tau.data() + static_cast<long>(s) * kNv; }
+
+  // A process that waited in vain cannot be waited for: the whole run ends.
+  void give_up_if_broken(int failed) const {
+    if (failure_kind(failed) != kNoAnswer) return;
+    std::fprintf(stderr, "error: process %d: %s\n", rank_, describe(failed).c_str());
+    std::fflush(stderr);
+    MPI_Abort(MPI_COMM_WORLD, kFault);
+  }
+
+  // Accelerations of all states, in place, then gathered at process 0.
+  int solve_all() {
+    qdd_.assign(static_cast<std::size_t>(states_.count) * kNv, Real(0));
+    int failed = kFine, at = 0;
+    for (int s = 0; s < states_.count && failed == kFine; ++s) {
+      watch_.again();
+      failed = solver_.solve(q(s), v(s), tau(s), qdd_.data() + static_cast<long>(s) * kNv);
+      give_up_if_broken(failed);
+      // Processes that share no joint's motion do not hear of each other's failures by themselves.
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, solver_.channel.comm());
+      at = s;
+    }
+    if (failed != kFine)
+      return complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
+                      options_.states);
+    solved_ = states_.count;
+    // Each process wrote its own joints and left the others zero.
+    void* const all = qdd_.data();
+    const int size = static_cast<int>(qdd_.size());
+    if (rank_ == 0)
+      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiReal, MPI_SUM, 0, solver_.channel.comm());
+    else
+      MPI_Reduce(all, nullptr, size, kMpiReal, MPI_SUM, 0, solver_.channel.comm());
+    return kDone;
+  }
+
+  int check_all() {
+    int status = kDone;
+    if (rank_ == 0) {
+      std::vector<double> residuals;
+      for (int s = 0; s < states_.count; ++s)
+        residuals.push_back(
+            check::residual(q(s), v(s), tau(s), qdd_.data() + static_cast<long>(s) * kNv));
+      std::sort(residuals.begin(), residuals.end());
+      residual_median_ = residuals[residuals.size() / 2];
+      residual_max_ = residuals.back();
+      checked_ = true;
+      if (!(residual_max_ <= options_.tolerance)) status = kInputAtFault;
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, solver_.channel.comm());
+    return status;
+  }
+
+  // Each process on a core of its own, where there are enough of them.
+  bool pin() const {
+    int pinned = 0;
+#if defined(__linux__)
+    MPI_Comm node;
+    int place = 0, count = 1;
+    MPI_Comm_split_type(solver_.channel.comm(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+    MPI_Comm_rank(node, &place);
+    MPI_Comm_size(node, &count);
+    MPI_Comm_free(&node);
+    cpu_set_t allowed, one;
+    if (options_.pin && sched_getaffinity(0, sizeof allowed, &allowed) == 0 &&
+        CPU_COUNT(&allowed) >= count) {
+      int cpu = 0;
+      for (int k = -1; cpu < CPU_SETSIZE; ++cpu)
+        if (CPU_ISSET(cpu, &allowed) && ++k == place) break;
+      CPU_ZERO(&one);
+      CPU_SET(cpu, &one);
+      pinned = sched_setaffinity(0, sizeof one, &one) == 0;
+    }
+#endif
+    MPI_Allreduce(MPI_IN_PLACE, &pinned, 1, MPI_INT, MPI_MIN, solver_.channel.comm());
+    return pinned != 0;
+  }
+
+  // All processes start an evaluation at the same instant of their common clock (on one node).
+  Clock::time_point start_together() const {
+    if (kProcesses == 1) return Clock::now();
+    Clock::rep start = 0;
+    if (rank_ == 0)
+      start = (Clock::now() + std::chrono::microseconds(5)).time_since_epoch().count();
+    MPI_Bcast(&start, static_cast<int>(sizeof start), MPI_BYTE, 0, solver_.channel.comm());
+    const Clock::time_point at{Clock::duration(start)};
+    const Clock::time_point latest = Clock::now() + std::chrono::microseconds(50);
+    Clock::time_point now;
+    while ((now = Clock::now()) < at && now < latest) relax();
+    return now;
+  }
+
+  int time_all() {
+    states_ = random_states(kRandomStates, options_.seed);
+    qdd_.assign(static_cast<std::size_t>(states_.count) * kNv, Real(0));
+    pinned_ = pin();
+    std::vector<double> in_place, at_root;
+    int failed = kFine;
+    for (int pass = -1; pass < options_.repeat && failed == kFine;
+         ++pass) {  // the first one warms up
+      watch_.again();
+      for (int s = 0; s < states_.count; ++s) {
+        Real* const qdd = qdd_.data() + static_cast<long>(s) * kNv;
+        const Clock::time_point start = start_together();
+        const int first = solver_.solve(q(s), v(s), tau(s), qdd);
+        const double in_place_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+        if (kProcesses > 1) MPI_Barrier(solver_.channel.comm());
+        const Clock::time_point start_root = Clock::now();
+        const int second = solver_.solve_at_root(q(s), v(s), tau(s), qdd);
+        const double root_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
+        give_up_if_broken(first);
+        give_up_if_broken(second);
+        if (failed == kFine) failed = first != kFine ? first : second;
+        if (pass < 0) continue;
+        in_place.push_back(in_place_ns);
+        at_root.push_back(root_ns);
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, solver_.channel.comm());
+    }
+    if (failed != kFine) return complain(kInputAtFault, "random state: " + describe(failed));
+    // An evaluation is over when its last process is done.
+    MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
+                  MPI_MAX, solver_.channel.comm());
+    in_place_ = statistics(std::move(in_place));
+    at_root_ = statistics(std::move(at_root));
+    timed_ = true;
+    return kDone;
+  }
+
+  void report() const {
+    const auto times = [](const Statistics& t, const char* format) {
+      std::printf(format, t.median, t.least, t.percentile99);
+    };
+    if (options_.json) {
+      std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"", quoted(kRobot).c_str(),
+                  kProcesses,
+                  solver_.channel.windowed() ? "window"
+                  : kProcesses == 1          ? "none"
+                                             : "message");
+      if (!options_.states.empty()) std::printf(", \"solved\": %d", solved_);
+      if (checked_)
+        std::printf(
+            ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
+            "\"ok\": %s}",
+            residual_median_, residual_max_, options_.tolerance,
+            residual_max_ <= options_.tolerance ? "true" : "false");
+      if (timed_) {
+        std::printf(", \"time\": {\"evaluations\": %d, \"pinned\": %s",
+                    options_.repeat * kRandomStates, pinned_ ? "true" : "false");
+        times(in_place_,
+              ", \"in_place\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}");
+        times(at_root_,
+              ", \"through_root\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}}");
+      }
+      std::printf("}\n");
+      return;
+    }
+    std::FILE* const out = options_.states.empty() || !options_.result.empty() ? stdout : stderr;
+    if (checked_)
+      std::fprintf(out, "check  residual of inverse dynamics: median %.1e, largest %.1e: %s\n",
+                   residual_median_, residual_max_,
+                   residual_max_ <= options_.tolerance ? "right" : "WRONG");
+    if (timed_) {
+      std::fprintf(out,
+                   "time   %d process%s%s, ns per evaluation: median, minimum, 99th percentile\n",
+                   kProcesses, kProcesses == 1 ? "" : "es", pinned_ ? ", pinned" : "");
+      std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
+                   in_place_.median, in_place_.least, in_place_.percentile99);
+      std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n",
+                   at_root_.median, at_root_.least, at_root_.percentile99);
+    }
+  }
+
+  Options options_;
+  int rank_;
+  Watch watch_;
+  Solver solver_;
+  States states_;
+  std::vector<Real> qdd_;
+  bool checked_ = false, timed_ = false, pinned_ = false;
+  int solved_ = 0;
+  double residual_median_ = 0, residual_max_ = 0;
+  Statistics in_place_, at_root_;
+};
+
+}  // namespace
+
+int main(int count, char** words) {
+  Options options;
+  const std::string wrong = parse(count, words, options);
+  MPI_Init(&count, &words);
+  int rank = 0, size = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  int status = kDone;
+  if (!wrong.empty() || (size != kProcesses && !options.help)) {
+    status = kUsage;
+    if (rank == 0 && !wrong.empty()) std::fprintf(stderr, "error: %s; see --help\n", wrong.c_str());
+    else if (rank == 0)
+      std::fprintf(stderr, "error: this solver is for exactly %d process%s, started with %d: use mpiexec -n %d\n",
+                   kProcesses, kProcesses == 1 ? "" : "es", size, kProcesses);
+  } else if (options.help) {
+    if (rank == 0) std::printf("usage: mpiexec -n %d %s [options]\n%s", kProcesses, words[0], kUsageText);
+  } else {
+    status = std::make_unique<Program>(options, rank)->run();
+  }
+  MPI_Finalize();
+  return status;
+}
+#endif  // ADAGEN_NO_MAIN
+#endif  // ADAGEN_DECLARATIONS

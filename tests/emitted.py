@@ -1,0 +1,122 @@
+"""Building and running what adagen emits, each source once however many tests and workers ask."""
+
+from __future__ import annotations
+
+import fcntl
+import hashlib
+import json
+import os
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.build import Toolchain, build_executable
+from adagen.build.toolchain import STANDARD, WARNINGS
+from adagen.emit import emit, stem_of
+from adagen.model import Model
+from adagen.plan import Plan, make_plan
+from adagen.reference import exact_forward_dynamics
+from adagen.run import Completed, launch
+from adagen.schedule import Topology, find_schedule, load_profile
+from adagen.states import States, read_result, write_states
+
+Array = NDArray[np.float64]
+QUICK = ("-O1", "-march=native", "-DNDEBUG", "-fno-math-errno")
+TIMEOUT = 120.0
+
+
+@dataclass(frozen=True)
+class Solver:
+    """An emitted program and how to run it."""
+
+    executable: Path
+    processes: int
+    toolchain: Toolchain
+
+    def run(self, *words: str | Path, timeout: float = TIMEOUT) -> Completed:
+        """Run it on its number of processes."""
+        arguments = [str(word) for word in words]
+        return launch(self.executable, self.processes, arguments, self.toolchain, timeout)
+
+    def solve(self, model: Model, states: States, folder: Path, *words: str) -> Array:
+        """Return the accelerations for states of a model, shape (S, nv)."""
+        given, result = folder / "states.json", folder / "result.json"
+        write_states(states, model, given)
+        done = self.run("--states", given, "--result", result, *words)
+        assert (done.status, done.stderr) == (0, "")
+        return read_result(result, model)
+
+
+@dataclass(frozen=True)
+class Builder:
+    """Compiles emitted sources into a folder that all tests share."""
+
+    folder: Path
+    toolchain: Toolchain
+
+    def with_compiler(self, name: str) -> Builder:
+        """Return a builder with another compiler behind the wrapper."""
+        environment = (*self.toolchain.environment, ("OMPI_CXX", name), ("MPICH_CXX", name))
+        return replace(self, toolchain=replace(self.toolchain, environment=environment))
+
+    def compile(
+        self, source: str, stem: str, flags: Sequence[str] = QUICK, libraries: Sequence[str] = ()
+    ) -> Path:
+        """Return the executable of a source; a warning is an error."""
+        all_flags = (*STANDARD, *WARNINGS, "-Werror", *flags, *libraries)
+        toolchain = replace(self.toolchain, flags=all_flags)
+        digest = hashlib.sha256("\0".join((source, *all_flags)).encode()).hexdigest()
+        with _locked(self.folder / f"{digest}.lock"):
+            return build_executable(source, stem, toolchain, self.folder)
+
+    def solver(self, plan: Plan, flags: Sequence[str] = QUICK, name: str | None = None) -> Solver:
+        """Return the built program of a plan."""
+        stem = stem_of(plan, name)
+        executable = self.compile(emit(plan, name=name)[f"{stem}.cpp"], stem, flags)
+        return Solver(executable, len(plan.processes), self.toolchain)
+
+
+@contextmanager
+def _locked(path: Path) -> Iterator[None]:
+    """Let one test worker at a time compile the same thing."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+def plan_of(model: Model, processes: int, **options: Any) -> Plan:
+    """Return the plan that the command line makes of a robot."""
+    profile = load_profile("default")
+    schedule = find_schedule(Topology.of(model), processes, profile=profile)
+    return make_plan(model, schedule, **options)
+
+
+def truth_of(model: Model, states: States) -> Array:
+    """Return the true accelerations, shape (S, nv)."""
+    rows = zip(states.q, states.v, states.tau, strict=True)
+    return np.array([exact_forward_dynamics(model, *row, digits=20).value for row in rows])
+
+
+def forward_error(found: Array, truth: Array) -> float:
+    """Return the largest error of an acceleration, relative to the largest of its state."""
+    size = np.maximum(1.0, np.abs(truth).max(axis=1, keepdims=True))
+    return float((np.abs(found - truth) / size).max())
+
+
+def states_text(model: Model, states: States, folder: Path) -> dict[str, Any]:
+    """Return a states file as data, to be spoilt."""
+    write_states(states, model, folder / "good.json")
+    data = json.loads((folder / "good.json").read_text())
+    assert isinstance(data, dict)
+    return data
+
+
+def cores() -> int:
+    """Return how many cores this process may use."""
+    return len(os.sched_getaffinity(0))

@@ -1,0 +1,103 @@
+"""The covering set of generated_examples, in one table, and what each folder holds."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from adagen.emit import emit
+from adagen.model import Model
+from adagen.plan import Plan, make_plan
+from adagen.schedule import Schedule, Topology, find_schedule, load_profile, schedule_to_json
+from adagen.schedule.draw import schedule_svg
+from adagen.urdf import read_robot
+from tests.golden.make_models import MODELS, ROBOTS
+
+FOLDER = MODELS.parent
+KEPT = ("Makefile", "README.md")
+"""Files of the folder that are written by hand."""
+
+
+@dataclass(frozen=True)
+class Example:
+    """A robot, how it is read, and how it is emitted."""
+
+    name: str
+    robot: str
+    processes: int
+    floating: bool = False
+    mimic: bool = False
+    scalar: str = "double"
+    channel: str = "auto"
+
+    @property
+    def stem(self) -> str:
+        """The name of its folder, and of the files in it without their endings."""
+        return f"{self.name}_p{self.processes}"
+
+    @property
+    def urdf(self) -> Path:
+        """The robot description."""
+        return MODELS / f"{self.robot}.urdf"
+
+    def model(self) -> Model:
+        """Read the robot."""
+        return _model(self.urdf, self.floating, self.mimic)
+
+
+EXAMPLES = (
+    Example("arm7", "arm7", 1),
+    Example("arm7", "arm7", 2),
+    Example("arm7_slaved", "arm7", 2, mimic=True),
+    Example("arm7_float", "arm7", 2, scalar="float"),
+    Example("humanoid", "humanoid", 2, floating=True),
+    Example("humanoid", "humanoid", 3, floating=True),
+    Example("human40", "human40", 1),
+    Example("human40", "human40", 4),
+    Example("chain16", "chain16", 3),
+    Example("chain16", "chain16", 4, channel="message"),
+    Example("mobile", "mobile", 1),
+    Example("mobile", "mobile", 3),
+)
+
+
+@cache
+def _model(urdf: Path, floating: bool, mimic: bool) -> Model:
+    return read_robot(urdf, floating=floating, mimic=mimic).model
+
+
+def stages(example: Example) -> tuple[Schedule, Plan]:
+    """Return the schedule and the plan of an example."""
+    model = example.model()
+    topology = Topology.of(model)
+    schedule = find_schedule(topology, example.processes, profile=load_profile("default"))
+    plan = make_plan(
+        model,
+        schedule,
+        scalar=example.scalar,
+        channel=example.channel,
+        source_hash=hashlib.sha256(example.urdf.read_bytes()).hexdigest(),
+    )
+    return schedule, plan
+
+
+def files_of(example: Example) -> dict[str, str]:
+    """Return the files of an example, file name to text."""
+    schedule, plan = stages(example)
+    topology = Topology.of(example.model())
+    several = "es" if example.processes > 1 else ""
+    title = f"{example.model().name}, {example.processes} process{several}"
+    files = emit(plan, name=example.name, svg=schedule_svg(schedule, topology, title))
+    files[f"{example.stem}.schedule.json"] = schedule_to_json(schedule, topology) + "\n"
+    return files
+
+
+def golden_files() -> dict[str, bytes]:
+    """Return all files of generated_examples but the hand-written, path to content."""
+    texts = {f"models/{name}.urdf": make() for name, make in ROBOTS.items()}
+    for example in EXAMPLES:
+        for name, text in files_of(example).items():
+            texts[f"{example.stem}/{name}"] = text
+    return {path: text.encode() for path, text in sorted(texts.items())}

@@ -1,0 +1,101 @@
+"""The examples compile without a warning, run, and are right."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.states import States, random_states
+from tests.emitted import QUICK, Array, Builder, Solver, forward_error, truth_of
+from tests.golden.examples import EXAMPLES, FOLDER, Example
+
+BY_STEM = {example.stem: example for example in EXAMPLES}
+TRUTHS: dict[tuple[str, bool, bool], tuple[States, Array]] = {}
+LARGEST_ERROR = {"double": 5e-12, "float": 2e-5}
+"""Forward error that is let pass; measured: 4e-13 (the chain) and 2e-6 at most."""
+
+
+def truth(example: Example) -> tuple[States, Array]:
+    """Return random states of an example's robot and the true accelerations."""
+    key = (example.robot, example.floating, example.mimic)
+    if key not in TRUTHS:
+        states = random_states(example.model(), 4, seed=3)
+        TRUTHS[key] = states, truth_of(example.model(), states)
+    return TRUTHS[key]
+
+
+def built(example: Example, builder: Builder) -> Solver:
+    """Return the program of an example as it is in the folder."""
+    source = (FOLDER / example.stem / f"{example.stem}.cpp").read_text()
+    executable = builder.compile(source, example.stem, QUICK)
+    return Solver(executable, example.processes, builder.toolchain)
+
+
+@pytest.mark.parametrize("stem", BY_STEM)
+def test_an_example_is_right_through_both_channels(
+    stem: str, builder: Builder, tmp_path: Path
+) -> None:
+    example = BY_STEM[stem]
+    solver = built(example, builder)
+    states, expected = truth(example)
+    found = []
+    for channel in ("window", "message") if example.processes > 1 else ("auto",):
+        words = ("--channel", channel, "--check")
+        found.append(solver.solve(example.model(), states, tmp_path, *words))
+        assert forward_error(found[-1], expected) < LARGEST_ERROR[example.scalar]
+    assert all(np.array_equal(found[0], other) for other in found)
+
+
+@pytest.mark.parametrize("stem", BY_STEM)
+def test_an_example_passes_its_own_check_and_is_timed(stem: str, builder: Builder) -> None:
+    done = built(BY_STEM[stem], builder).run("--check", "--time", "--repeat", "2")
+    assert (done.status, done.stderr) == (0, "")
+    check, *time = done.stdout.splitlines()
+    assert check.startswith("check ") and check.endswith(": right")
+    assert len(time) == 3
+
+
+def test_the_makefile_builds_and_checks_every_example(builder: Builder) -> None:
+    command = ["make", "-n", "-C", str(FOLDER), *_variables(builder), "OUT=out", "check"]
+    said = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60).stdout
+    for example in EXAMPLES:
+        assert f" -o out/{example.stem}/{example.stem}\n" in said
+        line = f"-n {example.processes} --oversubscribe --bind-to none "
+        assert f"{line}out/{example.stem}/{example.stem} --check\n" in said
+
+
+@pytest.mark.parametrize("stems", [["mobile_p1"], pytest.param([*BY_STEM], marks=pytest.mark.slow)])
+def test_make_in_the_folder_of_examples_works(
+    stems: list[str], builder: Builder, tmp_path: Path
+) -> None:
+    folder = tmp_path / "generated_examples"
+    folder.mkdir()
+    out = tmp_path / "build" / "generated_examples"
+    shutil.copy(FOLDER / "Makefile", folder)
+    for stem in stems:
+        shutil.copytree(FOLDER / stem, folder / stem)
+    for target in ("all", "check", "clean"):
+        command = ["make", "-C", str(folder), *_variables(builder), target]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=1200)
+        assert done.returncode == 0, done.stderr
+        assert "warning" not in done.stderr
+        if target == "all":
+            assert all((out / stem / stem).is_file() for stem in stems)
+        if target == "check":
+            assert done.stdout.count(": right") == len(stems)
+    assert not out.exists()
+
+
+def _variables(builder: Builder) -> list[str]:
+    toolchain = builder.toolchain
+    words = " ".join(f"'{name}={value}'" for name, value in toolchain.environment)
+    return [
+        f"MPICXX={toolchain.mpicxx[0]}",
+        f"MPIEXEC={toolchain.mpiexec[0]}",
+        f"EIGEN={toolchain.eigen}",
+        f"VARIABLES={words}",
+    ]
