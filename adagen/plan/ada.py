@@ -250,8 +250,7 @@ class AdaPlanner:
         owners = [p for p, owns in enumerate(self.owns) if owns]
         for p in owners:
             joints = tuple(sorted(involved.intersection(self.owns[p])))
-            # Also from those that own none: the answer to it must find its place free.
-            if p != 0:
+            if p != 0 and joints:
                 self._message(Message(p, 0, "slaved", None, joints=joints))
         self.steps[0].append(SolveCoupling())
         for p in owners:

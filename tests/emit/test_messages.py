@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from adagen.model import Mimic, Model
+from adagen.model import Model
 from adagen.plan import FORMS, Plan, make_plan
 from adagen.plan.types import Receive, Send
 from tests.models import random_tree, serial_chain
@@ -60,18 +60,6 @@ def test_every_message_is_read_before_its_place_is_written_again(
     model = grounded(model, rng)
     plan = make_plan(model, random_schedule(model, processes, rng), form=form)
     assert unguarded(plan) == []
-
-
-def test_a_process_without_a_slaved_joint_answers_too() -> None:
-    arm = serial_chain(3)
-    joints = list(arm.joints)
-    for k in (1, 2):  # three joints side by side on the ground, the second follows the first
-        joints[k] = replace(joints[k], parent=0)
-    joints[1] = replace(joints[1], mimic=Mimic(0, 2.0, 0.0))
-    model = replace(arm, joints=tuple(joints))
-    for seed in range(30):
-        schedule = random_schedule(model, 3, np.random.default_rng(seed))
-        assert unguarded(make_plan(model, schedule)) == []
 
 
 def test_the_check_sees_what_it_is_for() -> None:
