@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from adagen import __version__
-from adagen.emit import ada
+from adagen.emit.joints import joint_rows
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
 from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan, plan_to_json
-
-JOINT_ROWS = {"ada": ada.joint_rows}
+from adagen.plan.types import LinkBias, StartLink
 
 # Largest residual that an emitted self-check lets pass: what the scalar keeps, with a margin for
 # long chains (docs/accuracy.md).
@@ -75,6 +74,9 @@ def emit(plan: Plan, *, name: str | None = None, svg: str | None = None) -> dict
 def source(plan: Plan, stem: str) -> str:
     """Return the C++ source of a plan; ``stem`` begins the names of its C functions."""
     words = Words(plan)
+    steps = [step for process in plan.processes for step in process.steps]
+    bare = {step.link for step in steps if isinstance(step, LinkBias)}
+    started = {step.link for step in steps if isinstance(step, StartLink)}
     number, numbers = words.printer.number, words.printer.numbers
     return render(
         "solver.cpp.j2",
@@ -83,6 +85,7 @@ def source(plan: Plan, stem: str) -> str:
         robot=quoted(plan.name),
         source_hash=plan.source_hash or "not given",
         form=plan.form,
+        segments=bool(started),
         shape="kernels",
         scalar=plan.scalar,
         channel=plan.channel,
@@ -98,7 +101,9 @@ def source(plan: Plan, stem: str) -> str:
         process_count=len(plan.processes),
         links=[
             {
-                "bare_block": words.bare_block(k),
+                "bare_block": words.bare_block(k) if k in bare else "",
+                "inertia": words.inertia(k) if k in started else "",
+                "index": k,
                 "quoted": quoted(link.name),
                 "mass": number(link.mass),
                 "com": numbers(link.com),
@@ -110,9 +115,7 @@ def source(plan: Plan, stem: str) -> str:
         ],
         joints=[
             {**constants, **rows}
-            for constants, rows in zip(
-                _joint_constants(words), JOINT_ROWS[plan.form](words), strict=True
-            )
+            for constants, rows in zip(_joint_constants(words), joint_rows(words), strict=True)
         ],
         processes=process_rows(words),
         run_list=", ".join(f"run_{p}" for p in range(len(plan.processes))),

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from adagen.emit.joints import function_of
 from adagen.emit.words import Words
 from adagen.plan.types import (
+    AccelerateRoot,
     ApplyCoupling,
-    Disassemble,
-    Join,
-    Kinematics,
+    InvertRoot,
     LinkBias,
+    Load,
     Message,
     Process,
     Receive,
     Send,
     SolveCoupling,
+    SolveRoot,
+    StartLink,
     Step,
 )
 
@@ -47,16 +50,36 @@ def _summary(words: Words, process: Process) -> str:
 
 
 def _lines(words: Words, process: Process, step: Step) -> list[str]:
+    function = function_of(words, step)
+    if function is not None:
+        return [f"{function}(w);"]
     match step:
-        case Kinematics():
-            return [f"kinematics_{words.joints[step.joint]}(w);"]
         case LinkBias():
-            memory = words.memory(step.link - 1)
+            memory = words.link_memory(step.link)
             return [f"link_bias(kLinks[{step.link}], {memory}.v, {memory}.b);"]
-        case Join():
-            return [f"assemble_{words.joints[step.joint]}(w);"]
-        case Disassemble():
-            return [f"disassemble_{words.joints[step.joint]}(w);"]
+        case StartLink():
+            memory = words.link_memory(step.link)
+            inertia = words.inertia(step.link)
+            return [f"start_link({inertia}, {memory}.v, {memory}.IA, {memory}.pA);"]
+        case InvertRoot():
+            memory = words.link_memory(step.link)
+            inverse = f"{words.block(step.block)}, {words.bias(step.bias)}"
+            return [
+                f"if (!invert({memory}.IA, {memory}.pA, {inverse}))",
+                f"  fail(w, kFactorization, {step.link - 1});",
+            ]
+        case SolveRoot():
+            memory = words.link_memory(step.link)
+            return [
+                f"if (!solve_root({memory}.IA, {memory}.pA, {memory}.a))",
+                f"  fail(w, kFactorization, {step.link - 1});",
+            ]
+        case Load():
+            load = "Columns6::Zero()" if step.force is None else words.force(step.force)
+            return [f"{words.link_memory(step.link)}.load = {load};"]
+        case AccelerateRoot():
+            memory, b = words.link_memory(step.link), words.bias(step.bias)
+            return [f"{memory}.a = {b} + {words.block(step.block)} * {memory}.load;"]
         case Send():
             return _send(words, step.message)
         case Receive():
@@ -68,6 +91,8 @@ def _lines(words: Words, process: Process, step: Step) -> list[str]:
                 f"store_coupled(w, {j}, {words.plan.joints[j].v}, {memory}.qdd, w.coupling);"
                 for j, memory in ((j, words.memory(j)) for j in process.owns)
             ]
+        case _:
+            raise AssertionError(f"no code for {step}")  # every other step is a joint's function
 
 
 def _contents(words: Words, message: Message) -> list[str]:

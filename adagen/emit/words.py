@@ -9,7 +9,7 @@ from adagen.emit.expressions import Printer
 from adagen.emit.names import distinct, identifiers, quoted
 from adagen.model.kinds import KINDS, JointKind
 from adagen.plan import Plan
-from adagen.plan.types import Bias, Block, Force, Join
+from adagen.plan.types import Bias, Block, Force, blocks_set_by
 
 
 @dataclass(frozen=True)
@@ -45,11 +45,14 @@ class Words:
         """A joint's part of the workspace."""
         return f"w.j_{self.joints[joint]}"
 
+    def link_memory(self, link: int) -> str:
+        """The part of the workspace that holds what belongs to a link: the joint above it."""
+        return self.memory(link - 1)
+
     @cached_property
     def _members(self) -> dict[tuple[int, int], str]:
         """A word for each pair of handles: links "a", "b" and "a_b" must not meet in "a_b"."""
-        joins = (s for p in self.plan.processes for s in p.steps if isinstance(s, Join))
-        targets = (update.target for join in joins for update in join.blocks)
+        targets = (b for p in self.plan.processes for s in p.steps for b in blocks_set_by(s))
         pairs = sorted({(block.row != block.column, block.row, block.column) for block in targets})
         words = distinct(
             f"{self.links[row]}_{self.links[column]}" if apart else self.links[row]
@@ -64,6 +67,10 @@ class Words:
     def bare_block(self, link: int) -> str:
         """The constant that holds a bare link's block; apart from the locals Phi_A and X_Phi_A."""
         return f"kPhi_{self.links[link]}"
+
+    def inertia(self, link: int) -> str:
+        """The constant that holds a link's spatial inertia."""
+        return f"kInertia_{self.links[link]}"
 
     def block(self, block: Block) -> str:
         """A block, wherever it is."""

@@ -304,6 +304,30 @@ Step = (
 )
 
 
+def blocks_set_by(step: Step) -> tuple[Block, ...]:
+    """Return the blocks that a step computes."""
+    match step:
+        case Join():
+            return tuple(update.target for update in step.blocks)
+        case InvertRoot():
+            return (step.block,)
+        case Propagate():
+            return (step.block, *(spread.target for spread in step.spreads))
+        case _:
+            return ()
+
+
+def biases_set_by(step: Step) -> tuple[Bias, ...]:
+    """Return the biases that a step computes, those of bare links left out."""
+    match step:
+        case Join():
+            return tuple(update.target for update in step.biases)
+        case InvertRoot() | Propagate():
+            return (step.bias,)
+        case _:
+            return ()
+
+
 @dataclass(frozen=True)
 class Message:
     """What one process tells another once in an evaluation.

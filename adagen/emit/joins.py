@@ -1,80 +1,13 @@
-"""Form `ada`: a joint's memory, assembly and disassembly as C++ lines, in the paper's symbols."""
+"""Assembly and disassembly of a joint as C++ lines, in the paper's symbols: Eq. (3)-(10)."""
 
 from __future__ import annotations
 
-from collections import defaultdict
-
-from adagen.emit.kinematics import configuration, kinematics_lines, velocity
+from adagen.emit.kinematics import configuration, velocity
 from adagen.emit.words import Words
-from adagen.plan.types import Coupling, Disassemble, Force, Join, LinkBias
+from adagen.plan.types import Coupling, Disassemble, Join
 
 
-def joint_rows(words: Words) -> list[dict[str, object]]:
-    """Return what the template says of each joint."""
-    plan = words.plan
-    joins: dict[int, Join] = {}
-    ends: dict[int, Disassemble] = {}
-    for process in plan.processes:
-        for step in process.steps:
-            if isinstance(step, Join):
-                joins[step.joint] = step
-            elif isinstance(step, Disassemble):
-                ends[step.joint] = step
-    members = _members(words, joins, ends)
-    return [
-        {
-            "id": f"j_{words.joints[j]}",
-            "type": f"Joint_{words.joints[j]}",
-            "word": words.joints[j],
-            "quoted": words.quoted_joint(j),
-            "kind": joint.kind,
-            "parent_quoted": words.quoted_link(joint.parent),
-            "child_quoted": words.quoted_link(j + 1),
-            "members": members[j],
-            "kinematics": kinematics_lines(words, j),
-            "parts": _parts(words, joins[j], ends[j]),
-            "assembly": _assembly(words, joins[j]),
-            "disassembly": _disassembly(words, joins[j], ends[j]),
-        }
-        for j, joint in enumerate(plan.joints)
-    ]
-
-
-def _members(words: Words, joins: dict[int, Join], ends: dict[int, Disassemble]) -> list[list[str]]:
-    """The memory of each joint: all that any process keeps with it."""
-    plan = words.plan
-    forces: dict[int, list[Force]] = defaultdict(list)
-    for end in ends.values():
-        for update in end.updates:
-            forces[update.target.joint].append(update.target)
-    bare = {step.link for p in plan.processes for step in p.steps if isinstance(step, LinkBias)}
-    result = []
-    for j in range(len(plan.joints)):
-        kind = words.type_of(j)
-        lines = [
-            "Transform X;  // parent link's to child link's frame",
-            f"Vec6 v;  // velocity of link {words.quoted_link(j + 1)}",
-        ]
-        if j + 1 in bare:
-            lines.append(
-                f"Columns6 b;  // bias acceleration of the bare link {words.quoted_link(j + 1)}"
-            )
-        lines.append(f"Joined<{kind}> joined;")
-        for coupling in joins[j].couplings:
-            lines.append(f"Coupled<{kind}> at_{words.links[coupling.handle]};")
-        for block in joins[j].blocks:
-            lines.append(f"Mat6 {words.block_member(block.target)};  // of the chain it completes")
-        for bias in joins[j].biases:
-            lines.append(f"Columns6 b_{words.links[bias.target.handle]};")
-        for force in sorted(forces[j]):
-            lines.append(f"Columns6 {words.force_member(force)};  // outer wrench on that chain")
-        if plan.right_hand_sides > 1:
-            lines.append(f"std::array<std::array<Real, kColumns>, kFree<{kind}>> qdd;")
-        result.append(lines)
-    return result
-
-
-def _parts(words: Words, join: Join, end: Disassemble) -> str:
+def parts(words: Words, join: Join, end: Disassemble) -> str:
     """One line on the two parts and the whole that a join makes."""
     joint = words.plan.joints[join.joint]
     below = {update.side: update.target.joint for update in end.updates}
@@ -93,13 +26,14 @@ def _parts(words: Words, join: Join, end: Disassemble) -> str:
     )
 
 
-def _assembly(words: Words, join: Join) -> list[str]:
-    plan, j = words.plan, join.joint
-    joint, kind = plan.joints[j], words.type_of(j)
+def assembly(words: Words, join: Join) -> list[str]:
+    """Eq. (3)-(7): V_i and beta_i, then what C's handles feel."""
+    j = join.joint
+    joint = words.plan.joints[j]
     lines = [
         f"auto& i = {words.memory(j)};",
         f"load_torque(w, {j}, {joint.v}, i.joined.tau);",
-        *_coupling_torques(words, j),
+        *coupling_torques(words, j, "i.joined.tau"),
     ]
     if join.a is None:
         phi_a = "kZero"
@@ -108,13 +42,7 @@ def _assembly(words: Words, join: Join) -> list[str]:
         lines.append("const Mat6 Phi_A = from_right(X_Phi_A, i.X);")
         phi_a = "Phi_A"
     b_a = "kGround" if join.a_bias is None else words.bias(join.a_bias)
-    if join.velocity_product:
-        if joint.mimic is not None:
-            lines.append(configuration(words, j)[1])
-        product = f"velocity_product<{kind}>(i.v, {velocity(words, j)})"
-        lines.append(f"const Columns6 c = {product};")
-    else:
-        lines.append("const Columns6 c = Columns6::Zero();  // v x S qd, v being S qd itself")
+    lines += velocity_product(words, j, "const Columns6 c")
     lines.append(
         f"if (!join(i.joined, {phi_a}, {words.block(join.b)}, i.X * {b_a}, "
         f"{words.bias(join.b_bias)}, c))"
@@ -125,16 +53,33 @@ def _assembly(words: Words, join: Join) -> list[str]:
     return lines
 
 
-def _coupling_torques(words: Words, j: int) -> list[str]:
+def velocity_product(words: Words, j: int, target: str) -> list[str]:
+    """The lines that set c = v x S qd; next to the ground v is S qd itself, and c zero."""
+    joint = words.plan.joints[j]
+    if joint.parent == 0:
+        return [f"{target} = Columns6::Zero();"]
+    product = f"velocity_product<{words.type_of(j)}>(i.v, {velocity(words, j)})"
+    slaved = [] if joint.mimic is None else [configuration(words, j)[1]]
+    return [*slaved, f"{target} = {product};"]
+
+
+def store(words: Words, j: int, qdd: str) -> str:
+    """The line that gives a joint's acceleration away, or keeps it until coupling is solved."""
+    if words.plan.slaved:
+        return f"i.qdd = {qdd};"
+    return f"store_acceleration(w, {j}, {words.plan.joints[j].v}, {qdd});"
+
+
+def coupling_torques(words: Words, j: int, tau: str) -> list[str]:
     """The unit torques by which slaved joints and their sources are held in step."""
     plan, lines = words.plan, []
     for column, slaved in enumerate(plan.slaved, start=1):
         mimic = plan.joints[slaved].mimic
         assert mimic is not None  # that is what slaved means
         if j == slaved:
-            lines.append(f"i.joined.tau[0][{column}] = 1;")
+            lines.append(f"{tau}[0][{column}] = 1;")
         if j == mimic[0]:
-            lines.append(f"i.joined.tau[0][{column}] = {words.printer.number(-mimic[1])};")
+            lines.append(f"{tau}[0][{column}] = {words.printer.number(-mimic[1])};")
     return lines
 
 
@@ -175,9 +120,9 @@ def _updates(words: Words, join: Join) -> list[str]:
     return lines
 
 
-def _disassembly(words: Words, join: Join, end: Disassemble) -> list[str]:
-    plan, j = words.plan, join.joint
-    joint = plan.joints[j]
+def disassembly(words: Words, join: Join, end: Disassemble) -> list[str]:
+    """Eq. (8)-(10): the joint's acceleration and force, and what the two parts get to feel."""
+    j = join.joint
     lines = [f"auto& i = {words.memory(j)};", f"Release<{words.type_of(j)}> release(i.joined);"]
     for coupling, force in zip(join.couplings, end.forces, strict=True):
         handle = words.links[coupling.handle]
@@ -186,10 +131,7 @@ def _disassembly(words: Words, join: Join, end: Disassemble) -> list[str]:
         lines.append("const Columns6 f = release.force();  // Eq. (8), (10)")
     else:
         lines.append("release.force();  // Eq. (8)")
-    if plan.slaved:
-        lines.append("i.qdd = release.qdd();  // Eq. (9)")
-    else:
-        lines.append(f"store_acceleration(w, {j}, {joint.v}, release.qdd());  // Eq. (9)")
+    lines.append(f"{store(words, j, 'release.qdd()')}  // Eq. (9)")
     for update in end.updates:
         change = "i.X.transposed_times(f)" if update.side == "A" else "f"
         if update.source is None:

@@ -67,7 +67,7 @@ const Columns6 kGround = [] {
 }();
 
 // Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
-Mat6 symmetric(const std::array<Real, 21>& upper) {
+[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
   Mat6 result;
   std::size_t k = 0;
   for (int i = 0; i < 6; ++i)
