@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from adagen.emit.joints import function_of
+from adagen.emit.stages import stage_rows, stamped_lines
 from adagen.emit.words import Words
 from adagen.plan.types import (
     AccelerateRoot,
@@ -28,7 +31,8 @@ def process_rows(words: Words) -> list[dict[str, object]]:
     return [
         {
             "summary": _summary(words, process),
-            "lines": [line for step in process.steps for line in _lines(words, process, step)],
+            "lines": stamped_lines(process, partial(_lines, words, process)),
+            "stages": stage_rows(process),
             "tables": _tables(words, p, process),
             "info": ", ".join(
                 f"{table['count']}, {table['name']}.data()" if table["count"] else "0, nullptr"

@@ -117,6 +117,10 @@ class Program {
       const int timed = time_all();
       if (status == kDone) status = timed;
     }
+    if (status != kFault && status != kUsage && !options_.trace.empty()) {
+      const int traced = trace_all();
+      if (status == kDone) status = traced;
+    }
     if (rank_ == 0 && status != kFault) report();
     watch_.again();
     solver_.channel.close();
@@ -265,16 +269,50 @@ class Program {
     return kDone;
   }
 
+  // The same evaluations with time stamps between the stages of each process.
+  int trace_all() {
+    states_ = random_states(kRandomStates, options_.seed);
+    qdd_.assign(static_cast<std::size_t>(states_.count) * kNv, Real(0));
+    pinned_ = pinned_ || pin();
+    Trace trace(rank_);
+    int failed = kFine;
+    for (int pass = -1; pass < options_.repeat && failed == kFine; ++pass) {
+      watch_.again();
+      for (int s = 0; s < states_.count; ++s) {
+        start_together();
+        trace.begin();
+        const int found =
+            solver_.solve(q(s), v(s), tau(s), qdd_.data() + static_cast<long>(s) * kNv);
+        give_up_if_broken(found);
+        trace.end(solver_.channel.comm(), pass >= 0);
+        if (failed == kFine) failed = found;
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, solver_.channel.comm());
+    }
+    if (failed != kFine) return complain(kInputAtFault, "random state: " + describe(failed));
+    const std::string text = trace.text(solver_.channel.comm(), channel_name(), pinned_);
+    int status = kDone;
+    if (rank_ == 0) {
+      std::ofstream file(options_.trace, std::ios::binary);
+      if (!(file << text << std::flush))
+        status = complain(kFault, "cannot write the trace", options_.trace);
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, solver_.channel.comm());
+    return status;
+  }
+
+  const char* channel_name() const {
+    if (kProcesses == 1) return "none";
+    return solver_.channel.windowed() ? "window" : "message";
+  }
+
   void report() const {
     const auto times = [](const Statistics& t, const char* format) {
       std::printf(format, t.median, t.least, t.percentile99);
     };
     if (options_.json) {
       std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"", quoted(kRobot).c_str(),
-                  kProcesses,
-                  solver_.channel.windowed() ? "window"
-                  : kProcesses == 1          ? "none"
-                                             : "message");
+                  kProcesses, channel_name());
       if (!options_.states.empty()) std::printf(", \"solved\": %d", solved_);
       if (checked_)
         std::printf(

@@ -1,6 +1,6 @@
 // What the program is asked to do.
 struct Options {
-  std::string states, result;
+  std::string states, result, trace;
   bool check = false, time = false, json = false, help = false, pin = true;
   int repeat = 200;
   std::uint64_t seed = 1;
@@ -16,6 +16,7 @@ const char* const kUsageText =
     "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
     "  --check           residual of an independent inverse dynamics, for the given or random "
     "states\n"
+    "  --trace FILE      when each process did what, as JSON (medians over random states)\n"
     "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
     "  --repeat N        evaluations of each random state when timing (200)\n"
     "  --seed N          seed of the random states (1)\n"
@@ -25,7 +26,8 @@ const char* const kUsageText =
     "  --no-pin          leave the processes to the system's scheduler when timing\n"
     "  --json            report as JSON on standard output\n"
     "  --help            this text\n"
-    "Without --states, --check or --time it checks and times. Exit status: 0 done, 1 input at "
+    "Without --states, --check, --time or --trace it checks and times. Exit status: 0 done, 1 "
+    "input at "
     "fault\n"
     "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
 
@@ -45,8 +47,8 @@ std::string parse(int count, char** words, Options& options) {
     else if (flag("--no-pin"))
       options.pin = false;
     else {
-      const char* const known[] = {"--states",    "--result",  "--repeat", "--seed",
-                                   "--tolerance", "--channel", "--timeout"};
+      const char* const known[] = {"--states", "--result",    "--trace",   "--repeat",
+                                   "--seed",   "--tolerance", "--channel", "--timeout"};
       if (std::none_of(std::begin(known), std::end(known), flag)) return "unknown option " + word;
       if (k + 1 == count) return word + " needs a value";
       const std::string value = words[++k];
@@ -57,6 +59,8 @@ std::string parse(int count, char** words, Options& options) {
         options.states = value;
       else if (flag("--result"))
         options.result = value;
+      else if (flag("--trace"))
+        options.trace = value;
       else if (flag("--channel")) {
         if (value == "auto")
           options.channel = ChannelMode::kAuto;
@@ -87,7 +91,7 @@ std::string parse(int count, char** words, Options& options) {
   if (!options.result.empty() && options.states.empty()) return "--result needs --states";
   if (options.json && options.result.empty() && !options.states.empty())
     return "--json needs --result FILE where there are --states: both would go to standard output";
-  if (options.states.empty() && !options.check && !options.time)
+  if (options.states.empty() && !options.check && !options.time && options.trace.empty())
     options.check = options.time = true;
   return "";
 }
