@@ -121,8 +121,11 @@ def add_schedule(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--schedule",
-        metavar="FILE",
-        help="take this schedule (as `adagen schedule --json` prints it) instead of searching",
+        default="auto",
+        metavar="NAME|FILE",
+        help="search the best one (auto, default), or take this: balanced (Featherstone's divide "
+        "and conquer), sequential (from the ends to the ground), middle-out (from the ends to the "
+        "middle), or a file as `adagen schedule --json` prints it",
     )
 
 

@@ -7,7 +7,7 @@ import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 from adagen.cli.console import Stages, note, progress, warn
 from adagen.errors import InputError
@@ -70,10 +70,14 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
         InputError: the profile or the schedule file is refused.
     """
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
-        from adagen.schedule import Topology, find_schedule, load_profile
+        from adagen.schedule import Topology, find_schedule, load_profile, named_schedule
+        from adagen.schedule.tree import Named
 
         profile = load_profile(options.profile)
-        if options.schedule is not None:
+        if options.schedule in get_args(Named):
+            topology = Topology.of(model)
+            return named_schedule(options.schedule, topology, options.procs, profile=profile)
+        if options.schedule != "auto":
             return _read_schedule(options, Topology.of(model), profile)
         return find_schedule(
             Topology.of(model),

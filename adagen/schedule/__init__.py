@@ -2,6 +2,7 @@
 
 from adagen.schedule.budget import Progress
 from adagen.schedule.draw import schedule_svg
+from adagen.schedule.named import named_schedule
 from adagen.schedule.profile import CostProfile, load_profile, parse_profile
 from adagen.schedule.search import find_schedule
 from adagen.schedule.text import (
@@ -35,6 +36,7 @@ __all__ = [
     "levels",
     "load_profile",
     "makespan_of",
+    "named_schedule",
     "parse_profile",
     "postorder",
     "preorder",

@@ -13,7 +13,7 @@ degrees d1 and d2 costs q(d1 + d2 - 2) on top of what every order pays. Hence, q
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from itertools import pairwise
 from typing import Protocol
 
@@ -158,7 +158,7 @@ class SingleProcess:
         for p in steiner:
             for link in (parent[p], p + 1):
                 degree[link] = degree.get(link, 0) + 1
-        order = _outward(chains, inside, degree)
+        order = outward(chains, inside, degree)
         order.reverse()
         order += self._contract(steiner, degree)
         return [chains.original[p] for p in order]
@@ -231,8 +231,8 @@ def _run(
     return run, at
 
 
-def _outward(chains: Chains, inside: list[int], start: dict[int, int]) -> list[int]:
-    """Return positions outside a Steiner tree depth first, beginning at the links of that tree."""
+def outward(chains: Chains, inside: list[int], start: Collection[int]) -> list[int]:
+    """Return positions depth first, beginning at the links given and keeping to those inside."""
     at: dict[int, list[int]] = {}
     for p in inside:
         at.setdefault(chains.parent[p], []).append(p)

@@ -8,19 +8,15 @@ from typing import Any
 
 from adagen.errors import InputError, printable
 from adagen.schedule import deepjson
-from adagen.schedule.bounds import Rules
 from adagen.schedule.draft import Draft
-from adagen.schedule.options import Space
-from adagen.schedule.profile import TICKS, CostProfile
+from adagen.schedule.named import as_schedule
+from adagen.schedule.profile import CostProfile
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import (
     InvalidSchedule,
     Node,
     Schedule,
-    loads_of,
-    makespan_of,
     postorder,
-    validate,
 )
 
 
@@ -93,37 +89,9 @@ def schedule_from_json(
     if not isinstance(root, dict):
         raise InputError('not a schedule: expected {"root": {"joint": ..., ...}}', file)
     try:
-        tree = _read(root, topology).finish(topology, profile)
-        processes = tree.processes[1]
-        makespan = makespan_of(tree)
-        shares = any(
-            len(node.children) == 2
-            and node.processes[1] - node.processes[0] > 1
-            and node.children[0].processes == node.children[1].processes
-            for node in postorder(tree)
-        )
-        # Any split is the weakest rule a file may follow; the bound is one without a search.
-        rules = Rules(halving=False, split="free" if shares else "always")
-        lower = min(makespan, Space(topology, profile, rules).bounds.whole(processes) / TICKS)
-        schedule = Schedule(
-            root=tree,
-            processes=processes,
-            makespan=makespan,
-            verdict="gap" if lower < makespan else "optimal",
-            gap=makespan / lower - 1.0 if lower < makespan else 0.0,
-            lower_bound=lower,
-            profile=profile.name,
-            tie="work",
-            tie_proven=False,
-            strategy="file",
-            split=rules.split,
-            expanded=0,
-            loads=loads_of(tree, processes),
-        )
-        validate(schedule, topology)
+        return as_schedule(_read(root, topology), topology, profile, "file")
     except InvalidSchedule as error:
         raise InputError(f"{error}: correct the schedule or leave it to adagen", file) from None
-    return schedule
 
 
 def _read(root: dict[str, Any], topology: Topology) -> Draft:

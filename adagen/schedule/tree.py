@@ -11,6 +11,7 @@ from adagen.schedule.topology import Topology
 
 Tie = Literal["work", "lex"]
 Strategy = Literal["exact", "astar", "paper", "file"]
+Named = Literal["balanced", "sequential", "middle-out"]
 Split = Literal["always", "free"]
 Verdict = Literal["optimal", "gap"]
 
@@ -64,7 +65,7 @@ class Schedule:
         profile: name of the cost profile.
         tie: the preference among equally long schedules.
         tie_proven: whether the preference is known to be met.
-        strategy: how the schedule was found.
+        strategy: how the schedule was found, or its name.
         split: whether two descendants always divide the range (III-C), or may share it.
         expanded: partial chains (exact) or search nodes (A*) that were expanded.
         loads: active time of each process; length P.
@@ -79,7 +80,7 @@ class Schedule:
     profile: str
     tie: Tie
     tie_proven: bool
-    strategy: Strategy
+    strategy: Strategy | Named
     split: Split
     expanded: int
     loads: tuple[float, ...]

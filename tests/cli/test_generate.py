@@ -180,6 +180,14 @@ class TestSchedule:
         assert main(words) == 1
         assert "is for 2 processes, not 1" in said()[1]
 
+    @pytest.mark.parametrize("name", ["auto", "balanced", "sequential", "middle-out"])
+    def test_by_name(self, name: str, arm: Path, said: Said) -> None:
+        words = ["schedule", str(arm), "--procs", "2", "--schedule", name, "--json"]
+        assert main(words) == 0
+        told = json.loads(said()[0])
+        assert told["strategy"] == ("exact" if name == "auto" else name)
+        assert len(told["loads"]) == 2
+
     def test_drawn(self, arm: Path, tmp_path: Path) -> None:
         assert main(["schedule", str(arm), "--procs", "2", "--svg", str(tmp_path / "t.svg")]) == 0
         assert ET.fromstring((tmp_path / "t.svg").read_text()).tag.endswith("svg")
