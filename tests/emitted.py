@@ -6,6 +6,8 @@ import fcntl
 import hashlib
 import json
 import os
+import subprocess
+import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -73,6 +75,18 @@ class Builder:
         digest = hashlib.sha256("\0".join((source, *all_flags)).encode()).hexdigest()
         with _locked(self.folder / f"{digest}.lock"):
             return build_executable(source, stem, toolchain, self.folder)
+
+    def check(self, source: str, stem: str, flags: Sequence[str]) -> None:
+        """Have a source compiled for its warnings alone."""
+        toolchain = replace(self.toolchain, flags=(*STANDARD, *WARNINGS, "-Werror", *flags))
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, f"{stem}.cpp")
+            path.write_text(source)
+            command = toolchain.compile_command(path, path.with_suffix(""))
+            done = subprocess.run(
+                command, capture_output=True, text=True, env=toolchain.variables(os.environ)
+            )
+        assert (done.returncode, done.stderr) == (0, "")
 
     def solver(self, plan: Plan, flags: Sequence[str] = QUICK, name: str | None = None) -> Solver:
         """Return the built program of a plan."""

@@ -808,6 +808,20 @@ class Channel {
   std::vector<Port> ports_;
 };
 
+// Time stamps between the stages of a process's work (--trace); nothing is stamped otherwise.
+struct Stage {
+  const char* what;
+  int joint;    // that it ends or begins with; -1 for none
+  int message;  // sent or received; -1 for work
+};
+
+std::chrono::steady_clock::rep* trace_stamps =
+    nullptr;  // where an evaluation puts them: its start, then each end
+
+inline void stamp(int k) {
+  if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
+}
+
 // ---- 4. joints ----------------------------------------------------------------------------------
 
 // The memory of a process. Whatever belongs to a joint is kept with it.
@@ -816,95 +830,95 @@ struct Workspace;
 struct Joint_base_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "turret"
-  Columns6 b;  // bias acceleration of the bare link "turret"
+  Columns6 b;  // bias of the bare link "turret"
   Joined<Revolute> joined;
 };
 
 struct Joint_shoulder_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "upper_arm"
-  Columns6 b;  // bias acceleration of the bare link "upper_arm"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_turret;
+  Columns6 b;  // bias of the bare link "upper_arm"
   Mat6 Phi_turret;  // of the chain it completes
   Columns6 b_turret;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_turret;
   Columns6 F_on_turret;  // outer wrench on that chain
 };
 
 struct Joint_upper_arm_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "elbow_housing"
-  Columns6 b;  // bias acceleration of the bare link "elbow_housing"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_upper_arm;
+  Columns6 b;  // bias of the bare link "elbow_housing"
   Mat6 Phi_upper_arm;  // of the chain it completes
   Columns6 b_upper_arm;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_upper_arm;
   Columns6 F_on_upper_arm;  // outer wrench on that chain
 };
 
 struct Joint_elbow_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "forearm"
-  Columns6 b;  // bias acceleration of the bare link "forearm"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_elbow_housing;
+  Columns6 b;  // bias of the bare link "forearm"
   Mat6 Phi_elbow_housing;  // of the chain it completes
   Columns6 b_elbow_housing;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_elbow_housing;
   Columns6 F_on_elbow_housing;  // outer wrench on that chain
 };
 
 struct Joint_forearm_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "wrist_housing"
-  Columns6 b;  // bias acceleration of the bare link "wrist_housing"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_forearm;
+  Columns6 b;  // bias of the bare link "wrist_housing"
   Mat6 Phi_forearm;  // of the chain it completes
   Columns6 b_forearm;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_forearm;
   Columns6 F_on_forearm;  // outer wrench on that chain
 };
 
 struct Joint_wrist_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "wrist"
-  Columns6 b;  // bias acceleration of the bare link "wrist"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_wrist_housing;
+  Columns6 b;  // bias of the bare link "wrist"
   Mat6 Phi_wrist_housing;  // of the chain it completes
   Columns6 b_wrist_housing;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_wrist_housing;
   Columns6 F_on_wrist_housing;  // outer wrench on that chain
 };
 
 struct Joint_flange_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "hand"
-  Columns6 b;  // bias acceleration of the bare link "hand"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_wrist;
+  Columns6 b;  // bias of the bare link "hand"
   Mat6 Phi_wrist;  // of the chain it completes
   Columns6 b_wrist;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_wrist;
   Columns6 F_on_wrist;  // outer wrench on that chain
 };
 
 struct Joint_left_finger_slide {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_finger"
-  Columns6 b;  // bias acceleration of the bare link "left_finger"
-  Joined<Prismatic> joined;
-  Coupled<Prismatic> at_hand;
+  Columns6 b;  // bias of the bare link "left_finger"
   Mat6 Phi_hand;  // of the chain it completes
   Columns6 b_hand;
+  Joined<Prismatic> joined;
+  Coupled<Prismatic> at_hand;
   Columns6 F_on_hand;  // outer wrench on that chain
 };
 
 struct Joint_right_finger_slide {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_finger"
-  Columns6 b;  // bias acceleration of the bare link "right_finger"
-  Joined<Prismatic> joined;
-  Coupled<Prismatic> at_hand;
+  Columns6 b;  // bias of the bare link "right_finger"
   Mat6 Phi_hand;  // of the chain it completes
   Columns6 b_hand;
+  Joined<Prismatic> joined;
+  Coupled<Prismatic> at_hand;
   Columns6 F_on_hand;  // outer wrench on that chain
 };
 
@@ -996,7 +1010,7 @@ const Columns6 kGround = [] {
 }();
 
 // Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
-Mat6 symmetric(const std::array<Real, 21>& upper) {
+[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
   Mat6 result;
   std::size_t k = 0;
   for (int i = 0; i < 6; ++i)
@@ -1072,7 +1086,7 @@ void kinematics_base_yaw(Workspace& w) {
 void assemble_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   load_torque(w, 0, 0, i.joined.tau);
-  const Columns6 c = Columns6::Zero();  // v x S qd, v being S qd itself
+  const Columns6 c = Columns6::Zero();
   if (!join(i.joined, kZero, w.j_shoulder_pitch.Phi_turret, i.X * kGround, w.j_shoulder_pitch.b_turret, c))
     fail(w, kFactorization, 0);
 }
@@ -1407,6 +1421,7 @@ void disassemble_right_finger_slide(Workspace& w) {
 
 // Process 0: 9 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
   kinematics_base_yaw(w);
   kinematics_shoulder_pitch(w);
   kinematics_upper_arm_roll(w);
@@ -1416,6 +1431,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_flange_roll(w);
   kinematics_left_finger_slide(w);
   kinematics_right_finger_slide(w);
+  stamp(1);
   link_bias(kLinks[7], w.j_flange_roll.v, w.j_flange_roll.b);
   link_bias(kLinks[9], w.j_right_finger_slide.v, w.j_right_finger_slide.b);
   assemble_right_finger_slide(w);
@@ -1434,6 +1450,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   link_bias(kLinks[1], w.j_base_yaw.v, w.j_base_yaw.b);
   assemble_shoulder_pitch(w);
   assemble_base_yaw(w);
+  stamp(2);
   disassemble_base_yaw(w);
   disassemble_shoulder_pitch(w);
   disassemble_upper_arm_roll(w);
@@ -1443,6 +1460,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   disassemble_flange_roll(w);
   disassemble_left_finger_slide(w);
   disassemble_right_finger_slide(w);
+  stamp(3);
 }
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
@@ -2072,7 +2090,7 @@ constexpr ChannelMode kChannelMode = ChannelMode::kAuto;
 
 // What the program is asked to do.
 struct Options {
-  std::string states, result;
+  std::string states, result, trace;
   bool check = false, time = false, json = false, help = false, pin = true;
   int repeat = 200;
   std::uint64_t seed = 1;
@@ -2088,6 +2106,7 @@ const char* const kUsageText =
     "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
     "  --check           residual of an independent inverse dynamics, for the given or random "
     "states\n"
+    "  --trace FILE      when each process did what, as JSON (medians over random states)\n"
     "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
     "  --repeat N        evaluations of each random state when timing (200)\n"
     "  --seed N          seed of the random states (1)\n"
@@ -2097,7 +2116,8 @@ const char* const kUsageText =
     "  --no-pin          leave the processes to the system's scheduler when timing\n"
     "  --json            report as JSON on standard output\n"
     "  --help            this text\n"
-    "Without --states, --check or --time it checks and times. Exit status: 0 done, 1 input at "
+    "Without --states, --check, --time or --trace it checks and times. Exit status: 0 done, 1 "
+    "input at "
     "fault\n"
     "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
 
@@ -2117,8 +2137,8 @@ std::string parse(int count, char** words, Options& options) {
     else if (flag("--no-pin"))
       options.pin = false;
     else {
-      const char* const known[] = {"--states",    "--result",  "--repeat", "--seed",
-                                   "--tolerance", "--channel", "--timeout"};
+      const char* const known[] = {"--states", "--result",    "--trace",   "--repeat",
+                                   "--seed",   "--tolerance", "--channel", "--timeout"};
       if (std::none_of(std::begin(known), std::end(known), flag)) return "unknown option " + word;
       if (k + 1 == count) return word + " needs a value";
       const std::string value = words[++k];
@@ -2129,6 +2149,8 @@ std::string parse(int count, char** words, Options& options) {
         options.states = value;
       else if (flag("--result"))
         options.result = value;
+      else if (flag("--trace"))
+        options.trace = value;
       else if (flag("--channel")) {
         if (value == "auto")
           options.channel = ChannelMode::kAuto;
@@ -2159,7 +2181,7 @@ std::string parse(int count, char** words, Options& options) {
   if (!options.result.empty() && options.states.empty()) return "--result needs --states";
   if (options.json && options.result.empty() && !options.states.empty())
     return "--json needs --result FILE where there are --states: both would go to standard output";
-  if (options.states.empty() && !options.check && !options.time)
+  if (options.states.empty() && !options.check && !options.time && options.trace.empty())
     options.check = options.time = true;
   return "";
 }
@@ -2210,6 +2232,120 @@ class Watch {
 #endif
 
   double seconds_ = 0;
+};
+
+// The stages of each process's work, for --trace.
+constexpr std::array<Stage, 3> kStages_0{ {
+    {"kinematics", 8, -1},
+    {"assembly", 0, -1},
+    {"disassembly", 0, -1},
+} };
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data()};
+constexpr std::array<int, kProcesses> kStageCount{3};
+
+// What --trace FILE writes: when each stage of each process began and ended, as the medians over
+// many evaluations of random states; ns from the instant at which the processes start together.
+class Trace {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t kMost = 12800;  // evaluations that are kept
+
+  explicit Trace(int rank)
+      : rank_(rank),
+        stages_(kStageCount[static_cast<std::size_t>(rank)]),
+        stamps_(static_cast<std::size_t>(stages_) + 1) {}
+
+  void begin() { trace_stamps = stamps_.data(); }
+
+  // Collective. An evaluation counts from when the first process began.
+  void end(MPI_Comm comm, bool keep) {
+    trace_stamps = nullptr;
+    long long first = stamps_[0];
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_LONG_LONG, MPI_MIN, comm);
+    if (!keep || starts_.size() == kMost * (stamps_.size() - 1)) return;
+    for (std::size_t k = 0; k + 1 < stamps_.size(); ++k) {
+      starts_.push_back(ns(stamps_[k] - first));
+      lengths_.push_back(ns(stamps_[k + 1] - stamps_[k]));
+    }
+    lasts_.push_back(ns(stamps_.back() - first));
+  }
+
+  // Collective; process 0 returns the text.
+  std::string text(MPI_Comm comm, const char* channel, bool pinned) const {
+    std::vector<double> own;
+    for (int k = 0; k < stages_; ++k) {
+      own.push_back(median(starts_, k));
+      own.push_back(median(lengths_, k));
+    }
+    if (rank_ != 0) {
+      MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, comm);
+      return "";
+    }
+    std::string text = "{\"model\": " + quoted(kRobot) +
+                       ", \"processes\": " + std::to_string(kProcesses) + ", \"channel\": \"" +
+                       channel + "\", \"pinned\": " + (pinned ? "true" : "false") +
+                       ", \"evaluations\": " + std::to_string(lasts_.size()) +
+                       ", \"clock_ns\": " + number(clock_cost()) + ",\n \"stages\": [";
+    for (int p = 0; p < kProcesses; ++p) {
+      const std::size_t count = 2 * static_cast<std::size_t>(kStageCount[p]);
+      std::vector<double> times(count);
+      if (p == 0)
+        times = own;
+      else
+        MPI_Recv(times.data(), static_cast<int>(count), MPI_DOUBLE, p, kTag, comm,
+                 MPI_STATUS_IGNORE);
+      for (std::size_t k = 0; 2 * k < count; ++k)
+        text += row(p, kStages[p][k], times[2 * k], times[2 * k + 1]) + ",";
+    }
+    if (text.back() == ',') text.pop_back();
+    return text + "\n ]}\n";
+  }
+
+ private:
+  static constexpr int kTag = 0x7ace;
+
+  static double ns(Clock::rep ticks) {
+    return std::chrono::duration<double, std::nano>(Clock::duration(ticks)).count();
+  }
+
+  static std::string number(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", x);
+    return text;
+  }
+
+  static std::string row(int process, const Stage& stage, double start, double length) {
+    const std::string joint = stage.joint < 0 ? "null" : quoted(kJoints[stage.joint].name);
+    const std::string message = stage.message < 0 ? "null" : std::to_string(stage.message);
+    return "\n  {\"process\": " + std::to_string(process) + ", \"what\": \"" + stage.what +
+           "\", \"joint\": " + joint + ", \"message\": " + message +
+           ", \"start_ns\": " + number(start) + ", \"length_ns\": " + number(length) + "}";
+  }
+
+  double median(const std::vector<double>& all, int stage) const {
+    std::vector<double> one;
+    const std::size_t step = stamps_.size() - 1;
+    for (std::size_t k = static_cast<std::size_t>(stage); k < all.size(); k += step)
+      one.push_back(all[k]);
+    if (one.empty()) return 0;
+    std::nth_element(one.begin(), one.begin() + static_cast<long>(one.size() / 2), one.end());
+    return one[one.size() / 2];
+  }
+
+  // What one look at the clock takes; each stage's length holds one.
+  static double clock_cost() {
+    double best = 1e9;
+    for (int k = 0; k < 64; ++k) {
+      const Clock::time_point start = Clock::now();
+      for (int i = 0; i < 64; ++i) (void)Clock::now();
+      best = std::min(best, ns((Clock::now() - start).count()) / 65);
+    }
+    return best;
+  }
+
+  int rank_, stages_;
+  std::vector<Clock::rep> stamps_;
+  std::vector<double> starts_, lengths_, lasts_;
 };
 
 // The program around the solver: solves given states, checks, times, reports.
@@ -2264,10 +2400,11 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   int status = kDone;
   if (rank == 0) {
     std::ifstream file(path, std::ios::binary);
+    file.peek();  // tells a folder from a file
     std::ostringstream text;
-    text << file.rdbuf();
+    if (!file.bad()) text << file.rdbuf();
     std::string wrong;
-    if (!file || text.bad())
+    if (!file.is_open() || file.bad())
       wrong = " error: cannot read the states file";
     else
       wrong = StatesReader(text.str()).read(states);
@@ -2330,6 +2467,10 @@ class Program {
     if (status != kFault && status != kUsage && options_.time) {
       const int timed = time_all();
       if (status == kDone) status = timed;
+    }
+    if (status != kFault && status != kUsage && !options_.trace.empty()) {
+      const int traced = trace_all();
+      if (status == kDone) status = traced;
     }
     if (rank_ == 0 && status != kFault) report();
     watch_.again();
@@ -2479,16 +2620,50 @@ class Program {
     return kDone;
   }
 
+  // The same evaluations with time stamps between the stages of each process.
+  int trace_all() {
+    states_ = random_states(kRandomStates, options_.seed);
+    qdd_.assign(static_cast<std::size_t>(states_.count) * kNv, Real(0));
+    pinned_ = pinned_ || pin();
+    Trace trace(rank_);
+    int failed = kFine;
+    for (int pass = -1; pass < options_.repeat && failed == kFine; ++pass) {
+      watch_.again();
+      for (int s = 0; s < states_.count; ++s) {
+        start_together();
+        trace.begin();
+        const int found =
+            solver_.solve(q(s), v(s), tau(s), qdd_.data() + static_cast<long>(s) * kNv);
+        give_up_if_broken(found);
+        trace.end(solver_.channel.comm(), pass >= 0);
+        if (failed == kFine) failed = found;
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, solver_.channel.comm());
+    }
+    if (failed != kFine) return complain(kInputAtFault, "random state: " + describe(failed));
+    const std::string text = trace.text(solver_.channel.comm(), channel_name(), pinned_);
+    int status = kDone;
+    if (rank_ == 0) {
+      std::ofstream file(options_.trace, std::ios::binary);
+      if (!(file << text << std::flush))
+        status = complain(kFault, "cannot write the trace", options_.trace);
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, solver_.channel.comm());
+    return status;
+  }
+
+  const char* channel_name() const {
+    if (kProcesses == 1) return "none";
+    return solver_.channel.windowed() ? "window" : "message";
+  }
+
   void report() const {
     const auto times = [](const Statistics& t, const char* format) {
       std::printf(format, t.median, t.least, t.percentile99);
     };
     if (options_.json) {
       std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"", quoted(kRobot).c_str(),
-                  kProcesses,
-                  solver_.channel.windowed() ? "window"
-                  : kProcesses == 1          ? "none"
-                                             : "message");
+                  kProcesses, channel_name());
       if (!options_.states.empty()) std::printf(", \"solved\": %d", solved_);
       if (checked_)
         std::printf(

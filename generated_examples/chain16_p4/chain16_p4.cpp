@@ -862,6 +862,20 @@ class Channel {
   std::vector<Port> ports_;
 };
 
+// Time stamps between the stages of a process's work (--trace); nothing is stamped otherwise.
+struct Stage {
+  const char* what;
+  int joint;    // that it ends or begins with; -1 for none
+  int message;  // sent or received; -1 for work
+};
+
+std::chrono::steady_clock::rep* trace_stamps =
+    nullptr;  // where an evaluation puts them: its start, then each end
+
+inline void stamp(int k) {
+  if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
+}
+
 // ---- 4. joints ----------------------------------------------------------------------------------
 
 // The memory of a process. Whatever belongs to a joint is kept with it.
@@ -870,192 +884,192 @@ struct Workspace;
 struct Joint_joint01 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod01"
-  Columns6 b;  // bias acceleration of the bare link "rod01"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod01;
+  Columns6 b;  // bias of the bare link "rod01"
   Mat6 Phi_rod01;  // of the chain it completes
   Columns6 b_rod01;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod01;
   Columns6 F_on_rod01;  // outer wrench on that chain
 };
 
 struct Joint_joint02 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod02"
-  Columns6 b;  // bias acceleration of the bare link "rod02"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod02;
+  Columns6 b;  // bias of the bare link "rod02"
   Mat6 Phi_rod02;  // of the chain it completes
   Columns6 b_rod02;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod02;
   Columns6 F_on_rod02;  // outer wrench on that chain
 };
 
 struct Joint_joint03 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod03"
-  Columns6 b;  // bias acceleration of the bare link "rod03"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod03;
+  Columns6 b;  // bias of the bare link "rod03"
   Mat6 Phi_rod03;  // of the chain it completes
   Columns6 b_rod03;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod03;
   Columns6 F_on_rod03;  // outer wrench on that chain
 };
 
 struct Joint_joint04 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod04"
-  Columns6 b;  // bias acceleration of the bare link "rod04"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod06;
   Mat6 Phi_rod06;  // of the chain it completes
   Columns6 b_rod06;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod06;
+  Columns6 b;  // bias of the bare link "rod04"
   Columns6 F_on_rod06;  // outer wrench on that chain
 };
 
 struct Joint_joint05 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod05"
-  Columns6 b;  // bias acceleration of the bare link "rod05"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod04;
-  Coupled<Revolute> at_rod06;
+  Columns6 b;  // bias of the bare link "rod05"
   Mat6 Phi_rod04;  // of the chain it completes
   Mat6 Phi_rod04_rod06;  // of the chain it completes
   Mat6 Phi_rod06;  // of the chain it completes
   Columns6 b_rod04;
   Columns6 b_rod06;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod04;
+  Coupled<Revolute> at_rod06;
   Columns6 F_on_rod04;  // outer wrench on that chain
 };
 
 struct Joint_joint06 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod06"
-  Columns6 b;  // bias acceleration of the bare link "rod06"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod05;
-  Coupled<Revolute> at_rod06;
+  Columns6 b;  // bias of the bare link "rod06"
   Mat6 Phi_rod05;  // of the chain it completes
   Mat6 Phi_rod05_rod06;  // of the chain it completes
   Mat6 Phi_rod06;  // of the chain it completes
   Columns6 b_rod05;
   Columns6 b_rod06;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod05;
+  Coupled<Revolute> at_rod06;
   Columns6 F_on_rod05;  // outer wrench on that chain
 };
 
 struct Joint_joint07 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod07"
-  Columns6 b;  // bias acceleration of the bare link "rod07"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod07;
+  Columns6 b;  // bias of the bare link "rod07"
   Mat6 Phi_rod07;  // of the chain it completes
   Columns6 b_rod07;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod07;
   Columns6 F_on_rod07;  // outer wrench on that chain
 };
 
 struct Joint_joint08 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod08"
-  Columns6 b;  // bias acceleration of the bare link "rod08"
   Joined<Revolute> joined;
+  Columns6 b;  // bias of the bare link "rod08"
 };
 
 struct Joint_joint09 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod09"
-  Columns6 b;  // bias acceleration of the bare link "rod09"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod08;
-  Coupled<Revolute> at_rod11;
+  Columns6 b;  // bias of the bare link "rod09"
   Mat6 Phi_rod08;  // of the chain it completes
   Mat6 Phi_rod08_rod11;  // of the chain it completes
   Mat6 Phi_rod11;  // of the chain it completes
   Columns6 b_rod08;
   Columns6 b_rod11;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod08;
+  Coupled<Revolute> at_rod11;
   Columns6 F_on_rod11;  // outer wrench on that chain
 };
 
 struct Joint_joint10 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod10"
-  Columns6 b;  // bias acceleration of the bare link "rod10"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod09;
-  Coupled<Revolute> at_rod11;
+  Columns6 b;  // bias of the bare link "rod10"
   Mat6 Phi_rod09;  // of the chain it completes
   Mat6 Phi_rod09_rod11;  // of the chain it completes
   Mat6 Phi_rod11;  // of the chain it completes
   Columns6 b_rod09;
   Columns6 b_rod11;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod09;
+  Coupled<Revolute> at_rod11;
   Columns6 F_on_rod09;  // outer wrench on that chain
 };
 
 struct Joint_joint11 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod11"
-  Columns6 b;  // bias acceleration of the bare link "rod11"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod10;
-  Coupled<Revolute> at_rod11;
+  Columns6 b;  // bias of the bare link "rod11"
   Mat6 Phi_rod10;  // of the chain it completes
   Mat6 Phi_rod10_rod11;  // of the chain it completes
   Mat6 Phi_rod11;  // of the chain it completes
   Columns6 b_rod10;
   Columns6 b_rod11;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod10;
+  Coupled<Revolute> at_rod11;
   Columns6 F_on_rod10;  // outer wrench on that chain
 };
 
 struct Joint_joint12 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod12"
-  Columns6 b;  // bias acceleration of the bare link "rod12"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod08;
   Mat6 Phi_rod08;  // of the chain it completes
   Columns6 b_rod08;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod08;
+  Columns6 b;  // bias of the bare link "rod12"
   Columns6 F_on_rod08;  // outer wrench on that chain
 };
 
 struct Joint_joint13 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod13"
-  Columns6 b;  // bias acceleration of the bare link "rod13"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod12;
+  Columns6 b;  // bias of the bare link "rod13"
   Mat6 Phi_rod12;  // of the chain it completes
   Columns6 b_rod12;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod12;
   Columns6 F_on_rod12;  // outer wrench on that chain
 };
 
 struct Joint_joint14 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod14"
-  Columns6 b;  // bias acceleration of the bare link "rod14"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod13;
+  Columns6 b;  // bias of the bare link "rod14"
   Mat6 Phi_rod13;  // of the chain it completes
   Columns6 b_rod13;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod13;
   Columns6 F_on_rod13;  // outer wrench on that chain
 };
 
 struct Joint_joint15 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod15"
-  Columns6 b;  // bias acceleration of the bare link "rod15"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod14;
+  Columns6 b;  // bias of the bare link "rod15"
   Mat6 Phi_rod14;  // of the chain it completes
   Columns6 b_rod14;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod14;
   Columns6 F_on_rod14;  // outer wrench on that chain
 };
 
 struct Joint_joint16 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod16"
-  Columns6 b;  // bias acceleration of the bare link "rod16"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod15;
+  Columns6 b;  // bias of the bare link "rod16"
   Mat6 Phi_rod15;  // of the chain it completes
   Columns6 b_rod15;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod15;
   Columns6 F_on_rod15;  // outer wrench on that chain
 };
 
@@ -1154,7 +1168,7 @@ const Columns6 kGround = [] {
 }();
 
 // Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
-Mat6 symmetric(const std::array<Real, 21>& upper) {
+[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
   Mat6 result;
   std::size_t k = 0;
   for (int i = 0; i < 6; ++i)
@@ -1237,7 +1251,7 @@ void kinematics_joint01(Workspace& w) {
 void assemble_joint01(Workspace& w) {
   auto& i = w.j_joint01;
   load_torque(w, 0, 0, i.joined.tau);
-  const Columns6 c = Columns6::Zero();  // v x S qd, v being S qd itself
+  const Columns6 c = Columns6::Zero();
   if (!join(i.joined, kZero, kPhi_rod01, i.X * kGround, w.j_joint01.b, c))
     fail(w, kFactorization, 0);
   couple(i.joined, kPhi_rod01, i.at_rod01);
@@ -1879,6 +1893,7 @@ void disassemble_joint16(Workspace& w) {
 
 // Process 0: 6 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint07", "joint08"; kinematics of 2 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
   kinematics_joint03(w);
@@ -1887,12 +1902,14 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint06(w);
   kinematics_joint07(w);
   kinematics_joint08(w);
+  stamp(1);
   link_bias(kLinks[1], w.j_joint01.v, w.j_joint01.b);
   assemble_joint01(w);
   link_bias(kLinks[2], w.j_joint02.v, w.j_joint02.b);
   assemble_joint02(w);
   link_bias(kLinks[3], w.j_joint03.v, w.j_joint03.b);
   assemble_joint03(w);
+  stamp(2);
   {  // from process 1: assembled: chain of "joint05"
     const Real* from = channel.receive(0, w.status);
     from = get(from, w.j_joint05.Phi_rod04);
@@ -1901,47 +1918,59 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_joint05.b_rod04);
     from = get(from, w.j_joint05.b_rod06);
   }
+  stamp(3);
   assemble_joint04(w);
   link_bias(kLinks[7], w.j_joint07.v, w.j_joint07.b);
   assemble_joint07(w);
+  stamp(4);
   {  // from process 2: assembled: chain of "joint12"
     const Real* from = channel.receive(2, w.status);
     from = get(from, w.j_joint12.Phi_rod08);
     from = get(from, w.j_joint12.b_rod08);
   }
+  stamp(5);
   assemble_joint08(w);
+  stamp(6);
   disassemble_joint08(w);
+  stamp(7);
   {  // to process 2: forces on: chain of "joint12"
     Real* to = channel.outgoing(3, w.status);
     to = put(to, w.j_joint12.F_on_rod08);
     channel.send(3, w.status);
   }
+  stamp(8);
   disassemble_joint07(w);
   disassemble_joint04(w);
+  stamp(9);
   {  // to process 1: forces on: chain of "joint05"
     Real* to = channel.outgoing(4, w.status);
     to = put(to, w.j_joint05.F_on_rod04);
     to = put(to, w.j_joint04.F_on_rod06);
     channel.send(4, w.status);
   }
+  stamp(10);
   disassemble_joint03(w);
   disassemble_joint02(w);
   disassemble_joint01(w);
+  stamp(11);
 }
 
 // Process 1: 2 of 16 joints: "joint05", "joint06"; kinematics of 4 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
   kinematics_joint03(w);
   kinematics_joint04(w);
   kinematics_joint05(w);
   kinematics_joint06(w);
+  stamp(1);
   link_bias(kLinks[5], w.j_joint05.v, w.j_joint05.b);
   link_bias(kLinks[6], w.j_joint06.v, w.j_joint06.b);
   assemble_joint06(w);
   link_bias(kLinks[4], w.j_joint04.v, w.j_joint04.b);
   assemble_joint05(w);
+  stamp(2);
   {  // to process 0: assembled: chain of "joint05"
     Real* to = channel.outgoing(0, w.status);
     to = put(to, w.j_joint05.Phi_rod04);
@@ -1951,17 +1980,21 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     to = put(to, w.j_joint05.b_rod06);
     channel.send(0, w.status);
   }
+  stamp(3);
   {  // from process 0: forces on: chain of "joint05"
     const Real* from = channel.receive(4, w.status);
     from = get(from, w.j_joint05.F_on_rod04);
     from = get(from, w.j_joint04.F_on_rod06);
   }
+  stamp(4);
   disassemble_joint05(w);
   disassemble_joint06(w);
+  stamp(5);
 }
 
 // Process 2: 4 of 16 joints: "joint09", "joint10", "joint11", "joint12"; kinematics of 8 more on the way to the ground
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
   kinematics_joint03(w);
@@ -1974,6 +2007,7 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint10(w);
   kinematics_joint11(w);
   kinematics_joint12(w);
+  stamp(1);
   link_bias(kLinks[10], w.j_joint10.v, w.j_joint10.b);
   link_bias(kLinks[11], w.j_joint11.v, w.j_joint11.b);
   assemble_joint11(w);
@@ -1981,35 +2015,44 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_joint10(w);
   link_bias(kLinks[8], w.j_joint08.v, w.j_joint08.b);
   assemble_joint09(w);
+  stamp(2);
   {  // from process 3: assembled: chain of "joint13"
     const Real* from = channel.receive(1, w.status);
     from = get(from, w.j_joint13.Phi_rod12);
     from = get(from, w.j_joint13.b_rod12);
   }
+  stamp(3);
   assemble_joint12(w);
+  stamp(4);
   {  // to process 0: assembled: chain of "joint12"
     Real* to = channel.outgoing(2, w.status);
     to = put(to, w.j_joint12.Phi_rod08);
     to = put(to, w.j_joint12.b_rod08);
     channel.send(2, w.status);
   }
+  stamp(5);
   {  // from process 0: forces on: chain of "joint12"
     const Real* from = channel.receive(3, w.status);
     from = get(from, w.j_joint12.F_on_rod08);
   }
+  stamp(6);
   disassemble_joint12(w);
+  stamp(7);
   {  // to process 3: forces on: chain of "joint13"
     Real* to = channel.outgoing(5, w.status);
     to = put(to, w.j_joint13.F_on_rod12);
     channel.send(5, w.status);
   }
+  stamp(8);
   disassemble_joint09(w);
   disassemble_joint10(w);
   disassemble_joint11(w);
+  stamp(9);
 }
 
 // Process 3: 4 of 16 joints: "joint13", "joint14", "joint15", "joint16"; kinematics of 12 more on the way to the ground
 void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
   kinematics_joint03(w);
@@ -2026,6 +2069,7 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint14(w);
   kinematics_joint15(w);
   kinematics_joint16(w);
+  stamp(1);
   link_bias(kLinks[15], w.j_joint15.v, w.j_joint15.b);
   link_bias(kLinks[16], w.j_joint16.v, w.j_joint16.b);
   assemble_joint16(w);
@@ -2035,20 +2079,24 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_joint14(w);
   link_bias(kLinks[12], w.j_joint12.v, w.j_joint12.b);
   assemble_joint13(w);
+  stamp(2);
   {  // to process 2: assembled: chain of "joint13"
     Real* to = channel.outgoing(1, w.status);
     to = put(to, w.j_joint13.Phi_rod12);
     to = put(to, w.j_joint13.b_rod12);
     channel.send(1, w.status);
   }
+  stamp(3);
   {  // from process 2: forces on: chain of "joint13"
     const Real* from = channel.receive(5, w.status);
     from = get(from, w.j_joint13.F_on_rod12);
   }
+  stamp(4);
   disassemble_joint13(w);
   disassemble_joint14(w);
   disassemble_joint15(w);
   disassemble_joint16(w);
+  stamp(5);
 }
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
@@ -2690,7 +2738,7 @@ constexpr ChannelMode kChannelMode = ChannelMode::kMessage;
 
 // What the program is asked to do.
 struct Options {
-  std::string states, result;
+  std::string states, result, trace;
   bool check = false, time = false, json = false, help = false, pin = true;
   int repeat = 200;
   std::uint64_t seed = 1;
@@ -2706,6 +2754,7 @@ const char* const kUsageText =
     "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
     "  --check           residual of an independent inverse dynamics, for the given or random "
     "states\n"
+    "  --trace FILE      when each process did what, as JSON (medians over random states)\n"
     "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
     "  --repeat N        evaluations of each random state when timing (200)\n"
     "  --seed N          seed of the random states (1)\n"
@@ -2715,7 +2764,8 @@ const char* const kUsageText =
     "  --no-pin          leave the processes to the system's scheduler when timing\n"
     "  --json            report as JSON on standard output\n"
     "  --help            this text\n"
-    "Without --states, --check or --time it checks and times. Exit status: 0 done, 1 input at "
+    "Without --states, --check, --time or --trace it checks and times. Exit status: 0 done, 1 "
+    "input at "
     "fault\n"
     "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
 
@@ -2735,8 +2785,8 @@ std::string parse(int count, char** words, Options& options) {
     else if (flag("--no-pin"))
       options.pin = false;
     else {
-      const char* const known[] = {"--states",    "--result",  "--repeat", "--seed",
-                                   "--tolerance", "--channel", "--timeout"};
+      const char* const known[] = {"--states", "--result",    "--trace",   "--repeat",
+                                   "--seed",   "--tolerance", "--channel", "--timeout"};
       if (std::none_of(std::begin(known), std::end(known), flag)) return "unknown option " + word;
       if (k + 1 == count) return word + " needs a value";
       const std::string value = words[++k];
@@ -2747,6 +2797,8 @@ std::string parse(int count, char** words, Options& options) {
         options.states = value;
       else if (flag("--result"))
         options.result = value;
+      else if (flag("--trace"))
+        options.trace = value;
       else if (flag("--channel")) {
         if (value == "auto")
           options.channel = ChannelMode::kAuto;
@@ -2777,7 +2829,7 @@ std::string parse(int count, char** words, Options& options) {
   if (!options.result.empty() && options.states.empty()) return "--result needs --states";
   if (options.json && options.result.empty() && !options.states.empty())
     return "--json needs --result FILE where there are --states: both would go to standard output";
-  if (options.states.empty() && !options.check && !options.time)
+  if (options.states.empty() && !options.check && !options.time && options.trace.empty())
     options.check = options.time = true;
   return "";
 }
@@ -2828,6 +2880,153 @@ class Watch {
 #endif
 
   double seconds_ = 0;
+};
+
+// The stages of each process's work, for --trace.
+constexpr std::array<Stage, 11> kStages_0{ {
+    {"kinematics", 7, -1},
+    {"assembly", 2, -1},
+    {"receive", -1, 0},
+    {"assembly", 6, -1},
+    {"receive", -1, 2},
+    {"assembly", 7, -1},
+    {"disassembly", 7, -1},
+    {"send", -1, 3},
+    {"disassembly", 6, -1},
+    {"send", -1, 4},
+    {"disassembly", 2, -1},
+} };
+constexpr std::array<Stage, 5> kStages_1{ {
+    {"kinematics", 5, -1},
+    {"assembly", 4, -1},
+    {"send", -1, 0},
+    {"receive", -1, 4},
+    {"disassembly", 4, -1},
+} };
+constexpr std::array<Stage, 9> kStages_2{ {
+    {"kinematics", 11, -1},
+    {"assembly", 8, -1},
+    {"receive", -1, 1},
+    {"assembly", 11, -1},
+    {"send", -1, 2},
+    {"receive", -1, 3},
+    {"disassembly", 11, -1},
+    {"send", -1, 5},
+    {"disassembly", 8, -1},
+} };
+constexpr std::array<Stage, 5> kStages_3{ {
+    {"kinematics", 15, -1},
+    {"assembly", 12, -1},
+    {"send", -1, 1},
+    {"receive", -1, 5},
+    {"disassembly", 12, -1},
+} };
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data(), kStages_2.data(), kStages_3.data()};
+constexpr std::array<int, kProcesses> kStageCount{11, 5, 9, 5};
+
+// What --trace FILE writes: when each stage of each process began and ended, as the medians over
+// many evaluations of random states; ns from the instant at which the processes start together.
+class Trace {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t kMost = 12800;  // evaluations that are kept
+
+  explicit Trace(int rank)
+      : rank_(rank),
+        stages_(kStageCount[static_cast<std::size_t>(rank)]),
+        stamps_(static_cast<std::size_t>(stages_) + 1) {}
+
+  void begin() { trace_stamps = stamps_.data(); }
+
+  // Collective. An evaluation counts from when the first process began.
+  void end(MPI_Comm comm, bool keep) {
+    trace_stamps = nullptr;
+    long long first = stamps_[0];
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_LONG_LONG, MPI_MIN, comm);
+    if (!keep || starts_.size() == kMost * (stamps_.size() - 1)) return;
+    for (std::size_t k = 0; k + 1 < stamps_.size(); ++k) {
+      starts_.push_back(ns(stamps_[k] - first));
+      lengths_.push_back(ns(stamps_[k + 1] - stamps_[k]));
+    }
+    lasts_.push_back(ns(stamps_.back() - first));
+  }
+
+  // Collective; process 0 returns the text.
+  std::string text(MPI_Comm comm, const char* channel, bool pinned) const {
+    std::vector<double> own;
+    for (int k = 0; k < stages_; ++k) {
+      own.push_back(median(starts_, k));
+      own.push_back(median(lengths_, k));
+    }
+    if (rank_ != 0) {
+      MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, comm);
+      return "";
+    }
+    std::string text = "{\"model\": " + quoted(kRobot) +
+                       ", \"processes\": " + std::to_string(kProcesses) + ", \"channel\": \"" +
+                       channel + "\", \"pinned\": " + (pinned ? "true" : "false") +
+                       ", \"evaluations\": " + std::to_string(lasts_.size()) +
+                       ", \"clock_ns\": " + number(clock_cost()) + ",\n \"stages\": [";
+    for (int p = 0; p < kProcesses; ++p) {
+      const std::size_t count = 2 * static_cast<std::size_t>(kStageCount[p]);
+      std::vector<double> times(count);
+      if (p == 0)
+        times = own;
+      else
+        MPI_Recv(times.data(), static_cast<int>(count), MPI_DOUBLE, p, kTag, comm,
+                 MPI_STATUS_IGNORE);
+      for (std::size_t k = 0; 2 * k < count; ++k)
+        text += row(p, kStages[p][k], times[2 * k], times[2 * k + 1]) + ",";
+    }
+    if (text.back() == ',') text.pop_back();
+    return text + "\n ]}\n";
+  }
+
+ private:
+  static constexpr int kTag = 0x7ace;
+
+  static double ns(Clock::rep ticks) {
+    return std::chrono::duration<double, std::nano>(Clock::duration(ticks)).count();
+  }
+
+  static std::string number(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", x);
+    return text;
+  }
+
+  static std::string row(int process, const Stage& stage, double start, double length) {
+    const std::string joint = stage.joint < 0 ? "null" : quoted(kJoints[stage.joint].name);
+    const std::string message = stage.message < 0 ? "null" : std::to_string(stage.message);
+    return "\n  {\"process\": " + std::to_string(process) + ", \"what\": \"" + stage.what +
+           "\", \"joint\": " + joint + ", \"message\": " + message +
+           ", \"start_ns\": " + number(start) + ", \"length_ns\": " + number(length) + "}";
+  }
+
+  double median(const std::vector<double>& all, int stage) const {
+    std::vector<double> one;
+    const std::size_t step = stamps_.size() - 1;
+    for (std::size_t k = static_cast<std::size_t>(stage); k < all.size(); k += step)
+      one.push_back(all[k]);
+    if (one.empty()) return 0;
+    std::nth_element(one.begin(), one.begin() + static_cast<long>(one.size() / 2), one.end());
+    return one[one.size() / 2];
+  }
+
+  // What one look at the clock takes; each stage's length holds one.
+  static double clock_cost() {
+    double best = 1e9;
+    for (int k = 0; k < 64; ++k) {
+      const Clock::time_point start = Clock::now();
+      for (int i = 0; i < 64; ++i) (void)Clock::now();
+      best = std::min(best, ns((Clock::now() - start).count()) / 65);
+    }
+    return best;
+  }
+
+  int rank_, stages_;
+  std::vector<Clock::rep> stamps_;
+  std::vector<double> starts_, lengths_, lasts_;
 };
 
 // The program around the solver: solves given states, checks, times, reports.
@@ -2882,10 +3081,11 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   int status = kDone;
   if (rank == 0) {
     std::ifstream file(path, std::ios::binary);
+    file.peek();  // tells a folder from a file
     std::ostringstream text;
-    text << file.rdbuf();
+    if (!file.bad()) text << file.rdbuf();
     std::string wrong;
-    if (!file || text.bad())
+    if (!file.is_open() || file.bad())
       wrong = " error: cannot read the states file";
     else
       wrong = StatesReader(text.str()).read(states);
@@ -2948,6 +3148,10 @@ class Program {
     if (status != kFault && status != kUsage && options_.time) {
       const int timed = time_all();
       if (status == kDone) status = timed;
+    }
+    if (status != kFault && status != kUsage && !options_.trace.empty()) {
+      const int traced = trace_all();
+      if (status == kDone) status = traced;
     }
     if (rank_ == 0 && status != kFault) report();
     watch_.again();
@@ -3097,16 +3301,50 @@ class Program {
     return kDone;
   }
 
+  // The same evaluations with time stamps between the stages of each process.
+  int trace_all() {
+    states_ = random_states(kRandomStates, options_.seed);
+    qdd_.assign(static_cast<std::size_t>(states_.count) * kNv, Real(0));
+    pinned_ = pinned_ || pin();
+    Trace trace(rank_);
+    int failed = kFine;
+    for (int pass = -1; pass < options_.repeat && failed == kFine; ++pass) {
+      watch_.again();
+      for (int s = 0; s < states_.count; ++s) {
+        start_together();
+        trace.begin();
+        const int found =
+            solver_.solve(q(s), v(s), tau(s), qdd_.data() + static_cast<long>(s) * kNv);
+        give_up_if_broken(found);
+        trace.end(solver_.channel.comm(), pass >= 0);
+        if (failed == kFine) failed = found;
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, solver_.channel.comm());
+    }
+    if (failed != kFine) return complain(kInputAtFault, "random state: " + describe(failed));
+    const std::string text = trace.text(solver_.channel.comm(), channel_name(), pinned_);
+    int status = kDone;
+    if (rank_ == 0) {
+      std::ofstream file(options_.trace, std::ios::binary);
+      if (!(file << text << std::flush))
+        status = complain(kFault, "cannot write the trace", options_.trace);
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, solver_.channel.comm());
+    return status;
+  }
+
+  const char* channel_name() const {
+    if (kProcesses == 1) return "none";
+    return solver_.channel.windowed() ? "window" : "message";
+  }
+
   void report() const {
     const auto times = [](const Statistics& t, const char* format) {
       std::printf(format, t.median, t.least, t.percentile99);
     };
     if (options_.json) {
       std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"", quoted(kRobot).c_str(),
-                  kProcesses,
-                  solver_.channel.windowed() ? "window"
-                  : kProcesses == 1          ? "none"
-                                             : "message");
+                  kProcesses, channel_name());
       if (!options_.states.empty()) std::printf(", \"solved\": %d", solved_);
       if (checked_)
         std::printf(

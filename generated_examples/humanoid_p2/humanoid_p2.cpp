@@ -938,6 +938,20 @@ class Channel {
   std::vector<Port> ports_;
 };
 
+// Time stamps between the stages of a process's work (--trace); nothing is stamped otherwise.
+struct Stage {
+  const char* what;
+  int joint;    // that it ends or begins with; -1 for none
+  int message;  // sent or received; -1 for work
+};
+
+std::chrono::steady_clock::rep* trace_stamps =
+    nullptr;  // where an evaluation puts them: its start, then each end
+
+inline void stamp(int k) {
+  if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
+}
+
 // ---- 4. joints ----------------------------------------------------------------------------------
 
 // The memory of a process. Whatever belongs to a joint is kept with it.
@@ -946,326 +960,326 @@ struct Workspace;
 struct Joint_base {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "pelvis"
-  Columns6 b;  // bias acceleration of the bare link "pelvis"
-  Joined<Floating> joined;
-  Coupled<Floating> at_pelvis;
+  Columns6 b;  // bias of the bare link "pelvis"
   Mat6 Phi_pelvis;  // of the chain it completes
   Columns6 b_pelvis;
+  Joined<Floating> joined;
+  Coupled<Floating> at_pelvis;
   Columns6 F_on_pelvis;  // outer wrench on that chain
 };
 
 struct Joint_left_hip_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_hip"
-  Columns6 b;  // bias acceleration of the bare link "left_hip"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_pelvis;
+  Columns6 b;  // bias of the bare link "left_hip"
   Mat6 Phi_pelvis;  // of the chain it completes
   Columns6 b_pelvis;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_pelvis;
   Columns6 F_on_pelvis;  // outer wrench on that chain
 };
 
 struct Joint_left_hip_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_groin"
-  Columns6 b;  // bias acceleration of the bare link "left_groin"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_hip;
+  Columns6 b;  // bias of the bare link "left_groin"
   Mat6 Phi_left_hip;  // of the chain it completes
   Columns6 b_left_hip;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_left_hip;
   Columns6 F_on_left_hip;  // outer wrench on that chain
 };
 
 struct Joint_left_hip_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_thigh"
-  Columns6 b;  // bias acceleration of the bare link "left_thigh"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_groin;
+  Columns6 b;  // bias of the bare link "left_thigh"
   Mat6 Phi_left_groin;  // of the chain it completes
   Columns6 b_left_groin;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_left_groin;
   Columns6 F_on_left_groin;  // outer wrench on that chain
 };
 
 struct Joint_left_knee {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_shank"
-  Columns6 b;  // bias acceleration of the bare link "left_shank"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_thigh;
+  Columns6 b;  // bias of the bare link "left_shank"
   Mat6 Phi_left_thigh;  // of the chain it completes
   Columns6 b_left_thigh;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_left_thigh;
   Columns6 F_on_left_thigh;  // outer wrench on that chain
 };
 
 struct Joint_left_ankle_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_ankle"
-  Columns6 b;  // bias acceleration of the bare link "left_ankle"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_shank;
+  Columns6 b;  // bias of the bare link "left_ankle"
   Mat6 Phi_left_shank;  // of the chain it completes
   Columns6 b_left_shank;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_left_shank;
   Columns6 F_on_left_shank;  // outer wrench on that chain
 };
 
 struct Joint_left_ankle_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_foot"
-  Columns6 b;  // bias acceleration of the bare link "left_foot"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_ankle;
+  Columns6 b;  // bias of the bare link "left_foot"
   Mat6 Phi_left_ankle;  // of the chain it completes
   Columns6 b_left_ankle;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_left_ankle;
   Columns6 F_on_left_ankle;  // outer wrench on that chain
 };
 
 struct Joint_right_hip_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_hip"
-  Columns6 b;  // bias acceleration of the bare link "right_hip"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_pelvis;
+  Columns6 b;  // bias of the bare link "right_hip"
   Mat6 Phi_pelvis;  // of the chain it completes
   Columns6 b_pelvis;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_pelvis;
   Columns6 F_on_pelvis;  // outer wrench on that chain
 };
 
 struct Joint_right_hip_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_groin"
-  Columns6 b;  // bias acceleration of the bare link "right_groin"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_hip;
+  Columns6 b;  // bias of the bare link "right_groin"
   Mat6 Phi_right_hip;  // of the chain it completes
   Columns6 b_right_hip;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_right_hip;
   Columns6 F_on_right_hip;  // outer wrench on that chain
 };
 
 struct Joint_right_hip_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_thigh"
-  Columns6 b;  // bias acceleration of the bare link "right_thigh"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_groin;
+  Columns6 b;  // bias of the bare link "right_thigh"
   Mat6 Phi_right_groin;  // of the chain it completes
   Columns6 b_right_groin;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_right_groin;
   Columns6 F_on_right_groin;  // outer wrench on that chain
 };
 
 struct Joint_right_knee {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_shank"
-  Columns6 b;  // bias acceleration of the bare link "right_shank"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_thigh;
+  Columns6 b;  // bias of the bare link "right_shank"
   Mat6 Phi_right_thigh;  // of the chain it completes
   Columns6 b_right_thigh;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_right_thigh;
   Columns6 F_on_right_thigh;  // outer wrench on that chain
 };
 
 struct Joint_right_ankle_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_ankle"
-  Columns6 b;  // bias acceleration of the bare link "right_ankle"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_shank;
+  Columns6 b;  // bias of the bare link "right_ankle"
   Mat6 Phi_right_shank;  // of the chain it completes
   Columns6 b_right_shank;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_right_shank;
   Columns6 F_on_right_shank;  // outer wrench on that chain
 };
 
 struct Joint_right_ankle_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_foot"
-  Columns6 b;  // bias acceleration of the bare link "right_foot"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_ankle;
+  Columns6 b;  // bias of the bare link "right_foot"
   Mat6 Phi_right_ankle;  // of the chain it completes
   Columns6 b_right_ankle;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_right_ankle;
   Columns6 F_on_right_ankle;  // outer wrench on that chain
 };
 
 struct Joint_waist_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "waist_link"
-  Columns6 b;  // bias acceleration of the bare link "waist_link"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_waist_link;
+  Columns6 b;  // bias of the bare link "waist_link"
   Mat6 Phi_waist_link;  // of the chain it completes
   Columns6 b_waist_link;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_waist_link;
   Columns6 F_on_waist_link;  // outer wrench on that chain
 };
 
 struct Joint_waist_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "abdomen"
-  Columns6 b;  // bias acceleration of the bare link "abdomen"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_abdomen;
+  Columns6 b;  // bias of the bare link "abdomen"
   Mat6 Phi_abdomen;  // of the chain it completes
   Columns6 b_abdomen;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_abdomen;
   Columns6 F_on_abdomen;  // outer wrench on that chain
 };
 
 struct Joint_waist_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "torso"
-  Columns6 b;  // bias acceleration of the bare link "torso"
   Joined<Revolute> joined;
+  Columns6 b;  // bias of the bare link "torso"
 };
 
 struct Joint_left_shoulder_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_shoulder"
-  Columns6 b;  // bias acceleration of the bare link "left_shoulder"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_torso;
+  Columns6 b;  // bias of the bare link "left_shoulder"
   Mat6 Phi_torso;  // of the chain it completes
   Columns6 b_torso;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_torso;
   Columns6 F_on_torso;  // outer wrench on that chain
 };
 
 struct Joint_left_shoulder_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_shoulder_cap"
-  Columns6 b;  // bias acceleration of the bare link "left_shoulder_cap"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_shoulder;
+  Columns6 b;  // bias of the bare link "left_shoulder_cap"
   Mat6 Phi_left_shoulder;  // of the chain it completes
   Columns6 b_left_shoulder;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_left_shoulder;
   Columns6 F_on_left_shoulder;  // outer wrench on that chain
 };
 
 struct Joint_left_shoulder_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_upper_arm"
-  Columns6 b;  // bias acceleration of the bare link "left_upper_arm"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_shoulder_cap;
+  Columns6 b;  // bias of the bare link "left_upper_arm"
   Mat6 Phi_left_shoulder_cap;  // of the chain it completes
   Columns6 b_left_shoulder_cap;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_left_shoulder_cap;
   Columns6 F_on_left_shoulder_cap;  // outer wrench on that chain
 };
 
 struct Joint_left_elbow {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_forearm"
-  Columns6 b;  // bias acceleration of the bare link "left_forearm"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_upper_arm;
+  Columns6 b;  // bias of the bare link "left_forearm"
   Mat6 Phi_left_upper_arm;  // of the chain it completes
   Columns6 b_left_upper_arm;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_left_upper_arm;
   Columns6 F_on_left_upper_arm;  // outer wrench on that chain
 };
 
 struct Joint_left_wrist_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_wrist"
-  Columns6 b;  // bias acceleration of the bare link "left_wrist"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_forearm;
+  Columns6 b;  // bias of the bare link "left_wrist"
   Mat6 Phi_left_forearm;  // of the chain it completes
   Columns6 b_left_forearm;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_left_forearm;
   Columns6 F_on_left_forearm;  // outer wrench on that chain
 };
 
 struct Joint_left_wrist_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_hand"
-  Columns6 b;  // bias acceleration of the bare link "left_hand"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_wrist;
+  Columns6 b;  // bias of the bare link "left_hand"
   Mat6 Phi_left_wrist;  // of the chain it completes
   Columns6 b_left_wrist;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_left_wrist;
   Columns6 F_on_left_wrist;  // outer wrench on that chain
 };
 
 struct Joint_neck_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "neck"
-  Columns6 b;  // bias acceleration of the bare link "neck"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_torso;
+  Columns6 b;  // bias of the bare link "neck"
   Mat6 Phi_torso;  // of the chain it completes
   Columns6 b_torso;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_torso;
   Columns6 F_on_torso;  // outer wrench on that chain
 };
 
 struct Joint_neck_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "head"
-  Columns6 b;  // bias acceleration of the bare link "head"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_neck;
+  Columns6 b;  // bias of the bare link "head"
   Mat6 Phi_neck;  // of the chain it completes
   Columns6 b_neck;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_neck;
   Columns6 F_on_neck;  // outer wrench on that chain
 };
 
 struct Joint_right_shoulder_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_shoulder"
-  Columns6 b;  // bias acceleration of the bare link "right_shoulder"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_torso;
+  Columns6 b;  // bias of the bare link "right_shoulder"
   Mat6 Phi_torso;  // of the chain it completes
   Columns6 b_torso;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_torso;
   Columns6 F_on_torso;  // outer wrench on that chain
 };
 
 struct Joint_right_shoulder_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_shoulder_cap"
-  Columns6 b;  // bias acceleration of the bare link "right_shoulder_cap"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_shoulder;
+  Columns6 b;  // bias of the bare link "right_shoulder_cap"
   Mat6 Phi_right_shoulder;  // of the chain it completes
   Columns6 b_right_shoulder;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_right_shoulder;
   Columns6 F_on_right_shoulder;  // outer wrench on that chain
 };
 
 struct Joint_right_shoulder_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_upper_arm"
-  Columns6 b;  // bias acceleration of the bare link "right_upper_arm"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_shoulder_cap;
+  Columns6 b;  // bias of the bare link "right_upper_arm"
   Mat6 Phi_right_shoulder_cap;  // of the chain it completes
   Columns6 b_right_shoulder_cap;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_right_shoulder_cap;
   Columns6 F_on_right_shoulder_cap;  // outer wrench on that chain
 };
 
 struct Joint_right_elbow {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_forearm"
-  Columns6 b;  // bias acceleration of the bare link "right_forearm"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_upper_arm;
+  Columns6 b;  // bias of the bare link "right_forearm"
   Mat6 Phi_right_upper_arm;  // of the chain it completes
   Columns6 b_right_upper_arm;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_right_upper_arm;
   Columns6 F_on_right_upper_arm;  // outer wrench on that chain
 };
 
 struct Joint_right_wrist_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_wrist"
-  Columns6 b;  // bias acceleration of the bare link "right_wrist"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_forearm;
+  Columns6 b;  // bias of the bare link "right_wrist"
   Mat6 Phi_right_forearm;  // of the chain it completes
   Columns6 b_right_forearm;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_right_forearm;
   Columns6 F_on_right_forearm;  // outer wrench on that chain
 };
 
 struct Joint_right_wrist_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_hand"
-  Columns6 b;  // bias acceleration of the bare link "right_hand"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_wrist;
+  Columns6 b;  // bias of the bare link "right_hand"
   Mat6 Phi_right_wrist;  // of the chain it completes
   Columns6 b_right_wrist;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_right_wrist;
   Columns6 F_on_right_wrist;  // outer wrench on that chain
 };
 
@@ -1378,7 +1392,7 @@ const Columns6 kGround = [] {
 }();
 
 // Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
-Mat6 symmetric(const std::array<Real, 21>& upper) {
+[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
   Mat6 result;
   std::size_t k = 0;
   for (int i = 0; i < 6; ++i)
@@ -1472,7 +1486,7 @@ void kinematics_base(Workspace& w) {
 void assemble_base(Workspace& w) {
   auto& i = w.j_base;
   load_torque(w, 0, 0, i.joined.tau);
-  const Columns6 c = Columns6::Zero();  // v x S qd, v being S qd itself
+  const Columns6 c = Columns6::Zero();
   if (!join(i.joined, kZero, w.j_left_hip_pitch.Phi_pelvis, i.X * kGround, w.j_left_hip_pitch.b_pelvis, c))
     fail(w, kFactorization, 0);
   couple(i.joined, w.j_left_hip_pitch.Phi_pelvis, i.at_pelvis);
@@ -2649,6 +2663,7 @@ void disassemble_right_wrist_pitch(Workspace& w) {
 
 // Process 0: 16 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
   kinematics_base(w);
   kinematics_left_hip_pitch(w);
   kinematics_left_hip_roll(w);
@@ -2665,6 +2680,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_waist_yaw(w);
   kinematics_waist_roll(w);
   kinematics_waist_pitch(w);
+  stamp(1);
   link_bias(kLinks[12], w.j_right_ankle_pitch.v, w.j_right_ankle_pitch.b);
   link_bias(kLinks[13], w.j_right_ankle_roll.v, w.j_right_ankle_roll.b);
   assemble_right_ankle_roll(w);
@@ -2695,18 +2711,23 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_waist_yaw(w);
   link_bias(kLinks[15], w.j_waist_roll.v, w.j_waist_roll.b);
   assemble_waist_roll(w);
+  stamp(2);
   {  // from process 1: assembled: chain of "left_shoulder_pitch"
     const Real* from = channel.receive(0, w.status);
     from = get(from, w.j_left_shoulder_pitch.Phi_torso);
     from = get(from, w.j_left_shoulder_pitch.b_torso);
   }
+  stamp(3);
   assemble_waist_pitch(w);
+  stamp(4);
   disassemble_waist_pitch(w);
+  stamp(5);
   {  // to process 1: forces on: chain of "left_shoulder_pitch"
     Real* to = channel.outgoing(1, w.status);
     to = put(to, w.j_left_shoulder_pitch.F_on_torso);
     channel.send(1, w.status);
   }
+  stamp(6);
   disassemble_waist_roll(w);
   disassemble_waist_yaw(w);
   disassemble_base(w);
@@ -2722,10 +2743,12 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   disassemble_left_knee(w);
   disassemble_left_ankle_pitch(w);
   disassemble_left_ankle_roll(w);
+  stamp(7);
 }
 
 // Process 1: 14 of 30 joints: "left_shoulder_pitch", "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", "left_wrist_pitch", ...; kinematics of 4 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
   kinematics_base(w);
   kinematics_waist_yaw(w);
   kinematics_waist_roll(w);
@@ -2744,6 +2767,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_right_elbow(w);
   kinematics_right_wrist_roll(w);
   kinematics_right_wrist_pitch(w);
+  stamp(1);
   link_bias(kLinks[29], w.j_right_wrist_roll.v, w.j_right_wrist_roll.b);
   link_bias(kLinks[30], w.j_right_wrist_pitch.v, w.j_right_wrist_pitch.b);
   assemble_right_wrist_pitch(w);
@@ -2773,16 +2797,19 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   link_bias(kLinks[17], w.j_left_shoulder_pitch.v, w.j_left_shoulder_pitch.b);
   assemble_left_shoulder_roll(w);
   assemble_left_shoulder_pitch(w);
+  stamp(2);
   {  // to process 0: assembled: chain of "left_shoulder_pitch"
     Real* to = channel.outgoing(0, w.status);
     to = put(to, w.j_left_shoulder_pitch.Phi_torso);
     to = put(to, w.j_left_shoulder_pitch.b_torso);
     channel.send(0, w.status);
   }
+  stamp(3);
   {  // from process 0: forces on: chain of "left_shoulder_pitch"
     const Real* from = channel.receive(1, w.status);
     from = get(from, w.j_left_shoulder_pitch.F_on_torso);
   }
+  stamp(4);
   disassemble_left_shoulder_pitch(w);
   disassemble_neck_yaw(w);
   disassemble_right_shoulder_pitch(w);
@@ -2797,6 +2824,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   disassemble_left_elbow(w);
   disassemble_left_wrist_roll(w);
   disassemble_left_wrist_pitch(w);
+  stamp(5);
 }
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
@@ -3430,7 +3458,7 @@ constexpr ChannelMode kChannelMode = ChannelMode::kAuto;
 
 // What the program is asked to do.
 struct Options {
-  std::string states, result;
+  std::string states, result, trace;
   bool check = false, time = false, json = false, help = false, pin = true;
   int repeat = 200;
   std::uint64_t seed = 1;
@@ -3446,6 +3474,7 @@ const char* const kUsageText =
     "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
     "  --check           residual of an independent inverse dynamics, for the given or random "
     "states\n"
+    "  --trace FILE      when each process did what, as JSON (medians over random states)\n"
     "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
     "  --repeat N        evaluations of each random state when timing (200)\n"
     "  --seed N          seed of the random states (1)\n"
@@ -3455,7 +3484,8 @@ const char* const kUsageText =
     "  --no-pin          leave the processes to the system's scheduler when timing\n"
     "  --json            report as JSON on standard output\n"
     "  --help            this text\n"
-    "Without --states, --check or --time it checks and times. Exit status: 0 done, 1 input at "
+    "Without --states, --check, --time or --trace it checks and times. Exit status: 0 done, 1 "
+    "input at "
     "fault\n"
     "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
 
@@ -3475,8 +3505,8 @@ std::string parse(int count, char** words, Options& options) {
     else if (flag("--no-pin"))
       options.pin = false;
     else {
-      const char* const known[] = {"--states",    "--result",  "--repeat", "--seed",
-                                   "--tolerance", "--channel", "--timeout"};
+      const char* const known[] = {"--states", "--result",    "--trace",   "--repeat",
+                                   "--seed",   "--tolerance", "--channel", "--timeout"};
       if (std::none_of(std::begin(known), std::end(known), flag)) return "unknown option " + word;
       if (k + 1 == count) return word + " needs a value";
       const std::string value = words[++k];
@@ -3487,6 +3517,8 @@ std::string parse(int count, char** words, Options& options) {
         options.states = value;
       else if (flag("--result"))
         options.result = value;
+      else if (flag("--trace"))
+        options.trace = value;
       else if (flag("--channel")) {
         if (value == "auto")
           options.channel = ChannelMode::kAuto;
@@ -3517,7 +3549,7 @@ std::string parse(int count, char** words, Options& options) {
   if (!options.result.empty() && options.states.empty()) return "--result needs --states";
   if (options.json && options.result.empty() && !options.states.empty())
     return "--json needs --result FILE where there are --states: both would go to standard output";
-  if (options.states.empty() && !options.check && !options.time)
+  if (options.states.empty() && !options.check && !options.time && options.trace.empty())
     options.check = options.time = true;
   return "";
 }
@@ -3568,6 +3600,131 @@ class Watch {
 #endif
 
   double seconds_ = 0;
+};
+
+// The stages of each process's work, for --trace.
+constexpr std::array<Stage, 7> kStages_0{ {
+    {"kinematics", 15, -1},
+    {"assembly", 14, -1},
+    {"receive", -1, 0},
+    {"assembly", 15, -1},
+    {"disassembly", 15, -1},
+    {"send", -1, 1},
+    {"disassembly", 14, -1},
+} };
+constexpr std::array<Stage, 5> kStages_1{ {
+    {"kinematics", 29, -1},
+    {"assembly", 16, -1},
+    {"send", -1, 0},
+    {"receive", -1, 1},
+    {"disassembly", 16, -1},
+} };
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data()};
+constexpr std::array<int, kProcesses> kStageCount{7, 5};
+
+// What --trace FILE writes: when each stage of each process began and ended, as the medians over
+// many evaluations of random states; ns from the instant at which the processes start together.
+class Trace {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t kMost = 12800;  // evaluations that are kept
+
+  explicit Trace(int rank)
+      : rank_(rank),
+        stages_(kStageCount[static_cast<std::size_t>(rank)]),
+        stamps_(static_cast<std::size_t>(stages_) + 1) {}
+
+  void begin() { trace_stamps = stamps_.data(); }
+
+  // Collective. An evaluation counts from when the first process began.
+  void end(MPI_Comm comm, bool keep) {
+    trace_stamps = nullptr;
+    long long first = stamps_[0];
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_LONG_LONG, MPI_MIN, comm);
+    if (!keep || starts_.size() == kMost * (stamps_.size() - 1)) return;
+    for (std::size_t k = 0; k + 1 < stamps_.size(); ++k) {
+      starts_.push_back(ns(stamps_[k] - first));
+      lengths_.push_back(ns(stamps_[k + 1] - stamps_[k]));
+    }
+    lasts_.push_back(ns(stamps_.back() - first));
+  }
+
+  // Collective; process 0 returns the text.
+  std::string text(MPI_Comm comm, const char* channel, bool pinned) const {
+    std::vector<double> own;
+    for (int k = 0; k < stages_; ++k) {
+      own.push_back(median(starts_, k));
+      own.push_back(median(lengths_, k));
+    }
+    if (rank_ != 0) {
+      MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, comm);
+      return "";
+    }
+    std::string text = "{\"model\": " + quoted(kRobot) +
+                       ", \"processes\": " + std::to_string(kProcesses) + ", \"channel\": \"" +
+                       channel + "\", \"pinned\": " + (pinned ? "true" : "false") +
+                       ", \"evaluations\": " + std::to_string(lasts_.size()) +
+                       ", \"clock_ns\": " + number(clock_cost()) + ",\n \"stages\": [";
+    for (int p = 0; p < kProcesses; ++p) {
+      const std::size_t count = 2 * static_cast<std::size_t>(kStageCount[p]);
+      std::vector<double> times(count);
+      if (p == 0)
+        times = own;
+      else
+        MPI_Recv(times.data(), static_cast<int>(count), MPI_DOUBLE, p, kTag, comm,
+                 MPI_STATUS_IGNORE);
+      for (std::size_t k = 0; 2 * k < count; ++k)
+        text += row(p, kStages[p][k], times[2 * k], times[2 * k + 1]) + ",";
+    }
+    if (text.back() == ',') text.pop_back();
+    return text + "\n ]}\n";
+  }
+
+ private:
+  static constexpr int kTag = 0x7ace;
+
+  static double ns(Clock::rep ticks) {
+    return std::chrono::duration<double, std::nano>(Clock::duration(ticks)).count();
+  }
+
+  static std::string number(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", x);
+    return text;
+  }
+
+  static std::string row(int process, const Stage& stage, double start, double length) {
+    const std::string joint = stage.joint < 0 ? "null" : quoted(kJoints[stage.joint].name);
+    const std::string message = stage.message < 0 ? "null" : std::to_string(stage.message);
+    return "\n  {\"process\": " + std::to_string(process) + ", \"what\": \"" + stage.what +
+           "\", \"joint\": " + joint + ", \"message\": " + message +
+           ", \"start_ns\": " + number(start) + ", \"length_ns\": " + number(length) + "}";
+  }
+
+  double median(const std::vector<double>& all, int stage) const {
+    std::vector<double> one;
+    const std::size_t step = stamps_.size() - 1;
+    for (std::size_t k = static_cast<std::size_t>(stage); k < all.size(); k += step)
+      one.push_back(all[k]);
+    if (one.empty()) return 0;
+    std::nth_element(one.begin(), one.begin() + static_cast<long>(one.size() / 2), one.end());
+    return one[one.size() / 2];
+  }
+
+  // What one look at the clock takes; each stage's length holds one.
+  static double clock_cost() {
+    double best = 1e9;
+    for (int k = 0; k < 64; ++k) {
+      const Clock::time_point start = Clock::now();
+      for (int i = 0; i < 64; ++i) (void)Clock::now();
+      best = std::min(best, ns((Clock::now() - start).count()) / 65);
+    }
+    return best;
+  }
+
+  int rank_, stages_;
+  std::vector<Clock::rep> stamps_;
+  std::vector<double> starts_, lengths_, lasts_;
 };
 
 // The program around the solver: solves given states, checks, times, reports.
@@ -3622,10 +3779,11 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   int status = kDone;
   if (rank == 0) {
     std::ifstream file(path, std::ios::binary);
+    file.peek();  // tells a folder from a file
     std::ostringstream text;
-    text << file.rdbuf();
+    if (!file.bad()) text << file.rdbuf();
     std::string wrong;
-    if (!file || text.bad())
+    if (!file.is_open() || file.bad())
       wrong = " error: cannot read the states file";
     else
       wrong = StatesReader(text.str()).read(states);
@@ -3688,6 +3846,10 @@ class Program {
     if (status != kFault && status != kUsage && options_.time) {
       const int timed = time_all();
       if (status == kDone) status = timed;
+    }
+    if (status != kFault && status != kUsage && !options_.trace.empty()) {
+      const int traced = trace_all();
+      if (status == kDone) status = traced;
     }
     if (rank_ == 0 && status != kFault) report();
     watch_.again();
@@ -3837,16 +3999,50 @@ class Program {
     return kDone;
   }
 
+  // The same evaluations with time stamps between the stages of each process.
+  int trace_all() {
+    states_ = random_states(kRandomStates, options_.seed);
+    qdd_.assign(static_cast<std::size_t>(states_.count) * kNv, Real(0));
+    pinned_ = pinned_ || pin();
+    Trace trace(rank_);
+    int failed = kFine;
+    for (int pass = -1; pass < options_.repeat && failed == kFine; ++pass) {
+      watch_.again();
+      for (int s = 0; s < states_.count; ++s) {
+        start_together();
+        trace.begin();
+        const int found =
+            solver_.solve(q(s), v(s), tau(s), qdd_.data() + static_cast<long>(s) * kNv);
+        give_up_if_broken(found);
+        trace.end(solver_.channel.comm(), pass >= 0);
+        if (failed == kFine) failed = found;
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, solver_.channel.comm());
+    }
+    if (failed != kFine) return complain(kInputAtFault, "random state: " + describe(failed));
+    const std::string text = trace.text(solver_.channel.comm(), channel_name(), pinned_);
+    int status = kDone;
+    if (rank_ == 0) {
+      std::ofstream file(options_.trace, std::ios::binary);
+      if (!(file << text << std::flush))
+        status = complain(kFault, "cannot write the trace", options_.trace);
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, solver_.channel.comm());
+    return status;
+  }
+
+  const char* channel_name() const {
+    if (kProcesses == 1) return "none";
+    return solver_.channel.windowed() ? "window" : "message";
+  }
+
   void report() const {
     const auto times = [](const Statistics& t, const char* format) {
       std::printf(format, t.median, t.least, t.percentile99);
     };
     if (options_.json) {
       std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"", quoted(kRobot).c_str(),
-                  kProcesses,
-                  solver_.channel.windowed() ? "window"
-                  : kProcesses == 1          ? "none"
-                                             : "message");
+                  kProcesses, channel_name());
       if (!options_.states.empty()) std::printf(", \"solved\": %d", solved_);
       if (checked_)
         std::printf(

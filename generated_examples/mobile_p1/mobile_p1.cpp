@@ -790,6 +790,20 @@ class Channel {
   std::vector<Port> ports_;
 };
 
+// Time stamps between the stages of a process's work (--trace); nothing is stamped otherwise.
+struct Stage {
+  const char* what;
+  int joint;    // that it ends or begins with; -1 for none
+  int message;  // sent or received; -1 for work
+};
+
+std::chrono::steady_clock::rep* trace_stamps =
+    nullptr;  // where an evaluation puts them: its start, then each end
+
+inline void stamp(int k) {
+  if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
+}
+
 // ---- 4. joints ----------------------------------------------------------------------------------
 
 // The memory of a process. Whatever belongs to a joint is kept with it.
@@ -798,62 +812,62 @@ struct Workspace;
 struct Joint_drive {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "cart"
-  Columns6 b;  // bias acceleration of the bare link "cart"
+  Columns6 b;  // bias of the bare link "cart"
   Joined<Planar> joined;
 };
 
 struct Joint_laser_spin {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "laser"
-  Columns6 b;  // bias acceleration of the bare link "laser"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_cart;
+  Columns6 b;  // bias of the bare link "laser"
   Mat6 Phi_cart;  // of the chain it completes
   Columns6 b_cart;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_cart;
   Columns6 F_on_cart;  // outer wrench on that chain
 };
 
 struct Joint_lift {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "carriage"
-  Columns6 b;  // bias acceleration of the bare link "carriage"
-  Joined<Prismatic> joined;
-  Coupled<Prismatic> at_cart;
+  Columns6 b;  // bias of the bare link "carriage"
   Mat6 Phi_cart;  // of the chain it completes
   Columns6 b_cart;
+  Joined<Prismatic> joined;
+  Coupled<Prismatic> at_cart;
   Columns6 F_on_cart;  // outer wrench on that chain
 };
 
 struct Joint_shoulder {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "boom"
-  Columns6 b;  // bias acceleration of the bare link "boom"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_carriage;
+  Columns6 b;  // bias of the bare link "boom"
   Mat6 Phi_carriage;  // of the chain it completes
   Columns6 b_carriage;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_carriage;
   Columns6 F_on_carriage;  // outer wrench on that chain
 };
 
 struct Joint_wrist {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "bowl"
-  Columns6 b;  // bias acceleration of the bare link "bowl"
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_boom;
+  Columns6 b;  // bias of the bare link "bowl"
   Mat6 Phi_boom;  // of the chain it completes
   Columns6 b_boom;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_boom;
   Columns6 F_on_boom;  // outer wrench on that chain
 };
 
 struct Joint_loose {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "load"
-  Columns6 b;  // bias acceleration of the bare link "load"
-  Joined<Floating> joined;
-  Coupled<Floating> at_bowl;
+  Columns6 b;  // bias of the bare link "load"
   Mat6 Phi_bowl;  // of the chain it completes
   Columns6 b_bowl;
+  Joined<Floating> joined;
+  Coupled<Floating> at_bowl;
   Columns6 F_on_bowl;  // outer wrench on that chain
 };
 
@@ -942,7 +956,7 @@ const Columns6 kGround = [] {
 }();
 
 // Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
-Mat6 symmetric(const std::array<Real, 21>& upper) {
+[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
   Mat6 result;
   std::size_t k = 0;
   for (int i = 0; i < 6; ++i)
@@ -1015,7 +1029,7 @@ void kinematics_drive(Workspace& w) {
 void assemble_drive(Workspace& w) {
   auto& i = w.j_drive;
   load_torque(w, 0, 0, i.joined.tau);
-  const Columns6 c = Columns6::Zero();  // v x S qd, v being S qd itself
+  const Columns6 c = Columns6::Zero();
   if (!join(i.joined, kZero, w.j_laser_spin.Phi_cart, i.X * kGround, w.j_laser_spin.b_cart, c))
     fail(w, kFactorization, 0);
 }
@@ -1232,12 +1246,14 @@ void disassemble_loose(Workspace& w) {
 
 // Process 0: 6 of 6 joints: "drive", "laser_spin", "lift", "shoulder", "wrist", "loose"
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
   kinematics_drive(w);
   kinematics_laser_spin(w);
   kinematics_lift(w);
   kinematics_shoulder(w);
   kinematics_wrist(w);
   kinematics_loose(w);
+  stamp(1);
   link_bias(kLinks[5], w.j_wrist.v, w.j_wrist.b);
   link_bias(kLinks[6], w.j_loose.v, w.j_loose.b);
   assemble_loose(w);
@@ -1250,12 +1266,14 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   link_bias(kLinks[2], w.j_laser_spin.v, w.j_laser_spin.b);
   assemble_laser_spin(w);
   assemble_drive(w);
+  stamp(2);
   disassemble_drive(w);
   disassemble_laser_spin(w);
   disassemble_lift(w);
   disassemble_shoulder(w);
   disassemble_wrist(w);
   disassemble_loose(w);
+  stamp(3);
 }
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
@@ -1885,7 +1903,7 @@ constexpr ChannelMode kChannelMode = ChannelMode::kAuto;
 
 // What the program is asked to do.
 struct Options {
-  std::string states, result;
+  std::string states, result, trace;
   bool check = false, time = false, json = false, help = false, pin = true;
   int repeat = 200;
   std::uint64_t seed = 1;
@@ -1901,6 +1919,7 @@ const char* const kUsageText =
     "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
     "  --check           residual of an independent inverse dynamics, for the given or random "
     "states\n"
+    "  --trace FILE      when each process did what, as JSON (medians over random states)\n"
     "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
     "  --repeat N        evaluations of each random state when timing (200)\n"
     "  --seed N          seed of the random states (1)\n"
@@ -1910,7 +1929,8 @@ const char* const kUsageText =
     "  --no-pin          leave the processes to the system's scheduler when timing\n"
     "  --json            report as JSON on standard output\n"
     "  --help            this text\n"
-    "Without --states, --check or --time it checks and times. Exit status: 0 done, 1 input at "
+    "Without --states, --check, --time or --trace it checks and times. Exit status: 0 done, 1 "
+    "input at "
     "fault\n"
     "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
 
@@ -1930,8 +1950,8 @@ std::string parse(int count, char** words, Options& options) {
     else if (flag("--no-pin"))
       options.pin = false;
     else {
-      const char* const known[] = {"--states",    "--result",  "--repeat", "--seed",
-                                   "--tolerance", "--channel", "--timeout"};
+      const char* const known[] = {"--states", "--result",    "--trace",   "--repeat",
+                                   "--seed",   "--tolerance", "--channel", "--timeout"};
       if (std::none_of(std::begin(known), std::end(known), flag)) return "unknown option " + word;
       if (k + 1 == count) return word + " needs a value";
       const std::string value = words[++k];
@@ -1942,6 +1962,8 @@ std::string parse(int count, char** words, Options& options) {
         options.states = value;
       else if (flag("--result"))
         options.result = value;
+      else if (flag("--trace"))
+        options.trace = value;
       else if (flag("--channel")) {
         if (value == "auto")
           options.channel = ChannelMode::kAuto;
@@ -1972,7 +1994,7 @@ std::string parse(int count, char** words, Options& options) {
   if (!options.result.empty() && options.states.empty()) return "--result needs --states";
   if (options.json && options.result.empty() && !options.states.empty())
     return "--json needs --result FILE where there are --states: both would go to standard output";
-  if (options.states.empty() && !options.check && !options.time)
+  if (options.states.empty() && !options.check && !options.time && options.trace.empty())
     options.check = options.time = true;
   return "";
 }
@@ -2023,6 +2045,120 @@ class Watch {
 #endif
 
   double seconds_ = 0;
+};
+
+// The stages of each process's work, for --trace.
+constexpr std::array<Stage, 3> kStages_0{ {
+    {"kinematics", 5, -1},
+    {"assembly", 0, -1},
+    {"disassembly", 0, -1},
+} };
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data()};
+constexpr std::array<int, kProcesses> kStageCount{3};
+
+// What --trace FILE writes: when each stage of each process began and ended, as the medians over
+// many evaluations of random states; ns from the instant at which the processes start together.
+class Trace {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t kMost = 12800;  // evaluations that are kept
+
+  explicit Trace(int rank)
+      : rank_(rank),
+        stages_(kStageCount[static_cast<std::size_t>(rank)]),
+        stamps_(static_cast<std::size_t>(stages_) + 1) {}
+
+  void begin() { trace_stamps = stamps_.data(); }
+
+  // Collective. An evaluation counts from when the first process began.
+  void end(MPI_Comm comm, bool keep) {
+    trace_stamps = nullptr;
+    long long first = stamps_[0];
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_LONG_LONG, MPI_MIN, comm);
+    if (!keep || starts_.size() == kMost * (stamps_.size() - 1)) return;
+    for (std::size_t k = 0; k + 1 < stamps_.size(); ++k) {
+      starts_.push_back(ns(stamps_[k] - first));
+      lengths_.push_back(ns(stamps_[k + 1] - stamps_[k]));
+    }
+    lasts_.push_back(ns(stamps_.back() - first));
+  }
+
+  // Collective; process 0 returns the text.
+  std::string text(MPI_Comm comm, const char* channel, bool pinned) const {
+    std::vector<double> own;
+    for (int k = 0; k < stages_; ++k) {
+      own.push_back(median(starts_, k));
+      own.push_back(median(lengths_, k));
+    }
+    if (rank_ != 0) {
+      MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, comm);
+      return "";
+    }
+    std::string text = "{\"model\": " + quoted(kRobot) +
+                       ", \"processes\": " + std::to_string(kProcesses) + ", \"channel\": \"" +
+                       channel + "\", \"pinned\": " + (pinned ? "true" : "false") +
+                       ", \"evaluations\": " + std::to_string(lasts_.size()) +
+                       ", \"clock_ns\": " + number(clock_cost()) + ",\n \"stages\": [";
+    for (int p = 0; p < kProcesses; ++p) {
+      const std::size_t count = 2 * static_cast<std::size_t>(kStageCount[p]);
+      std::vector<double> times(count);
+      if (p == 0)
+        times = own;
+      else
+        MPI_Recv(times.data(), static_cast<int>(count), MPI_DOUBLE, p, kTag, comm,
+                 MPI_STATUS_IGNORE);
+      for (std::size_t k = 0; 2 * k < count; ++k)
+        text += row(p, kStages[p][k], times[2 * k], times[2 * k + 1]) + ",";
+    }
+    if (text.back() == ',') text.pop_back();
+    return text + "\n ]}\n";
+  }
+
+ private:
+  static constexpr int kTag = 0x7ace;
+
+  static double ns(Clock::rep ticks) {
+    return std::chrono::duration<double, std::nano>(Clock::duration(ticks)).count();
+  }
+
+  static std::string number(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", x);
+    return text;
+  }
+
+  static std::string row(int process, const Stage& stage, double start, double length) {
+    const std::string joint = stage.joint < 0 ? "null" : quoted(kJoints[stage.joint].name);
+    const std::string message = stage.message < 0 ? "null" : std::to_string(stage.message);
+    return "\n  {\"process\": " + std::to_string(process) + ", \"what\": \"" + stage.what +
+           "\", \"joint\": " + joint + ", \"message\": " + message +
+           ", \"start_ns\": " + number(start) + ", \"length_ns\": " + number(length) + "}";
+  }
+
+  double median(const std::vector<double>& all, int stage) const {
+    std::vector<double> one;
+    const std::size_t step = stamps_.size() - 1;
+    for (std::size_t k = static_cast<std::size_t>(stage); k < all.size(); k += step)
+      one.push_back(all[k]);
+    if (one.empty()) return 0;
+    std::nth_element(one.begin(), one.begin() + static_cast<long>(one.size() / 2), one.end());
+    return one[one.size() / 2];
+  }
+
+  // What one look at the clock takes; each stage's length holds one.
+  static double clock_cost() {
+    double best = 1e9;
+    for (int k = 0; k < 64; ++k) {
+      const Clock::time_point start = Clock::now();
+      for (int i = 0; i < 64; ++i) (void)Clock::now();
+      best = std::min(best, ns((Clock::now() - start).count()) / 65);
+    }
+    return best;
+  }
+
+  int rank_, stages_;
+  std::vector<Clock::rep> stamps_;
+  std::vector<double> starts_, lengths_, lasts_;
 };
 
 // The program around the solver: solves given states, checks, times, reports.
@@ -2077,10 +2213,11 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   int status = kDone;
   if (rank == 0) {
     std::ifstream file(path, std::ios::binary);
+    file.peek();  // tells a folder from a file
     std::ostringstream text;
-    text << file.rdbuf();
+    if (!file.bad()) text << file.rdbuf();
     std::string wrong;
-    if (!file || text.bad())
+    if (!file.is_open() || file.bad())
       wrong = " error: cannot read the states file";
     else
       wrong = StatesReader(text.str()).read(states);
@@ -2143,6 +2280,10 @@ class Program {
     if (status != kFault && status != kUsage && options_.time) {
       const int timed = time_all();
       if (status == kDone) status = timed;
+    }
+    if (status != kFault && status != kUsage && !options_.trace.empty()) {
+      const int traced = trace_all();
+      if (status == kDone) status = traced;
     }
     if (rank_ == 0 && status != kFault) report();
     watch_.again();
@@ -2292,16 +2433,50 @@ class Program {
     return kDone;
   }
 
+  // The same evaluations with time stamps between the stages of each process.
+  int trace_all() {
+    states_ = random_states(kRandomStates, options_.seed);
+    qdd_.assign(static_cast<std::size_t>(states_.count) * kNv, Real(0));
+    pinned_ = pinned_ || pin();
+    Trace trace(rank_);
+    int failed = kFine;
+    for (int pass = -1; pass < options_.repeat && failed == kFine; ++pass) {
+      watch_.again();
+      for (int s = 0; s < states_.count; ++s) {
+        start_together();
+        trace.begin();
+        const int found =
+            solver_.solve(q(s), v(s), tau(s), qdd_.data() + static_cast<long>(s) * kNv);
+        give_up_if_broken(found);
+        trace.end(solver_.channel.comm(), pass >= 0);
+        if (failed == kFine) failed = found;
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, solver_.channel.comm());
+    }
+    if (failed != kFine) return complain(kInputAtFault, "random state: " + describe(failed));
+    const std::string text = trace.text(solver_.channel.comm(), channel_name(), pinned_);
+    int status = kDone;
+    if (rank_ == 0) {
+      std::ofstream file(options_.trace, std::ios::binary);
+      if (!(file << text << std::flush))
+        status = complain(kFault, "cannot write the trace", options_.trace);
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, solver_.channel.comm());
+    return status;
+  }
+
+  const char* channel_name() const {
+    if (kProcesses == 1) return "none";
+    return solver_.channel.windowed() ? "window" : "message";
+  }
+
   void report() const {
     const auto times = [](const Statistics& t, const char* format) {
       std::printf(format, t.median, t.least, t.percentile99);
     };
     if (options_.json) {
       std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"", quoted(kRobot).c_str(),
-                  kProcesses,
-                  solver_.channel.windowed() ? "window"
-                  : kProcesses == 1          ? "none"
-                                             : "message");
+                  kProcesses, channel_name());
       if (!options_.states.empty()) std::printf(", \"solved\": %d", solved_);
       if (checked_)
         std::printf(

@@ -50,10 +50,11 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   int status = kDone;
   if (rank == 0) {
     std::ifstream file(path, std::ios::binary);
+    file.peek();  // tells a folder from a file
     std::ostringstream text;
-    text << file.rdbuf();
+    if (!file.bad()) text << file.rdbuf();
     std::string wrong;
-    if (!file || text.bad())
+    if (!file.is_open() || file.bad())
       wrong = " error: cannot read the states file";
     else
       wrong = StatesReader(text.str()).read(states);

@@ -1,0 +1,91 @@
+"""What compilers and sanitizers say of emitted code: nothing."""
+
+from __future__ import annotations
+
+import shutil
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from adagen.states import random_states
+from tests.emitted import QUICK, Builder, Solver, forward_error, states_text, truth_of
+from tests.golden.examples import EXAMPLES, FOLDER, Example
+from tests.spoilt import SPOILT, spoil
+
+BY_STEM = {example.stem: example for example in EXAMPLES}
+SAMPLE = ("arm7_slaved_p2", "arm7_float_p2", "humanoid_p3", "mobile_p1")
+SANITIZED = ("arm7_slaved_p2", "mobile_p1")
+
+clang = pytest.mark.skipif(shutil.which("clang++") is None, reason="clang++ is not installed")
+
+
+def text(example: Example) -> str:
+    return (FOLDER / example.stem / f"{example.stem}.cpp").read_text()
+
+
+@clang
+@pytest.mark.parametrize(
+    "stem",
+    [stem if stem in SAMPLE else pytest.param(stem, marks=pytest.mark.slow) for stem in BY_STEM],
+)
+def test_clang_has_nothing_to_say(stem: str, builder: Builder) -> None:
+    # Warnings come from the front end; what the linker is told is not used here.
+    quiet = ("-Wno-unused-command-line-argument", "-fsyntax-only")
+    builder.with_compiler("clang++").check(text(BY_STEM[stem]), stem, quiet)
+
+
+@clang
+def test_what_clang_builds_is_right(builder: Builder, tmp_path: Path) -> None:
+    example = BY_STEM["mobile_p3"]
+    with_clang = builder.with_compiler("clang++")
+    executable = with_clang.compile(text(example), example.stem)
+    states = random_states(example.model(), 3)
+    found = Solver(executable, 3, builder.toolchain).solve(example.model(), states, tmp_path)
+    assert forward_error(found, truth_of(example.model(), states)) < 1e-11
+
+
+@pytest.mark.parametrize("without", ["-DNDEBUG", "-march=native"])
+def test_gcc_has_nothing_to_say_under_other_flags(without: str, builder: Builder) -> None:
+    flags = [flag for flag in QUICK if flag != without]
+    builder.check(text(BY_STEM["arm7_slaved_p2"]), "other", ("-fmax-errors=3", *flags))
+
+
+class TestSanitizers:
+    """-fsanitize=address,undefined; without NDEBUG, so that Eigen's own checks speak too."""
+
+    FLAGS = ("-O0", "-march=native", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+
+    @pytest.fixture(params=SANITIZED)
+    def example(self, request: pytest.FixtureRequest) -> Example:
+        return BY_STEM[request.param]
+
+    @pytest.fixture
+    def solver(self, example: Example, builder: Builder) -> Solver:
+        executable = builder.compile(text(example), example.stem, self.FLAGS)
+        # Leaks of Open MPI's own are not of interest.
+        options = ("ASAN_OPTIONS", "detect_leaks=0:abort_on_error=1")
+        environment = (*builder.toolchain.environment, options)
+        return Solver(
+            executable, example.processes, replace(builder.toolchain, environment=environment)
+        )
+
+    @pytest.mark.parametrize("channel", ["window", "message"])
+    def test_a_full_run_is_clean(
+        self, example: Example, solver: Solver, channel: str, tmp_path: Path
+    ) -> None:
+        states = random_states(example.model(), 3)
+        words = ("--check", "--time", "--repeat", "1", "--channel", channel)
+        found = solver.solve(example.model(), states, tmp_path, *words)
+        assert forward_error(found, truth_of(example.model(), states)) < 1e-11
+
+    def test_refused_states_are_refused_cleanly(
+        self, example: Example, solver: Solver, tmp_path: Path
+    ) -> None:
+        model = example.model()
+        good = states_text(model, random_states(model, 2), tmp_path)
+        for case in SPOILT[::3]:
+            path = spoil(case, good, model.joints[0].name, tmp_path)
+            done = solver.run("--states", path)
+            assert (done.status, done.stdout) == (1, ""), case.name
+            assert "error: " in done.stderr and "anitizer" not in done.stderr, case.name

@@ -1,0 +1,130 @@
+"""The C functions of emitted files, called from a program that links two of them."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.states import States, random_states
+from tests.emitted import Builder, Solver, forward_error, truth_of
+from tests.golden.examples import EXAMPLES, FOLDER
+
+STEMS = ("arm7_p2", "mobile_p1")
+BY_STEM = {example.stem: example for example in EXAMPLES}
+FLAGS = ("-O0", "-march=native")
+Facts = dict[tuple[str, str, int], list[list[str]]]
+
+
+def source(stem: str) -> str:
+    return (FOLDER / stem / f"{stem}.cpp").read_text()
+
+
+@pytest.fixture(scope="module")
+def program(builder: Builder) -> Solver:
+    objects = [
+        str(builder.compile(source(stem), f"{stem}.o", (*FLAGS, "-DADAGEN_NO_MAIN", "-c")))
+        for stem in STEMS
+    ]
+    text = Path(__file__).with_name("program.cpp").read_text()
+    includes = [f"-I{FOLDER / stem}" for stem in STEMS]
+    executable = builder.compile(text, "program", (*FLAGS, *includes, *objects))
+    return Solver(executable, 2, builder.toolchain)
+
+
+@pytest.fixture(scope="module")
+def states() -> dict[str, States]:
+    return {stem: random_states(BY_STEM[stem].model(), 3, seed=12) for stem in STEMS}
+
+
+@pytest.fixture(scope="module", params=["window", "message"])
+def facts(
+    request: pytest.FixtureRequest,
+    program: Solver,
+    states: dict[str, States],
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Facts:
+    """What the program printed: (solver, what, rank) to the words of its lines."""
+    folder = tmp_path_factory.mktemp("states")
+    for stem, some in states.items():
+        rows = zip(some.q, some.v, some.tau, strict=True)
+        np.savetxt(folder / stem, [np.concatenate(row) for row in rows], fmt="%.17g")
+    # A window needs somebody to share it with, so that the lonely solver would refuse it.
+    channel = "auto" if request.param == "window" else "message"
+    done = program.run(channel, *(folder / stem for stem in STEMS))
+    assert (done.status, done.stderr) == (0, "")
+    lines = sorted(done.stdout.splitlines(), key=lambda line: line.split()[:3])
+    assert lines.count("refuses a communicator of another size") == 2
+    found: Facts = {}
+    for line in lines:
+        words = line.split(maxsplit=3)
+        if words[0] in STEMS:
+            found.setdefault((words[0], words[1], int(words[2])), []).append(words[3].split())
+    return found
+
+
+def test_the_joints_tell_their_places(facts: Facts) -> None:
+    for stem in STEMS:
+        model = BY_STEM[stem].model()
+        for k, joint in enumerate(model.joints):
+            places = [model.q_start[k], joint.kind.nq, model.v_start[k], joint.kind.nv]
+            assert facts[stem, "joint", k] == [[joint.name, *map(str, places)]]
+        assert (stem, "joint", len(model.joints)) not in facts
+
+
+def test_an_unknown_channel_is_refused(facts: Facts) -> None:
+    assert all(facts[stem, "wrong", rank] == [["1"]] for stem in STEMS for rank in (0, 1))
+
+
+def test_in_place_every_process_gets_its_own_joints(
+    facts: Facts, states: dict[str, States]
+) -> None:
+    truth = truth_of(BY_STEM["arm7_p2"].model(), states["arm7_p2"])
+    rows = [facts["arm7_p2", "place", rank] for rank in (0, 1)]
+    merged = np.full(truth.shape, np.nan)
+    for rank in (0, 1):
+        for s, words in enumerate(rows[rank]):
+            for k, word in enumerate(words):
+                if word != "-":
+                    assert np.isnan(merged[s, k])  # one process owns it
+                    merged[s, k] = float(word)
+    assert forward_error(merged, truth) < 1e-11
+    truth = truth_of(BY_STEM["mobile_p1"].model(), states["mobile_p1"])
+    for rank in (0, 1):
+        found = np.array(facts["mobile_p1", "place", rank], dtype=float)
+        assert forward_error(found, truth) < 1e-11
+
+
+def test_at_the_root_process_0_gets_all(facts: Facts, states: dict[str, States]) -> None:
+    for stem, ranks in (("arm7_p2", [0]), ("mobile_p1", [0, 1])):
+        truth = truth_of(BY_STEM[stem].model(), states[stem])
+        for rank in ranks:
+            found = np.array(facts[stem, "root", rank], dtype=float)
+            assert forward_error(found, truth) < 1e-11
+    assert ("arm7_p2", "root", 1) not in facts
+
+
+def test_a_failure_is_told_in_words_writes_nothing_and_passes(facts: Facts) -> None:
+    for stem in STEMS:
+        last = BY_STEM[stem].model().joints[-1].name
+        says = f'joint "{last}": its q, v or tau is not a finite number'
+        assert " ".join(facts[stem, "failure", 0][0]) == says
+        assert set(facts[stem, "spoilt", 0][0]) == {"-"}
+        assert facts[stem, "after", 0][0] == facts[stem, "root", 0][0]
+
+
+def test_the_declarations_are_c_too(builder: Builder, tmp_path: Path) -> None:
+    mpicc = Path(builder.toolchain.mpicxx[0]).with_name("mpicc")
+    if shutil.which(str(mpicc)) is None:
+        pytest.skip("no mpicc beside mpicxx")
+    (tmp_path / "program.c").write_text(
+        '#define ADAGEN_DECLARATIONS\n#include "arm7_p2.cpp"\n'
+        "int main(void) { return arm7_p2_failure((arm7_p2_solver*)0) != 0; }\n"
+    )
+    command = [str(mpicc), "-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
+    command += ["-fsyntax-only", f"-I{FOLDER / 'arm7_p2'}", str(tmp_path / "program.c")]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stderr) == (0, "")

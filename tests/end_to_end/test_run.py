@@ -1,0 +1,430 @@
+"""What an emitted program does with its arguments, its input, its peers and its machine."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from adagen.model import Model
+from adagen.run import without_launcher_noise
+from adagen.states import States, random_states, read_result, write_states
+from tests.emitted import QUICK, Builder, Solver, cores, forward_error, states_text, truth_of
+from tests.golden.examples import EXAMPLES, FOLDER
+from tests.spoilt import SPOILT, Spoilt, spoil
+
+BY_STEM = {example.stem: example for example in EXAMPLES}
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A built example, its robot, and a folder to work in."""
+
+    model: Model
+    solver: Solver
+    folder: Path
+
+    def states(self, count: int = 2) -> States:
+        return random_states(self.model, count, seed=6)
+
+    def refuses(self, states: States) -> str:
+        """Solve states that must fail; return the one line that says why."""
+        given, result = self.folder / "s.json", self.folder / "r.json"
+        write_states(states, self.model, given)
+        done = self.solver.run("--states", given, "--result", result)
+        assert (done.status, done.stdout) == (1, "")
+        assert not result.exists()
+        (line,) = done.stderr.splitlines()
+        assert line.startswith(f"{given}: error: ")
+        assert "nan" not in line.lower().replace(str(given), "")
+        return line.removeprefix(f"{given}: error: ")
+
+
+def subject(stem: str, builder: Builder, folder: Path) -> Subject:
+    example = BY_STEM[stem]
+    source = (FOLDER / stem / f"{stem}.cpp").read_text()
+    executable = builder.compile(source, stem, QUICK)
+    return Subject(
+        example.model(), Solver(executable, example.processes, builder.toolchain), folder
+    )
+
+
+@pytest.fixture
+def arm(builder: Builder, tmp_path: Path) -> Subject:
+    return subject("arm7_p2", builder, tmp_path)
+
+
+@pytest.fixture
+def human(builder: Builder, tmp_path: Path) -> Subject:
+    return subject("human40_p4", builder, tmp_path)
+
+
+class TestInput:
+    @pytest.mark.parametrize("case", SPOILT, ids=lambda case: case.name)
+    def test_a_spoilt_states_file_is_refused_with_its_line(
+        self, case: Spoilt, builder: Builder, tmp_path: Path
+    ) -> None:
+        one = subject("arm7_p1", builder, tmp_path)
+        good = states_text(one.model, one.states(), tmp_path)
+        path = spoil(case, good, one.model.joints[0].name, tmp_path)
+        done = one.solver.run("--states", path, "--result", tmp_path / "r.json")
+        assert (done.status, done.stdout) == (1, "")
+        (line,) = done.stderr.splitlines()
+        number = str(case.line) if case.line else ""
+        assert line.startswith(f"{path}:{number}")
+        assert line.removeprefix(f"{path}:").split(":")[0].isdigit()
+        assert case.says in line
+        assert not (tmp_path / "r.json").exists()
+
+    def test_the_spoiling_alone_is_what_is_refused(self, builder: Builder, tmp_path: Path) -> None:
+        one = subject("arm7_p1", builder, tmp_path)
+        good = states_text(one.model, one.states(), tmp_path)
+        path = spoil(Spoilt("nothing", ""), good, one.model.joints[0].name, tmp_path)
+        assert one.solver.run("--states", path).status == 0
+
+    def test_a_bad_file_on_several_processes_is_one_line_too(self, human: Subject) -> None:
+        path = human.folder / "s.json"
+        path.write_text('{"joints": {}}')
+        done = human.solver.run("--states", path)
+        assert done.status == 1
+        assert done.stderr == f'{path}:1: error: joint "root" is missing'
+
+    @pytest.mark.parametrize("what", ["nothing", "folder"])
+    def test_a_file_that_cannot_be_read_is_told(self, arm: Subject, what: str) -> None:
+        path = arm.folder if what == "folder" else arm.folder / "none.json"
+        done = arm.solver.run("--states", path)
+        assert (done.status, done.stdout) == (1, "")
+        assert done.stderr == f"{path}: error: cannot read the states file"
+
+    def test_a_result_that_cannot_be_written_is_status_3(self, arm: Subject) -> None:
+        write_states(arm.states(), arm.model, arm.folder / "s.json")
+        target = arm.folder / "none" / "r.json"
+        done = arm.solver.run("--states", arm.folder / "s.json", "--result", target)
+        assert done.status == 3
+        assert done.stderr == f"{target}: error: cannot write the result"
+
+    def test_types_and_answers_in_the_file_are_passed_over(self, arm: Subject) -> None:
+        data = states_text(arm.model, arm.states(), arm.folder)
+        for values in data["joints"].values():
+            values.update(type="revolute", qdd=[[1, {"a": None}], "x", True, 1e5])
+        path = arm.folder / "s.json"
+        path.write_text(json.dumps(data))
+        assert arm.solver.run("--states", path).status == 0
+
+    def test_members_in_any_order_give_the_same(self, arm: Subject) -> None:
+        data = states_text(arm.model, arm.states(), arm.folder)
+        first = arm.solver.run("--states", arm.folder / "good.json").stdout
+        turned = {k: data[k] for k in reversed(data)}
+        turned["joints"] = dict(reversed(data["joints"].items()))
+        (arm.folder / "s.json").write_text(json.dumps(turned, indent=3))
+        assert arm.solver.run("--states", arm.folder / "s.json").stdout == first
+
+
+class TestNumbers:
+    def test_a_velocity_that_overflows_names_a_joint(self, human: Subject) -> None:
+        states = human.states()
+        states.v[1, :] = 1e200
+        line = human.refuses(states)
+        assert line.startswith('state 2: joint "')
+        assert "not a finite number" in line or "factorization failed" in line
+
+    @pytest.mark.parametrize("field", ["q", "v", "tau"])
+    def test_what_the_scalar_cannot_hold_is_not_finite(
+        self, field: str, builder: Builder, tmp_path: Path
+    ) -> None:
+        arm = subject("arm7_float_p2", builder, tmp_path)
+        for j in (0, 4, 8):
+            states = arm.states()
+            getattr(states, field)[1, j] = 1e39  # finite in double, not in float
+            name = arm.model.joints[j].name
+            line = f'state 2: joint "{name}": its q, v or tau is not a finite number'
+            assert arm.refuses(states) == line
+
+    @pytest.mark.parametrize("size", [0.0, 1e-200, 1e200])
+    def test_a_quaternion_that_cannot_be_normalised_names_its_joint(
+        self, human: Subject, size: float
+    ) -> None:
+        states = human.states()
+        write_states(states, human.model, human.folder / "s.json")
+        data = json.loads((human.folder / "s.json").read_text())
+        for name in ("left_wrist", "root"):
+            spoilt = json.loads(json.dumps(data))
+            spoilt["joints"][name]["q"][0][-4:] = [size, 0.0, 0.0, 0.0]
+            (human.folder / "z.json").write_text(json.dumps(spoilt))
+            done = human.solver.run("--states", human.folder / "z.json")
+            assert (done.status, done.stdout) == (1, "")
+            expected = f'state 1: joint "{name}": its quaternion cannot be normalised'
+            assert done.stderr == f"{human.folder}/z.json: error: {expected}"
+
+    def test_a_quaternion_is_normalised(self, human: Subject) -> None:
+        states = human.states()
+        expected = human.solver.solve(human.model, states, human.folder)
+        data = json.loads((human.folder / "states.json").read_text())
+        for values in data["joints"].values():
+            if len(values["q"][0]) if isinstance(values["q"][0], list) else 0:
+                for row in values["q"]:
+                    row[-4:] = [3.5 * x for x in row[-4:]]
+        (human.folder / "n.json").write_text(json.dumps(data))
+        result = human.folder / "n_result.json"
+        done = human.solver.run("--states", human.folder / "n.json", "--result", result)
+        assert done.status == 0
+        np.testing.assert_allclose(read_result(result, human.model), expected, rtol=1e-12)
+
+    def test_an_acceleration_at_the_edge_of_double_is_right_or_an_error(self, arm: Subject) -> None:
+        states = arm.states(1)
+        states.tau[0, 0] = 1e308
+        assert arm.refuses(states).startswith('state 1: joint "')
+
+    def test_slaved_joints_follow_whatever_the_file_gives(
+        self, builder: Builder, tmp_path: Path
+    ) -> None:
+        arm = subject("arm7_slaved_p2", builder, tmp_path)
+        states = arm.states()
+        found = arm.solver.solve(arm.model, states, tmp_path)
+        assert forward_error(found, truth_of(arm.model, states)) < 1e-11
+        data = json.loads((tmp_path / "states.json").read_text())
+        del data["joints"]["right_finger_slide"]
+        (tmp_path / "less.json").write_text(json.dumps(data))
+        done = arm.solver.run("--states", tmp_path / "less.json", "--result", tmp_path / "l.json")
+        assert done.status == 0
+        given = np.array(states.tau[:, 8])
+        states.tau[:, 8] = 0.0  # what is left out is no torque
+        assert np.any(given != 0.0)
+        less = read_result(tmp_path / "l.json", arm.model)
+        assert forward_error(less, truth_of(arm.model, states)) < 1e-11
+
+
+class TestUsage:
+    @pytest.mark.parametrize(
+        ("words", "says"),
+        [
+            (["--fast"], "unknown option --fast"),
+            (["states.json"], "unknown option states.json"),
+            (["--states"], "--states needs a value"),
+            (["--result", "r.json"], "--result needs --states"),
+            (["--repeat", "0"], "--repeat takes"),
+            (["--repeat", "1.5"], "--repeat takes"),
+            (["--repeat", "many"], "--repeat takes"),
+            (["--seed", "-1"], "--seed takes"),
+            (["--seed", "1e300"], "--seed takes"),
+            (["--timeout", "0"], "--timeout takes"),
+            (["--timeout", "1e300"], "--timeout takes"),
+            (["--timeout", "nan"], "--timeout takes"),
+            (["--tolerance", "inf"], "--tolerance takes"),
+            (["--channel", "pigeon"], "--channel takes auto, window or message"),
+            (["--states", "s.json", "--json"], "--json needs --result"),
+        ],
+    )
+    def test_a_wrong_command_line_is_status_2_and_one_line(
+        self, words: list[str], says: str, arm: Subject
+    ) -> None:
+        done = arm.solver.run(*words)
+        assert (done.status, done.stdout) == (2, "")
+        (line,) = done.stderr.splitlines()
+        assert line.startswith("error: ") and says in line and line.endswith("see --help")
+
+    @pytest.mark.parametrize("count", [1, 3])
+    def test_the_wrong_number_of_processes_is_status_2(self, count: int, arm: Subject) -> None:
+        done = Solver(arm.solver.executable, count, arm.solver.toolchain).run("--check")
+        assert (done.status, done.stdout) == (2, "")
+        assert done.stderr == (
+            f"error: this solver is for exactly 2 processes, started with {count}: use mpiexec -n 2"
+        )
+
+    def test_help_tells_every_option_on_any_number_of_processes(self, arm: Subject) -> None:
+        for count in (1, 2):
+            done = Solver(arm.solver.executable, count, arm.solver.toolchain).run("--help")
+            assert (done.status, done.stderr) == (0, "")
+            assert done.stdout.startswith("usage: mpiexec -n 2 ")
+            for option in ("states", "result", "check", "time", "repeat", "seed", "tolerance",
+                           "channel", "timeout", "no-pin", "json", "help"):  # fmt: skip
+                assert f"  --{option} " in done.stdout
+
+
+class TestReports:
+    def report(self, done: Any) -> dict[str, Any]:
+        assert (done.status, done.stderr) == (0, "")
+        data = json.loads(done.stdout)
+        assert isinstance(data, dict)
+        return data
+
+    def test_json_has_check_and_time(self, arm: Subject) -> None:
+        told = self.report(arm.solver.run("--json", "--repeat", "3"))
+        assert list(told) == ["model", "processes", "channel", "check", "time"]
+        assert (told["model"], told["processes"], told["channel"]) == ("arm7", 2, "window")
+        assert told["check"]["ok"] is True
+        assert 0 < told["check"]["residual_median"] <= told["check"]["residual_max"]
+        assert told["check"]["residual_max"] < told["check"]["tolerance"] == 1e-9
+        assert told["time"]["evaluations"] == 192
+        assert told["time"]["pinned"] in (True, False)
+        for way in ("in_place", "through_root"):
+            figures = told["time"][way]
+            assert set(figures) == {"median_ns", "min_ns", "p99_ns"}
+            assert 0 < figures["min_ns"] <= figures["median_ns"] <= figures["p99_ns"]
+
+    def test_json_of_solved_states(self, arm: Subject) -> None:
+        write_states(arm.states(5), arm.model, arm.folder / "s.json")
+        words = ["--states", str(arm.folder / "s.json"), "--result", str(arm.folder / "r.json")]
+        told = self.report(arm.solver.run(*words, "--json", "--channel", "message"))
+        assert told == {"model": "arm7", "processes": 2, "channel": "message", "solved": 5}
+
+    def test_a_check_that_fails_is_status_1_and_says_so(self, arm: Subject) -> None:
+        done = arm.solver.run("--check", "--tolerance", "0")
+        assert done.status == 1
+        assert done.stdout.rstrip().endswith("WRONG")
+        done = arm.solver.run("--check", "--tolerance", "0", "--json")
+        assert json.loads(done.stdout)["check"]["ok"] is False
+
+    def test_the_seed_decides_the_random_states(self, arm: Subject) -> None:
+        def residual(seed: int) -> object:
+            words = ("--check", "--json", "--seed", str(seed))
+            return json.loads(arm.solver.run(*words).stdout)["check"]
+
+        assert residual(1) == residual(1) != residual(2)
+
+    def test_results_go_to_standard_output_or_to_the_file(self, arm: Subject) -> None:
+        states = arm.states(3)
+        found = arm.solver.solve(arm.model, states, arm.folder)
+        done = arm.solver.run("--states", arm.folder / "states.json", "--check")
+        assert done.status == 0 and "check  residual" in done.stderr
+        assert done.stdout == (arm.folder / "result.json").read_text()
+        assert found.shape == (3, arm.model.nv)
+        joints = json.loads(done.stdout)["joints"]
+        assert [*joints] == [joint.name for joint in arm.model.joints]
+
+    def test_every_number_of_a_result_reads_back_bit_by_bit(self, arm: Subject) -> None:
+        states = arm.states(3)
+        one = arm.solver.solve(arm.model, states, arm.folder)
+        again = arm.solver.solve(arm.model, states, arm.folder, "--channel", "message")
+        assert np.array_equal(one, again)
+
+
+class TestPeers:
+    """A process that dies or stops ends the run; nothing outlives it."""
+
+    @pytest.fixture
+    def started(self, human: Subject) -> Iterator[Callable[..., subprocess.Popen[str]]]:
+        children: list[subprocess.Popen[str]] = []
+
+        def start(*words: str) -> subprocess.Popen[str]:
+            toolchain = human.solver.toolchain
+            copy = human.folder / "human40_copy"  # so that its processes can be told from others'
+            shutil.copy(human.solver.executable, copy)
+            command = [*toolchain.mpiexec, "-n", "4", "--oversubscribe", "--bind-to", "none"]
+            child = subprocess.Popen(
+                [*command, str(copy), *words],
+                env=toolchain.variables(os.environ),
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+                text=True,
+                errors="replace",
+            )
+            children.append(child)
+            return child
+
+        yield start
+        for child in children:
+            for pid in processes(human.folder / "human40_copy"):
+                os.kill(pid, signal.SIGKILL)
+            if child.poll() is None:
+                child.kill()
+            child.wait()
+            assert child.stderr is not None
+            child.stderr.close()
+
+    @pytest.mark.parametrize("channel", ["window", "message"])
+    @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSTOP])
+    @pytest.mark.parametrize("rank", [0, 2])
+    def test_a_peer_that_is_gone_ends_the_run(
+        self,
+        channel: str,
+        number: signal.Signals,
+        rank: int,
+        human: Subject,
+        started: Callable[..., subprocess.Popen[str]],
+    ) -> None:
+        words = ("--time", "--repeat", "1000000", "--timeout", "2", "--channel", channel)
+        child = started(*words)
+        victim = wait_for(lambda: running_ranks(human.folder / "human40_copy").get(rank))
+        time.sleep(0.5)  # past the start
+        assert child.poll() is None
+        os.kill(victim, number)
+        start = time.monotonic()
+        said = child.communicate(timeout=60)[1]
+        assert time.monotonic() - start < 30
+        assert child.returncode != 0
+        if number == signal.SIGSTOP:
+            assert child.returncode == 3
+            own = without_launcher_noise(said)[0].splitlines()
+            own = [line for line in own if line.startswith("error: ")]
+            assert own and all("did not answer within the time limit" in line for line in own)
+        wait_for(lambda: not processes(human.folder / "human40_copy"))
+
+
+class TestMachine:
+    def test_more_processes_than_cores_finish(self, human: Subject) -> None:
+        done = human.solver.run("--check", "--time", "--repeat", "2", "--timeout", "20")
+        assert (done.status, done.stderr) == (0, "")
+
+    @pytest.mark.skipif(shutil.which("taskset") is None, reason="taskset is not installed")
+    @pytest.mark.parametrize("channel", ["window", "message"])
+    def test_all_processes_on_one_core_finish(self, channel: str, human: Subject) -> None:
+        allowed = os.sched_getaffinity(0)
+        try:
+            os.sched_setaffinity(0, {min(allowed)})  # what is started here inherits it
+            done = human.solver.run("--json", "--repeat", "1", "--channel", channel)
+        finally:
+            os.sched_setaffinity(0, allowed)
+        assert (done.status, done.stderr) == (0, "")
+        assert json.loads(done.stdout)["time"]["pinned"] is False
+
+    def test_pinning_can_be_left_out(self, arm: Subject) -> None:
+        words = ("--time", "--repeat", "1", "--json")
+        assert json.loads(arm.solver.run(*words, "--no-pin").stdout)["time"]["pinned"] is False
+        if cores() >= 2:
+            assert json.loads(arm.solver.run(*words).stdout)["time"]["pinned"] is True
+
+
+def processes(executable: Path) -> list[int]:
+    """Return the processes whose program is ``executable``."""
+    found = []
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            if os.path.realpath(folder / "exe") == str(executable.resolve()):
+                found.append(int(folder.name))
+        except OSError:
+            continue
+    return sorted(found)
+
+
+def running_ranks(executable: Path) -> dict[int, int]:
+    """Return rank to process of a run, once all have their rank."""
+    ranks = {}
+    for pid in processes(executable):
+        try:
+            variables = Path(f"/proc/{pid}/environ").read_bytes().split(b"\0")
+        except OSError:
+            continue
+        for variable in variables:
+            name, _, value = variable.partition(b"=")
+            if name == b"OMPI_COMM_WORLD_RANK":
+                ranks[int(value)] = pid
+    return ranks if len(ranks) == 4 else {}
+
+
+def wait_for(condition: Callable[[], Any], limit: float = 30.0) -> Any:
+    deadline = time.monotonic() + limit
+    while not (value := condition()):
+        assert time.monotonic() < deadline, "it did not happen in time"
+        time.sleep(0.05)
+    return value
