@@ -35,7 +35,7 @@ def run(argv: Sequence[str]) -> int:
     parser.add_argument(
         "--out", type=Path, default=Path(), metavar="DIR", help="where to write (default: here)"
     )
-    parser.add_argument("--name", help="name of the files (default: the robot's)")
+    parser.add_argument("--name", help="name of the files (default: MODEL's, without its ending)")
     options = parse(parser, argv)
 
     from adagen.cli import pipeline

@@ -127,18 +127,25 @@ def add_schedule(parser: argparse.ArgumentParser) -> None:
         "and conquer), sequential (from the ends to the ground), middle-out (from the ends to the "
         "middle), or a file as `adagen schedule --json` prints it",
     )
+    parser.add_argument(
+        "--form",
+        choices=("segment", "ada"),
+        default="segment",
+        help="form of the algorithm: articulated bodies inside each process and joins at the cuts "
+        "(segment, default), or the paper's, joint by joint (ada)",
+    )
+    parser.add_argument(
+        "--scalar",
+        choices=("double", "float"),
+        default="double",
+        help="number type (default: double)",
+    )
 
 
 def add_emission(parser: argparse.ArgumentParser) -> None:
     """Add how the code is shaped."""
     parser.add_argument(
-        "--form", choices=("ada",), default="ada", help="form of the algorithm (default: ada)"
-    )
-    parser.add_argument(
         "--shape", choices=("auto",), default="auto", help="shape of the code (default: auto)"
-    )
-    parser.add_argument(
-        "--scalar", choices=("double",), default="double", help="number type (default: double)"
     )
     parser.add_argument(
         "--channel",

@@ -79,9 +79,15 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
             return named_schedule(options.schedule, topology, options.procs, profile=profile)
         if options.schedule != "auto":
             return _read_schedule(options, Topology.of(model), profile)
+        cuttable = None
+        if options.form == "segment":
+            from adagen.plan.cuts import cuttable_joints
+
+            cuttable = cuttable_joints(model, options.scalar)
         return find_schedule(
             Topology.of(model),
             options.procs,
+            cuttable=cuttable,
             profile=profile,
             tie=options.tie,
             strategy=options.strategy,
@@ -140,12 +146,20 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             channel=options.channel,
             source_hash=_hash(Path(options.model)),
         )
+    idle = sum(not process.owns for process in plan.processes)
+    if idle:
+        few = len(plan.processes) - idle
+        warn(
+            f"{options.model}: warning: {idle} of {len(plan.processes)} processes will have"
+            f" nothing to do; say --procs {few}"
+        )
     with stages.stage("assess"):
         _warn_of_lost_digits(plan, options.model)
     with stages.stage("emit"), progress("emitting"):
         from adagen.emit import emit
 
-        files = emit(plan, name=options.name, svg=draw(schedule, model))
+        name = Path(options.model).stem if options.name is None else options.name
+        files = emit(plan, name=name, svg=draw(schedule, model))
     return Generated(schedule, plan, files)
 
 
@@ -162,10 +176,12 @@ def _warn_of_lost_digits(plan: Plan, file: str) -> None:
         growth = predicted_growth(plan)
     except FloatingPointError as error:
         raise InputError(f"form {plan.form} cannot solve this robot: {error}", file) from None
-    if growth.error > TOLERANCE[plan.scalar]:
+    # In form segment, cuts beside light links are not made in the first place.
+    if plan.form == "ada" and growth.error > TOLERANCE[plan.scalar]:
         warn(
             f"{file}: warning: relative errors of about {growth.error:.0e} are to be expected: a "
-            f'link at joint "{plan.joints[growth.joint].name}" is much lighter than its neighbours'
+            f'link at joint "{plan.joints[growth.joint].name}" is much lighter than its neighbours;'
+            " form segment keeps more digits"
         )
 
 

@@ -30,7 +30,7 @@ def make_plan(
     model: Model,
     schedule: Schedule,
     *,
-    form: str = "ada",
+    form: str = "segment",
     scalar: str = "double",
     channel: str = "auto",
     source_hash: str = "",

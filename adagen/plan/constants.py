@@ -12,9 +12,8 @@ from adagen.model import Inertia, Model, canonical
 from adagen.plan.types import PlanJoint, PlanLink
 
 WAY_OUT = (
-    "the assembly-disassembly form inverts the inertia of every moving link: give it mass and"
-    " rotational inertia about three axes, make one of its joints fixed, or write a run of joints"
-    " through such links as one spherical joint"
+    "joining it as a link of its own inverts its inertia: use form segment without a cut beside it,"
+    " give it mass and rotational inertia about three axes, or make one of its joints fixed"
 )
 
 

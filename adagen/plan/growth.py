@@ -1,4 +1,4 @@
-"""How many digits form `ada` will keep on a robot, told before it is emitted.
+"""How many digits the joins of a plan will keep on a robot, told before it is emitted.
 
 A link that is much lighter than its neighbours loses most of its mobility when they are attached:
 Phi_C = Phi - Z^T Z then subtracts nearly equal numbers. With g the mobility that is lost, about
@@ -8,13 +8,16 @@ log10(g) digits go with it, in whatever order the joints are assembled.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.model import Inertia
 from adagen.model.kinds import KINDS
+from adagen.plan.constants import inverse_inertia
 from adagen.plan.interpret import execute
-from adagen.plan.types import Join, Plan
+from adagen.plan.types import Join, Plan, PlanJoint, PlanLink
 
 EPSILON = {"double": 2.0**-53, "float": 2.0**-24}
 
@@ -47,7 +50,7 @@ def predicted_growth(plan: Plan) -> Growth:
 
 
 def _growth(plan: Plan, seed: int) -> Growth:
-    q = _configuration(plan, seed)
+    q = generic_configuration(plan.joints, seed)
     zero = np.zeros(sum(KINDS[joint.kind].nv for joint in plan.joints))
     _, memories = execute(plan, q, zero, zero)
     values: dict[int, float] = {}
@@ -56,6 +59,8 @@ def _growth(plan: Plan, seed: int) -> Growth:
             if isinstance(step, Join):
                 phi = memory["join", step.joint][5]
                 values[step.joint] = _lost(plan, step.joint, memory["X", step.joint], phi)
+    if not values:
+        return Growth(EPSILON[plan.scalar], 0, 1.0)
     worst = max(values, key=lambda joint: (values[joint], -joint))
     return Growth(EPSILON[plan.scalar] * sum(values.values()), worst, values[worst])
 
@@ -64,20 +69,34 @@ def _lost(plan: Plan, j: int, x: NDArray[np.float64], assembled: NDArray[np.floa
     rows = list(KINDS[plan.joints[j].kind].constrained)
     if not rows:
         return 1.0
-    bare = np.array(plan.links[j + 1].phi)
+    bare = _bare_mobility(plan.links[j + 1])
     if plan.joints[j].parent > 0:
-        bare = bare + x @ np.array(plan.links[plan.joints[j].parent].phi) @ x.T
-    m = assembled[np.ix_(rows, rows)]
-    scale = 1.0 / np.sqrt(np.diag(m))  # mixed units: rotations beside translations
-    lower = np.linalg.cholesky(m * np.outer(scale, scale))
-    half = np.linalg.solve(lower, bare[np.ix_(rows, rows)] * np.outer(scale, scale))
+        bare = bare + x @ _bare_mobility(plan.links[plan.joints[j].parent]) @ x.T
+    at = np.ix_(rows, rows)
+    return lost_mobility(bare[at], assembled[at])
+
+
+def _bare_mobility(link: PlanLink) -> NDArray[np.float64]:
+    inertia = Inertia(link.mass, np.array(link.com), np.array(link.tensor))
+    return inverse_inertia(inertia, link.name)[1]
+
+
+def lost_mobility(bare: NDArray[Any], assembled: NDArray[Any]) -> float:
+    """Return the largest generalised eigenvalue of two symmetric matrices of equal shape.
+
+    Raises:
+        LinAlgError: the second one is not positive definite.
+    """
+    scale = 1.0 / np.sqrt(np.diag(assembled))  # mixed units: rotations beside translations
+    lower = np.linalg.cholesky(assembled * np.outer(scale, scale))
+    half = np.linalg.solve(lower, bare * np.outer(scale, scale))
     return float(np.linalg.eigvalsh(np.linalg.solve(lower, half.T))[-1])
 
 
-def _configuration(plan: Plan, seed: int) -> NDArray[np.float64]:
-    """A generic configuration, the same everywhere: irrational steps round the circle."""
+def generic_configuration(joints: tuple[PlanJoint, ...], seed: int) -> NDArray[np.float64]:
+    """Return a generic configuration, shape (nq,): irrational steps round the circle."""
     result = []
-    for j, joint in enumerate(plan.joints):
+    for j, joint in enumerate(joints):
         kind = KINDS[joint.kind]
         values = np.sin(1.7 * (j + 1) * seed + np.arange(kind.nq))
         if kind.quaternion is not None:
@@ -85,6 +104,3 @@ def _configuration(plan: Plan, seed: int) -> NDArray[np.float64]:
             values[part] /= np.linalg.norm(values[part])
         result.append(values)
     return np.concatenate(result)
-
-
-__all__ = ["Growth", "predicted_growth"]

@@ -18,7 +18,6 @@ from adagen.plan.types import (
     Block,
     Deliver,
     Disassemble,
-    Force,
     FreeAcceleration,
     FreeBase,
     InvertRoot,
@@ -164,7 +163,7 @@ class Machine:
         joint = self.plan.joints[step.joint]
         kind = KINDS[joint.kind]
         q = self.q[joint.q : joint.q + kind.nq]
-        turn, shift = _placement(kind, q)
+        turn, shift = placement(kind, q)
         base = np.array(joint.rotation)
         rotation, origin = base @ turn, np.array(joint.translation) + base @ shift
         x = motion_transform(rotation.T, origin)
@@ -324,7 +323,7 @@ def cross_motion(v: Array, m: Array) -> Array:
     return np.concatenate([np.cross(v[:3], m[:3]), linear])
 
 
-def _placement(kind: JointKind, q: Array) -> tuple[Array, Array]:
+def placement(kind: JointKind, q: Array) -> tuple[Array, Array]:
     """Rotation and origin of the child frame in the canonical joint frame."""
     turn, shift = np.eye(3), np.zeros(3)
     if kind.quaternion is not None:
@@ -346,6 +345,3 @@ def _placement(kind: JointKind, q: Array) -> tuple[Array, Array]:
         if kind.name == "planar":
             shift = np.array([q[0], q[1], 0.0])
     return turn, shift
-
-
-__all__ = ["Force", "PlanError", "interpret"]

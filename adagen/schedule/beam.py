@@ -48,6 +48,10 @@ class Beam:
                 slots.append((option.end, option.second, 0, joint, True, starts[1]))
         return builder.draft
 
+    def key(self, chain: Chain) -> int:
+        """Return a number that chains share if and only if they have the same schedules."""
+        return self.space.canon.key(chain)
+
     def _choice(self, chain: Chain, processes: int) -> Option | None:
         """Return the best option followed; None: the order of least work."""
         best, choice = self.space.single.work(chain), None
@@ -79,7 +83,7 @@ class Beam:
         processes = self.space.rules.useful(processes, self.space.size(chain))
         if processes == 1:
             return work
-        key = (self.space.canon.key(chain), processes)
+        key = (self.key(chain), processes)
         known = self._memo.get(key)
         if known is not None:
             return known

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from time import monotonic
 from typing import get_args
@@ -18,6 +18,7 @@ from adagen.schedule.draft import Draft
 from adagen.schedule.exact import ExactSearch
 from adagen.schedule.options import Space
 from adagen.schedule.profile import TICKS, CostProfile
+from adagen.schedule.restricted import joined_between_processes, restricted_draft
 from adagen.schedule.ties import LeastWork, walk
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Schedule, Split, Strategy, Tie, loads_of, makespan_of
@@ -69,6 +70,7 @@ def find_schedule(
     expansions: int = EXPANSIONS,
     time_budget: float | None = None,
     progress: Callable[[Progress], None] | None = None,
+    cuttable: Sequence[bool] | None = None,
 ) -> Schedule:
     """Return a schedule of the robot for P processes that minimises the makespan.
 
@@ -92,6 +94,9 @@ def find_schedule(
         time_budget: seconds after which the search ends too; None for no such limit. Where it
             strikes, the answer depends on the machine.
         progress: called now and then with what is known.
+        cuttable: for each joint whether two processes may meet there. Where the schedule found has
+            them meet elsewhere, a beam search over the allowed cuts takes its place, and no more
+            is proven than the bound of all cuts.
 
     Returns:
         The schedule; its verdict is ``optimal`` only where that is proven.
@@ -114,6 +119,11 @@ def find_schedule(
         found = _astar(request, strategy)
     _give_all(found.draft, searched, processes)
     root = found.draft.finish(topology, profile)
+    if cuttable is not None and not all(cuttable[j] for j in joined_between_processes(root)):
+        draft, spent = restricted_draft(topology, searched, profile, rules, cuttable, expansions)
+        found = Found(draft, found.lower, found.expanded + spent, False)
+        _give_all(found.draft, searched, processes)
+        root = found.draft.finish(topology, profile)
     makespan = makespan_of(root)
     lower = found.lower / TICKS
     return Schedule(

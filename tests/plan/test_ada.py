@@ -76,7 +76,7 @@ def test_against_sixty_digits() -> None:
 def test_a_hub_shares_one_block() -> None:
     """All joints at one link share its block: a hub of 12 arms costs no 12 x 12 blocks."""
     model = star(12, floating=True)
-    plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(3)))
+    plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(3)), form="ada")
     joins = [step for step in plan.processes[0].steps if isinstance(step, Join)]
     hub = model.joints[0].name
     assert hub == "__base__"
@@ -124,17 +124,19 @@ def test_a_lost_message_is_found_out() -> None:
 
 def test_json_and_back() -> None:
     model = random_tree(np.random.default_rng(7), 9, mimics=1)
-    plan = make_plan(model, random_schedule(model, 3, np.random.default_rng(7)), source_hash="ab")
-    text = plan_to_json(plan)
-    assert plan_from_json(text) == plan
-    assert plan_to_json(plan_from_json(text)) == text
-    assert json.loads(text)["form"] == "ada"
+    schedule = random_schedule(model, 3, np.random.default_rng(7))
+    for form in FORMS:
+        plan = make_plan(model, schedule, form=form, source_hash="ab")
+        text = plan_to_json(plan)
+        assert plan_from_json(text) == plan
+        assert plan_to_json(plan_from_json(text)) == text
+        assert json.loads(text)["form"] == form
 
 
 def test_massless_links_are_named_with_the_way_out() -> None:
     model = three_axis_chain(2)
-    with pytest.raises(InputError, match=r'link ".*" has no mass; .*spherical joint'):
-        make_plan(model, random_schedule(model, 1, np.random.default_rng(0)))
+    with pytest.raises(InputError, match=r'link ".*" has no mass; .*form segment'):
+        make_plan(model, random_schedule(model, 1, np.random.default_rng(0)), form="ada")
 
 
 def test_point_masses_are_named() -> None:
@@ -142,7 +144,11 @@ def test_point_masses_are_named() -> None:
     point = replace(model.links[2], inertia=Inertia(1.0, np.zeros(3), np.zeros((3, 3))))
     links = (*model.links[:2], point, *model.links[3:])
     with pytest.raises(InputError, match="singular rotational inertia"):
-        make_plan(replace(model, links=links), random_schedule(model, 1, np.random.default_rng(0)))
+        make_plan(
+            replace(model, links=links),
+            random_schedule(model, 1, np.random.default_rng(0)),
+            form="ada",
+        )
 
 
 def test_unknown_words_are_usage_errors() -> None:

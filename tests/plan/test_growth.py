@@ -30,7 +30,7 @@ def with_light_link(ratio: float) -> Model:
 @pytest.mark.parametrize("ratio", [1e-4, 1e-6, 1e-8])
 def test_the_prediction_is_right_within_two_digits(ratio: float) -> None:
     model = with_light_link(ratio)
-    plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(2)))
+    plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(2)), form="ada")
     growth = predicted_growth(plan)
     assert growth.joint in (4, 5)  # above or below the light link
     assert growth.largest > 0.1 / ratio
@@ -45,13 +45,13 @@ def test_the_prediction_is_right_within_two_digits(ratio: float) -> None:
 
 def test_ordinary_robots_lose_nothing() -> None:
     model = human_figure()
-    plan = make_plan(model, random_schedule(model, 2, np.random.default_rng(0)))
+    plan = make_plan(model, random_schedule(model, 2, np.random.default_rng(0)), form="ada")
     assert predicted_growth(plan).error < 1e-13
 
 
 def test_float_is_told_apart() -> None:
     model = with_light_link(1e-2)
     schedule = random_schedule(model, 1, np.random.default_rng(2))
-    double = predicted_growth(make_plan(model, schedule))
-    single = predicted_growth(make_plan(model, schedule, scalar="float"))
+    double = predicted_growth(make_plan(model, schedule, form="ada"))
+    single = predicted_growth(make_plan(model, schedule, form="ada", scalar="float"))
     assert single.error == pytest.approx(double.error * 2.0**29)
