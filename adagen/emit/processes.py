@@ -130,11 +130,6 @@ def message_size(words: Words, message: Message) -> int:
 
 def _send(words: Words, number: int) -> list[str]:
     message = words.plan.messages[number]
-    if message_size(words, message) == 0:
-        return [
-            f"channel.outgoing({number}, w.status);",
-            f"channel.send({number}, w.status);  // to process {message.target}: that it has none",
-        ]
     return [
         f"{{  // to process {message.target}: {describe_message(words, message)}",
         f"  Real* to = channel.outgoing({number}, w.status);",
@@ -146,10 +141,6 @@ def _send(words: Words, number: int) -> list[str]:
 
 def _receive(words: Words, number: int) -> list[str]:
     message = words.plan.messages[number]
-    if message_size(words, message) == 0:
-        return [
-            f"channel.receive({number}, w.status);  // from process {message.source}: it has none"
-        ]
     return [
         f"{{  // from process {message.source}: {describe_message(words, message)}",
         f"  const Real* from = channel.receive({number}, w.status);",

@@ -1,7 +1,7 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
-// options   form ada, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // schedule  forearm_roll@0-1(elbow_pitch@0(upper_arm_roll(shoulder_pitch(base_yaw|)|)|) | wrist_pitch@1(|flange_roll(|left_finger_slide(right_finger_slide|))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
@@ -152,31 +152,31 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
      {}},
     {"turret", 3.6, {0.0, 0.0, 0.1},
      {0.01641, 0.0, 0.0, 0.0, 0.01641, 0.0, 0.0, 0.0, 0.00882},
-     {60.93845216331505, 0.0, 0.0, 0.0, 60.93845216331505, 0.0, 0.0, 0.0, 113.37868480725623}},
+     {}},
     {"upper_arm", 3.1, {0.0, -0.1, 0.0},
      {0.01767, 0.0, 0.0, 0.0, 0.00558, 0.0, 0.0, 0.0, 0.01767},
-     {56.59309564233163, 0.0, 0.0, 0.0, 179.2114695340502, 0.0, 0.0, 0.0, 56.59309564233163}},
+     {}},
     {"elbow_housing", 2.6, {0.0, 0.0, -0.03},
      {0.00898625, 0.0, 0.0, 0.0, 0.00898625, 0.0, 0.0, 0.0, 0.0039325},
-     {111.2811239393518, 0.0, 0.0, 0.0, 111.2811239393518, 0.0, 0.0, 0.0, 254.29116338207245}},
+     {}},
     {"forearm", 2.2, {-0.05, 0.1, 0.0},
      {0.0102483, 0.0, 0.0, 0.0, 0.00275, 0.0, 0.0, 0.0, 0.0102483},
-     {97.57715913858884, 0.0, 0.0, 0.0, 363.6363636363637, 0.0, 0.0, 0.0, 97.57715913858884}},
+     {}},
     {"wrist_housing", 1.7, {0.0, 0.01, -0.08},
      {0.00448729, 0.0, 0.0, 0.0, 0.00448729, 0.0, 0.0, 0.0, 0.00172125},
-     {222.85165433925602, 0.0, 0.0, 0.0, 222.85165433925602, 0.0, 0.0, 0.0, 580.9731299927379}},
+     {}},
     {"wrist", 1.3, {0.04, 0.01, 0.0},
      {0.0013, 0.0, 0.0, 0.0, 0.0013, 0.0, 0.0, 0.0, 0.0013},
-     {769.2307692307693, 0.0, 0.0, 0.0, 769.2307692307693, 0.0, 0.0, 0.0, 769.2307692307693}},
+     {}},
     {"hand", 0.85, {0.008470588235294117, 0.0, 0.08870588235294118},
      {0.0034019064705882356, 0.0, 0.0004946823529411765, 0.0, 0.0014865882352941176, 0.0, 0.0004946823529411765, 0.0, 0.0031133417647058823},
-     {300.9051975855012, 0.0, -47.81116318204386, 0.0, 672.6812282367838, 0.0, -47.81116318204386, 0.0, 328.7950427750268}},
+     {}},
     {"left_finger", 0.05, {0.03, 0.0, 0.01},
      {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05},
-     {300000.3000003, 0.0, 0.0, 0.0, 59999.880000239995, 0.0, 0.0, 0.0, 59999.880000239995}},
+     {}},
     {"right_finger", 0.05, {0.03, 0.0, 0.01},
      {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05},
-     {300000.3000003, 0.0, 0.0, 0.0, 59999.880000239995, 0.0, 0.0, 0.0, 59999.880000239995}},
+     {}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
@@ -596,6 +596,270 @@ class Release {
   std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
 };
 
+// Articulated bodies: what one process does alone between its cuts. A joint is treated in its own
+// frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
+// sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
+
+[[maybe_unused]] Mat3 cross_from_left(const Vec3& r, const Mat3& m) {
+  Mat3 result;
+  for (int k = 0; k < 3; ++k) result.col(k) = r.cross(m.col(k));
+  return result;
+}
+
+// m rx
+[[maybe_unused]] Mat3 cross_from_right(const Mat3& m, const Vec3& r) {
+  Mat3 result;
+  for (int k = 0; k < 3; ++k) result.row(k) = m.row(k).transpose().cross(r).transpose();
+  return result;
+}
+
+// target += X^T m X: an inertia in the child's frame, felt in the parent's.
+ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Mat6& m, Mat6& target) {
+  const Mat3 A = X.E.transpose() * m.topLeftCorner<3, 3>() * X.E;
+  const Mat3 B = X.E.transpose() * m.topRightCorner<3, 3>() * X.E;
+  const Mat3 C = X.E.transpose() * m.bottomRightCorner<3, 3>() * X.E;
+  const Mat3 shifted = B + cross_from_left(X.r, C);
+  target.topLeftCorner<3, 3>() +=
+      A + cross_from_left(X.r, shifted.transpose()) - cross_from_right(B, X.r);
+  target.topRightCorner<3, 3>() += shifted;
+  target.bottomLeftCorner<3, 3>() += shifted.transpose();
+  target.bottomRightCorner<3, 3>() += C;
+}
+
+// X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
+ADAGEN_NOINLINE Mat6 in_child(const Transform& X, const Mat6& m) {
+  const Mat3 B = m.topRightCorner<3, 3>(), C = m.bottomRightCorner<3, 3>();
+  const Mat3 shifted = B - cross_from_left(X.r, C);
+  const Mat3 A = m.topLeftCorner<3, 3>() - cross_from_left(X.r, shifted.transpose()) +
+                 cross_from_right(B, X.r);
+  Mat6 result;
+  result.topLeftCorner<3, 3>() = X.E * A * X.E.transpose();
+  result.topRightCorner<3, 3>() = X.E * shifted * X.E.transpose();
+  result.bottomLeftCorner<3, 3>() = result.topRightCorner<3, 3>().transpose();
+  result.bottomRightCorner<3, 3>() = X.E * C * X.E.transpose();
+  return result;
+}
+
+// X^-T f: a wrench on the parent, felt in the child's frame.
+[[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
+  Columns6 result;
+  for (int k = 0; k < kColumns; ++k) {
+    const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
+    result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
+    result.col(k).template tail<3>() = X.E * force;
+  }
+  return result;
+}
+
+// X^-1 m: motions in the child's frame, told in the parent's.
+template <int columns>
+Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
+                                                 const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
+  for (int k = 0; k < columns; ++k) {
+    const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
+    result.col(k).template head<3>() = angular;
+    result.col(k).template tail<3>() =
+        X.E.transpose() * m.col(k).template tail<3>() + X.r.cross(angular);
+  }
+  return result;
+}
+
+// X^-1 m X^-T: a mobility in the child's frame, told in the parent's.
+ADAGEN_NOINLINE Mat6 congruent_in_parent(const Transform& X, const Mat6& m) {
+  const Mat6 half = motion_in_parent(X, m).transpose();
+  return motion_in_parent(X, half);
+}
+
+template <std::size_t n>
+std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kColumns>, n> x) {
+  for (auto& row : x)
+    for (Real& value : row) value = -value;
+  return x;
+}
+
+// Spatial inertia of a link at its origin.
+Mat6 spatial_inertia(const LinkConstants& link) {
+  const Vec3 c(link.com[0], link.com[1], link.com[2]);
+  const Mat3 cx = cross_from_left(c, Mat3::Identity());
+  Mat6 result;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) result(i, k) = link.tensor[3 * i + k];
+  result.topLeftCorner<3, 3>() -= link.mass * cx * cx;
+  result.topRightCorner<3, 3>() = link.mass * cx;
+  result.bottomLeftCorner<3, 3>() = -link.mass * cx;
+  result.bottomRightCorner<3, 3>() = link.mass * Mat3::Identity();
+  return result;
+}
+
+// I^A and p^A of a link start as its own inertia and v x* I v.
+ADAGEN_NOINLINE void start_link(const Mat6& inertia, const Vec6& velocity, Mat6& IA, Columns6& pA) {
+  IA = inertia;
+  const Vec6 momentum = inertia * velocity;
+  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 angular = momentum.head<3>(), linear = momentum.tail<3>();
+  pA.setZero();
+  pA.col(0).template head<3>() = omega.cross(angular) + v.cross(linear);
+  pA.col(0).template tail<3>() = omega.cross(linear);
+}
+
+template <class Kind>
+struct Articulated {
+  static constexpr int n = kFree<Kind>;
+  std::array<std::array<Real, n>, n> D;         // for n = 1 the inverse of D = S^T I^A S, else its
+                                                // Cholesky factor, the diagonal inverted
+  std::array<std::array<Real, 6>, n> E;         // D^-1 S^T I^A at the constrained rows, else zero
+  std::array<std::array<Real, kColumns>, n> u;  // sigma tau - S^T p^A
+  std::array<std::array<Real, kColumns>, n> tau;
+  Columns6 c;  // sigma c
+
+  template <std::size_t k>
+  void solve(std::array<std::array<Real, k>, n>& x) const {
+    if constexpr (n == 1) {
+      for (Real& value : x[0]) value *= D[0][0];
+    } else {
+      forward_substitute(D, x);
+      backward_substitute(D, x);
+    }
+  }
+};
+
+// The joint's share of the articulated body with inertia I and bias p on its far side: what it
+// hands on to its near side, by exact projection: nothing along S but the torque. Returns false
+// where D cannot be factorized.
+template <class Kind>
+ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I, const Columns6& p,
+                                Mat6& handed, Columns6& force) {
+  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  constexpr auto& free = Kind::Free::row;
+  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
+  bool good = true;
+  for (int k = 0; k < n; ++k) {
+    for (int l = 0; l < n; ++l) i.D[k][l] = I(free[k], free[l]);
+    i.E[k] = {};
+    for (int l = 0; l < m; ++l) i.E[k][constrained[l]] = I(free[k], constrained[l]);
+    for (int c = 0; c < kColumns; ++c) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
+  }
+  if constexpr (n == 1) {
+    good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
+    i.D[0][0] = 1 / i.D[0][0];
+  } else {
+    good = factorize(i.D);
+  }
+  i.solve(i.E);
+  auto moved = i.u;
+  i.solve(moved);
+  handed.setZero();
+  force.setZero();
+  if constexpr (m > 0) {
+    for (int r = 0; r < m; ++r)
+      for (int s = 0; s < m; ++s) {
+        Real x = I(constrained[r], constrained[s]);
+        for (int k = 0; k < n; ++k) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
+        handed(constrained[r], constrained[s]) = x;
+      }
+    for (int c = 0; c < kColumns; ++c)
+      for (int r = 0; r < m; ++r) {
+        Real x = p(constrained[r], c);
+        for (int k = 0; k < n; ++k) x += I(constrained[r], free[k]) * moved[k][c];
+        for (int s = 0; s < m; ++s)
+          x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
+        force(constrained[r], c) = x;
+      }
+  }
+  for (int k = 0; k < n; ++k)
+    for (int c = 0; c < kColumns; ++c) force(free[k], c) = sigma * i.tau[k][c];
+  return good;
+}
+
+// a becomes the far link's acceleration (joint frame) from the near link's; returns sigma qdd.
+template <class Kind>
+std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated<Kind>& i,
+                                                               Columns6& a) {
+  a += i.c;
+  auto moved = i.u;
+  i.solve(moved);
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) {
+      const int row = Kind::Free::row[k];
+      Real x = moved[k][c];
+      for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
+      moved[k][c] = x - a(row, c);
+    }
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) a(Kind::Free::row[k], c) += moved[k][c];
+  return moved;
+}
+
+// K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
+template <class Kind>
+ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
+  for (int k = 0; k < kFree<Kind>; ++k) m.row(Kind::Free::row[k]).setZero();
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
+}
+
+// Omega of the far side: K m K^T + S D^-1 S^T, m being the near side's (zero: the ground's).
+template <class Kind>
+ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
+  constexpr int n = kFree<Kind>;
+  share(i, m);
+  m.transposeInPlace();
+  share(i, m);
+  std::array<std::array<Real, n>, n> inverse{};
+  for (int k = 0; k < n; ++k) inverse[k][k] = 1;
+  i.solve(inverse);
+  for (int k = 0; k < n; ++k)
+    for (int l = 0; l < n; ++l) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
+}
+
+// A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
+template <class Kind>
+void deliver(Articulated<Kind>& i, Columns6& load) {
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) {
+      Real& along = load(Kind::Free::row[k], c);
+      i.u[k][c] += along;
+      for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
+      along = 0;
+    }
+}
+
+// Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
+ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns6& b) {
+  std::array<std::array<Real, 6>, 6> L, x{};
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+    x[i][i] = 1;
+  }
+  const bool good = factorize(L);
+  forward_substitute(L, x);
+  for (int i = 0; i < 6; ++i)
+    for (int k = i; k < 6; ++k) {
+      Real sum = 0;
+      for (int row = 0; row < 6; ++row) sum += x[row][i] * x[row][k];
+      Phi(i, k) = Phi(k, i) = sum;
+    }
+  b.noalias() = -Phi * p;
+  return good;
+}
+
+// a with I^A a = -p^A: nothing else acts on the link.
+ADAGEN_NOINLINE bool solve_root(const Mat6& I, const Columns6& p, Columns6& a) {
+  std::array<std::array<Real, 6>, 6> L;
+  std::array<std::array<Real, kColumns>, 6> x;
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+    for (int c = 0; c < kColumns; ++c) x[i][c] = -p(i, c);
+  }
+  const bool good = factorize(L);
+  forward_substitute(L, x);
+  backward_substitute(L, x);
+  for (int i = 0; i < 6; ++i)
+    for (int c = 0; c < kColumns; ++c) a(i, c) = x[i][c];
+  return good;
+}
+
 constexpr std::array<MessageInfo, 4> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "wrist_pitch"
     {0, 1, 6},  // 1: forces on: chain of "wrist_pitch"
@@ -834,44 +1098,49 @@ struct Workspace;
 struct Joint_base_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "turret"
-  Columns6 b;  // bias of the bare link "turret"
-  Mat6 Phi_turret;  // of the chain it completes
-  Columns6 b_turret;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_turret;
-  Columns6 F_on_turret;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "turret"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_shoulder_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "upper_arm"
-  Columns6 b;  // bias of the bare link "upper_arm"
-  Mat6 Phi_upper_arm;  // of the chain it completes
-  Columns6 b_upper_arm;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_upper_arm;
-  Columns6 F_on_upper_arm;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "upper_arm"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_upper_arm_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "elbow_housing"
-  Columns6 b;  // bias of the bare link "elbow_housing"
-  Mat6 Phi_elbow_housing;  // of the chain it completes
-  Columns6 b_elbow_housing;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_elbow_housing;
-  Columns6 F_on_elbow_housing;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "elbow_housing"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_elbow_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "forearm"
-  Columns6 b;  // bias of the bare link "forearm"
+  Mat6 IA;  // articulated-body inertia of link "forearm"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Mat6 Phi_turret;  // of the chain it completes
+  Columns6 b_turret;
+  Mat6 Phi_upper_arm;  // of the chain it completes
+  Columns6 b_upper_arm;
+  Mat6 Phi_elbow_housing;  // of the chain it completes
+  Columns6 b_elbow_housing;
   Mat6 Phi_forearm;  // of the chain it completes
   Columns6 b_forearm;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_forearm;
+  Columns6 load;  // what handle forces add
   Columns6 F_on_forearm;  // outer wrench on that chain
 };
 
@@ -879,51 +1148,49 @@ struct Joint_forearm_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "wrist_housing"
   Joined<Revolute> joined;
-  Columns6 b;  // bias of the bare link "wrist_housing"
+  Mat6 IA;  // articulated-body inertia of link "wrist_housing"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_wrist_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "wrist"
-  Columns6 b;  // bias of the bare link "wrist"
+  Mat6 IA;  // articulated-body inertia of link "wrist"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
   Mat6 Phi_wrist_housing;  // of the chain it completes
   Columns6 b_wrist_housing;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_wrist_housing;
   Columns6 F_on_wrist_housing;  // outer wrench on that chain
 };
 
 struct Joint_flange_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "hand"
-  Columns6 b;  // bias of the bare link "hand"
-  Mat6 Phi_wrist;  // of the chain it completes
-  Columns6 b_wrist;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_wrist;
-  Columns6 F_on_wrist;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "hand"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_left_finger_slide {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_finger"
-  Columns6 b;  // bias of the bare link "left_finger"
-  Mat6 Phi_hand;  // of the chain it completes
-  Columns6 b_hand;
-  Joined<Prismatic> joined;
-  Coupled<Prismatic> at_hand;
-  Columns6 F_on_hand;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_finger"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Prismatic> body;
 };
 
 struct Joint_right_finger_slide {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_finger"
-  Columns6 b;  // bias of the bare link "right_finger"
-  Mat6 Phi_hand;  // of the chain it completes
-  Columns6 b_hand;
-  Joined<Prismatic> joined;
-  Coupled<Prismatic> at_hand;
-  Columns6 F_on_hand;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_finger"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Prismatic> body;
 };
 
 struct Workspace {
@@ -1059,15 +1326,15 @@ void store_coupled(Workspace& w, int joint, int v,
   store_acceleration(w, joint, v, sum);
 }
 
-const Mat6 kPhi_turret = symmetric({60.93845216331505, 0.0, 0.0, 0.0, 6.0938452163315056, 0.0, 60.93845216331505, 0.0, -6.0938452163315056, 0.0, 0.0, 113.37868480725623, 0.0, 0.0, 0.0, 0.8871622994109283, 0.0, 0.0, 0.8871622994109283, 0.0, 0.2777777777777778});
-const Mat6 kPhi_upper_arm = symmetric({56.59309564233163, 0.0, 0.0, 0.0, 0.0, 5.659309564233164, 179.2114695340502, 0.0, 0.0, 0.0, 0.0, 56.59309564233163, -5.659309564233164, 0.0, 0.0, 0.8885116015846066, 0.0, 0.0, 0.3225806451612903, 0.0, 0.8885116015846066});
-const Mat6 kPhi_elbow_housing = symmetric({111.2811239393518, 0.0, 0.0, 0.0, -3.338433718180554, 0.0, 111.2811239393518, 0.0, 3.338433718180554, 0.0, 0.0, 254.29116338207245, 0.0, 0.0, 0.0, 0.4847683961608012, 0.0, 0.0, 0.4847683961608012, 0.0, 0.3846153846153846});
-const Mat6 kPhi_forearm = symmetric({97.57715913858884, 0.0, 0.0, 0.0, 0.0, -9.757715913858885, 363.6363636363637, 0.0, 0.0, 0.0, -18.181818181818183, 97.57715913858884, 9.757715913858885, 4.878857956929442, 0.0, 1.430317045931343, 0.48788579569294427, 0.0, 0.6984883523919266, 0.0, 2.3394079550222524});
-const Mat6 kPhi_wrist_housing = symmetric({222.85165433925602, 0.0, 0.0, 0.0, -17.828132347140482, -2.2285165433925602, 222.85165433925602, 0.0, 17.828132347140482, 0.0, 0.0, 580.9731299927379, 5.809731299927379, 0.0, 0.0, 2.0725831948881592, 0.0, 0.0, 2.0144858818888856, 0.17828132347140482, 0.6105204595515726});
-const Mat6 kPhi_wrist = symmetric({769.2307692307693, 0.0, 0.0, 0.0, 0.0, -7.6923076923076925, 769.2307692307693, 0.0, 0.0, 0.0, 30.76923076923077, 769.2307692307693, 7.6923076923076925, -30.76923076923077, 0.0, 0.8461538461538461, -0.3076923076923077, 0.0, 2.0, 0.0, 2.076923076923077});
-const Mat6 kPhi_hand = symmetric({300.9051975855012, 0.0, -47.81116318204386, 0.0, 27.097049732773534, 0.0, 672.6812282367838, 0.0, -59.67078189300412, 0.0, 5.698005698005698, 328.7950427750268, 0.0, -7.026218837536823, 0.0, 6.46961994674413, 0.0, -0.5054466230936819, 3.639654500566341, 0.0, 1.2247360482654601});
-const Mat6 kPhi_left_finger = symmetric({300000.3000003, 0.0, 0.0, 0.0, 3000.003000003, 0.0, 59999.880000239995, 0.0, -599.9988000024, 0.0, 1799.9964000071998, 59999.880000239995, 0.0, -1799.9964000071998, 0.0, 25.999988000024, 0.0, -17.999964000071998, 103.99992200024599, 0.0, 73.999892000216});
-const Mat6 kPhi_right_finger = symmetric({300000.3000003, 0.0, 0.0, 0.0, 3000.003000003, 0.0, 59999.880000239995, 0.0, -599.9988000024, 0.0, 1799.9964000071998, 59999.880000239995, 0.0, -1799.9964000071998, 0.0, 25.999988000024, 0.0, -17.999964000071998, 103.99992200024599, 0.0, 73.999892000216});
+const Mat6 kInertia_turret = spatial_inertia(kLinks[1]);
+const Mat6 kInertia_upper_arm = spatial_inertia(kLinks[2]);
+const Mat6 kInertia_elbow_housing = spatial_inertia(kLinks[3]);
+const Mat6 kInertia_forearm = spatial_inertia(kLinks[4]);
+const Mat6 kInertia_wrist_housing = spatial_inertia(kLinks[5]);
+const Mat6 kInertia_wrist = spatial_inertia(kLinks[6]);
+const Mat6 kInertia_hand = spatial_inertia(kLinks[7]);
+const Mat6 kInertia_left_finger = spatial_inertia(kLinks[8]);
+const Mat6 kInertia_right_finger = spatial_inertia(kLinks[9]);
 
 // =================================================================================================
 // Joint 0 "base_yaw": revolute, between links "pedestal" and "turret"
@@ -1086,24 +1353,38 @@ void kinematics_base_yaw(Workspace& w) {
   i.v = joint_velocity<Revolute>(w.v + 0);
 }
 
-// A: the ground "pedestal"; B: link "turret"; C feels the joint at "turret"
-void assemble_base_yaw(Workspace& w) {
+void articulate_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
-  load_torque(w, 0, 0, i.joined.tau);
-  const Columns6 c = Columns6::Zero();
-  if (!join(i.joined, kZero, kPhi_turret, i.X * kGround, w.j_base_yaw.b, c))
+  load_torque(w, 0, 0, i.body.tau);
+  i.body.c = Columns6::Zero();
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_base_yaw.IA, w.j_base_yaw.pA, handed, force))
     fail(w, kFactorization, 0);
-  couple(i.joined, kPhi_turret, i.at_turret);
-  i.Phi_turret = kPhi_turret - product(i.at_turret, i.at_turret);  // Eq. (4)
-  i.b_turret = w.j_base_yaw.b + bias_change(i.joined, i.at_turret);  // Eq. (7)
 }
 
-void disassemble_base_yaw(Workspace& w) {
+void propagate_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
-  Release<Revolute> release(i.joined);
-  release.feel_B(i.at_turret, w.j_base_yaw.F_on_turret);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 0, 0, release.qdd());  // Eq. (9)
+  Mat6 Omega = kZero;
+  carry(i.body, Omega);
+  w.j_elbow_pitch.Phi_turret = Omega;
+  Columns6 a = i.X * kGround;
+  accelerate(i.body, a);
+  w.j_elbow_pitch.b_turret = a;
+}
+
+void deliver_base_yaw(Workspace& w) {
+  auto& i = w.j_base_yaw;
+  Columns6 load = w.j_base_yaw.load;
+  deliver(i.body, load);
+}
+
+void accelerate_base_yaw(Workspace& w) {
+  auto& i = w.j_base_yaw;
+  Columns6 a = i.X * kGround;
+  const auto qdd = accelerate(i.body, a);
+  w.j_base_yaw.a = a;
+  store_acceleration(w, 0, 0, qdd);
 }
 
 // =================================================================================================
@@ -1123,27 +1404,41 @@ void kinematics_shoulder_pitch(Workspace& w) {
   i.v = i.X * w.j_base_yaw.v + joint_velocity<Revolute>(w.v + 1);
 }
 
-// A: the chain of "base_yaw"; B: link "upper_arm"; C feels the joint at "upper_arm"
-void assemble_shoulder_pitch(Workspace& w) {
+void articulate_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
-  load_torque(w, 1, 1, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_base_yaw.Phi_turret;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 1);
-  if (!join(i.joined, Phi_A, kPhi_upper_arm, i.X * w.j_base_yaw.b_turret, w.j_shoulder_pitch.b, c))
+  load_torque(w, 1, 1, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 1);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_shoulder_pitch.IA, w.j_shoulder_pitch.pA, handed, force))
     fail(w, kFactorization, 1);
-  couple(i.joined, kPhi_upper_arm, i.at_upper_arm);
-  i.Phi_upper_arm = kPhi_upper_arm - product(i.at_upper_arm, i.at_upper_arm);  // Eq. (4)
-  i.b_upper_arm = w.j_shoulder_pitch.b + bias_change(i.joined, i.at_upper_arm);  // Eq. (7)
+  add_in_parent(i.X, handed, w.j_base_yaw.IA);
+  w.j_base_yaw.pA += i.X.transposed_times(force);
 }
 
-void disassemble_shoulder_pitch(Workspace& w) {
+void propagate_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
-  Release<Revolute> release(i.joined);
-  release.feel_B(i.at_upper_arm, w.j_shoulder_pitch.F_on_upper_arm);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 1, 1, release.qdd());  // Eq. (9)
-  w.j_base_yaw.F_on_turret = -i.X.transposed_times(f);
+  Mat6 Omega = from_right(i.X * w.j_elbow_pitch.Phi_turret, i.X);
+  carry(i.body, Omega);
+  w.j_elbow_pitch.Phi_upper_arm = Omega;
+  Columns6 a = i.X * w.j_elbow_pitch.b_turret;
+  accelerate(i.body, a);
+  w.j_elbow_pitch.b_upper_arm = a;
+}
+
+void deliver_shoulder_pitch(Workspace& w) {
+  auto& i = w.j_shoulder_pitch;
+  Columns6 load = w.j_shoulder_pitch.load;
+  deliver(i.body, load);
+  w.j_base_yaw.load += i.X.transposed_times(load);
+}
+
+void accelerate_shoulder_pitch(Workspace& w) {
+  auto& i = w.j_shoulder_pitch;
+  Columns6 a = i.X * w.j_base_yaw.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_shoulder_pitch.a = a;
+  store_acceleration(w, 1, 1, qdd);
 }
 
 // =================================================================================================
@@ -1163,27 +1458,41 @@ void kinematics_upper_arm_roll(Workspace& w) {
   i.v = i.X * w.j_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 2);
 }
 
-// A: the chain of "shoulder_pitch"; B: link "elbow_housing"; C feels the joint at "elbow_housing"
-void assemble_upper_arm_roll(Workspace& w) {
+void articulate_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
-  load_torque(w, 2, 2, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_shoulder_pitch.Phi_upper_arm;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 2);
-  if (!join(i.joined, Phi_A, kPhi_elbow_housing, i.X * w.j_shoulder_pitch.b_upper_arm, w.j_upper_arm_roll.b, c))
+  load_torque(w, 2, 2, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 2);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_upper_arm_roll.IA, w.j_upper_arm_roll.pA, handed, force))
     fail(w, kFactorization, 2);
-  couple(i.joined, kPhi_elbow_housing, i.at_elbow_housing);
-  i.Phi_elbow_housing = kPhi_elbow_housing - product(i.at_elbow_housing, i.at_elbow_housing);  // Eq. (4)
-  i.b_elbow_housing = w.j_upper_arm_roll.b + bias_change(i.joined, i.at_elbow_housing);  // Eq. (7)
+  add_in_parent(i.X, handed, w.j_shoulder_pitch.IA);
+  w.j_shoulder_pitch.pA += i.X.transposed_times(force);
 }
 
-void disassemble_upper_arm_roll(Workspace& w) {
+void propagate_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
-  Release<Revolute> release(i.joined);
-  release.feel_B(i.at_elbow_housing, w.j_upper_arm_roll.F_on_elbow_housing);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 2, 2, release.qdd());  // Eq. (9)
-  w.j_shoulder_pitch.F_on_upper_arm = -i.X.transposed_times(f);
+  Mat6 Omega = from_right(i.X * w.j_elbow_pitch.Phi_upper_arm, i.X);
+  carry(i.body, Omega);
+  w.j_elbow_pitch.Phi_elbow_housing = Omega;
+  Columns6 a = i.X * w.j_elbow_pitch.b_upper_arm;
+  accelerate(i.body, a);
+  w.j_elbow_pitch.b_elbow_housing = a;
+}
+
+void deliver_upper_arm_roll(Workspace& w) {
+  auto& i = w.j_upper_arm_roll;
+  Columns6 load = w.j_upper_arm_roll.load;
+  deliver(i.body, load);
+  w.j_shoulder_pitch.load += i.X.transposed_times(load);
+}
+
+void accelerate_upper_arm_roll(Workspace& w) {
+  auto& i = w.j_upper_arm_roll;
+  Columns6 a = i.X * w.j_shoulder_pitch.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_upper_arm_roll.a = a;
+  store_acceleration(w, 2, 2, qdd);
 }
 
 // =================================================================================================
@@ -1203,27 +1512,41 @@ void kinematics_elbow_pitch(Workspace& w) {
   i.v = i.X * w.j_upper_arm_roll.v + joint_velocity<Revolute>(w.v + 3);
 }
 
-// A: the chain of "upper_arm_roll"; B: link "forearm"; C feels the joint at "forearm"
-void assemble_elbow_pitch(Workspace& w) {
+void articulate_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
-  load_torque(w, 3, 3, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_upper_arm_roll.Phi_elbow_housing;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 3);
-  if (!join(i.joined, Phi_A, kPhi_forearm, i.X * w.j_upper_arm_roll.b_elbow_housing, w.j_elbow_pitch.b, c))
+  load_torque(w, 3, 3, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 3);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_elbow_pitch.IA, w.j_elbow_pitch.pA, handed, force))
     fail(w, kFactorization, 3);
-  couple(i.joined, kPhi_forearm, i.at_forearm);
-  i.Phi_forearm = kPhi_forearm - product(i.at_forearm, i.at_forearm);  // Eq. (4)
-  i.b_forearm = w.j_elbow_pitch.b + bias_change(i.joined, i.at_forearm);  // Eq. (7)
+  add_in_parent(i.X, handed, w.j_upper_arm_roll.IA);
+  w.j_upper_arm_roll.pA += i.X.transposed_times(force);
 }
 
-void disassemble_elbow_pitch(Workspace& w) {
+void propagate_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
-  Release<Revolute> release(i.joined);
-  release.feel_B(i.at_forearm, w.j_elbow_pitch.F_on_forearm);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 3, 3, release.qdd());  // Eq. (9)
-  w.j_upper_arm_roll.F_on_elbow_housing = -i.X.transposed_times(f);
+  Mat6 Omega = from_right(i.X * w.j_elbow_pitch.Phi_elbow_housing, i.X);
+  carry(i.body, Omega);
+  w.j_elbow_pitch.Phi_forearm = Omega;
+  Columns6 a = i.X * w.j_elbow_pitch.b_elbow_housing;
+  accelerate(i.body, a);
+  w.j_elbow_pitch.b_forearm = a;
+}
+
+void deliver_elbow_pitch(Workspace& w) {
+  auto& i = w.j_elbow_pitch;
+  Columns6 load = w.j_elbow_pitch.load;
+  deliver(i.body, load);
+  w.j_upper_arm_roll.load += i.X.transposed_times(load);
+}
+
+void accelerate_elbow_pitch(Workspace& w) {
+  auto& i = w.j_elbow_pitch;
+  Columns6 a = i.X * w.j_upper_arm_roll.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_elbow_pitch.a = a;
+  store_acceleration(w, 3, 3, qdd);
 }
 
 // =================================================================================================
@@ -1280,27 +1603,24 @@ void kinematics_wrist_pitch(Workspace& w) {
   i.v = i.X * w.j_forearm_roll.v + joint_velocity<Revolute>(w.v + 5);
 }
 
-// A: link "wrist_housing"; B: the chain of "flange_roll"; C feels the joint at "wrist_housing"
-void assemble_wrist_pitch(Workspace& w) {
+void articulate_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
-  load_torque(w, 5, 5, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_wrist_housing;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
-  if (!join(i.joined, Phi_A, w.j_flange_roll.Phi_wrist, i.X * w.j_forearm_roll.b, w.j_flange_roll.b_wrist, c))
+  load_torque(w, 5, 5, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 5);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_wrist_pitch.IA, w.j_wrist_pitch.pA, handed, force))
     fail(w, kFactorization, 5);
-  couple(i.joined, X_Phi_A, i.at_wrist_housing);
-  i.Phi_wrist_housing = kPhi_wrist_housing - product(i.at_wrist_housing, i.at_wrist_housing);  // Eq. (3)
-  i.b_wrist_housing = w.j_forearm_roll.b - bias_change(i.joined, i.at_wrist_housing);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_forearm_roll.IA);
+  w.j_forearm_roll.pA += i.X.transposed_times(force);
 }
 
-void disassemble_wrist_pitch(Workspace& w) {
+void accelerate_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_wrist_housing, w.j_wrist_pitch.F_on_wrist_housing);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 5, 5, release.qdd());  // Eq. (9)
-  w.j_flange_roll.F_on_wrist = f;
+  Columns6 a = i.X * w.j_forearm_roll.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_wrist_pitch.a = a;
+  store_acceleration(w, 5, 5, qdd);
 }
 
 // =================================================================================================
@@ -1320,27 +1640,24 @@ void kinematics_flange_roll(Workspace& w) {
   i.v = i.X * w.j_wrist_pitch.v + joint_velocity<Revolute>(w.v + 6);
 }
 
-// A: link "wrist"; B: the chain of "left_finger_slide"; C feels the joint at "wrist"
-void assemble_flange_roll(Workspace& w) {
+void articulate_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
-  load_torque(w, 6, 6, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_wrist;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
-  if (!join(i.joined, Phi_A, w.j_left_finger_slide.Phi_hand, i.X * w.j_wrist_pitch.b, w.j_left_finger_slide.b_hand, c))
+  load_torque(w, 6, 6, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_flange_roll.IA, w.j_flange_roll.pA, handed, force))
     fail(w, kFactorization, 6);
-  couple(i.joined, X_Phi_A, i.at_wrist);
-  i.Phi_wrist = kPhi_wrist - product(i.at_wrist, i.at_wrist);  // Eq. (3)
-  i.b_wrist = w.j_wrist_pitch.b - bias_change(i.joined, i.at_wrist);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_wrist_pitch.IA);
+  w.j_wrist_pitch.pA += i.X.transposed_times(force);
 }
 
-void disassemble_flange_roll(Workspace& w) {
+void accelerate_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_wrist, w.j_flange_roll.F_on_wrist);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 6, 6, release.qdd());  // Eq. (9)
-  w.j_left_finger_slide.F_on_hand = f;
+  Columns6 a = i.X * w.j_wrist_pitch.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_flange_roll.a = a;
+  store_acceleration(w, 6, 6, qdd);
 }
 
 // =================================================================================================
@@ -1359,27 +1676,24 @@ void kinematics_left_finger_slide(Workspace& w) {
   i.v = i.X * w.j_flange_roll.v + joint_velocity<Prismatic>(w.v + 7);
 }
 
-// A: the chain of "right_finger_slide"; B: link "left_finger"; C feels the joint at "hand"
-void assemble_left_finger_slide(Workspace& w) {
+void articulate_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
-  load_torque(w, 7, 7, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_right_finger_slide.Phi_hand;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Prismatic>(i.v, w.v + 7);
-  if (!join(i.joined, Phi_A, kPhi_left_finger, i.X * w.j_right_finger_slide.b_hand, w.j_left_finger_slide.b, c))
+  load_torque(w, 7, 7, i.body.tau);
+  i.body.c = velocity_product<Prismatic>(i.v, w.v + 7);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_finger_slide.IA, w.j_left_finger_slide.pA, handed, force))
     fail(w, kFactorization, 7);
-  couple(i.joined, X_Phi_A, i.at_hand);
-  i.Phi_hand = w.j_right_finger_slide.Phi_hand - product(i.at_hand, i.at_hand);  // Eq. (3)
-  i.b_hand = w.j_right_finger_slide.b_hand - bias_change(i.joined, i.at_hand);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_flange_roll.IA);
+  w.j_flange_roll.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_finger_slide(Workspace& w) {
+void accelerate_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
-  Release<Prismatic> release(i.joined);
-  release.feel_A(i.at_hand, w.j_left_finger_slide.F_on_hand);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 7, 7, release.qdd());  // Eq. (9)
-  w.j_right_finger_slide.F_on_hand = w.j_left_finger_slide.F_on_hand - i.X.transposed_times(f);
+  Columns6 a = i.X * w.j_flange_roll.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_finger_slide.a = a;
+  store_acceleration(w, 7, 7, qdd);
 }
 
 // =================================================================================================
@@ -1398,26 +1712,24 @@ void kinematics_right_finger_slide(Workspace& w) {
   i.v = i.X * w.j_flange_roll.v + joint_velocity<Prismatic>(w.v + 8);
 }
 
-// A: link "hand"; B: link "right_finger"; C feels the joint at "hand"
-void assemble_right_finger_slide(Workspace& w) {
+void articulate_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
-  load_torque(w, 8, 8, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_hand;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Prismatic>(i.v, w.v + 8);
-  if (!join(i.joined, Phi_A, kPhi_right_finger, i.X * w.j_flange_roll.b, w.j_right_finger_slide.b, c))
+  load_torque(w, 8, 8, i.body.tau);
+  i.body.c = velocity_product<Prismatic>(i.v, w.v + 8);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_finger_slide.IA, w.j_right_finger_slide.pA, handed, force))
     fail(w, kFactorization, 8);
-  couple(i.joined, X_Phi_A, i.at_hand);
-  i.Phi_hand = kPhi_hand - product(i.at_hand, i.at_hand);  // Eq. (3)
-  i.b_hand = w.j_flange_roll.b - bias_change(i.joined, i.at_hand);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_flange_roll.IA);
+  w.j_flange_roll.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_finger_slide(Workspace& w) {
+void accelerate_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
-  Release<Prismatic> release(i.joined);
-  release.feel_A(i.at_hand, w.j_right_finger_slide.F_on_hand);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 8, 8, release.qdd());  // Eq. (9)
+  Columns6 a = i.X * w.j_flange_roll.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_finger_slide.a = a;
+  store_acceleration(w, 8, 8, qdd);
 }
 
 
@@ -1432,14 +1744,18 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_elbow_pitch(w);
   kinematics_forearm_roll(w);
   stamp(1);
-  link_bias(kLinks[1], w.j_base_yaw.v, w.j_base_yaw.b);
-  assemble_base_yaw(w);
-  link_bias(kLinks[2], w.j_shoulder_pitch.v, w.j_shoulder_pitch.b);
-  assemble_shoulder_pitch(w);
-  link_bias(kLinks[3], w.j_upper_arm_roll.v, w.j_upper_arm_roll.b);
-  assemble_upper_arm_roll(w);
-  link_bias(kLinks[4], w.j_elbow_pitch.v, w.j_elbow_pitch.b);
-  assemble_elbow_pitch(w);
+  start_link(kInertia_turret, w.j_base_yaw.v, w.j_base_yaw.IA, w.j_base_yaw.pA);
+  start_link(kInertia_upper_arm, w.j_shoulder_pitch.v, w.j_shoulder_pitch.IA, w.j_shoulder_pitch.pA);
+  start_link(kInertia_elbow_housing, w.j_upper_arm_roll.v, w.j_upper_arm_roll.IA, w.j_upper_arm_roll.pA);
+  start_link(kInertia_forearm, w.j_elbow_pitch.v, w.j_elbow_pitch.IA, w.j_elbow_pitch.pA);
+  articulate_elbow_pitch(w);
+  articulate_upper_arm_roll(w);
+  articulate_shoulder_pitch(w);
+  articulate_base_yaw(w);
+  propagate_base_yaw(w);
+  propagate_shoulder_pitch(w);
+  propagate_upper_arm_roll(w);
+  propagate_elbow_pitch(w);
   stamp(2);
   {  // from process 1: assembled: chain of "wrist_pitch"
     const Real* from = channel.receive(0, w.status);
@@ -1457,10 +1773,18 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(1, w.status);
   }
   stamp(6);
-  disassemble_elbow_pitch(w);
-  disassemble_upper_arm_roll(w);
-  disassemble_shoulder_pitch(w);
-  disassemble_base_yaw(w);
+  w.j_base_yaw.load = Columns6::Zero();
+  w.j_shoulder_pitch.load = Columns6::Zero();
+  w.j_upper_arm_roll.load = Columns6::Zero();
+  w.j_elbow_pitch.load = w.j_elbow_pitch.F_on_forearm;
+  deliver_elbow_pitch(w);
+  deliver_upper_arm_roll(w);
+  deliver_shoulder_pitch(w);
+  deliver_base_yaw(w);
+  accelerate_base_yaw(w);
+  accelerate_shoulder_pitch(w);
+  accelerate_upper_arm_roll(w);
+  accelerate_elbow_pitch(w);
   stamp(7);
 }
 
@@ -1477,15 +1801,17 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_left_finger_slide(w);
   kinematics_right_finger_slide(w);
   stamp(1);
-  link_bias(kLinks[7], w.j_flange_roll.v, w.j_flange_roll.b);
-  link_bias(kLinks[9], w.j_right_finger_slide.v, w.j_right_finger_slide.b);
-  assemble_right_finger_slide(w);
-  link_bias(kLinks[8], w.j_left_finger_slide.v, w.j_left_finger_slide.b);
-  assemble_left_finger_slide(w);
-  link_bias(kLinks[6], w.j_wrist_pitch.v, w.j_wrist_pitch.b);
-  assemble_flange_roll(w);
-  link_bias(kLinks[5], w.j_forearm_roll.v, w.j_forearm_roll.b);
-  assemble_wrist_pitch(w);
+  start_link(kInertia_wrist_housing, w.j_forearm_roll.v, w.j_forearm_roll.IA, w.j_forearm_roll.pA);
+  start_link(kInertia_wrist, w.j_wrist_pitch.v, w.j_wrist_pitch.IA, w.j_wrist_pitch.pA);
+  start_link(kInertia_hand, w.j_flange_roll.v, w.j_flange_roll.IA, w.j_flange_roll.pA);
+  start_link(kInertia_left_finger, w.j_left_finger_slide.v, w.j_left_finger_slide.IA, w.j_left_finger_slide.pA);
+  start_link(kInertia_right_finger, w.j_right_finger_slide.v, w.j_right_finger_slide.IA, w.j_right_finger_slide.pA);
+  articulate_right_finger_slide(w);
+  articulate_left_finger_slide(w);
+  articulate_flange_roll(w);
+  articulate_wrist_pitch(w);
+  if (!invert(w.j_forearm_roll.IA, w.j_forearm_roll.pA, w.j_wrist_pitch.Phi_wrist_housing, w.j_wrist_pitch.b_wrist_housing))
+    fail(w, kFactorization, 4);
   stamp(2);
   {  // to process 0: assembled: chain of "wrist_pitch"
     Real* to = channel.outgoing(0, w.status);
@@ -1499,10 +1825,12 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_wrist_pitch.F_on_wrist_housing);
   }
   stamp(4);
-  disassemble_wrist_pitch(w);
-  disassemble_flange_roll(w);
-  disassemble_left_finger_slide(w);
-  disassemble_right_finger_slide(w);
+  w.j_forearm_roll.load = w.j_wrist_pitch.F_on_wrist_housing;
+  w.j_forearm_roll.a = w.j_wrist_pitch.b_wrist_housing + w.j_wrist_pitch.Phi_wrist_housing * w.j_forearm_roll.load;
+  accelerate_wrist_pitch(w);
+  accelerate_flange_roll(w);
+  accelerate_left_finger_slide(w);
+  accelerate_right_finger_slide(w);
   stamp(5);
 }
 

@@ -1,7 +1,7 @@
 // Forward dynamics of "chain16" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
-// options   form ada, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // schedule  joint07@0-2(joint06@0(joint05(joint04(joint03(joint02(joint01|)|)|)|)|) | joint11@1-2(joint08@1(|joint09(|joint10)) | joint12@2(|joint13(|joint14(|joint15(|joint16))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
@@ -152,52 +152,52 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
      {}},
     {"rod01", 1.0, {0.0, -0.2, 0.0},
      {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
-     {74.44187206419866, 0.0, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 74.44187206419866}},
+     {}},
     {"rod02", 1.0, {-0.2, 0.0, 0.0},
      {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333},
-     {5000.0, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, 74.44187206419866}},
+     {}},
     {"rod03", 1.0, {0.0, 0.0, -0.2},
      {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002},
-     {74.44187206419866, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, 5000.0}},
+     {}},
     {"rod04", 1.0, {0.0, -0.2, 0.0},
      {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
-     {74.44187206419866, 0.0, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 74.44187206419866}},
+     {}},
     {"rod05", 1.0, {-0.2, 0.0, 0.0},
      {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333},
-     {5000.0, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, 74.44187206419866}},
+     {}},
     {"rod06", 1.0, {0.0, 0.0, -0.2},
      {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002},
-     {74.44187206419866, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, 5000.0}},
+     {}},
     {"rod07", 1.0, {0.0, -0.2, 0.0},
      {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
-     {74.44187206419866, 0.0, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 74.44187206419866}},
+     {}},
     {"rod08", 1.0, {-0.2, 0.0, 0.0},
      {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333},
-     {5000.0, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, 74.44187206419866}},
+     {}},
     {"rod09", 1.0, {0.0, 0.0, -0.2},
      {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002},
-     {74.44187206419866, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, 5000.0}},
+     {}},
     {"rod10", 1.0, {0.0, -0.2, 0.0},
      {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
-     {74.44187206419866, 0.0, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 74.44187206419866}},
+     {}},
     {"rod11", 1.0, {-0.2, 0.0, 0.0},
      {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333},
-     {5000.0, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, 74.44187206419866}},
+     {}},
     {"rod12", 1.0, {0.0, 0.0, -0.2},
      {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002},
-     {74.44187206419866, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, 5000.0}},
+     {}},
     {"rod13", 1.0, {0.0, -0.2, 0.0},
      {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
-     {74.44187206419866, 0.0, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 74.44187206419866}},
+     {}},
     {"rod14", 1.0, {-0.2, 0.0, 0.0},
      {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333},
-     {5000.0, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, 74.44187206419866}},
+     {}},
     {"rod15", 1.0, {0.0, 0.0, -0.2},
      {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002},
-     {74.44187206419866, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, 5000.0}},
+     {}},
     {"rod16", 1.0, {0.0, -0.2, 0.0},
      {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
-     {74.44187206419866, 0.0, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 74.44187206419866}},
+     {}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
@@ -638,6 +638,270 @@ class Release {
   std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
 };
 
+// Articulated bodies: what one process does alone between its cuts. A joint is treated in its own
+// frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
+// sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
+
+[[maybe_unused]] Mat3 cross_from_left(const Vec3& r, const Mat3& m) {
+  Mat3 result;
+  for (int k = 0; k < 3; ++k) result.col(k) = r.cross(m.col(k));
+  return result;
+}
+
+// m rx
+[[maybe_unused]] Mat3 cross_from_right(const Mat3& m, const Vec3& r) {
+  Mat3 result;
+  for (int k = 0; k < 3; ++k) result.row(k) = m.row(k).transpose().cross(r).transpose();
+  return result;
+}
+
+// target += X^T m X: an inertia in the child's frame, felt in the parent's.
+ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Mat6& m, Mat6& target) {
+  const Mat3 A = X.E.transpose() * m.topLeftCorner<3, 3>() * X.E;
+  const Mat3 B = X.E.transpose() * m.topRightCorner<3, 3>() * X.E;
+  const Mat3 C = X.E.transpose() * m.bottomRightCorner<3, 3>() * X.E;
+  const Mat3 shifted = B + cross_from_left(X.r, C);
+  target.topLeftCorner<3, 3>() +=
+      A + cross_from_left(X.r, shifted.transpose()) - cross_from_right(B, X.r);
+  target.topRightCorner<3, 3>() += shifted;
+  target.bottomLeftCorner<3, 3>() += shifted.transpose();
+  target.bottomRightCorner<3, 3>() += C;
+}
+
+// X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
+ADAGEN_NOINLINE Mat6 in_child(const Transform& X, const Mat6& m) {
+  const Mat3 B = m.topRightCorner<3, 3>(), C = m.bottomRightCorner<3, 3>();
+  const Mat3 shifted = B - cross_from_left(X.r, C);
+  const Mat3 A = m.topLeftCorner<3, 3>() - cross_from_left(X.r, shifted.transpose()) +
+                 cross_from_right(B, X.r);
+  Mat6 result;
+  result.topLeftCorner<3, 3>() = X.E * A * X.E.transpose();
+  result.topRightCorner<3, 3>() = X.E * shifted * X.E.transpose();
+  result.bottomLeftCorner<3, 3>() = result.topRightCorner<3, 3>().transpose();
+  result.bottomRightCorner<3, 3>() = X.E * C * X.E.transpose();
+  return result;
+}
+
+// X^-T f: a wrench on the parent, felt in the child's frame.
+[[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
+  Columns6 result;
+  for (int k = 0; k < kColumns; ++k) {
+    const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
+    result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
+    result.col(k).template tail<3>() = X.E * force;
+  }
+  return result;
+}
+
+// X^-1 m: motions in the child's frame, told in the parent's.
+template <int columns>
+Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
+                                                 const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
+  for (int k = 0; k < columns; ++k) {
+    const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
+    result.col(k).template head<3>() = angular;
+    result.col(k).template tail<3>() =
+        X.E.transpose() * m.col(k).template tail<3>() + X.r.cross(angular);
+  }
+  return result;
+}
+
+// X^-1 m X^-T: a mobility in the child's frame, told in the parent's.
+ADAGEN_NOINLINE Mat6 congruent_in_parent(const Transform& X, const Mat6& m) {
+  const Mat6 half = motion_in_parent(X, m).transpose();
+  return motion_in_parent(X, half);
+}
+
+template <std::size_t n>
+std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kColumns>, n> x) {
+  for (auto& row : x)
+    for (Real& value : row) value = -value;
+  return x;
+}
+
+// Spatial inertia of a link at its origin.
+Mat6 spatial_inertia(const LinkConstants& link) {
+  const Vec3 c(link.com[0], link.com[1], link.com[2]);
+  const Mat3 cx = cross_from_left(c, Mat3::Identity());
+  Mat6 result;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) result(i, k) = link.tensor[3 * i + k];
+  result.topLeftCorner<3, 3>() -= link.mass * cx * cx;
+  result.topRightCorner<3, 3>() = link.mass * cx;
+  result.bottomLeftCorner<3, 3>() = -link.mass * cx;
+  result.bottomRightCorner<3, 3>() = link.mass * Mat3::Identity();
+  return result;
+}
+
+// I^A and p^A of a link start as its own inertia and v x* I v.
+ADAGEN_NOINLINE void start_link(const Mat6& inertia, const Vec6& velocity, Mat6& IA, Columns6& pA) {
+  IA = inertia;
+  const Vec6 momentum = inertia * velocity;
+  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 angular = momentum.head<3>(), linear = momentum.tail<3>();
+  pA.setZero();
+  pA.col(0).template head<3>() = omega.cross(angular) + v.cross(linear);
+  pA.col(0).template tail<3>() = omega.cross(linear);
+}
+
+template <class Kind>
+struct Articulated {
+  static constexpr int n = kFree<Kind>;
+  std::array<std::array<Real, n>, n> D;         // for n = 1 the inverse of D = S^T I^A S, else its
+                                                // Cholesky factor, the diagonal inverted
+  std::array<std::array<Real, 6>, n> E;         // D^-1 S^T I^A at the constrained rows, else zero
+  std::array<std::array<Real, kColumns>, n> u;  // sigma tau - S^T p^A
+  std::array<std::array<Real, kColumns>, n> tau;
+  Columns6 c;  // sigma c
+
+  template <std::size_t k>
+  void solve(std::array<std::array<Real, k>, n>& x) const {
+    if constexpr (n == 1) {
+      for (Real& value : x[0]) value *= D[0][0];
+    } else {
+      forward_substitute(D, x);
+      backward_substitute(D, x);
+    }
+  }
+};
+
+// The joint's share of the articulated body with inertia I and bias p on its far side: what it
+// hands on to its near side, by exact projection: nothing along S but the torque. Returns false
+// where D cannot be factorized.
+template <class Kind>
+ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I, const Columns6& p,
+                                Mat6& handed, Columns6& force) {
+  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  constexpr auto& free = Kind::Free::row;
+  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
+  bool good = true;
+  for (int k = 0; k < n; ++k) {
+    for (int l = 0; l < n; ++l) i.D[k][l] = I(free[k], free[l]);
+    i.E[k] = {};
+    for (int l = 0; l < m; ++l) i.E[k][constrained[l]] = I(free[k], constrained[l]);
+    for (int c = 0; c < kColumns; ++c) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
+  }
+  if constexpr (n == 1) {
+    good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
+    i.D[0][0] = 1 / i.D[0][0];
+  } else {
+    good = factorize(i.D);
+  }
+  i.solve(i.E);
+  auto moved = i.u;
+  i.solve(moved);
+  handed.setZero();
+  force.setZero();
+  if constexpr (m > 0) {
+    for (int r = 0; r < m; ++r)
+      for (int s = 0; s < m; ++s) {
+        Real x = I(constrained[r], constrained[s]);
+        for (int k = 0; k < n; ++k) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
+        handed(constrained[r], constrained[s]) = x;
+      }
+    for (int c = 0; c < kColumns; ++c)
+      for (int r = 0; r < m; ++r) {
+        Real x = p(constrained[r], c);
+        for (int k = 0; k < n; ++k) x += I(constrained[r], free[k]) * moved[k][c];
+        for (int s = 0; s < m; ++s)
+          x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
+        force(constrained[r], c) = x;
+      }
+  }
+  for (int k = 0; k < n; ++k)
+    for (int c = 0; c < kColumns; ++c) force(free[k], c) = sigma * i.tau[k][c];
+  return good;
+}
+
+// a becomes the far link's acceleration (joint frame) from the near link's; returns sigma qdd.
+template <class Kind>
+std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated<Kind>& i,
+                                                               Columns6& a) {
+  a += i.c;
+  auto moved = i.u;
+  i.solve(moved);
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) {
+      const int row = Kind::Free::row[k];
+      Real x = moved[k][c];
+      for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
+      moved[k][c] = x - a(row, c);
+    }
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) a(Kind::Free::row[k], c) += moved[k][c];
+  return moved;
+}
+
+// K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
+template <class Kind>
+ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
+  for (int k = 0; k < kFree<Kind>; ++k) m.row(Kind::Free::row[k]).setZero();
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
+}
+
+// Omega of the far side: K m K^T + S D^-1 S^T, m being the near side's (zero: the ground's).
+template <class Kind>
+ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
+  constexpr int n = kFree<Kind>;
+  share(i, m);
+  m.transposeInPlace();
+  share(i, m);
+  std::array<std::array<Real, n>, n> inverse{};
+  for (int k = 0; k < n; ++k) inverse[k][k] = 1;
+  i.solve(inverse);
+  for (int k = 0; k < n; ++k)
+    for (int l = 0; l < n; ++l) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
+}
+
+// A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
+template <class Kind>
+void deliver(Articulated<Kind>& i, Columns6& load) {
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) {
+      Real& along = load(Kind::Free::row[k], c);
+      i.u[k][c] += along;
+      for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
+      along = 0;
+    }
+}
+
+// Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
+ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns6& b) {
+  std::array<std::array<Real, 6>, 6> L, x{};
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+    x[i][i] = 1;
+  }
+  const bool good = factorize(L);
+  forward_substitute(L, x);
+  for (int i = 0; i < 6; ++i)
+    for (int k = i; k < 6; ++k) {
+      Real sum = 0;
+      for (int row = 0; row < 6; ++row) sum += x[row][i] * x[row][k];
+      Phi(i, k) = Phi(k, i) = sum;
+    }
+  b.noalias() = -Phi * p;
+  return good;
+}
+
+// a with I^A a = -p^A: nothing else acts on the link.
+ADAGEN_NOINLINE bool solve_root(const Mat6& I, const Columns6& p, Columns6& a) {
+  std::array<std::array<Real, 6>, 6> L;
+  std::array<std::array<Real, kColumns>, 6> x;
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+    for (int c = 0; c < kColumns; ++c) x[i][c] = -p(i, c);
+  }
+  const bool good = factorize(L);
+  forward_substitute(L, x);
+  backward_substitute(L, x);
+  for (int i = 0; i < 6; ++i)
+    for (int c = 0; c < kColumns; ++c) a(i, c) = x[i][c];
+  return good;
+}
+
 constexpr std::array<MessageInfo, 8> kMessages{ {
     {2, 1, 42},  // 0: assembled: chain of "joint12"
     {1, 0, 42},  // 1: assembled: chain of "joint11"
@@ -880,66 +1144,73 @@ struct Workspace;
 struct Joint_joint01 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod01"
-  Columns6 b;  // bias of the bare link "rod01"
-  Mat6 Phi_rod01;  // of the chain it completes
-  Columns6 b_rod01;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod01;
-  Columns6 F_on_rod01;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "rod01"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_joint02 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod02"
-  Columns6 b;  // bias of the bare link "rod02"
-  Mat6 Phi_rod02;  // of the chain it completes
-  Columns6 b_rod02;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod02;
-  Columns6 F_on_rod02;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "rod02"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_joint03 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod03"
-  Columns6 b;  // bias of the bare link "rod03"
-  Mat6 Phi_rod03;  // of the chain it completes
-  Columns6 b_rod03;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod03;
-  Columns6 F_on_rod03;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "rod03"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_joint04 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod04"
-  Columns6 b;  // bias of the bare link "rod04"
-  Mat6 Phi_rod04;  // of the chain it completes
-  Columns6 b_rod04;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod04;
-  Columns6 F_on_rod04;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "rod04"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_joint05 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod05"
-  Columns6 b;  // bias of the bare link "rod05"
-  Mat6 Phi_rod05;  // of the chain it completes
-  Columns6 b_rod05;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod05;
-  Columns6 F_on_rod05;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "rod05"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_joint06 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod06"
-  Columns6 b;  // bias of the bare link "rod06"
+  Mat6 IA;  // articulated-body inertia of link "rod06"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Mat6 Phi_rod01;  // of the chain it completes
+  Columns6 b_rod01;
+  Mat6 Phi_rod02;  // of the chain it completes
+  Columns6 b_rod02;
+  Mat6 Phi_rod03;  // of the chain it completes
+  Columns6 b_rod03;
+  Mat6 Phi_rod04;  // of the chain it completes
+  Columns6 b_rod04;
+  Mat6 Phi_rod05;  // of the chain it completes
+  Columns6 b_rod05;
   Mat6 Phi_rod06;  // of the chain it completes
   Columns6 b_rod06;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod06;
+  Columns6 load;  // what handle forces add
   Columns6 F_on_rod06;  // outer wrench on that chain
 };
 
@@ -947,52 +1218,52 @@ struct Joint_joint07 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod07"
   Joined<Revolute> joined;
-  Columns6 b;  // bias of the bare link "rod07"
+  Mat6 IA;  // articulated-body inertia of link "rod07"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_joint08 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod08"
-  Columns6 b;  // bias of the bare link "rod08"
+  Mat6 IA;  // articulated-body inertia of link "rod08"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
   Mat6 Phi_rod07;  // of the chain it completes
-  Mat6 Phi_rod07_rod10;  // of the chain it completes
-  Mat6 Phi_rod10;  // of the chain it completes
   Columns6 b_rod07;
+  Mat6 Phi_rod08;  // of the chain it completes
+  Mat6 Phi_rod07_rod08;  // of the chain it completes
+  Columns6 b_rod08;
+  Mat6 Phi_rod09;  // of the chain it completes
+  Mat6 Phi_rod07_rod09;  // of the chain it completes
+  Columns6 b_rod09;
+  Mat6 Phi_rod10;  // of the chain it completes
+  Mat6 Phi_rod07_rod10;  // of the chain it completes
   Columns6 b_rod10;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod07;
-  Coupled<Revolute> at_rod10;
+  Columns6 load;  // what handle forces add
   Columns6 F_on_rod10;  // outer wrench on that chain
 };
 
 struct Joint_joint09 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod09"
-  Columns6 b;  // bias of the bare link "rod09"
-  Mat6 Phi_rod08;  // of the chain it completes
-  Mat6 Phi_rod08_rod10;  // of the chain it completes
-  Mat6 Phi_rod10;  // of the chain it completes
-  Columns6 b_rod08;
-  Columns6 b_rod10;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod08;
-  Coupled<Revolute> at_rod10;
-  Columns6 F_on_rod08;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "rod09"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_joint10 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod10"
-  Columns6 b;  // bias of the bare link "rod10"
-  Mat6 Phi_rod09;  // of the chain it completes
-  Mat6 Phi_rod09_rod10;  // of the chain it completes
-  Mat6 Phi_rod10;  // of the chain it completes
-  Columns6 b_rod09;
-  Columns6 b_rod10;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod09;
-  Coupled<Revolute> at_rod10;
-  Columns6 F_on_rod09;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "rod10"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_joint11 {
@@ -1002,63 +1273,59 @@ struct Joint_joint11 {
   Columns6 b_rod07;
   Joined<Revolute> joined;
   Coupled<Revolute> at_rod07;
-  Columns6 b;  // bias of the bare link "rod11"
+  Mat6 IA;  // articulated-body inertia of link "rod11"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Columns6 load;  // what handle forces add
   Columns6 F_on_rod07;  // outer wrench on that chain
 };
 
 struct Joint_joint12 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod12"
-  Columns6 b;  // bias of the bare link "rod12"
+  Mat6 IA;  // articulated-body inertia of link "rod12"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
   Mat6 Phi_rod11;  // of the chain it completes
   Columns6 b_rod11;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod11;
   Columns6 F_on_rod11;  // outer wrench on that chain
 };
 
 struct Joint_joint13 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod13"
-  Columns6 b;  // bias of the bare link "rod13"
-  Mat6 Phi_rod12;  // of the chain it completes
-  Columns6 b_rod12;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod12;
-  Columns6 F_on_rod12;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "rod13"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_joint14 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod14"
-  Columns6 b;  // bias of the bare link "rod14"
-  Mat6 Phi_rod13;  // of the chain it completes
-  Columns6 b_rod13;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod13;
-  Columns6 F_on_rod13;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "rod14"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_joint15 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod15"
-  Columns6 b;  // bias of the bare link "rod15"
-  Mat6 Phi_rod14;  // of the chain it completes
-  Columns6 b_rod14;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod14;
-  Columns6 F_on_rod14;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "rod15"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_joint16 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod16"
-  Columns6 b;  // bias of the bare link "rod16"
-  Mat6 Phi_rod15;  // of the chain it completes
-  Columns6 b_rod15;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod15;
-  Columns6 F_on_rod15;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "rod16"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Workspace {
@@ -1201,22 +1468,22 @@ void store_coupled(Workspace& w, int joint, int v,
   store_acceleration(w, joint, v, sum);
 }
 
-const Mat6 kPhi_rod01 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, 0.0, 14.888374412839735, 5000.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, -14.888374412839735, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 1.0, 0.0, 3.977674882567947});
-const Mat6 kPhi_rod02 = symmetric({5000.0, 0.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, -14.888374412839735, 74.44187206419866, 0.0, 14.888374412839735, 0.0, 1.0, 0.0, 0.0, 3.977674882567947, 0.0, 3.977674882567947});
-const Mat6 kPhi_rod03 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, -14.888374412839735, 0.0, 74.44187206419866, 0.0, 14.888374412839735, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 3.977674882567947, 0.0, 1.0});
-const Mat6 kPhi_rod04 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, 0.0, 14.888374412839735, 5000.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, -14.888374412839735, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 1.0, 0.0, 3.977674882567947});
-const Mat6 kPhi_rod05 = symmetric({5000.0, 0.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, -14.888374412839735, 74.44187206419866, 0.0, 14.888374412839735, 0.0, 1.0, 0.0, 0.0, 3.977674882567947, 0.0, 3.977674882567947});
-const Mat6 kPhi_rod06 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, -14.888374412839735, 0.0, 74.44187206419866, 0.0, 14.888374412839735, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 3.977674882567947, 0.0, 1.0});
-const Mat6 kPhi_rod07 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, 0.0, 14.888374412839735, 5000.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, -14.888374412839735, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 1.0, 0.0, 3.977674882567947});
-const Mat6 kPhi_rod08 = symmetric({5000.0, 0.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, -14.888374412839735, 74.44187206419866, 0.0, 14.888374412839735, 0.0, 1.0, 0.0, 0.0, 3.977674882567947, 0.0, 3.977674882567947});
-const Mat6 kPhi_rod09 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, -14.888374412839735, 0.0, 74.44187206419866, 0.0, 14.888374412839735, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 3.977674882567947, 0.0, 1.0});
-const Mat6 kPhi_rod10 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, 0.0, 14.888374412839735, 5000.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, -14.888374412839735, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 1.0, 0.0, 3.977674882567947});
-const Mat6 kPhi_rod11 = symmetric({5000.0, 0.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, -14.888374412839735, 74.44187206419866, 0.0, 14.888374412839735, 0.0, 1.0, 0.0, 0.0, 3.977674882567947, 0.0, 3.977674882567947});
-const Mat6 kPhi_rod12 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, -14.888374412839735, 0.0, 74.44187206419866, 0.0, 14.888374412839735, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 3.977674882567947, 0.0, 1.0});
-const Mat6 kPhi_rod13 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, 0.0, 14.888374412839735, 5000.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, -14.888374412839735, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 1.0, 0.0, 3.977674882567947});
-const Mat6 kPhi_rod14 = symmetric({5000.0, 0.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, -14.888374412839735, 74.44187206419866, 0.0, 14.888374412839735, 0.0, 1.0, 0.0, 0.0, 3.977674882567947, 0.0, 3.977674882567947});
-const Mat6 kPhi_rod15 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, -14.888374412839735, 0.0, 74.44187206419866, 0.0, 14.888374412839735, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 3.977674882567947, 0.0, 1.0});
-const Mat6 kPhi_rod16 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, 0.0, 14.888374412839735, 5000.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, -14.888374412839735, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 1.0, 0.0, 3.977674882567947});
+const Mat6 kInertia_rod01 = spatial_inertia(kLinks[1]);
+const Mat6 kInertia_rod02 = spatial_inertia(kLinks[2]);
+const Mat6 kInertia_rod03 = spatial_inertia(kLinks[3]);
+const Mat6 kInertia_rod04 = spatial_inertia(kLinks[4]);
+const Mat6 kInertia_rod05 = spatial_inertia(kLinks[5]);
+const Mat6 kInertia_rod06 = spatial_inertia(kLinks[6]);
+const Mat6 kInertia_rod07 = spatial_inertia(kLinks[7]);
+const Mat6 kInertia_rod08 = spatial_inertia(kLinks[8]);
+const Mat6 kInertia_rod09 = spatial_inertia(kLinks[9]);
+const Mat6 kInertia_rod10 = spatial_inertia(kLinks[10]);
+const Mat6 kInertia_rod11 = spatial_inertia(kLinks[11]);
+const Mat6 kInertia_rod12 = spatial_inertia(kLinks[12]);
+const Mat6 kInertia_rod13 = spatial_inertia(kLinks[13]);
+const Mat6 kInertia_rod14 = spatial_inertia(kLinks[14]);
+const Mat6 kInertia_rod15 = spatial_inertia(kLinks[15]);
+const Mat6 kInertia_rod16 = spatial_inertia(kLinks[16]);
 
 // =================================================================================================
 // Joint 0 "joint01": revolute, between links "ceiling" and "rod01"
@@ -1235,24 +1502,38 @@ void kinematics_joint01(Workspace& w) {
   i.v = joint_velocity<Revolute>(w.v + 0);
 }
 
-// A: the ground "ceiling"; B: link "rod01"; C feels the joint at "rod01"
-void assemble_joint01(Workspace& w) {
+void articulate_joint01(Workspace& w) {
   auto& i = w.j_joint01;
-  load_torque(w, 0, 0, i.joined.tau);
-  const Columns6 c = Columns6::Zero();
-  if (!join(i.joined, kZero, kPhi_rod01, i.X * kGround, w.j_joint01.b, c))
+  load_torque(w, 0, 0, i.body.tau);
+  i.body.c = Columns6::Zero();
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint01.IA, w.j_joint01.pA, handed, force))
     fail(w, kFactorization, 0);
-  couple(i.joined, kPhi_rod01, i.at_rod01);
-  i.Phi_rod01 = kPhi_rod01 - product(i.at_rod01, i.at_rod01);  // Eq. (4)
-  i.b_rod01 = w.j_joint01.b + bias_change(i.joined, i.at_rod01);  // Eq. (7)
 }
 
-void disassemble_joint01(Workspace& w) {
+void propagate_joint01(Workspace& w) {
   auto& i = w.j_joint01;
-  Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod01, w.j_joint01.F_on_rod01);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 0, 0, release.qdd());  // Eq. (9)
+  Mat6 Omega = kZero;
+  carry(i.body, Omega);
+  w.j_joint06.Phi_rod01 = Omega;
+  Columns6 a = i.X * kGround;
+  accelerate(i.body, a);
+  w.j_joint06.b_rod01 = a;
+}
+
+void deliver_joint01(Workspace& w) {
+  auto& i = w.j_joint01;
+  Columns6 load = w.j_joint01.load;
+  deliver(i.body, load);
+}
+
+void accelerate_joint01(Workspace& w) {
+  auto& i = w.j_joint01;
+  Columns6 a = i.X * kGround;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint01.a = a;
+  store_acceleration(w, 0, 0, qdd);
 }
 
 // =================================================================================================
@@ -1272,27 +1553,41 @@ void kinematics_joint02(Workspace& w) {
   i.v = i.X * w.j_joint01.v + joint_velocity<Revolute>(w.v + 1);
 }
 
-// A: the chain of "joint01"; B: link "rod02"; C feels the joint at "rod02"
-void assemble_joint02(Workspace& w) {
+void articulate_joint02(Workspace& w) {
   auto& i = w.j_joint02;
-  load_torque(w, 1, 1, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint01.Phi_rod01;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 1);
-  if (!join(i.joined, Phi_A, kPhi_rod02, i.X * w.j_joint01.b_rod01, w.j_joint02.b, c))
+  load_torque(w, 1, 1, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 1);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint02.IA, w.j_joint02.pA, handed, force))
     fail(w, kFactorization, 1);
-  couple(i.joined, kPhi_rod02, i.at_rod02);
-  i.Phi_rod02 = kPhi_rod02 - product(i.at_rod02, i.at_rod02);  // Eq. (4)
-  i.b_rod02 = w.j_joint02.b + bias_change(i.joined, i.at_rod02);  // Eq. (7)
+  add_in_parent(i.X, handed, w.j_joint01.IA);
+  w.j_joint01.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint02(Workspace& w) {
+void propagate_joint02(Workspace& w) {
   auto& i = w.j_joint02;
-  Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod02, w.j_joint02.F_on_rod02);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 1, 1, release.qdd());  // Eq. (9)
-  w.j_joint01.F_on_rod01 = -i.X.transposed_times(f);
+  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod01, i.X);
+  carry(i.body, Omega);
+  w.j_joint06.Phi_rod02 = Omega;
+  Columns6 a = i.X * w.j_joint06.b_rod01;
+  accelerate(i.body, a);
+  w.j_joint06.b_rod02 = a;
+}
+
+void deliver_joint02(Workspace& w) {
+  auto& i = w.j_joint02;
+  Columns6 load = w.j_joint02.load;
+  deliver(i.body, load);
+  w.j_joint01.load += i.X.transposed_times(load);
+}
+
+void accelerate_joint02(Workspace& w) {
+  auto& i = w.j_joint02;
+  Columns6 a = i.X * w.j_joint01.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint02.a = a;
+  store_acceleration(w, 1, 1, qdd);
 }
 
 // =================================================================================================
@@ -1312,27 +1607,41 @@ void kinematics_joint03(Workspace& w) {
   i.v = i.X * w.j_joint02.v + joint_velocity<Revolute>(w.v + 2);
 }
 
-// A: the chain of "joint02"; B: link "rod03"; C feels the joint at "rod03"
-void assemble_joint03(Workspace& w) {
+void articulate_joint03(Workspace& w) {
   auto& i = w.j_joint03;
-  load_torque(w, 2, 2, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint02.Phi_rod02;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 2);
-  if (!join(i.joined, Phi_A, kPhi_rod03, i.X * w.j_joint02.b_rod02, w.j_joint03.b, c))
+  load_torque(w, 2, 2, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 2);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint03.IA, w.j_joint03.pA, handed, force))
     fail(w, kFactorization, 2);
-  couple(i.joined, kPhi_rod03, i.at_rod03);
-  i.Phi_rod03 = kPhi_rod03 - product(i.at_rod03, i.at_rod03);  // Eq. (4)
-  i.b_rod03 = w.j_joint03.b + bias_change(i.joined, i.at_rod03);  // Eq. (7)
+  add_in_parent(i.X, handed, w.j_joint02.IA);
+  w.j_joint02.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint03(Workspace& w) {
+void propagate_joint03(Workspace& w) {
   auto& i = w.j_joint03;
-  Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod03, w.j_joint03.F_on_rod03);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 2, 2, release.qdd());  // Eq. (9)
-  w.j_joint02.F_on_rod02 = -i.X.transposed_times(f);
+  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod02, i.X);
+  carry(i.body, Omega);
+  w.j_joint06.Phi_rod03 = Omega;
+  Columns6 a = i.X * w.j_joint06.b_rod02;
+  accelerate(i.body, a);
+  w.j_joint06.b_rod03 = a;
+}
+
+void deliver_joint03(Workspace& w) {
+  auto& i = w.j_joint03;
+  Columns6 load = w.j_joint03.load;
+  deliver(i.body, load);
+  w.j_joint02.load += i.X.transposed_times(load);
+}
+
+void accelerate_joint03(Workspace& w) {
+  auto& i = w.j_joint03;
+  Columns6 a = i.X * w.j_joint02.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint03.a = a;
+  store_acceleration(w, 2, 2, qdd);
 }
 
 // =================================================================================================
@@ -1352,27 +1661,41 @@ void kinematics_joint04(Workspace& w) {
   i.v = i.X * w.j_joint03.v + joint_velocity<Revolute>(w.v + 3);
 }
 
-// A: the chain of "joint03"; B: link "rod04"; C feels the joint at "rod04"
-void assemble_joint04(Workspace& w) {
+void articulate_joint04(Workspace& w) {
   auto& i = w.j_joint04;
-  load_torque(w, 3, 3, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint03.Phi_rod03;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 3);
-  if (!join(i.joined, Phi_A, kPhi_rod04, i.X * w.j_joint03.b_rod03, w.j_joint04.b, c))
+  load_torque(w, 3, 3, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 3);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint04.IA, w.j_joint04.pA, handed, force))
     fail(w, kFactorization, 3);
-  couple(i.joined, kPhi_rod04, i.at_rod04);
-  i.Phi_rod04 = kPhi_rod04 - product(i.at_rod04, i.at_rod04);  // Eq. (4)
-  i.b_rod04 = w.j_joint04.b + bias_change(i.joined, i.at_rod04);  // Eq. (7)
+  add_in_parent(i.X, handed, w.j_joint03.IA);
+  w.j_joint03.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint04(Workspace& w) {
+void propagate_joint04(Workspace& w) {
   auto& i = w.j_joint04;
-  Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod04, w.j_joint04.F_on_rod04);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 3, 3, release.qdd());  // Eq. (9)
-  w.j_joint03.F_on_rod03 = -i.X.transposed_times(f);
+  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod03, i.X);
+  carry(i.body, Omega);
+  w.j_joint06.Phi_rod04 = Omega;
+  Columns6 a = i.X * w.j_joint06.b_rod03;
+  accelerate(i.body, a);
+  w.j_joint06.b_rod04 = a;
+}
+
+void deliver_joint04(Workspace& w) {
+  auto& i = w.j_joint04;
+  Columns6 load = w.j_joint04.load;
+  deliver(i.body, load);
+  w.j_joint03.load += i.X.transposed_times(load);
+}
+
+void accelerate_joint04(Workspace& w) {
+  auto& i = w.j_joint04;
+  Columns6 a = i.X * w.j_joint03.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint04.a = a;
+  store_acceleration(w, 3, 3, qdd);
 }
 
 // =================================================================================================
@@ -1392,27 +1715,41 @@ void kinematics_joint05(Workspace& w) {
   i.v = i.X * w.j_joint04.v + joint_velocity<Revolute>(w.v + 4);
 }
 
-// A: the chain of "joint04"; B: link "rod05"; C feels the joint at "rod05"
-void assemble_joint05(Workspace& w) {
+void articulate_joint05(Workspace& w) {
   auto& i = w.j_joint05;
-  load_torque(w, 4, 4, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint04.Phi_rod04;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
-  if (!join(i.joined, Phi_A, kPhi_rod05, i.X * w.j_joint04.b_rod04, w.j_joint05.b, c))
+  load_torque(w, 4, 4, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 4);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint05.IA, w.j_joint05.pA, handed, force))
     fail(w, kFactorization, 4);
-  couple(i.joined, kPhi_rod05, i.at_rod05);
-  i.Phi_rod05 = kPhi_rod05 - product(i.at_rod05, i.at_rod05);  // Eq. (4)
-  i.b_rod05 = w.j_joint05.b + bias_change(i.joined, i.at_rod05);  // Eq. (7)
+  add_in_parent(i.X, handed, w.j_joint04.IA);
+  w.j_joint04.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint05(Workspace& w) {
+void propagate_joint05(Workspace& w) {
   auto& i = w.j_joint05;
-  Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod05, w.j_joint05.F_on_rod05);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
-  w.j_joint04.F_on_rod04 = -i.X.transposed_times(f);
+  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod04, i.X);
+  carry(i.body, Omega);
+  w.j_joint06.Phi_rod05 = Omega;
+  Columns6 a = i.X * w.j_joint06.b_rod04;
+  accelerate(i.body, a);
+  w.j_joint06.b_rod05 = a;
+}
+
+void deliver_joint05(Workspace& w) {
+  auto& i = w.j_joint05;
+  Columns6 load = w.j_joint05.load;
+  deliver(i.body, load);
+  w.j_joint04.load += i.X.transposed_times(load);
+}
+
+void accelerate_joint05(Workspace& w) {
+  auto& i = w.j_joint05;
+  Columns6 a = i.X * w.j_joint04.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint05.a = a;
+  store_acceleration(w, 4, 4, qdd);
 }
 
 // =================================================================================================
@@ -1432,27 +1769,41 @@ void kinematics_joint06(Workspace& w) {
   i.v = i.X * w.j_joint05.v + joint_velocity<Revolute>(w.v + 5);
 }
 
-// A: the chain of "joint05"; B: link "rod06"; C feels the joint at "rod06"
-void assemble_joint06(Workspace& w) {
+void articulate_joint06(Workspace& w) {
   auto& i = w.j_joint06;
-  load_torque(w, 5, 5, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint05.Phi_rod05;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
-  if (!join(i.joined, Phi_A, kPhi_rod06, i.X * w.j_joint05.b_rod05, w.j_joint06.b, c))
+  load_torque(w, 5, 5, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 5);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint06.IA, w.j_joint06.pA, handed, force))
     fail(w, kFactorization, 5);
-  couple(i.joined, kPhi_rod06, i.at_rod06);
-  i.Phi_rod06 = kPhi_rod06 - product(i.at_rod06, i.at_rod06);  // Eq. (4)
-  i.b_rod06 = w.j_joint06.b + bias_change(i.joined, i.at_rod06);  // Eq. (7)
+  add_in_parent(i.X, handed, w.j_joint05.IA);
+  w.j_joint05.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint06(Workspace& w) {
+void propagate_joint06(Workspace& w) {
   auto& i = w.j_joint06;
-  Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod06, w.j_joint06.F_on_rod06);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 5, 5, release.qdd());  // Eq. (9)
-  w.j_joint05.F_on_rod05 = -i.X.transposed_times(f);
+  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod05, i.X);
+  carry(i.body, Omega);
+  w.j_joint06.Phi_rod06 = Omega;
+  Columns6 a = i.X * w.j_joint06.b_rod05;
+  accelerate(i.body, a);
+  w.j_joint06.b_rod06 = a;
+}
+
+void deliver_joint06(Workspace& w) {
+  auto& i = w.j_joint06;
+  Columns6 load = w.j_joint06.load;
+  deliver(i.body, load);
+  w.j_joint05.load += i.X.transposed_times(load);
+}
+
+void accelerate_joint06(Workspace& w) {
+  auto& i = w.j_joint06;
+  Columns6 a = i.X * w.j_joint05.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint06.a = a;
+  store_acceleration(w, 5, 5, qdd);
 }
 
 // =================================================================================================
@@ -1509,32 +1860,44 @@ void kinematics_joint08(Workspace& w) {
   i.v = i.X * w.j_joint07.v + joint_velocity<Revolute>(w.v + 7);
 }
 
-// A: link "rod07"; B: the chain of "joint09"; C feels the joint at "rod07", "rod10"
-void assemble_joint08(Workspace& w) {
+void articulate_joint08(Workspace& w) {
   auto& i = w.j_joint08;
-  load_torque(w, 7, 7, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod07;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 7);
-  if (!join(i.joined, Phi_A, w.j_joint09.Phi_rod08, i.X * w.j_joint07.b, w.j_joint09.b_rod08, c))
+  load_torque(w, 7, 7, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 7);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint08.IA, w.j_joint08.pA, handed, force))
     fail(w, kFactorization, 7);
-  couple(i.joined, X_Phi_A, i.at_rod07);
-  couple(i.joined, w.j_joint09.Phi_rod08_rod10, i.at_rod10);
-  i.Phi_rod07 = kPhi_rod07 - product(i.at_rod07, i.at_rod07);  // Eq. (3)
-  i.Phi_rod07_rod10 = product(i.at_rod07, i.at_rod10);  // Eq. (5)
-  i.Phi_rod10 = w.j_joint09.Phi_rod10 - product(i.at_rod10, i.at_rod10);  // Eq. (4)
-  i.b_rod07 = w.j_joint07.b - bias_change(i.joined, i.at_rod07);  // Eq. (6)
-  i.b_rod10 = w.j_joint09.b_rod10 + bias_change(i.joined, i.at_rod10);  // Eq. (7)
+  add_in_parent(i.X, handed, w.j_joint07.IA);
+  w.j_joint07.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint08(Workspace& w) {
+void propagate_joint08(Workspace& w) {
   auto& i = w.j_joint08;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod07, w.j_joint11.F_on_rod07);
-  release.feel_B(i.at_rod10, w.j_joint08.F_on_rod10);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 7, 7, release.qdd());  // Eq. (9)
-  w.j_joint09.F_on_rod08 = f;
+  Mat6 Omega = from_right(i.X * w.j_joint08.Phi_rod07, i.X);
+  carry(i.body, Omega);
+  w.j_joint08.Phi_rod08 = Omega;
+  Columns6 a = i.X * w.j_joint08.b_rod07;
+  accelerate(i.body, a);
+  w.j_joint08.b_rod08 = a;
+  Mat6 Psi_0 = i.X * w.j_joint08.Phi_rod07;  // with link "rod07"
+  share(i.body, Psi_0);
+  w.j_joint08.Phi_rod07_rod08 = Psi_0.transpose();
+}
+
+void deliver_joint08(Workspace& w) {
+  auto& i = w.j_joint08;
+  Columns6 load = w.j_joint08.load;
+  deliver(i.body, load);
+  w.j_joint07.load += i.X.transposed_times(load);
+}
+
+void accelerate_joint08(Workspace& w) {
+  auto& i = w.j_joint08;
+  Columns6 a = i.X * w.j_joint07.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint08.a = a;
+  store_acceleration(w, 7, 7, qdd);
 }
 
 // =================================================================================================
@@ -1554,32 +1917,44 @@ void kinematics_joint09(Workspace& w) {
   i.v = i.X * w.j_joint08.v + joint_velocity<Revolute>(w.v + 8);
 }
 
-// A: link "rod08"; B: the chain of "joint10"; C feels the joint at "rod08", "rod10"
-void assemble_joint09(Workspace& w) {
+void articulate_joint09(Workspace& w) {
   auto& i = w.j_joint09;
-  load_torque(w, 8, 8, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod08;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 8);
-  if (!join(i.joined, Phi_A, w.j_joint10.Phi_rod09, i.X * w.j_joint08.b, w.j_joint10.b_rod09, c))
+  load_torque(w, 8, 8, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 8);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint09.IA, w.j_joint09.pA, handed, force))
     fail(w, kFactorization, 8);
-  couple(i.joined, X_Phi_A, i.at_rod08);
-  couple(i.joined, w.j_joint10.Phi_rod09_rod10, i.at_rod10);
-  i.Phi_rod08 = kPhi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (3)
-  i.Phi_rod08_rod10 = product(i.at_rod08, i.at_rod10);  // Eq. (5)
-  i.Phi_rod10 = w.j_joint10.Phi_rod10 - product(i.at_rod10, i.at_rod10);  // Eq. (4)
-  i.b_rod08 = w.j_joint08.b - bias_change(i.joined, i.at_rod08);  // Eq. (6)
-  i.b_rod10 = w.j_joint10.b_rod10 + bias_change(i.joined, i.at_rod10);  // Eq. (7)
+  add_in_parent(i.X, handed, w.j_joint08.IA);
+  w.j_joint08.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint09(Workspace& w) {
+void propagate_joint09(Workspace& w) {
   auto& i = w.j_joint09;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod08, w.j_joint09.F_on_rod08);
-  release.feel_B(i.at_rod10, w.j_joint08.F_on_rod10);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 8, 8, release.qdd());  // Eq. (9)
-  w.j_joint10.F_on_rod09 = f;
+  Mat6 Omega = from_right(i.X * w.j_joint08.Phi_rod08, i.X);
+  carry(i.body, Omega);
+  w.j_joint08.Phi_rod09 = Omega;
+  Columns6 a = i.X * w.j_joint08.b_rod08;
+  accelerate(i.body, a);
+  w.j_joint08.b_rod09 = a;
+  Mat6 Psi_0 = times_transposed(i.X, w.j_joint08.Phi_rod07_rod08);  // with link "rod07"
+  share(i.body, Psi_0);
+  w.j_joint08.Phi_rod07_rod09 = Psi_0.transpose();
+}
+
+void deliver_joint09(Workspace& w) {
+  auto& i = w.j_joint09;
+  Columns6 load = w.j_joint09.load;
+  deliver(i.body, load);
+  w.j_joint08.load += i.X.transposed_times(load);
+}
+
+void accelerate_joint09(Workspace& w) {
+  auto& i = w.j_joint09;
+  Columns6 a = i.X * w.j_joint08.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint09.a = a;
+  store_acceleration(w, 8, 8, qdd);
 }
 
 // =================================================================================================
@@ -1599,31 +1974,44 @@ void kinematics_joint10(Workspace& w) {
   i.v = i.X * w.j_joint09.v + joint_velocity<Revolute>(w.v + 9);
 }
 
-// A: link "rod09"; B: link "rod10"; C feels the joint at "rod09", "rod10"
-void assemble_joint10(Workspace& w) {
+void articulate_joint10(Workspace& w) {
   auto& i = w.j_joint10;
-  load_torque(w, 9, 9, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod09;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 9);
-  if (!join(i.joined, Phi_A, kPhi_rod10, i.X * w.j_joint09.b, w.j_joint10.b, c))
+  load_torque(w, 9, 9, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 9);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint10.IA, w.j_joint10.pA, handed, force))
     fail(w, kFactorization, 9);
-  couple(i.joined, X_Phi_A, i.at_rod09);
-  couple(i.joined, kPhi_rod10, i.at_rod10);
-  i.Phi_rod09 = kPhi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (3)
-  i.Phi_rod09_rod10 = product(i.at_rod09, i.at_rod10);  // Eq. (5)
-  i.Phi_rod10 = kPhi_rod10 - product(i.at_rod10, i.at_rod10);  // Eq. (4)
-  i.b_rod09 = w.j_joint09.b - bias_change(i.joined, i.at_rod09);  // Eq. (6)
-  i.b_rod10 = w.j_joint10.b + bias_change(i.joined, i.at_rod10);  // Eq. (7)
+  add_in_parent(i.X, handed, w.j_joint09.IA);
+  w.j_joint09.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint10(Workspace& w) {
+void propagate_joint10(Workspace& w) {
   auto& i = w.j_joint10;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod09, w.j_joint10.F_on_rod09);
-  release.feel_B(i.at_rod10, w.j_joint08.F_on_rod10);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 9, 9, release.qdd());  // Eq. (9)
+  Mat6 Omega = from_right(i.X * w.j_joint08.Phi_rod09, i.X);
+  carry(i.body, Omega);
+  w.j_joint08.Phi_rod10 = Omega;
+  Columns6 a = i.X * w.j_joint08.b_rod09;
+  accelerate(i.body, a);
+  w.j_joint08.b_rod10 = a;
+  Mat6 Psi_0 = times_transposed(i.X, w.j_joint08.Phi_rod07_rod09);  // with link "rod07"
+  share(i.body, Psi_0);
+  w.j_joint08.Phi_rod07_rod10 = Psi_0.transpose();
+}
+
+void deliver_joint10(Workspace& w) {
+  auto& i = w.j_joint10;
+  Columns6 load = w.j_joint10.load;
+  deliver(i.body, load);
+  w.j_joint09.load += i.X.transposed_times(load);
+}
+
+void accelerate_joint10(Workspace& w) {
+  auto& i = w.j_joint10;
+  Columns6 a = i.X * w.j_joint09.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint10.a = a;
+  store_acceleration(w, 9, 9, qdd);
 }
 
 // =================================================================================================
@@ -1684,27 +2072,24 @@ void kinematics_joint12(Workspace& w) {
   i.v = i.X * w.j_joint11.v + joint_velocity<Revolute>(w.v + 11);
 }
 
-// A: link "rod11"; B: the chain of "joint13"; C feels the joint at "rod11"
-void assemble_joint12(Workspace& w) {
+void articulate_joint12(Workspace& w) {
   auto& i = w.j_joint12;
-  load_torque(w, 11, 11, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod11;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 11);
-  if (!join(i.joined, Phi_A, w.j_joint13.Phi_rod12, i.X * w.j_joint11.b, w.j_joint13.b_rod12, c))
+  load_torque(w, 11, 11, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 11);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint12.IA, w.j_joint12.pA, handed, force))
     fail(w, kFactorization, 11);
-  couple(i.joined, X_Phi_A, i.at_rod11);
-  i.Phi_rod11 = kPhi_rod11 - product(i.at_rod11, i.at_rod11);  // Eq. (3)
-  i.b_rod11 = w.j_joint11.b - bias_change(i.joined, i.at_rod11);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_joint11.IA);
+  w.j_joint11.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint12(Workspace& w) {
+void accelerate_joint12(Workspace& w) {
   auto& i = w.j_joint12;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod11, w.j_joint12.F_on_rod11);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 11, 11, release.qdd());  // Eq. (9)
-  w.j_joint13.F_on_rod12 = f;
+  Columns6 a = i.X * w.j_joint11.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint12.a = a;
+  store_acceleration(w, 11, 11, qdd);
 }
 
 // =================================================================================================
@@ -1724,27 +2109,24 @@ void kinematics_joint13(Workspace& w) {
   i.v = i.X * w.j_joint12.v + joint_velocity<Revolute>(w.v + 12);
 }
 
-// A: link "rod12"; B: the chain of "joint14"; C feels the joint at "rod12"
-void assemble_joint13(Workspace& w) {
+void articulate_joint13(Workspace& w) {
   auto& i = w.j_joint13;
-  load_torque(w, 12, 12, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod12;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 12);
-  if (!join(i.joined, Phi_A, w.j_joint14.Phi_rod13, i.X * w.j_joint12.b, w.j_joint14.b_rod13, c))
+  load_torque(w, 12, 12, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 12);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint13.IA, w.j_joint13.pA, handed, force))
     fail(w, kFactorization, 12);
-  couple(i.joined, X_Phi_A, i.at_rod12);
-  i.Phi_rod12 = kPhi_rod12 - product(i.at_rod12, i.at_rod12);  // Eq. (3)
-  i.b_rod12 = w.j_joint12.b - bias_change(i.joined, i.at_rod12);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_joint12.IA);
+  w.j_joint12.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint13(Workspace& w) {
+void accelerate_joint13(Workspace& w) {
   auto& i = w.j_joint13;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod12, w.j_joint13.F_on_rod12);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 12, 12, release.qdd());  // Eq. (9)
-  w.j_joint14.F_on_rod13 = f;
+  Columns6 a = i.X * w.j_joint12.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint13.a = a;
+  store_acceleration(w, 12, 12, qdd);
 }
 
 // =================================================================================================
@@ -1764,27 +2146,24 @@ void kinematics_joint14(Workspace& w) {
   i.v = i.X * w.j_joint13.v + joint_velocity<Revolute>(w.v + 13);
 }
 
-// A: link "rod13"; B: the chain of "joint15"; C feels the joint at "rod13"
-void assemble_joint14(Workspace& w) {
+void articulate_joint14(Workspace& w) {
   auto& i = w.j_joint14;
-  load_torque(w, 13, 13, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod13;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 13);
-  if (!join(i.joined, Phi_A, w.j_joint15.Phi_rod14, i.X * w.j_joint13.b, w.j_joint15.b_rod14, c))
+  load_torque(w, 13, 13, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 13);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint14.IA, w.j_joint14.pA, handed, force))
     fail(w, kFactorization, 13);
-  couple(i.joined, X_Phi_A, i.at_rod13);
-  i.Phi_rod13 = kPhi_rod13 - product(i.at_rod13, i.at_rod13);  // Eq. (3)
-  i.b_rod13 = w.j_joint13.b - bias_change(i.joined, i.at_rod13);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_joint13.IA);
+  w.j_joint13.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint14(Workspace& w) {
+void accelerate_joint14(Workspace& w) {
   auto& i = w.j_joint14;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod13, w.j_joint14.F_on_rod13);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 13, 13, release.qdd());  // Eq. (9)
-  w.j_joint15.F_on_rod14 = f;
+  Columns6 a = i.X * w.j_joint13.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint14.a = a;
+  store_acceleration(w, 13, 13, qdd);
 }
 
 // =================================================================================================
@@ -1804,27 +2183,24 @@ void kinematics_joint15(Workspace& w) {
   i.v = i.X * w.j_joint14.v + joint_velocity<Revolute>(w.v + 14);
 }
 
-// A: link "rod14"; B: the chain of "joint16"; C feels the joint at "rod14"
-void assemble_joint15(Workspace& w) {
+void articulate_joint15(Workspace& w) {
   auto& i = w.j_joint15;
-  load_torque(w, 14, 14, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod14;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 14);
-  if (!join(i.joined, Phi_A, w.j_joint16.Phi_rod15, i.X * w.j_joint14.b, w.j_joint16.b_rod15, c))
+  load_torque(w, 14, 14, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 14);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint15.IA, w.j_joint15.pA, handed, force))
     fail(w, kFactorization, 14);
-  couple(i.joined, X_Phi_A, i.at_rod14);
-  i.Phi_rod14 = kPhi_rod14 - product(i.at_rod14, i.at_rod14);  // Eq. (3)
-  i.b_rod14 = w.j_joint14.b - bias_change(i.joined, i.at_rod14);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_joint14.IA);
+  w.j_joint14.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint15(Workspace& w) {
+void accelerate_joint15(Workspace& w) {
   auto& i = w.j_joint15;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod14, w.j_joint15.F_on_rod14);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 14, 14, release.qdd());  // Eq. (9)
-  w.j_joint16.F_on_rod15 = f;
+  Columns6 a = i.X * w.j_joint14.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint15.a = a;
+  store_acceleration(w, 14, 14, qdd);
 }
 
 // =================================================================================================
@@ -1844,26 +2220,24 @@ void kinematics_joint16(Workspace& w) {
   i.v = i.X * w.j_joint15.v + joint_velocity<Revolute>(w.v + 15);
 }
 
-// A: link "rod15"; B: link "rod16"; C feels the joint at "rod15"
-void assemble_joint16(Workspace& w) {
+void articulate_joint16(Workspace& w) {
   auto& i = w.j_joint16;
-  load_torque(w, 15, 15, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod15;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 15);
-  if (!join(i.joined, Phi_A, kPhi_rod16, i.X * w.j_joint15.b, w.j_joint16.b, c))
+  load_torque(w, 15, 15, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 15);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_joint16.IA, w.j_joint16.pA, handed, force))
     fail(w, kFactorization, 15);
-  couple(i.joined, X_Phi_A, i.at_rod15);
-  i.Phi_rod15 = kPhi_rod15 - product(i.at_rod15, i.at_rod15);  // Eq. (3)
-  i.b_rod15 = w.j_joint15.b - bias_change(i.joined, i.at_rod15);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_joint15.IA);
+  w.j_joint15.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint16(Workspace& w) {
+void accelerate_joint16(Workspace& w) {
   auto& i = w.j_joint16;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod15, w.j_joint16.F_on_rod15);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 15, 15, release.qdd());  // Eq. (9)
+  Columns6 a = i.X * w.j_joint15.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_joint16.a = a;
+  store_acceleration(w, 15, 15, qdd);
 }
 
 
@@ -1880,18 +2254,24 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint06(w);
   kinematics_joint07(w);
   stamp(1);
-  link_bias(kLinks[1], w.j_joint01.v, w.j_joint01.b);
-  assemble_joint01(w);
-  link_bias(kLinks[2], w.j_joint02.v, w.j_joint02.b);
-  assemble_joint02(w);
-  link_bias(kLinks[3], w.j_joint03.v, w.j_joint03.b);
-  assemble_joint03(w);
-  link_bias(kLinks[4], w.j_joint04.v, w.j_joint04.b);
-  assemble_joint04(w);
-  link_bias(kLinks[5], w.j_joint05.v, w.j_joint05.b);
-  assemble_joint05(w);
-  link_bias(kLinks[6], w.j_joint06.v, w.j_joint06.b);
-  assemble_joint06(w);
+  start_link(kInertia_rod01, w.j_joint01.v, w.j_joint01.IA, w.j_joint01.pA);
+  start_link(kInertia_rod02, w.j_joint02.v, w.j_joint02.IA, w.j_joint02.pA);
+  start_link(kInertia_rod03, w.j_joint03.v, w.j_joint03.IA, w.j_joint03.pA);
+  start_link(kInertia_rod04, w.j_joint04.v, w.j_joint04.IA, w.j_joint04.pA);
+  start_link(kInertia_rod05, w.j_joint05.v, w.j_joint05.IA, w.j_joint05.pA);
+  start_link(kInertia_rod06, w.j_joint06.v, w.j_joint06.IA, w.j_joint06.pA);
+  articulate_joint06(w);
+  articulate_joint05(w);
+  articulate_joint04(w);
+  articulate_joint03(w);
+  articulate_joint02(w);
+  articulate_joint01(w);
+  propagate_joint01(w);
+  propagate_joint02(w);
+  propagate_joint03(w);
+  propagate_joint04(w);
+  propagate_joint05(w);
+  propagate_joint06(w);
   stamp(2);
   {  // from process 1: assembled: chain of "joint11"
     const Real* from = channel.receive(1, w.status);
@@ -1909,12 +2289,24 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(2, w.status);
   }
   stamp(6);
-  disassemble_joint06(w);
-  disassemble_joint05(w);
-  disassemble_joint04(w);
-  disassemble_joint03(w);
-  disassemble_joint02(w);
-  disassemble_joint01(w);
+  w.j_joint01.load = Columns6::Zero();
+  w.j_joint02.load = Columns6::Zero();
+  w.j_joint03.load = Columns6::Zero();
+  w.j_joint04.load = Columns6::Zero();
+  w.j_joint05.load = Columns6::Zero();
+  w.j_joint06.load = w.j_joint06.F_on_rod06;
+  deliver_joint06(w);
+  deliver_joint05(w);
+  deliver_joint04(w);
+  deliver_joint03(w);
+  deliver_joint02(w);
+  deliver_joint01(w);
+  accelerate_joint01(w);
+  accelerate_joint02(w);
+  accelerate_joint03(w);
+  accelerate_joint04(w);
+  accelerate_joint05(w);
+  accelerate_joint06(w);
   stamp(7);
 }
 
@@ -1933,13 +2325,18 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint10(w);
   kinematics_joint11(w);
   stamp(1);
-  link_bias(kLinks[9], w.j_joint09.v, w.j_joint09.b);
-  link_bias(kLinks[10], w.j_joint10.v, w.j_joint10.b);
-  assemble_joint10(w);
-  link_bias(kLinks[8], w.j_joint08.v, w.j_joint08.b);
-  assemble_joint09(w);
-  link_bias(kLinks[7], w.j_joint07.v, w.j_joint07.b);
-  assemble_joint08(w);
+  start_link(kInertia_rod07, w.j_joint07.v, w.j_joint07.IA, w.j_joint07.pA);
+  start_link(kInertia_rod08, w.j_joint08.v, w.j_joint08.IA, w.j_joint08.pA);
+  start_link(kInertia_rod09, w.j_joint09.v, w.j_joint09.IA, w.j_joint09.pA);
+  start_link(kInertia_rod10, w.j_joint10.v, w.j_joint10.IA, w.j_joint10.pA);
+  articulate_joint10(w);
+  articulate_joint09(w);
+  articulate_joint08(w);
+  if (!invert(w.j_joint07.IA, w.j_joint07.pA, w.j_joint08.Phi_rod07, w.j_joint08.b_rod07))
+    fail(w, kFactorization, 6);
+  propagate_joint08(w);
+  propagate_joint09(w);
+  propagate_joint10(w);
   stamp(2);
   {  // from process 2: assembled: chain of "joint12"
     const Real* from = channel.receive(0, w.status);
@@ -1969,9 +2366,17 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(3, w.status);
   }
   stamp(8);
-  disassemble_joint08(w);
-  disassemble_joint09(w);
-  disassemble_joint10(w);
+  w.j_joint07.load = w.j_joint11.F_on_rod07;
+  w.j_joint08.load = Columns6::Zero();
+  w.j_joint09.load = Columns6::Zero();
+  w.j_joint10.load = w.j_joint08.F_on_rod10;
+  deliver_joint10(w);
+  deliver_joint09(w);
+  deliver_joint08(w);
+  w.j_joint07.a = w.j_joint08.b_rod07 + w.j_joint08.Phi_rod07 * w.j_joint07.load;
+  accelerate_joint08(w);
+  accelerate_joint09(w);
+  accelerate_joint10(w);
   stamp(9);
 }
 
@@ -1995,17 +2400,19 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint15(w);
   kinematics_joint16(w);
   stamp(1);
-  link_bias(kLinks[15], w.j_joint15.v, w.j_joint15.b);
-  link_bias(kLinks[16], w.j_joint16.v, w.j_joint16.b);
-  assemble_joint16(w);
-  link_bias(kLinks[14], w.j_joint14.v, w.j_joint14.b);
-  assemble_joint15(w);
-  link_bias(kLinks[13], w.j_joint13.v, w.j_joint13.b);
-  assemble_joint14(w);
-  link_bias(kLinks[12], w.j_joint12.v, w.j_joint12.b);
-  assemble_joint13(w);
-  link_bias(kLinks[11], w.j_joint11.v, w.j_joint11.b);
-  assemble_joint12(w);
+  start_link(kInertia_rod11, w.j_joint11.v, w.j_joint11.IA, w.j_joint11.pA);
+  start_link(kInertia_rod12, w.j_joint12.v, w.j_joint12.IA, w.j_joint12.pA);
+  start_link(kInertia_rod13, w.j_joint13.v, w.j_joint13.IA, w.j_joint13.pA);
+  start_link(kInertia_rod14, w.j_joint14.v, w.j_joint14.IA, w.j_joint14.pA);
+  start_link(kInertia_rod15, w.j_joint15.v, w.j_joint15.IA, w.j_joint15.pA);
+  start_link(kInertia_rod16, w.j_joint16.v, w.j_joint16.IA, w.j_joint16.pA);
+  articulate_joint16(w);
+  articulate_joint15(w);
+  articulate_joint14(w);
+  articulate_joint13(w);
+  articulate_joint12(w);
+  if (!invert(w.j_joint11.IA, w.j_joint11.pA, w.j_joint12.Phi_rod11, w.j_joint12.b_rod11))
+    fail(w, kFactorization, 10);
   stamp(2);
   {  // to process 1: assembled: chain of "joint12"
     Real* to = channel.outgoing(0, w.status);
@@ -2019,11 +2426,13 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_joint12.F_on_rod11);
   }
   stamp(4);
-  disassemble_joint12(w);
-  disassemble_joint13(w);
-  disassemble_joint14(w);
-  disassemble_joint15(w);
-  disassemble_joint16(w);
+  w.j_joint11.load = w.j_joint12.F_on_rod11;
+  w.j_joint11.a = w.j_joint12.b_rod11 + w.j_joint12.Phi_rod11 * w.j_joint11.load;
+  accelerate_joint12(w);
+  accelerate_joint13(w);
+  accelerate_joint14(w);
+  accelerate_joint15(w);
+  accelerate_joint16(w);
   stamp(5);
 }
 
@@ -2818,14 +3227,14 @@ constexpr std::array<Stage, 7> kStages_0{ {
 } };
 constexpr std::array<Stage, 9> kStages_1{ {
     {"kinematics", 10, -1},
-    {"assembly", 7, -1},
+    {"assembly", 9, -1},
     {"receive", -1, 0},
     {"assembly", 10, -1},
     {"send", -1, 1},
     {"receive", -1, 2},
     {"disassembly", 10, -1},
     {"send", -1, 3},
-    {"disassembly", 7, -1},
+    {"disassembly", 9, -1},
 } };
 constexpr std::array<Stage, 5> kStages_2{ {
     {"kinematics", 15, -1},

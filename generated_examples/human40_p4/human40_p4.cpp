@@ -1,7 +1,7 @@
 // Forward dynamics of "human40" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
-// options   form ada, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // schedule  spine@0-3(root@0-1(|left_hip(right_hip@0(|right_knee(|right_ankle)) | left_knee@1(|left_ankle))) | neck@2-3(left_shoulder(right_shoulder@2(|right_elbow(|right_wrist)) | left_elbow@3(|left_wrist))|))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
@@ -152,49 +152,49 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
      {}},
     {"pelvis", 9.6, {0.0, 0.0, 0.03},
      {0.104, 0.0, 0.0, 0.0, 0.05248, 0.0, 0.0, 0.0, 0.09248},
-     {9.615384615384615, 0.0, 0.0, 0.0, 19.054878048780488, 0.0, 0.0, 0.0, 10.813148788927334}},
+     {}},
     {"left_thigh", 8.4, {0.0, 0.0, -0.19},
      {0.12544, 0.0, 0.0, 0.0, 0.12544, 0.0, 0.0, 0.0, 0.02688},
-     {7.971938775510204, 0.0, 0.0, 0.0, 7.971938775510204, 0.0, 0.0, 0.0, 37.20238095238095}},
+     {}},
     {"left_shank", 3.2, {-0.18, 0.0, 0.0},
      {0.004, 0.0, 0.0, 0.0, 0.0446667, 0.0, 0.0, 0.0, 0.0446667},
-     {250.0, 0.0, 0.0, 0.0, 22.388042993997768, 0.0, 0.0, 0.0, 22.388042993997768}},
+     {}},
     {"left_foot", 1.0, {0.06, 0.0, -0.04},
      {0.00108333, 0.0, 0.0, 0.0, 0.00561667, 0.0, 0.0, 0.0, 0.00588333},
-     {923.0797633223488, 0.0, 0.0, 0.0, 178.04143736413212, 0.0, 0.0, 0.0, 169.97176768938678}},
+     {}},
     {"right_thigh", 8.4, {0.0, 0.0, -0.19},
      {0.12544, 0.0, 0.0, 0.0, 0.12544, 0.0, 0.0, 0.0, 0.02688},
-     {7.971938775510204, 0.0, 0.0, 0.0, 7.971938775510204, 0.0, 0.0, 0.0, 37.20238095238095}},
+     {}},
     {"right_shank", 3.2, {-0.18, 0.0, 0.0},
      {0.004, 0.0, 0.0, 0.0, 0.0446667, 0.0, 0.0, 0.0, 0.0446667},
-     {250.0, 0.0, 0.0, 0.0, 22.388042993997768, 0.0, 0.0, 0.0, 22.388042993997768}},
+     {}},
     {"right_foot", 1.0, {0.06, 0.0, -0.04},
      {0.00108333, 0.0, 0.0, 0.0, 0.00561667, 0.0, 0.0, 0.0, 0.00588333},
-     {923.0797633223488, 0.0, 0.0, 0.0, 178.04143736413212, 0.0, 0.0, 0.0, 169.97176768938678}},
+     {}},
     {"trunk", 23.0, {0.0, 0.0, 0.23},
      {0.601833, 0.0, 0.0, 0.0, 0.467667, 0.0, 0.0, 0.0, 0.258367},
-     {1.661590507665748, 0.0, 0.0, 0.0, 2.1382736006602987, 0.0, 0.0, 0.0, 3.870463333165613}},
+     {}},
     {"left_upper_arm", 1.9, {0.0, 0.0, -0.14},
      {0.0133752, 0.0, 0.0, 0.0, 0.0133752, 0.0, 0.0, 0.0, 0.00192375},
-     {74.76523715533226, 0.0, 0.0, 0.0, 74.76523715533226, 0.0, 0.0, 0.0, 519.8180636777129}},
+     {}},
     {"left_forearm", 1.1, {-0.12, 0.0, 0.0},
      {0.00067375, 0.0, 0.0, 0.0, 0.00606604, 0.0, 0.0, 0.0, 0.00606604},
-     {1484.2300556586272, 0.0, 0.0, 0.0, 164.852193523287, 0.0, 0.0, 0.0, 164.852193523287}},
+     {}},
     {"left_hand", 0.42, {0.0, 0.0, -0.08},
      {0.0012355, 0.0, 0.0, 0.0, 0.001043, 0.0, 0.0, 0.0, 0.0002555},
-     {809.3889113719142, 0.0, 0.0, 0.0, 958.7727708533076, 0.0, 0.0, 0.0, 3913.894324853229}},
+     {}},
     {"head", 4.9, {0.01, 0.0, 0.14},
      {0.0196, 0.0, 0.0, 0.0, 0.0196, 0.0, 0.0, 0.0, 0.0196},
      {51.02040816326531, 0.0, 0.0, 0.0, 51.02040816326531, 0.0, 0.0, 0.0, 51.02040816326531}},
     {"right_upper_arm", 1.9, {0.0, 0.0, -0.14},
      {0.0133752, 0.0, 0.0, 0.0, 0.0133752, 0.0, 0.0, 0.0, 0.00192375},
-     {74.76523715533226, 0.0, 0.0, 0.0, 74.76523715533226, 0.0, 0.0, 0.0, 519.8180636777129}},
+     {}},
     {"right_forearm", 1.1, {-0.12, 0.0, 0.0},
      {0.00067375, 0.0, 0.0, 0.0, 0.00606604, 0.0, 0.0, 0.0, 0.00606604},
-     {1484.2300556586272, 0.0, 0.0, 0.0, 164.852193523287, 0.0, 0.0, 0.0, 164.852193523287}},
+     {}},
     {"right_hand", 0.42, {0.0, 0.0, -0.08},
      {0.0012355, 0.0, 0.0, 0.0, 0.001043, 0.0, 0.0, 0.0, 0.0002555},
-     {809.3889113719142, 0.0, 0.0, 0.0, 958.7727708533076, 0.0, 0.0, 0.0, 3913.894324853229}},
+     {}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
@@ -632,6 +632,270 @@ class Release {
   std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
 };
 
+// Articulated bodies: what one process does alone between its cuts. A joint is treated in its own
+// frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
+// sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
+
+[[maybe_unused]] Mat3 cross_from_left(const Vec3& r, const Mat3& m) {
+  Mat3 result;
+  for (int k = 0; k < 3; ++k) result.col(k) = r.cross(m.col(k));
+  return result;
+}
+
+// m rx
+[[maybe_unused]] Mat3 cross_from_right(const Mat3& m, const Vec3& r) {
+  Mat3 result;
+  for (int k = 0; k < 3; ++k) result.row(k) = m.row(k).transpose().cross(r).transpose();
+  return result;
+}
+
+// target += X^T m X: an inertia in the child's frame, felt in the parent's.
+ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Mat6& m, Mat6& target) {
+  const Mat3 A = X.E.transpose() * m.topLeftCorner<3, 3>() * X.E;
+  const Mat3 B = X.E.transpose() * m.topRightCorner<3, 3>() * X.E;
+  const Mat3 C = X.E.transpose() * m.bottomRightCorner<3, 3>() * X.E;
+  const Mat3 shifted = B + cross_from_left(X.r, C);
+  target.topLeftCorner<3, 3>() +=
+      A + cross_from_left(X.r, shifted.transpose()) - cross_from_right(B, X.r);
+  target.topRightCorner<3, 3>() += shifted;
+  target.bottomLeftCorner<3, 3>() += shifted.transpose();
+  target.bottomRightCorner<3, 3>() += C;
+}
+
+// X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
+ADAGEN_NOINLINE Mat6 in_child(const Transform& X, const Mat6& m) {
+  const Mat3 B = m.topRightCorner<3, 3>(), C = m.bottomRightCorner<3, 3>();
+  const Mat3 shifted = B - cross_from_left(X.r, C);
+  const Mat3 A = m.topLeftCorner<3, 3>() - cross_from_left(X.r, shifted.transpose()) +
+                 cross_from_right(B, X.r);
+  Mat6 result;
+  result.topLeftCorner<3, 3>() = X.E * A * X.E.transpose();
+  result.topRightCorner<3, 3>() = X.E * shifted * X.E.transpose();
+  result.bottomLeftCorner<3, 3>() = result.topRightCorner<3, 3>().transpose();
+  result.bottomRightCorner<3, 3>() = X.E * C * X.E.transpose();
+  return result;
+}
+
+// X^-T f: a wrench on the parent, felt in the child's frame.
+[[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
+  Columns6 result;
+  for (int k = 0; k < kColumns; ++k) {
+    const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
+    result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
+    result.col(k).template tail<3>() = X.E * force;
+  }
+  return result;
+}
+
+// X^-1 m: motions in the child's frame, told in the parent's.
+template <int columns>
+Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
+                                                 const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
+  for (int k = 0; k < columns; ++k) {
+    const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
+    result.col(k).template head<3>() = angular;
+    result.col(k).template tail<3>() =
+        X.E.transpose() * m.col(k).template tail<3>() + X.r.cross(angular);
+  }
+  return result;
+}
+
+// X^-1 m X^-T: a mobility in the child's frame, told in the parent's.
+ADAGEN_NOINLINE Mat6 congruent_in_parent(const Transform& X, const Mat6& m) {
+  const Mat6 half = motion_in_parent(X, m).transpose();
+  return motion_in_parent(X, half);
+}
+
+template <std::size_t n>
+std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kColumns>, n> x) {
+  for (auto& row : x)
+    for (Real& value : row) value = -value;
+  return x;
+}
+
+// Spatial inertia of a link at its origin.
+Mat6 spatial_inertia(const LinkConstants& link) {
+  const Vec3 c(link.com[0], link.com[1], link.com[2]);
+  const Mat3 cx = cross_from_left(c, Mat3::Identity());
+  Mat6 result;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) result(i, k) = link.tensor[3 * i + k];
+  result.topLeftCorner<3, 3>() -= link.mass * cx * cx;
+  result.topRightCorner<3, 3>() = link.mass * cx;
+  result.bottomLeftCorner<3, 3>() = -link.mass * cx;
+  result.bottomRightCorner<3, 3>() = link.mass * Mat3::Identity();
+  return result;
+}
+
+// I^A and p^A of a link start as its own inertia and v x* I v.
+ADAGEN_NOINLINE void start_link(const Mat6& inertia, const Vec6& velocity, Mat6& IA, Columns6& pA) {
+  IA = inertia;
+  const Vec6 momentum = inertia * velocity;
+  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 angular = momentum.head<3>(), linear = momentum.tail<3>();
+  pA.setZero();
+  pA.col(0).template head<3>() = omega.cross(angular) + v.cross(linear);
+  pA.col(0).template tail<3>() = omega.cross(linear);
+}
+
+template <class Kind>
+struct Articulated {
+  static constexpr int n = kFree<Kind>;
+  std::array<std::array<Real, n>, n> D;         // for n = 1 the inverse of D = S^T I^A S, else its
+                                                // Cholesky factor, the diagonal inverted
+  std::array<std::array<Real, 6>, n> E;         // D^-1 S^T I^A at the constrained rows, else zero
+  std::array<std::array<Real, kColumns>, n> u;  // sigma tau - S^T p^A
+  std::array<std::array<Real, kColumns>, n> tau;
+  Columns6 c;  // sigma c
+
+  template <std::size_t k>
+  void solve(std::array<std::array<Real, k>, n>& x) const {
+    if constexpr (n == 1) {
+      for (Real& value : x[0]) value *= D[0][0];
+    } else {
+      forward_substitute(D, x);
+      backward_substitute(D, x);
+    }
+  }
+};
+
+// The joint's share of the articulated body with inertia I and bias p on its far side: what it
+// hands on to its near side, by exact projection: nothing along S but the torque. Returns false
+// where D cannot be factorized.
+template <class Kind>
+ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I, const Columns6& p,
+                                Mat6& handed, Columns6& force) {
+  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  constexpr auto& free = Kind::Free::row;
+  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
+  bool good = true;
+  for (int k = 0; k < n; ++k) {
+    for (int l = 0; l < n; ++l) i.D[k][l] = I(free[k], free[l]);
+    i.E[k] = {};
+    for (int l = 0; l < m; ++l) i.E[k][constrained[l]] = I(free[k], constrained[l]);
+    for (int c = 0; c < kColumns; ++c) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
+  }
+  if constexpr (n == 1) {
+    good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
+    i.D[0][0] = 1 / i.D[0][0];
+  } else {
+    good = factorize(i.D);
+  }
+  i.solve(i.E);
+  auto moved = i.u;
+  i.solve(moved);
+  handed.setZero();
+  force.setZero();
+  if constexpr (m > 0) {
+    for (int r = 0; r < m; ++r)
+      for (int s = 0; s < m; ++s) {
+        Real x = I(constrained[r], constrained[s]);
+        for (int k = 0; k < n; ++k) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
+        handed(constrained[r], constrained[s]) = x;
+      }
+    for (int c = 0; c < kColumns; ++c)
+      for (int r = 0; r < m; ++r) {
+        Real x = p(constrained[r], c);
+        for (int k = 0; k < n; ++k) x += I(constrained[r], free[k]) * moved[k][c];
+        for (int s = 0; s < m; ++s)
+          x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
+        force(constrained[r], c) = x;
+      }
+  }
+  for (int k = 0; k < n; ++k)
+    for (int c = 0; c < kColumns; ++c) force(free[k], c) = sigma * i.tau[k][c];
+  return good;
+}
+
+// a becomes the far link's acceleration (joint frame) from the near link's; returns sigma qdd.
+template <class Kind>
+std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated<Kind>& i,
+                                                               Columns6& a) {
+  a += i.c;
+  auto moved = i.u;
+  i.solve(moved);
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) {
+      const int row = Kind::Free::row[k];
+      Real x = moved[k][c];
+      for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
+      moved[k][c] = x - a(row, c);
+    }
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) a(Kind::Free::row[k], c) += moved[k][c];
+  return moved;
+}
+
+// K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
+template <class Kind>
+ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
+  for (int k = 0; k < kFree<Kind>; ++k) m.row(Kind::Free::row[k]).setZero();
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
+}
+
+// Omega of the far side: K m K^T + S D^-1 S^T, m being the near side's (zero: the ground's).
+template <class Kind>
+ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
+  constexpr int n = kFree<Kind>;
+  share(i, m);
+  m.transposeInPlace();
+  share(i, m);
+  std::array<std::array<Real, n>, n> inverse{};
+  for (int k = 0; k < n; ++k) inverse[k][k] = 1;
+  i.solve(inverse);
+  for (int k = 0; k < n; ++k)
+    for (int l = 0; l < n; ++l) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
+}
+
+// A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
+template <class Kind>
+void deliver(Articulated<Kind>& i, Columns6& load) {
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) {
+      Real& along = load(Kind::Free::row[k], c);
+      i.u[k][c] += along;
+      for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
+      along = 0;
+    }
+}
+
+// Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
+ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns6& b) {
+  std::array<std::array<Real, 6>, 6> L, x{};
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+    x[i][i] = 1;
+  }
+  const bool good = factorize(L);
+  forward_substitute(L, x);
+  for (int i = 0; i < 6; ++i)
+    for (int k = i; k < 6; ++k) {
+      Real sum = 0;
+      for (int row = 0; row < 6; ++row) sum += x[row][i] * x[row][k];
+      Phi(i, k) = Phi(k, i) = sum;
+    }
+  b.noalias() = -Phi * p;
+  return good;
+}
+
+// a with I^A a = -p^A: nothing else acts on the link.
+ADAGEN_NOINLINE bool solve_root(const Mat6& I, const Columns6& p, Columns6& a) {
+  std::array<std::array<Real, 6>, 6> L;
+  std::array<std::array<Real, kColumns>, 6> x;
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+    for (int c = 0; c < kColumns; ++c) x[i][c] = -p(i, c);
+  }
+  const bool good = factorize(L);
+  forward_substitute(L, x);
+  backward_substitute(L, x);
+  for (int i = 0; i < 6; ++i)
+    for (int c = 0; c < kColumns; ++c) a(i, c) = x[i][c];
+  return good;
+}
+
 constexpr std::array<MessageInfo, 12> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "left_knee"
     {3, 2, 42},  // 1: assembled: chain of "left_elbow"
@@ -878,11 +1142,14 @@ struct Workspace;
 struct Joint_root {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "pelvis"
-  Columns6 b;  // bias of the bare link "pelvis"
+  Mat6 IA;  // articulated-body inertia of link "pelvis"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
   Mat6 Phi_pelvis;  // of the chain it completes
   Columns6 b_pelvis;
   Joined<Floating> joined;
   Coupled<Floating> at_pelvis;
+  Columns6 load;  // what handle forces add
   Columns6 F_on_pelvis;  // outer wrench on that chain
 };
 
@@ -893,70 +1160,72 @@ struct Joint_left_hip {
   Columns6 b_pelvis;
   Joined<Spherical> joined;
   Coupled<Spherical> at_pelvis;
-  Columns6 b;  // bias of the bare link "left_thigh"
+  Mat6 IA;  // articulated-body inertia of link "left_thigh"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Columns6 load;  // what handle forces add
   Columns6 F_on_pelvis;  // outer wrench on that chain
 };
 
 struct Joint_left_knee {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_shank"
-  Columns6 b;  // bias of the bare link "left_shank"
+  Mat6 IA;  // articulated-body inertia of link "left_shank"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
   Mat6 Phi_left_thigh;  // of the chain it completes
   Columns6 b_left_thigh;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_thigh;
   Columns6 F_on_left_thigh;  // outer wrench on that chain
 };
 
 struct Joint_left_ankle {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_foot"
-  Columns6 b;  // bias of the bare link "left_foot"
-  Mat6 Phi_left_shank;  // of the chain it completes
-  Columns6 b_left_shank;
-  Joined<Spherical> joined;
-  Coupled<Spherical> at_left_shank;
-  Columns6 F_on_left_shank;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_foot"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Spherical> body;
 };
 
 struct Joint_right_hip {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_thigh"
-  Columns6 b;  // bias of the bare link "right_thigh"
+  Mat6 IA;  // articulated-body inertia of link "right_thigh"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Spherical> body;
   Mat6 Phi_pelvis;  // of the chain it completes
   Columns6 b_pelvis;
-  Joined<Spherical> joined;
-  Coupled<Spherical> at_pelvis;
   Columns6 F_on_pelvis;  // outer wrench on that chain
 };
 
 struct Joint_right_knee {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_shank"
-  Columns6 b;  // bias of the bare link "right_shank"
-  Mat6 Phi_right_thigh;  // of the chain it completes
-  Columns6 b_right_thigh;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_thigh;
-  Columns6 F_on_right_thigh;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_shank"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_ankle {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_foot"
-  Columns6 b;  // bias of the bare link "right_foot"
-  Mat6 Phi_right_shank;  // of the chain it completes
-  Columns6 b_right_shank;
-  Joined<Spherical> joined;
-  Coupled<Spherical> at_right_shank;
-  Columns6 F_on_right_shank;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_foot"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Spherical> body;
 };
 
 struct Joint_spine {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "trunk"
   Joined<Spherical> joined;
-  Columns6 b;  // bias of the bare link "trunk"
+  Mat6 IA;  // articulated-body inertia of link "trunk"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_left_shoulder {
@@ -966,30 +1235,32 @@ struct Joint_left_shoulder {
   Columns6 b_trunk;
   Joined<Spherical> joined;
   Coupled<Spherical> at_trunk;
-  Columns6 b;  // bias of the bare link "left_upper_arm"
+  Mat6 IA;  // articulated-body inertia of link "left_upper_arm"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Columns6 load;  // what handle forces add
   Columns6 F_on_trunk;  // outer wrench on that chain
 };
 
 struct Joint_left_elbow {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_forearm"
-  Columns6 b;  // bias of the bare link "left_forearm"
+  Mat6 IA;  // articulated-body inertia of link "left_forearm"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
   Mat6 Phi_left_upper_arm;  // of the chain it completes
   Columns6 b_left_upper_arm;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_upper_arm;
   Columns6 F_on_left_upper_arm;  // outer wrench on that chain
 };
 
 struct Joint_left_wrist {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_hand"
-  Columns6 b;  // bias of the bare link "left_hand"
-  Mat6 Phi_left_forearm;  // of the chain it completes
-  Columns6 b_left_forearm;
-  Joined<Spherical> joined;
-  Coupled<Spherical> at_left_forearm;
-  Columns6 F_on_left_forearm;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_hand"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Spherical> body;
 };
 
 struct Joint_neck {
@@ -1006,34 +1277,31 @@ struct Joint_neck {
 struct Joint_right_shoulder {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_upper_arm"
-  Columns6 b;  // bias of the bare link "right_upper_arm"
+  Mat6 IA;  // articulated-body inertia of link "right_upper_arm"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Spherical> body;
   Mat6 Phi_trunk;  // of the chain it completes
   Columns6 b_trunk;
-  Joined<Spherical> joined;
-  Coupled<Spherical> at_trunk;
   Columns6 F_on_trunk;  // outer wrench on that chain
 };
 
 struct Joint_right_elbow {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_forearm"
-  Columns6 b;  // bias of the bare link "right_forearm"
-  Mat6 Phi_right_upper_arm;  // of the chain it completes
-  Columns6 b_right_upper_arm;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_upper_arm;
-  Columns6 F_on_right_upper_arm;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_forearm"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_wrist {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_hand"
-  Columns6 b;  // bias of the bare link "right_hand"
-  Mat6 Phi_right_forearm;  // of the chain it completes
-  Columns6 b_right_forearm;
-  Joined<Spherical> joined;
-  Coupled<Spherical> at_right_forearm;
-  Columns6 F_on_right_forearm;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_hand"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Spherical> body;
 };
 
 struct Workspace {
@@ -1175,21 +1443,21 @@ void store_coupled(Workspace& w, int joint, int v,
   store_acceleration(w, joint, v, sum);
 }
 
-const Mat6 kPhi_pelvis = symmetric({9.615384615384615, 0.0, 0.0, 0.0, 0.2884615384615385, 0.0, 19.054878048780488, 0.0, -0.5716463414634146, 0.0, 0.0, 10.813148788927334, 0.0, 0.0, 0.0, 0.12131605691056911, 0.0, 0.0, 0.11282051282051282, 0.0, 0.10416666666666667});
-const Mat6 kPhi_left_thigh = symmetric({7.971938775510204, 0.0, 0.0, 0.0, -1.5146683673469388, 0.0, 7.971938775510204, 0.0, 1.5146683673469388, 0.0, 0.0, 37.20238095238095, 0.0, 0.0, 0.0, 0.40683460884353745, 0.0, 0.0, 0.40683460884353745, 0.0, 0.11904761904761904});
-const Mat6 kPhi_left_shank = symmetric({250.0, 0.0, 0.0, 0.0, 0.0, 0.0, 22.388042993997768, 0.0, 0.0, 0.0, -4.029847738919598, 22.388042993997768, 0.0, 4.029847738919598, 0.0, 0.3125, 0.0, 0.0, 1.0378725930055277, 0.0, 1.0378725930055277});
-const Mat6 kPhi_left_foot = symmetric({923.0797633223488, 0.0, 0.0, 0.0, -36.92319053289395, 0.0, 178.04143736413212, 0.0, 7.1216574945652855, 0.0, 10.682486241847927, 169.97176768938678, 0.0, -10.198306061363207, 0.0, 1.2848662997826115, 0.0, 0.4272994496739171, 3.0888259849975506, 0.0, 1.6409491745108757});
-const Mat6 kPhi_right_thigh = symmetric({7.971938775510204, 0.0, 0.0, 0.0, -1.5146683673469388, 0.0, 7.971938775510204, 0.0, 1.5146683673469388, 0.0, 0.0, 37.20238095238095, 0.0, 0.0, 0.0, 0.40683460884353745, 0.0, 0.0, 0.40683460884353745, 0.0, 0.11904761904761904});
-const Mat6 kPhi_right_shank = symmetric({250.0, 0.0, 0.0, 0.0, 0.0, 0.0, 22.388042993997768, 0.0, 0.0, 0.0, -4.029847738919598, 22.388042993997768, 0.0, 4.029847738919598, 0.0, 0.3125, 0.0, 0.0, 1.0378725930055277, 0.0, 1.0378725930055277});
-const Mat6 kPhi_right_foot = symmetric({923.0797633223488, 0.0, 0.0, 0.0, -36.92319053289395, 0.0, 178.04143736413212, 0.0, 7.1216574945652855, 0.0, 10.682486241847927, 169.97176768938678, 0.0, -10.198306061363207, 0.0, 1.2848662997826115, 0.0, 0.4272994496739171, 3.0888259849975506, 0.0, 1.6409491745108757});
-const Mat6 kPhi_trunk = symmetric({1.661590507665748, 0.0, 0.0, 0.0, 0.38216581676312206, 0.0, 2.1382736006602987, 0.0, -0.49180292815186877, 0.0, 0.0, 3.870463333165613, 0.0, 0.0, 0.0, 0.15659293434449503, 0.0, 0.0, 0.1313763987250833, 0.0, 0.043478260869565216});
-const Mat6 kPhi_left_upper_arm = symmetric({74.76523715533226, 0.0, 0.0, 0.0, -10.467133201746517, 0.0, 74.76523715533226, 0.0, 10.467133201746517, 0.0, 0.0, 519.8180636777129, 0.0, 0.0, 0.0, 1.9917144377181968, 0.0, 0.0, 1.9917144377181968, 0.0, 0.5263157894736842});
-const Mat6 kPhi_left_forearm = symmetric({1484.2300556586272, 0.0, 0.0, 0.0, 0.0, 0.0, 164.852193523287, 0.0, 0.0, 0.0, -19.78226322279444, 164.852193523287, 0.0, 19.78226322279444, 0.0, 0.9090909090909091, 0.0, 0.0, 3.2829624958262418, 0.0, 3.2829624958262418});
-const Mat6 kPhi_left_hand = symmetric({809.3889113719142, 0.0, 0.0, 0.0, -64.75111290975313, 0.0, 958.7727708533076, 0.0, 76.70182166826461, 0.0, 0.0, 3913.894324853229, 0.0, 0.0, 0.0, 8.51709811441355, 0.0, 0.0, 7.561041413732632, 0.0, 2.380952380952381});
 const Mat6 kPhi_head = symmetric({51.02040816326531, 0.0, 0.0, 0.0, 7.142857142857144, 0.0, 51.02040816326531, 0.0, -7.142857142857144, 0.0, 0.5102040816326531, 51.02040816326531, 0.0, -0.5102040816326531, 0.0, 1.2040816326530615, 0.0, -0.07142857142857144, 1.209183673469388, 0.0, 0.20918367346938774});
-const Mat6 kPhi_right_upper_arm = symmetric({74.76523715533226, 0.0, 0.0, 0.0, -10.467133201746517, 0.0, 74.76523715533226, 0.0, 10.467133201746517, 0.0, 0.0, 519.8180636777129, 0.0, 0.0, 0.0, 1.9917144377181968, 0.0, 0.0, 1.9917144377181968, 0.0, 0.5263157894736842});
-const Mat6 kPhi_right_forearm = symmetric({1484.2300556586272, 0.0, 0.0, 0.0, 0.0, 0.0, 164.852193523287, 0.0, 0.0, 0.0, -19.78226322279444, 164.852193523287, 0.0, 19.78226322279444, 0.0, 0.9090909090909091, 0.0, 0.0, 3.2829624958262418, 0.0, 3.2829624958262418});
-const Mat6 kPhi_right_hand = symmetric({809.3889113719142, 0.0, 0.0, 0.0, -64.75111290975313, 0.0, 958.7727708533076, 0.0, 76.70182166826461, 0.0, 0.0, 3913.894324853229, 0.0, 0.0, 0.0, 8.51709811441355, 0.0, 0.0, 7.561041413732632, 0.0, 2.380952380952381});
+const Mat6 kInertia_pelvis = spatial_inertia(kLinks[1]);
+const Mat6 kInertia_left_thigh = spatial_inertia(kLinks[2]);
+const Mat6 kInertia_left_shank = spatial_inertia(kLinks[3]);
+const Mat6 kInertia_left_foot = spatial_inertia(kLinks[4]);
+const Mat6 kInertia_right_thigh = spatial_inertia(kLinks[5]);
+const Mat6 kInertia_right_shank = spatial_inertia(kLinks[6]);
+const Mat6 kInertia_right_foot = spatial_inertia(kLinks[7]);
+const Mat6 kInertia_trunk = spatial_inertia(kLinks[8]);
+const Mat6 kInertia_left_upper_arm = spatial_inertia(kLinks[9]);
+const Mat6 kInertia_left_forearm = spatial_inertia(kLinks[10]);
+const Mat6 kInertia_left_hand = spatial_inertia(kLinks[11]);
+const Mat6 kInertia_right_upper_arm = spatial_inertia(kLinks[13]);
+const Mat6 kInertia_right_forearm = spatial_inertia(kLinks[14]);
+const Mat6 kInertia_right_hand = spatial_inertia(kLinks[15]);
 
 // =================================================================================================
 // Joint 0 "root": floating, between links "world" and "pelvis"
@@ -1281,27 +1549,24 @@ void kinematics_left_knee(Workspace& w) {
   i.v = i.X * w.j_left_hip.v + joint_velocity<Revolute>(w.v + 9);
 }
 
-// A: link "left_thigh"; B: the chain of "left_ankle"; C feels the joint at "left_thigh"
-void assemble_left_knee(Workspace& w) {
+void articulate_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
-  load_torque(w, 2, 9, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_thigh;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 9);
-  if (!join(i.joined, Phi_A, w.j_left_ankle.Phi_left_shank, i.X * w.j_left_hip.b, w.j_left_ankle.b_left_shank, c))
+  load_torque(w, 2, 9, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 9);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_knee.IA, w.j_left_knee.pA, handed, force))
     fail(w, kFactorization, 2);
-  couple(i.joined, X_Phi_A, i.at_left_thigh);
-  i.Phi_left_thigh = kPhi_left_thigh - product(i.at_left_thigh, i.at_left_thigh);  // Eq. (3)
-  i.b_left_thigh = w.j_left_hip.b - bias_change(i.joined, i.at_left_thigh);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_hip.IA);
+  w.j_left_hip.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_knee(Workspace& w) {
+void accelerate_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_left_thigh, w.j_left_knee.F_on_left_thigh);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 2, 9, release.qdd());  // Eq. (9)
-  w.j_left_ankle.F_on_left_shank = f;
+  Columns6 a = i.X * w.j_left_hip.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_knee.a = a;
+  store_acceleration(w, 2, 9, qdd);
 }
 
 // =================================================================================================
@@ -1322,26 +1587,24 @@ void kinematics_left_ankle(Workspace& w) {
   i.v = i.X * w.j_left_knee.v + joint_velocity<Spherical>(w.v + 10);
 }
 
-// A: link "left_shank"; B: link "left_foot"; C feels the joint at "left_shank"
-void assemble_left_ankle(Workspace& w) {
+void articulate_left_ankle(Workspace& w) {
   auto& i = w.j_left_ankle;
-  load_torque(w, 3, 10, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_shank;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Spherical>(i.v, w.v + 10);
-  if (!join(i.joined, Phi_A, kPhi_left_foot, i.X * w.j_left_knee.b, w.j_left_ankle.b, c))
+  load_torque(w, 3, 10, i.body.tau);
+  i.body.c = velocity_product<Spherical>(i.v, w.v + 10);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_ankle.IA, w.j_left_ankle.pA, handed, force))
     fail(w, kFactorization, 3);
-  couple(i.joined, X_Phi_A, i.at_left_shank);
-  i.Phi_left_shank = kPhi_left_shank - product(i.at_left_shank, i.at_left_shank);  // Eq. (3)
-  i.b_left_shank = w.j_left_knee.b - bias_change(i.joined, i.at_left_shank);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_knee.IA);
+  w.j_left_knee.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_ankle(Workspace& w) {
+void accelerate_left_ankle(Workspace& w) {
   auto& i = w.j_left_ankle;
-  Release<Spherical> release(i.joined);
-  release.feel_A(i.at_left_shank, w.j_left_ankle.F_on_left_shank);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 3, 10, release.qdd());  // Eq. (9)
+  Columns6 a = i.X * w.j_left_knee.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_ankle.a = a;
+  store_acceleration(w, 3, 10, qdd);
 }
 
 // =================================================================================================
@@ -1358,27 +1621,24 @@ void kinematics_right_hip(Workspace& w) {
   i.v = i.X * w.j_root.v + joint_velocity<Spherical>(w.v + 13);
 }
 
-// A: link "pelvis"; B: the chain of "right_knee"; C feels the joint at "pelvis"
-void assemble_right_hip(Workspace& w) {
+void articulate_right_hip(Workspace& w) {
   auto& i = w.j_right_hip;
-  load_torque(w, 4, 13, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_pelvis;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Spherical>(i.v, w.v + 13);
-  if (!join(i.joined, Phi_A, w.j_right_knee.Phi_right_thigh, i.X * w.j_root.b, w.j_right_knee.b_right_thigh, c))
+  load_torque(w, 4, 13, i.body.tau);
+  i.body.c = velocity_product<Spherical>(i.v, w.v + 13);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_hip.IA, w.j_right_hip.pA, handed, force))
     fail(w, kFactorization, 4);
-  couple(i.joined, X_Phi_A, i.at_pelvis);
-  i.Phi_pelvis = kPhi_pelvis - product(i.at_pelvis, i.at_pelvis);  // Eq. (3)
-  i.b_pelvis = w.j_root.b - bias_change(i.joined, i.at_pelvis);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_root.IA);
+  w.j_root.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_hip(Workspace& w) {
+void accelerate_right_hip(Workspace& w) {
   auto& i = w.j_right_hip;
-  Release<Spherical> release(i.joined);
-  release.feel_A(i.at_pelvis, w.j_right_hip.F_on_pelvis);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 4, 13, release.qdd());  // Eq. (9)
-  w.j_right_knee.F_on_right_thigh = f;
+  Columns6 a = i.X * w.j_root.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_hip.a = a;
+  store_acceleration(w, 4, 13, qdd);
 }
 
 // =================================================================================================
@@ -1398,27 +1658,24 @@ void kinematics_right_knee(Workspace& w) {
   i.v = i.X * w.j_right_hip.v + joint_velocity<Revolute>(w.v + 16);
 }
 
-// A: link "right_thigh"; B: the chain of "right_ankle"; C feels the joint at "right_thigh"
-void assemble_right_knee(Workspace& w) {
+void articulate_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
-  load_torque(w, 5, 16, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_thigh;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 16);
-  if (!join(i.joined, Phi_A, w.j_right_ankle.Phi_right_shank, i.X * w.j_right_hip.b, w.j_right_ankle.b_right_shank, c))
+  load_torque(w, 5, 16, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 16);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_knee.IA, w.j_right_knee.pA, handed, force))
     fail(w, kFactorization, 5);
-  couple(i.joined, X_Phi_A, i.at_right_thigh);
-  i.Phi_right_thigh = kPhi_right_thigh - product(i.at_right_thigh, i.at_right_thigh);  // Eq. (3)
-  i.b_right_thigh = w.j_right_hip.b - bias_change(i.joined, i.at_right_thigh);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_hip.IA);
+  w.j_right_hip.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_knee(Workspace& w) {
+void accelerate_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_right_thigh, w.j_right_knee.F_on_right_thigh);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 5, 16, release.qdd());  // Eq. (9)
-  w.j_right_ankle.F_on_right_shank = f;
+  Columns6 a = i.X * w.j_right_hip.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_knee.a = a;
+  store_acceleration(w, 5, 16, qdd);
 }
 
 // =================================================================================================
@@ -1439,26 +1696,24 @@ void kinematics_right_ankle(Workspace& w) {
   i.v = i.X * w.j_right_knee.v + joint_velocity<Spherical>(w.v + 17);
 }
 
-// A: link "right_shank"; B: link "right_foot"; C feels the joint at "right_shank"
-void assemble_right_ankle(Workspace& w) {
+void articulate_right_ankle(Workspace& w) {
   auto& i = w.j_right_ankle;
-  load_torque(w, 6, 17, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_shank;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Spherical>(i.v, w.v + 17);
-  if (!join(i.joined, Phi_A, kPhi_right_foot, i.X * w.j_right_knee.b, w.j_right_ankle.b, c))
+  load_torque(w, 6, 17, i.body.tau);
+  i.body.c = velocity_product<Spherical>(i.v, w.v + 17);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_ankle.IA, w.j_right_ankle.pA, handed, force))
     fail(w, kFactorization, 6);
-  couple(i.joined, X_Phi_A, i.at_right_shank);
-  i.Phi_right_shank = kPhi_right_shank - product(i.at_right_shank, i.at_right_shank);  // Eq. (3)
-  i.b_right_shank = w.j_right_knee.b - bias_change(i.joined, i.at_right_shank);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_knee.IA);
+  w.j_right_knee.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_ankle(Workspace& w) {
+void accelerate_right_ankle(Workspace& w) {
   auto& i = w.j_right_ankle;
-  Release<Spherical> release(i.joined);
-  release.feel_A(i.at_right_shank, w.j_right_ankle.F_on_right_shank);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 6, 17, release.qdd());  // Eq. (9)
+  Columns6 a = i.X * w.j_right_knee.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_ankle.a = a;
+  store_acceleration(w, 6, 17, qdd);
 }
 
 // =================================================================================================
@@ -1550,27 +1805,24 @@ void kinematics_left_elbow(Workspace& w) {
   i.v = i.X * w.j_left_shoulder.v + joint_velocity<Revolute>(w.v + 26);
 }
 
-// A: link "left_upper_arm"; B: the chain of "left_wrist"; C feels the joint at "left_upper_arm"
-void assemble_left_elbow(Workspace& w) {
+void articulate_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
-  load_torque(w, 9, 26, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_upper_arm;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 26);
-  if (!join(i.joined, Phi_A, w.j_left_wrist.Phi_left_forearm, i.X * w.j_left_shoulder.b, w.j_left_wrist.b_left_forearm, c))
+  load_torque(w, 9, 26, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 26);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_elbow.IA, w.j_left_elbow.pA, handed, force))
     fail(w, kFactorization, 9);
-  couple(i.joined, X_Phi_A, i.at_left_upper_arm);
-  i.Phi_left_upper_arm = kPhi_left_upper_arm - product(i.at_left_upper_arm, i.at_left_upper_arm);  // Eq. (3)
-  i.b_left_upper_arm = w.j_left_shoulder.b - bias_change(i.joined, i.at_left_upper_arm);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_shoulder.IA);
+  w.j_left_shoulder.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_elbow(Workspace& w) {
+void accelerate_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_left_upper_arm, w.j_left_elbow.F_on_left_upper_arm);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 9, 26, release.qdd());  // Eq. (9)
-  w.j_left_wrist.F_on_left_forearm = f;
+  Columns6 a = i.X * w.j_left_shoulder.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_elbow.a = a;
+  store_acceleration(w, 9, 26, qdd);
 }
 
 // =================================================================================================
@@ -1591,26 +1843,24 @@ void kinematics_left_wrist(Workspace& w) {
   i.v = i.X * w.j_left_elbow.v + joint_velocity<Spherical>(w.v + 27);
 }
 
-// A: link "left_forearm"; B: link "left_hand"; C feels the joint at "left_forearm"
-void assemble_left_wrist(Workspace& w) {
+void articulate_left_wrist(Workspace& w) {
   auto& i = w.j_left_wrist;
-  load_torque(w, 10, 27, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_forearm;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Spherical>(i.v, w.v + 27);
-  if (!join(i.joined, Phi_A, kPhi_left_hand, i.X * w.j_left_elbow.b, w.j_left_wrist.b, c))
+  load_torque(w, 10, 27, i.body.tau);
+  i.body.c = velocity_product<Spherical>(i.v, w.v + 27);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_wrist.IA, w.j_left_wrist.pA, handed, force))
     fail(w, kFactorization, 10);
-  couple(i.joined, X_Phi_A, i.at_left_forearm);
-  i.Phi_left_forearm = kPhi_left_forearm - product(i.at_left_forearm, i.at_left_forearm);  // Eq. (3)
-  i.b_left_forearm = w.j_left_elbow.b - bias_change(i.joined, i.at_left_forearm);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_elbow.IA);
+  w.j_left_elbow.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_wrist(Workspace& w) {
+void accelerate_left_wrist(Workspace& w) {
   auto& i = w.j_left_wrist;
-  Release<Spherical> release(i.joined);
-  release.feel_A(i.at_left_forearm, w.j_left_wrist.F_on_left_forearm);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 10, 27, release.qdd());  // Eq. (9)
+  Columns6 a = i.X * w.j_left_elbow.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_wrist.a = a;
+  store_acceleration(w, 10, 27, qdd);
 }
 
 // =================================================================================================
@@ -1664,27 +1914,24 @@ void kinematics_right_shoulder(Workspace& w) {
   i.v = i.X * w.j_spine.v + joint_velocity<Spherical>(w.v + 33);
 }
 
-// A: link "trunk"; B: the chain of "right_elbow"; C feels the joint at "trunk"
-void assemble_right_shoulder(Workspace& w) {
+void articulate_right_shoulder(Workspace& w) {
   auto& i = w.j_right_shoulder;
-  load_torque(w, 12, 33, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_trunk;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Spherical>(i.v, w.v + 33);
-  if (!join(i.joined, Phi_A, w.j_right_elbow.Phi_right_upper_arm, i.X * w.j_spine.b, w.j_right_elbow.b_right_upper_arm, c))
+  load_torque(w, 12, 33, i.body.tau);
+  i.body.c = velocity_product<Spherical>(i.v, w.v + 33);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_shoulder.IA, w.j_right_shoulder.pA, handed, force))
     fail(w, kFactorization, 12);
-  couple(i.joined, X_Phi_A, i.at_trunk);
-  i.Phi_trunk = kPhi_trunk - product(i.at_trunk, i.at_trunk);  // Eq. (3)
-  i.b_trunk = w.j_spine.b - bias_change(i.joined, i.at_trunk);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_spine.IA);
+  w.j_spine.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_shoulder(Workspace& w) {
+void accelerate_right_shoulder(Workspace& w) {
   auto& i = w.j_right_shoulder;
-  Release<Spherical> release(i.joined);
-  release.feel_A(i.at_trunk, w.j_right_shoulder.F_on_trunk);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 12, 33, release.qdd());  // Eq. (9)
-  w.j_right_elbow.F_on_right_upper_arm = f;
+  Columns6 a = i.X * w.j_spine.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_shoulder.a = a;
+  store_acceleration(w, 12, 33, qdd);
 }
 
 // =================================================================================================
@@ -1704,27 +1951,24 @@ void kinematics_right_elbow(Workspace& w) {
   i.v = i.X * w.j_right_shoulder.v + joint_velocity<Revolute>(w.v + 36);
 }
 
-// A: link "right_upper_arm"; B: the chain of "right_wrist"; C feels the joint at "right_upper_arm"
-void assemble_right_elbow(Workspace& w) {
+void articulate_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
-  load_torque(w, 13, 36, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_upper_arm;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 36);
-  if (!join(i.joined, Phi_A, w.j_right_wrist.Phi_right_forearm, i.X * w.j_right_shoulder.b, w.j_right_wrist.b_right_forearm, c))
+  load_torque(w, 13, 36, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 36);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_elbow.IA, w.j_right_elbow.pA, handed, force))
     fail(w, kFactorization, 13);
-  couple(i.joined, X_Phi_A, i.at_right_upper_arm);
-  i.Phi_right_upper_arm = kPhi_right_upper_arm - product(i.at_right_upper_arm, i.at_right_upper_arm);  // Eq. (3)
-  i.b_right_upper_arm = w.j_right_shoulder.b - bias_change(i.joined, i.at_right_upper_arm);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_shoulder.IA);
+  w.j_right_shoulder.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_elbow(Workspace& w) {
+void accelerate_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_right_upper_arm, w.j_right_elbow.F_on_right_upper_arm);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 13, 36, release.qdd());  // Eq. (9)
-  w.j_right_wrist.F_on_right_forearm = f;
+  Columns6 a = i.X * w.j_right_shoulder.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_elbow.a = a;
+  store_acceleration(w, 13, 36, qdd);
 }
 
 // =================================================================================================
@@ -1745,26 +1989,24 @@ void kinematics_right_wrist(Workspace& w) {
   i.v = i.X * w.j_right_elbow.v + joint_velocity<Spherical>(w.v + 37);
 }
 
-// A: link "right_forearm"; B: link "right_hand"; C feels the joint at "right_forearm"
-void assemble_right_wrist(Workspace& w) {
+void articulate_right_wrist(Workspace& w) {
   auto& i = w.j_right_wrist;
-  load_torque(w, 14, 37, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_forearm;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Spherical>(i.v, w.v + 37);
-  if (!join(i.joined, Phi_A, kPhi_right_hand, i.X * w.j_right_elbow.b, w.j_right_wrist.b, c))
+  load_torque(w, 14, 37, i.body.tau);
+  i.body.c = velocity_product<Spherical>(i.v, w.v + 37);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_wrist.IA, w.j_right_wrist.pA, handed, force))
     fail(w, kFactorization, 14);
-  couple(i.joined, X_Phi_A, i.at_right_forearm);
-  i.Phi_right_forearm = kPhi_right_forearm - product(i.at_right_forearm, i.at_right_forearm);  // Eq. (3)
-  i.b_right_forearm = w.j_right_elbow.b - bias_change(i.joined, i.at_right_forearm);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_elbow.IA);
+  w.j_right_elbow.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_wrist(Workspace& w) {
+void accelerate_right_wrist(Workspace& w) {
   auto& i = w.j_right_wrist;
-  Release<Spherical> release(i.joined);
-  release.feel_A(i.at_right_forearm, w.j_right_wrist.F_on_right_forearm);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 14, 37, release.qdd());  // Eq. (9)
+  Columns6 a = i.X * w.j_right_elbow.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_wrist.a = a;
+  store_acceleration(w, 14, 37, qdd);
 }
 
 
@@ -1780,13 +2022,15 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_right_ankle(w);
   kinematics_spine(w);
   stamp(1);
-  link_bias(kLinks[6], w.j_right_knee.v, w.j_right_knee.b);
-  link_bias(kLinks[7], w.j_right_ankle.v, w.j_right_ankle.b);
-  assemble_right_ankle(w);
-  link_bias(kLinks[5], w.j_right_hip.v, w.j_right_hip.b);
-  assemble_right_knee(w);
-  link_bias(kLinks[1], w.j_root.v, w.j_root.b);
-  assemble_right_hip(w);
+  start_link(kInertia_pelvis, w.j_root.v, w.j_root.IA, w.j_root.pA);
+  start_link(kInertia_right_thigh, w.j_right_hip.v, w.j_right_hip.IA, w.j_right_hip.pA);
+  start_link(kInertia_right_shank, w.j_right_knee.v, w.j_right_knee.IA, w.j_right_knee.pA);
+  start_link(kInertia_right_foot, w.j_right_ankle.v, w.j_right_ankle.IA, w.j_right_ankle.pA);
+  articulate_right_ankle(w);
+  articulate_right_knee(w);
+  articulate_right_hip(w);
+  if (!invert(w.j_root.IA, w.j_root.pA, w.j_right_hip.Phi_pelvis, w.j_right_hip.b_pelvis))
+    fail(w, kFactorization, 0);
   stamp(2);
   {  // from process 1: assembled: chain of "left_knee"
     const Real* from = channel.receive(0, w.status);
@@ -1822,9 +2066,11 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(4, w.status);
   }
   stamp(10);
-  disassemble_right_hip(w);
-  disassemble_right_knee(w);
-  disassemble_right_ankle(w);
+  w.j_root.load = w.j_right_hip.F_on_pelvis;
+  w.j_root.a = w.j_right_hip.b_pelvis + w.j_right_hip.Phi_pelvis * w.j_root.load;
+  accelerate_right_hip(w);
+  accelerate_right_knee(w);
+  accelerate_right_ankle(w);
   stamp(11);
 }
 
@@ -1836,11 +2082,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_left_knee(w);
   kinematics_left_ankle(w);
   stamp(1);
-  link_bias(kLinks[3], w.j_left_knee.v, w.j_left_knee.b);
-  link_bias(kLinks[4], w.j_left_ankle.v, w.j_left_ankle.b);
-  assemble_left_ankle(w);
-  link_bias(kLinks[2], w.j_left_hip.v, w.j_left_hip.b);
-  assemble_left_knee(w);
+  start_link(kInertia_left_thigh, w.j_left_hip.v, w.j_left_hip.IA, w.j_left_hip.pA);
+  start_link(kInertia_left_shank, w.j_left_knee.v, w.j_left_knee.IA, w.j_left_knee.pA);
+  start_link(kInertia_left_foot, w.j_left_ankle.v, w.j_left_ankle.IA, w.j_left_ankle.pA);
+  articulate_left_ankle(w);
+  articulate_left_knee(w);
+  if (!invert(w.j_left_hip.IA, w.j_left_hip.pA, w.j_left_knee.Phi_left_thigh, w.j_left_knee.b_left_thigh))
+    fail(w, kFactorization, 1);
   stamp(2);
   {  // to process 0: assembled: chain of "left_knee"
     Real* to = channel.outgoing(0, w.status);
@@ -1854,8 +2102,10 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_left_knee.F_on_left_thigh);
   }
   stamp(4);
-  disassemble_left_knee(w);
-  disassemble_left_ankle(w);
+  w.j_left_hip.load = w.j_left_knee.F_on_left_thigh;
+  w.j_left_hip.a = w.j_left_knee.b_left_thigh + w.j_left_knee.Phi_left_thigh * w.j_left_hip.load;
+  accelerate_left_knee(w);
+  accelerate_left_ankle(w);
   stamp(5);
 }
 
@@ -1870,13 +2120,15 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_right_elbow(w);
   kinematics_right_wrist(w);
   stamp(1);
-  link_bias(kLinks[14], w.j_right_elbow.v, w.j_right_elbow.b);
-  link_bias(kLinks[15], w.j_right_wrist.v, w.j_right_wrist.b);
-  assemble_right_wrist(w);
-  link_bias(kLinks[13], w.j_right_shoulder.v, w.j_right_shoulder.b);
-  assemble_right_elbow(w);
-  link_bias(kLinks[8], w.j_spine.v, w.j_spine.b);
-  assemble_right_shoulder(w);
+  start_link(kInertia_trunk, w.j_spine.v, w.j_spine.IA, w.j_spine.pA);
+  start_link(kInertia_right_upper_arm, w.j_right_shoulder.v, w.j_right_shoulder.IA, w.j_right_shoulder.pA);
+  start_link(kInertia_right_forearm, w.j_right_elbow.v, w.j_right_elbow.IA, w.j_right_elbow.pA);
+  start_link(kInertia_right_hand, w.j_right_wrist.v, w.j_right_wrist.IA, w.j_right_wrist.pA);
+  articulate_right_wrist(w);
+  articulate_right_elbow(w);
+  articulate_right_shoulder(w);
+  if (!invert(w.j_spine.IA, w.j_spine.pA, w.j_right_shoulder.Phi_trunk, w.j_right_shoulder.b_trunk))
+    fail(w, kFactorization, 7);
   stamp(2);
   {  // from process 3: assembled: chain of "left_elbow"
     const Real* from = channel.receive(1, w.status);
@@ -1909,9 +2161,11 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(5, w.status);
   }
   stamp(8);
-  disassemble_right_shoulder(w);
-  disassemble_right_elbow(w);
-  disassemble_right_wrist(w);
+  w.j_spine.load = w.j_right_shoulder.F_on_trunk;
+  w.j_spine.a = w.j_right_shoulder.b_trunk + w.j_right_shoulder.Phi_trunk * w.j_spine.load;
+  accelerate_right_shoulder(w);
+  accelerate_right_elbow(w);
+  accelerate_right_wrist(w);
   stamp(9);
 }
 
@@ -1924,11 +2178,13 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_left_elbow(w);
   kinematics_left_wrist(w);
   stamp(1);
-  link_bias(kLinks[10], w.j_left_elbow.v, w.j_left_elbow.b);
-  link_bias(kLinks[11], w.j_left_wrist.v, w.j_left_wrist.b);
-  assemble_left_wrist(w);
-  link_bias(kLinks[9], w.j_left_shoulder.v, w.j_left_shoulder.b);
-  assemble_left_elbow(w);
+  start_link(kInertia_left_upper_arm, w.j_left_shoulder.v, w.j_left_shoulder.IA, w.j_left_shoulder.pA);
+  start_link(kInertia_left_forearm, w.j_left_elbow.v, w.j_left_elbow.IA, w.j_left_elbow.pA);
+  start_link(kInertia_left_hand, w.j_left_wrist.v, w.j_left_wrist.IA, w.j_left_wrist.pA);
+  articulate_left_wrist(w);
+  articulate_left_elbow(w);
+  if (!invert(w.j_left_shoulder.IA, w.j_left_shoulder.pA, w.j_left_elbow.Phi_left_upper_arm, w.j_left_elbow.b_left_upper_arm))
+    fail(w, kFactorization, 8);
   stamp(2);
   {  // to process 2: assembled: chain of "left_elbow"
     Real* to = channel.outgoing(1, w.status);
@@ -1942,8 +2198,10 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_left_elbow.F_on_left_upper_arm);
   }
   stamp(4);
-  disassemble_left_elbow(w);
-  disassemble_left_wrist(w);
+  w.j_left_shoulder.load = w.j_left_elbow.F_on_left_upper_arm;
+  w.j_left_shoulder.a = w.j_left_elbow.b_left_upper_arm + w.j_left_elbow.Phi_left_upper_arm * w.j_left_shoulder.load;
+  accelerate_left_elbow(w);
+  accelerate_left_wrist(w);
   stamp(5);
 }
 

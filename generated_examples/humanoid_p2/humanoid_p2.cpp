@@ -1,7 +1,7 @@
 // Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
-// options   form ada, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
+// options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // schedule  waist_pitch@0-1(waist_roll@0(waist_yaw(__base__(|left_hip_pitch(right_hip_pitch(|right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll))))))|)|) | left_shoulder_pitch@1(neck_yaw(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
@@ -152,94 +152,94 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
      {}},
     {"pelvis", 6.2, {0.0, 0.0, 0.02},
      {0.0324467, 0.0, 0.0, 0.0, 0.0175667, 0.0, 0.0, 0.0, 0.0351333},
-     {30.819775200559686, 0.0, 0.0, 0.0, 56.92588818617042, 0.0, 0.0, 0.0, 28.463025107234447}},
+     {}},
     {"left_hip", 1.4, {0.0, 0.0, 0.03},
      {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175},
-     {549.4505494505495, 0.0, 0.0, 0.0, 549.4505494505495, 0.0, 0.0, 0.0, 571.4285714285714}},
+     {}},
     {"left_groin", 1.2, {0.0, -0.04, 0.02},
      {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015},
-     {719.4244604316547, 0.0, 0.0, 0.0, 719.4244604316547, 0.0, 0.0, 0.0, 666.6666666666666}},
+     {}},
     {"left_thigh", 2.6, {0.0, 0.0, -0.1},
      {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468},
-     {58.86958620567856, 0.0, 0.0, 0.0, 58.86958620567856, 0.0, 0.0, 0.0, 213.67521367521366}},
+     {}},
     {"left_shank", 1.8, {-0.13, 0.01, 0.0},
      {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713},
-     {548.6968449931413, 0.0, 0.0, 0.0, 78.91850086415758, 0.0, 0.0, 0.0, 78.91850086415758}},
+     {}},
     {"left_ankle", 0.2, {0.0, 0.0, 0.0},
      {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05},
-     {13888.888888888889, 0.0, 0.0, 0.0, 13888.888888888889, 0.0, 0.0, 0.0, 13888.888888888889}},
+     {}},
     {"left_foot", 0.8, {0.0, -0.03, 0.03},
      {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667},
-     {366.7477179123253, 0.0, 0.0, 0.0, 323.2762104269509, 0.0, 0.0, 0.0, 2054.793113155402}},
+     {}},
     {"right_hip", 1.4, {0.0, 0.0, -0.03},
      {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175},
-     {549.4505494505495, 0.0, 0.0, 0.0, 549.4505494505495, 0.0, 0.0, 0.0, 571.4285714285714}},
+     {}},
     {"right_groin", 1.2, {0.0, -0.04, 0.02},
      {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015},
-     {719.4244604316547, 0.0, 0.0, 0.0, 719.4244604316547, 0.0, 0.0, 0.0, 666.6666666666666}},
+     {}},
     {"right_thigh", 2.6, {0.0, 0.0, -0.1},
      {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468},
-     {58.86958620567856, 0.0, 0.0, 0.0, 58.86958620567856, 0.0, 0.0, 0.0, 213.67521367521366}},
+     {}},
     {"right_shank", 1.8, {-0.13, 0.01, 0.0},
      {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713},
-     {548.6968449931413, 0.0, 0.0, 0.0, 78.91850086415758, 0.0, 0.0, 0.0, 78.91850086415758}},
+     {}},
     {"right_ankle", 0.2, {0.0, 0.0, 0.0},
      {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05},
-     {13888.888888888889, 0.0, 0.0, 0.0, 13888.888888888889, 0.0, 0.0, 0.0, 13888.888888888889}},
+     {}},
     {"right_foot", 0.8, {0.0, -0.03, 0.03},
      {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667},
-     {366.7477179123253, 0.0, 0.0, 0.0, 323.2762104269509, 0.0, 0.0, 0.0, 2054.793113155402}},
+     {}},
     {"waist_link", 0.8, {0.0, 0.0, 0.02},
      {0.00074, 0.0, 0.0, 0.0, 0.00074, 0.0, 0.0, 0.0, 0.001},
-     {1351.3513513513515, 0.0, 0.0, 0.0, 1351.3513513513515, 0.0, 0.0, 0.0, 1000.0}},
+     {}},
     {"abdomen", 0.9, {0.0, 0.02, 0.0},
      {0.0010425, 0.0, 0.0, 0.0, 0.001125, 0.0, 0.0, 0.0, 0.0010425},
-     {959.2326139088728, 0.0, 0.0, 0.0, 888.8888888888889, 0.0, 0.0, 0.0, 959.2326139088728}},
+     {}},
     {"torso", 9.5, {0.17, 0.01, 0.0},
      {0.0823333, 0.0, 0.0, 0.0, 0.153583, 0.0, 0.0, 0.0, 0.111783},
-     {12.145753905163525, 0.0, 0.0, 0.0, 6.511137300352253, 0.0, 0.0, 0.0, 8.945904117799666}},
+     {}},
     {"left_shoulder", 0.8, {0.0, 0.0, 0.03},
      {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064},
-     {1546.3909554685797, 0.0, 0.0, 0.0, 1546.3909554685797, 0.0, 0.0, 0.0, 1562.4999999999998}},
+     {}},
     {"left_shoulder_cap", 0.7, {0.01, -0.03, 0.0},
      {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007},
-     {1428.5714285714287, 0.0, 0.0, 0.0, 1428.5714285714287, 0.0, 0.0, 0.0, 1428.5714285714287}},
+     {}},
     {"left_upper_arm", 0.8, {0.0, 0.0, -0.05},
      {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064},
-     {614.7528386212323, 0.0, 0.0, 0.0, 614.7528386212323, 0.0, 0.0, 0.0, 1562.4999999999998}},
+     {}},
     {"left_forearm", 0.7, {-0.07, 0.02, 0.0},
      {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771},
-     {2332.3615160349855, 0.0, 0.0, 0.0, 585.5795187707514, 0.0, 0.0, 0.0, 585.5795187707514}},
+     {}},
     {"left_wrist", 0.2, {0.0, 0.0, -0.01},
      {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05},
-     {11538.457100593423, 0.0, 0.0, 0.0, 11538.457100593423, 0.0, 0.0, 0.0, 11111.111111111111}},
+     {}},
     {"left_hand", 0.4, {-0.06, 0.0, 0.0},
      {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333},
-     {3370.7827294576073, 0.0, 0.0, 0.0, 1442.3083857251854, 0.0, 0.0, 0.0, 1775.1489793780945}},
+     {}},
     {"neck", 0.4, {0.0, 0.0, 0.02},
      {0.00021, 0.0, 0.0, 0.0, 0.00021, 0.0, 0.0, 0.0, 0.00018},
-     {4761.9047619047615, 0.0, 0.0, 0.0, 4761.9047619047615, 0.0, 0.0, 0.0, 5555.555555555556}},
+     {}},
     {"head", 2.4, {0.09, 0.02, 0.0},
      {0.007776, 0.0, 0.0, 0.0, 0.007776, 0.0, 0.0, 0.0, 0.007776},
-     {128.6008230452675, 0.0, 0.0, 0.0, 128.6008230452675, 0.0, 0.0, 0.0, 128.6008230452675}},
+     {}},
     {"right_shoulder", 0.8, {0.0, 0.0, -0.03},
      {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064},
-     {1546.3909554685797, 0.0, 0.0, 0.0, 1546.3909554685797, 0.0, 0.0, 0.0, 1562.4999999999998}},
+     {}},
     {"right_shoulder_cap", 0.7, {-0.01, -0.03, 0.0},
      {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007},
-     {1428.5714285714287, 0.0, 0.0, 0.0, 1428.5714285714287, 0.0, 0.0, 0.0, 1428.5714285714287}},
+     {}},
     {"right_upper_arm", 0.8, {0.0, 0.0, -0.05},
      {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064},
-     {614.7528386212323, 0.0, 0.0, 0.0, 614.7528386212323, 0.0, 0.0, 0.0, 1562.4999999999998}},
+     {}},
     {"right_forearm", 0.7, {-0.07, 0.02, 0.0},
      {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771},
-     {2332.3615160349855, 0.0, 0.0, 0.0, 585.5795187707514, 0.0, 0.0, 0.0, 585.5795187707514}},
+     {}},
     {"right_wrist", 0.2, {0.0, 0.0, -0.01},
      {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05},
-     {11538.457100593423, 0.0, 0.0, 0.0, 11538.457100593423, 0.0, 0.0, 0.0, 11111.111111111111}},
+     {}},
     {"right_hand", 0.4, {-0.06, 0.0, 0.0},
      {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333},
-     {3370.7827294576073, 0.0, 0.0, 0.0, 1442.3083857251854, 0.0, 0.0, 0.0, 1775.1489793780945}},
+     {}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
@@ -722,6 +722,270 @@ class Release {
   std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
 };
 
+// Articulated bodies: what one process does alone between its cuts. A joint is treated in its own
+// frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
+// sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
+
+[[maybe_unused]] Mat3 cross_from_left(const Vec3& r, const Mat3& m) {
+  Mat3 result;
+  for (int k = 0; k < 3; ++k) result.col(k) = r.cross(m.col(k));
+  return result;
+}
+
+// m rx
+[[maybe_unused]] Mat3 cross_from_right(const Mat3& m, const Vec3& r) {
+  Mat3 result;
+  for (int k = 0; k < 3; ++k) result.row(k) = m.row(k).transpose().cross(r).transpose();
+  return result;
+}
+
+// target += X^T m X: an inertia in the child's frame, felt in the parent's.
+ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Mat6& m, Mat6& target) {
+  const Mat3 A = X.E.transpose() * m.topLeftCorner<3, 3>() * X.E;
+  const Mat3 B = X.E.transpose() * m.topRightCorner<3, 3>() * X.E;
+  const Mat3 C = X.E.transpose() * m.bottomRightCorner<3, 3>() * X.E;
+  const Mat3 shifted = B + cross_from_left(X.r, C);
+  target.topLeftCorner<3, 3>() +=
+      A + cross_from_left(X.r, shifted.transpose()) - cross_from_right(B, X.r);
+  target.topRightCorner<3, 3>() += shifted;
+  target.bottomLeftCorner<3, 3>() += shifted.transpose();
+  target.bottomRightCorner<3, 3>() += C;
+}
+
+// X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
+ADAGEN_NOINLINE Mat6 in_child(const Transform& X, const Mat6& m) {
+  const Mat3 B = m.topRightCorner<3, 3>(), C = m.bottomRightCorner<3, 3>();
+  const Mat3 shifted = B - cross_from_left(X.r, C);
+  const Mat3 A = m.topLeftCorner<3, 3>() - cross_from_left(X.r, shifted.transpose()) +
+                 cross_from_right(B, X.r);
+  Mat6 result;
+  result.topLeftCorner<3, 3>() = X.E * A * X.E.transpose();
+  result.topRightCorner<3, 3>() = X.E * shifted * X.E.transpose();
+  result.bottomLeftCorner<3, 3>() = result.topRightCorner<3, 3>().transpose();
+  result.bottomRightCorner<3, 3>() = X.E * C * X.E.transpose();
+  return result;
+}
+
+// X^-T f: a wrench on the parent, felt in the child's frame.
+[[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
+  Columns6 result;
+  for (int k = 0; k < kColumns; ++k) {
+    const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
+    result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
+    result.col(k).template tail<3>() = X.E * force;
+  }
+  return result;
+}
+
+// X^-1 m: motions in the child's frame, told in the parent's.
+template <int columns>
+Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
+                                                 const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
+  for (int k = 0; k < columns; ++k) {
+    const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
+    result.col(k).template head<3>() = angular;
+    result.col(k).template tail<3>() =
+        X.E.transpose() * m.col(k).template tail<3>() + X.r.cross(angular);
+  }
+  return result;
+}
+
+// X^-1 m X^-T: a mobility in the child's frame, told in the parent's.
+ADAGEN_NOINLINE Mat6 congruent_in_parent(const Transform& X, const Mat6& m) {
+  const Mat6 half = motion_in_parent(X, m).transpose();
+  return motion_in_parent(X, half);
+}
+
+template <std::size_t n>
+std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kColumns>, n> x) {
+  for (auto& row : x)
+    for (Real& value : row) value = -value;
+  return x;
+}
+
+// Spatial inertia of a link at its origin.
+Mat6 spatial_inertia(const LinkConstants& link) {
+  const Vec3 c(link.com[0], link.com[1], link.com[2]);
+  const Mat3 cx = cross_from_left(c, Mat3::Identity());
+  Mat6 result;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) result(i, k) = link.tensor[3 * i + k];
+  result.topLeftCorner<3, 3>() -= link.mass * cx * cx;
+  result.topRightCorner<3, 3>() = link.mass * cx;
+  result.bottomLeftCorner<3, 3>() = -link.mass * cx;
+  result.bottomRightCorner<3, 3>() = link.mass * Mat3::Identity();
+  return result;
+}
+
+// I^A and p^A of a link start as its own inertia and v x* I v.
+ADAGEN_NOINLINE void start_link(const Mat6& inertia, const Vec6& velocity, Mat6& IA, Columns6& pA) {
+  IA = inertia;
+  const Vec6 momentum = inertia * velocity;
+  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 angular = momentum.head<3>(), linear = momentum.tail<3>();
+  pA.setZero();
+  pA.col(0).template head<3>() = omega.cross(angular) + v.cross(linear);
+  pA.col(0).template tail<3>() = omega.cross(linear);
+}
+
+template <class Kind>
+struct Articulated {
+  static constexpr int n = kFree<Kind>;
+  std::array<std::array<Real, n>, n> D;         // for n = 1 the inverse of D = S^T I^A S, else its
+                                                // Cholesky factor, the diagonal inverted
+  std::array<std::array<Real, 6>, n> E;         // D^-1 S^T I^A at the constrained rows, else zero
+  std::array<std::array<Real, kColumns>, n> u;  // sigma tau - S^T p^A
+  std::array<std::array<Real, kColumns>, n> tau;
+  Columns6 c;  // sigma c
+
+  template <std::size_t k>
+  void solve(std::array<std::array<Real, k>, n>& x) const {
+    if constexpr (n == 1) {
+      for (Real& value : x[0]) value *= D[0][0];
+    } else {
+      forward_substitute(D, x);
+      backward_substitute(D, x);
+    }
+  }
+};
+
+// The joint's share of the articulated body with inertia I and bias p on its far side: what it
+// hands on to its near side, by exact projection: nothing along S but the torque. Returns false
+// where D cannot be factorized.
+template <class Kind>
+ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I, const Columns6& p,
+                                Mat6& handed, Columns6& force) {
+  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  constexpr auto& free = Kind::Free::row;
+  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
+  bool good = true;
+  for (int k = 0; k < n; ++k) {
+    for (int l = 0; l < n; ++l) i.D[k][l] = I(free[k], free[l]);
+    i.E[k] = {};
+    for (int l = 0; l < m; ++l) i.E[k][constrained[l]] = I(free[k], constrained[l]);
+    for (int c = 0; c < kColumns; ++c) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
+  }
+  if constexpr (n == 1) {
+    good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
+    i.D[0][0] = 1 / i.D[0][0];
+  } else {
+    good = factorize(i.D);
+  }
+  i.solve(i.E);
+  auto moved = i.u;
+  i.solve(moved);
+  handed.setZero();
+  force.setZero();
+  if constexpr (m > 0) {
+    for (int r = 0; r < m; ++r)
+      for (int s = 0; s < m; ++s) {
+        Real x = I(constrained[r], constrained[s]);
+        for (int k = 0; k < n; ++k) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
+        handed(constrained[r], constrained[s]) = x;
+      }
+    for (int c = 0; c < kColumns; ++c)
+      for (int r = 0; r < m; ++r) {
+        Real x = p(constrained[r], c);
+        for (int k = 0; k < n; ++k) x += I(constrained[r], free[k]) * moved[k][c];
+        for (int s = 0; s < m; ++s)
+          x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
+        force(constrained[r], c) = x;
+      }
+  }
+  for (int k = 0; k < n; ++k)
+    for (int c = 0; c < kColumns; ++c) force(free[k], c) = sigma * i.tau[k][c];
+  return good;
+}
+
+// a becomes the far link's acceleration (joint frame) from the near link's; returns sigma qdd.
+template <class Kind>
+std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated<Kind>& i,
+                                                               Columns6& a) {
+  a += i.c;
+  auto moved = i.u;
+  i.solve(moved);
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) {
+      const int row = Kind::Free::row[k];
+      Real x = moved[k][c];
+      for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
+      moved[k][c] = x - a(row, c);
+    }
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) a(Kind::Free::row[k], c) += moved[k][c];
+  return moved;
+}
+
+// K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
+template <class Kind>
+ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
+  for (int k = 0; k < kFree<Kind>; ++k) m.row(Kind::Free::row[k]).setZero();
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
+}
+
+// Omega of the far side: K m K^T + S D^-1 S^T, m being the near side's (zero: the ground's).
+template <class Kind>
+ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
+  constexpr int n = kFree<Kind>;
+  share(i, m);
+  m.transposeInPlace();
+  share(i, m);
+  std::array<std::array<Real, n>, n> inverse{};
+  for (int k = 0; k < n; ++k) inverse[k][k] = 1;
+  i.solve(inverse);
+  for (int k = 0; k < n; ++k)
+    for (int l = 0; l < n; ++l) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
+}
+
+// A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
+template <class Kind>
+void deliver(Articulated<Kind>& i, Columns6& load) {
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) {
+      Real& along = load(Kind::Free::row[k], c);
+      i.u[k][c] += along;
+      for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
+      along = 0;
+    }
+}
+
+// Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
+ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns6& b) {
+  std::array<std::array<Real, 6>, 6> L, x{};
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+    x[i][i] = 1;
+  }
+  const bool good = factorize(L);
+  forward_substitute(L, x);
+  for (int i = 0; i < 6; ++i)
+    for (int k = i; k < 6; ++k) {
+      Real sum = 0;
+      for (int row = 0; row < 6; ++row) sum += x[row][i] * x[row][k];
+      Phi(i, k) = Phi(k, i) = sum;
+    }
+  b.noalias() = -Phi * p;
+  return good;
+}
+
+// a with I^A a = -p^A: nothing else acts on the link.
+ADAGEN_NOINLINE bool solve_root(const Mat6& I, const Columns6& p, Columns6& a) {
+  std::array<std::array<Real, 6>, 6> L;
+  std::array<std::array<Real, kColumns>, 6> x;
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+    for (int c = 0; c < kColumns; ++c) x[i][c] = -p(i, c);
+  }
+  const bool good = factorize(L);
+  forward_substitute(L, x);
+  backward_substitute(L, x);
+  for (int i = 0; i < 6; ++i)
+    for (int c = 0; c < kColumns; ++c) a(i, c) = x[i][c];
+  return good;
+}
+
 constexpr std::array<MessageInfo, 4> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "left_shoulder_pitch"
     {0, 1, 6},  // 1: forces on: chain of "left_shoulder_pitch"
@@ -960,165 +1224,138 @@ struct Workspace;
 struct Joint_base {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "pelvis"
-  Columns6 b;  // bias of the bare link "pelvis"
-  Mat6 Phi_pelvis;  // of the chain it completes
-  Columns6 b_pelvis;
-  Joined<Floating> joined;
-  Coupled<Floating> at_pelvis;
-  Columns6 F_on_pelvis;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "pelvis"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
 };
 
 struct Joint_left_hip_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_hip"
-  Columns6 b;  // bias of the bare link "left_hip"
-  Mat6 Phi_pelvis;  // of the chain it completes
-  Columns6 b_pelvis;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_pelvis;
-  Columns6 F_on_pelvis;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_hip"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_left_hip_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_groin"
-  Columns6 b;  // bias of the bare link "left_groin"
-  Mat6 Phi_left_hip;  // of the chain it completes
-  Columns6 b_left_hip;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_hip;
-  Columns6 F_on_left_hip;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_groin"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_left_hip_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_thigh"
-  Columns6 b;  // bias of the bare link "left_thigh"
-  Mat6 Phi_left_groin;  // of the chain it completes
-  Columns6 b_left_groin;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_groin;
-  Columns6 F_on_left_groin;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_thigh"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_left_knee {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_shank"
-  Columns6 b;  // bias of the bare link "left_shank"
-  Mat6 Phi_left_thigh;  // of the chain it completes
-  Columns6 b_left_thigh;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_thigh;
-  Columns6 F_on_left_thigh;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_shank"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_left_ankle_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_ankle"
-  Columns6 b;  // bias of the bare link "left_ankle"
-  Mat6 Phi_left_shank;  // of the chain it completes
-  Columns6 b_left_shank;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_shank;
-  Columns6 F_on_left_shank;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_ankle"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_left_ankle_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_foot"
-  Columns6 b;  // bias of the bare link "left_foot"
-  Mat6 Phi_left_ankle;  // of the chain it completes
-  Columns6 b_left_ankle;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_ankle;
-  Columns6 F_on_left_ankle;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_foot"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_hip_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_hip"
-  Columns6 b;  // bias of the bare link "right_hip"
-  Mat6 Phi_pelvis;  // of the chain it completes
-  Columns6 b_pelvis;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_pelvis;
-  Columns6 F_on_pelvis;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_hip"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_hip_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_groin"
-  Columns6 b;  // bias of the bare link "right_groin"
-  Mat6 Phi_right_hip;  // of the chain it completes
-  Columns6 b_right_hip;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_hip;
-  Columns6 F_on_right_hip;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_groin"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_hip_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_thigh"
-  Columns6 b;  // bias of the bare link "right_thigh"
-  Mat6 Phi_right_groin;  // of the chain it completes
-  Columns6 b_right_groin;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_groin;
-  Columns6 F_on_right_groin;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_thigh"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_knee {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_shank"
-  Columns6 b;  // bias of the bare link "right_shank"
-  Mat6 Phi_right_thigh;  // of the chain it completes
-  Columns6 b_right_thigh;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_thigh;
-  Columns6 F_on_right_thigh;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_shank"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_ankle_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_ankle"
-  Columns6 b;  // bias of the bare link "right_ankle"
-  Mat6 Phi_right_shank;  // of the chain it completes
-  Columns6 b_right_shank;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_shank;
-  Columns6 F_on_right_shank;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_ankle"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_ankle_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_foot"
-  Columns6 b;  // bias of the bare link "right_foot"
-  Mat6 Phi_right_ankle;  // of the chain it completes
-  Columns6 b_right_ankle;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_ankle;
-  Columns6 F_on_right_ankle;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_foot"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_waist_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "waist_link"
-  Columns6 b;  // bias of the bare link "waist_link"
-  Mat6 Phi_waist_link;  // of the chain it completes
-  Columns6 b_waist_link;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_waist_link;
-  Columns6 F_on_waist_link;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "waist_link"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_waist_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "abdomen"
-  Columns6 b;  // bias of the bare link "abdomen"
+  Mat6 IA;  // articulated-body inertia of link "abdomen"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
   Mat6 Phi_abdomen;  // of the chain it completes
   Columns6 b_abdomen;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_abdomen;
+  Columns6 load;  // what handle forces add
   Columns6 F_on_abdomen;  // outer wrench on that chain
 };
 
@@ -1126,161 +1363,139 @@ struct Joint_waist_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "torso"
   Joined<Revolute> joined;
-  Columns6 b;  // bias of the bare link "torso"
+  Mat6 IA;  // articulated-body inertia of link "torso"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_left_shoulder_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_shoulder"
-  Columns6 b;  // bias of the bare link "left_shoulder"
+  Mat6 IA;  // articulated-body inertia of link "left_shoulder"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
   Mat6 Phi_torso;  // of the chain it completes
   Columns6 b_torso;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_torso;
   Columns6 F_on_torso;  // outer wrench on that chain
 };
 
 struct Joint_left_shoulder_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_shoulder_cap"
-  Columns6 b;  // bias of the bare link "left_shoulder_cap"
-  Mat6 Phi_left_shoulder;  // of the chain it completes
-  Columns6 b_left_shoulder;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_shoulder;
-  Columns6 F_on_left_shoulder;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_shoulder_cap"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_left_shoulder_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_upper_arm"
-  Columns6 b;  // bias of the bare link "left_upper_arm"
-  Mat6 Phi_left_shoulder_cap;  // of the chain it completes
-  Columns6 b_left_shoulder_cap;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_shoulder_cap;
-  Columns6 F_on_left_shoulder_cap;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_upper_arm"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_left_elbow {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_forearm"
-  Columns6 b;  // bias of the bare link "left_forearm"
-  Mat6 Phi_left_upper_arm;  // of the chain it completes
-  Columns6 b_left_upper_arm;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_upper_arm;
-  Columns6 F_on_left_upper_arm;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_forearm"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_left_wrist_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_wrist"
-  Columns6 b;  // bias of the bare link "left_wrist"
-  Mat6 Phi_left_forearm;  // of the chain it completes
-  Columns6 b_left_forearm;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_forearm;
-  Columns6 F_on_left_forearm;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_wrist"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_left_wrist_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_hand"
-  Columns6 b;  // bias of the bare link "left_hand"
-  Mat6 Phi_left_wrist;  // of the chain it completes
-  Columns6 b_left_wrist;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_left_wrist;
-  Columns6 F_on_left_wrist;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "left_hand"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_neck_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "neck"
-  Columns6 b;  // bias of the bare link "neck"
-  Mat6 Phi_torso;  // of the chain it completes
-  Columns6 b_torso;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_torso;
-  Columns6 F_on_torso;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "neck"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_neck_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "head"
-  Columns6 b;  // bias of the bare link "head"
-  Mat6 Phi_neck;  // of the chain it completes
-  Columns6 b_neck;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_neck;
-  Columns6 F_on_neck;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "head"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_shoulder_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_shoulder"
-  Columns6 b;  // bias of the bare link "right_shoulder"
-  Mat6 Phi_torso;  // of the chain it completes
-  Columns6 b_torso;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_torso;
-  Columns6 F_on_torso;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_shoulder"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_shoulder_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_shoulder_cap"
-  Columns6 b;  // bias of the bare link "right_shoulder_cap"
-  Mat6 Phi_right_shoulder;  // of the chain it completes
-  Columns6 b_right_shoulder;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_shoulder;
-  Columns6 F_on_right_shoulder;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_shoulder_cap"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_shoulder_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_upper_arm"
-  Columns6 b;  // bias of the bare link "right_upper_arm"
-  Mat6 Phi_right_shoulder_cap;  // of the chain it completes
-  Columns6 b_right_shoulder_cap;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_shoulder_cap;
-  Columns6 F_on_right_shoulder_cap;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_upper_arm"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_elbow {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_forearm"
-  Columns6 b;  // bias of the bare link "right_forearm"
-  Mat6 Phi_right_upper_arm;  // of the chain it completes
-  Columns6 b_right_upper_arm;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_upper_arm;
-  Columns6 F_on_right_upper_arm;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_forearm"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_wrist_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_wrist"
-  Columns6 b;  // bias of the bare link "right_wrist"
-  Mat6 Phi_right_forearm;  // of the chain it completes
-  Columns6 b_right_forearm;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_forearm;
-  Columns6 F_on_right_forearm;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_wrist"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_right_wrist_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_hand"
-  Columns6 b;  // bias of the bare link "right_hand"
-  Mat6 Phi_right_wrist;  // of the chain it completes
-  Columns6 b_right_wrist;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_right_wrist;
-  Columns6 F_on_right_wrist;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "right_hand"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Workspace {
@@ -1437,36 +1652,36 @@ void store_coupled(Workspace& w, int joint, int v,
   store_acceleration(w, joint, v, sum);
 }
 
-const Mat6 kPhi_pelvis = symmetric({30.819775200559686, 0.0, 0.0, 0.0, 0.6163955040111937, 0.0, 56.92588818617042, 0.0, -1.1385177637234085, 0.0, 0.0, 28.463025107234447, 0.0, 0.0, 0.0, 0.18406067785511332, 0.0, 0.0, 0.17361823266086904, 0.0, 0.16129032258064516});
-const Mat6 kPhi_left_hip = symmetric({549.4505494505495, 0.0, 0.0, 0.0, 16.483516483516482, 0.0, 549.4505494505495, 0.0, -16.483516483516482, 0.0, 0.0, 571.4285714285714, 0.0, 0.0, 0.0, 1.2087912087912087, 0.0, 0.0, 1.2087912087912087, 0.0, 0.7142857142857143});
-const Mat6 kPhi_left_groin = symmetric({719.4244604316547, 0.0, 0.0, 0.0, 14.388489208633095, 28.77697841726619, 719.4244604316547, 0.0, -14.388489208633095, 0.0, 0.0, 666.6666666666666, -26.666666666666668, 0.0, 0.0, 2.1877697841726618, 0.0, 0.0, 1.1211031175059953, 0.5755395683453238, 1.984412470023981});
-const Mat6 kPhi_left_thigh = symmetric({58.86958620567856, 0.0, 0.0, 0.0, -5.886958620567857, 0.0, 58.86958620567856, 0.0, 5.886958620567857, 0.0, 0.0, 213.67521367521366, 0.0, 0.0, 0.0, 0.9733112466721703, 0.0, 0.0, 0.9733112466721703, 0.0, 0.3846153846153846});
-const Mat6 kPhi_left_shank = symmetric({548.6968449931413, 0.0, 0.0, 0.0, 0.0, -5.486968449931413, 78.91850086415758, 0.0, 0.0, 0.0, -10.259405112340486, 78.91850086415758, 0.7891850086415758, 10.259405112340486, 0.0, 0.5634474056419713, 0.10259405112340486, 0.0, 1.8892782201598188, 0.0, 1.944147904659133});
-const Mat6 kPhi_left_ankle = symmetric({13888.888888888889, 0.0, 0.0, 0.0, 0.0, 0.0, 13888.888888888889, 0.0, 0.0, 0.0, 0.0, 13888.888888888889, 0.0, 0.0, 0.0, 5.0, 0.0, 0.0, 5.0, 0.0, 5.0});
-const Mat6 kPhi_left_foot = symmetric({366.7477179123253, 0.0, 0.0, 0.0, 11.002431537369759, 11.002431537369759, 323.2762104269509, 0.0, -9.698286312808527, 0.0, 0.0, 2054.793113155402, -61.64379339466206, 0.0, 0.0, 3.3902623912241174, 0.0, 0.0, 1.5800729461210927, 0.3300729461210927, 1.5800729461210927});
-const Mat6 kPhi_right_hip = symmetric({549.4505494505495, 0.0, 0.0, 0.0, -16.483516483516482, 0.0, 549.4505494505495, 0.0, 16.483516483516482, 0.0, 0.0, 571.4285714285714, 0.0, 0.0, 0.0, 1.2087912087912087, 0.0, 0.0, 1.2087912087912087, 0.0, 0.7142857142857143});
-const Mat6 kPhi_right_groin = symmetric({719.4244604316547, 0.0, 0.0, 0.0, 14.388489208633095, 28.77697841726619, 719.4244604316547, 0.0, -14.388489208633095, 0.0, 0.0, 666.6666666666666, -26.666666666666668, 0.0, 0.0, 2.1877697841726618, 0.0, 0.0, 1.1211031175059953, 0.5755395683453238, 1.984412470023981});
-const Mat6 kPhi_right_thigh = symmetric({58.86958620567856, 0.0, 0.0, 0.0, -5.886958620567857, 0.0, 58.86958620567856, 0.0, 5.886958620567857, 0.0, 0.0, 213.67521367521366, 0.0, 0.0, 0.0, 0.9733112466721703, 0.0, 0.0, 0.9733112466721703, 0.0, 0.3846153846153846});
-const Mat6 kPhi_right_shank = symmetric({548.6968449931413, 0.0, 0.0, 0.0, 0.0, -5.486968449931413, 78.91850086415758, 0.0, 0.0, 0.0, -10.259405112340486, 78.91850086415758, 0.7891850086415758, 10.259405112340486, 0.0, 0.5634474056419713, 0.10259405112340486, 0.0, 1.8892782201598188, 0.0, 1.944147904659133});
-const Mat6 kPhi_right_ankle = symmetric({13888.888888888889, 0.0, 0.0, 0.0, 0.0, 0.0, 13888.888888888889, 0.0, 0.0, 0.0, 0.0, 13888.888888888889, 0.0, 0.0, 0.0, 5.0, 0.0, 0.0, 5.0, 0.0, 5.0});
-const Mat6 kPhi_right_foot = symmetric({366.7477179123253, 0.0, 0.0, 0.0, 11.002431537369759, 11.002431537369759, 323.2762104269509, 0.0, -9.698286312808527, 0.0, 0.0, 2054.793113155402, -61.64379339466206, 0.0, 0.0, 3.3902623912241174, 0.0, 0.0, 1.5800729461210927, 0.3300729461210927, 1.5800729461210927});
-const Mat6 kPhi_waist_link = symmetric({1351.3513513513515, 0.0, 0.0, 0.0, 27.027027027027028, 0.0, 1351.3513513513515, 0.0, -27.027027027027028, 0.0, 0.0, 1000.0, 0.0, 0.0, 0.0, 1.7905405405405406, 0.0, 0.0, 1.7905405405405406, 0.0, 1.25});
-const Mat6 kPhi_abdomen = symmetric({959.2326139088728, 0.0, 0.0, 0.0, 0.0, -19.18465227817746, 888.8888888888889, 0.0, 0.0, 0.0, 0.0, 959.2326139088728, 19.18465227817746, 0.0, 0.0, 1.4948041566746602, 0.0, 0.0, 1.1111111111111112, 0.0, 1.4948041566746602});
-const Mat6 kPhi_torso = symmetric({12.145753905163525, 0.0, 0.0, 0.0, 0.0, -0.12145753905163525, 6.511137300352253, 0.0, 0.0, 0.0, 1.1068933410598831, 8.945904117799666, 0.08945904117799666, -1.5208037000259433, 0.0, 0.10615774830651681, -0.015208037000259434, 0.0, 0.3637997868991472, 0.0, 0.2946496012654333});
-const Mat6 kPhi_left_shoulder = symmetric({1546.3909554685797, 0.0, 0.0, 0.0, 46.39172866405739, 0.0, 1546.3909554685797, 0.0, -46.39172866405739, 0.0, 0.0, 1562.4999999999998, 0.0, 0.0, 0.0, 2.6417518599217216, 0.0, 0.0, 2.6417518599217216, 0.0, 1.25});
-const Mat6 kPhi_left_shoulder_cap = symmetric({1428.5714285714287, 0.0, 0.0, 0.0, 0.0, 42.857142857142854, 1428.5714285714287, 0.0, 0.0, 0.0, 14.285714285714286, 1428.5714285714287, -42.857142857142854, -14.285714285714286, 0.0, 2.7142857142857144, 0.42857142857142855, 0.0, 1.5714285714285716, 0.0, 2.857142857142857});
-const Mat6 kPhi_left_upper_arm = symmetric({614.7528386212323, 0.0, 0.0, 0.0, -30.737641931061617, 0.0, 614.7528386212323, 0.0, 30.737641931061617, 0.0, 0.0, 1562.4999999999998, 0.0, 0.0, 0.0, 2.786882096553081, 0.0, 0.0, 2.786882096553081, 0.0, 1.25});
-const Mat6 kPhi_left_forearm = symmetric({2332.3615160349855, 0.0, 0.0, 0.0, 0.0, -46.64723032069971, 585.5795187707514, 0.0, 0.0, 0.0, -40.990566313952606, 585.5795187707514, 11.71159037541503, 40.990566313952606, 0.0, 1.6628032360797294, 0.8198113262790521, 0.0, 4.297911070548111, 0.0, 5.230855676962106});
-const Mat6 kPhi_left_wrist = symmetric({11538.457100593423, 0.0, 0.0, 0.0, -115.38457100593423, 0.0, 11538.457100593423, 0.0, 115.38457100593423, 0.0, 0.0, 11111.111111111111, 0.0, 0.0, 0.0, 6.1538457100593424, 0.0, 0.0, 6.1538457100593424, 0.0, 5.0});
-const Mat6 kPhi_left_hand = symmetric({3370.7827294576073, 0.0, 0.0, 0.0, 0.0, 0.0, 1442.3083857251854, 0.0, 0.0, 0.0, -86.53850314351112, 1775.1489793780945, 0.0, 106.50893876268566, 0.0, 2.5, 0.0, 0.0, 8.89053632576114, 0.0, 7.6923101886106675});
-const Mat6 kPhi_neck = symmetric({4761.9047619047615, 0.0, 0.0, 0.0, 95.23809523809524, 0.0, 4761.9047619047615, 0.0, -95.23809523809524, 0.0, 0.0, 5555.555555555556, 0.0, 0.0, 0.0, 4.404761904761904, 0.0, 0.0, 4.404761904761904, 0.0, 2.5});
-const Mat6 kPhi_head = symmetric({128.6008230452675, 0.0, 0.0, 0.0, 0.0, -2.57201646090535, 128.6008230452675, 0.0, 0.0, 0.0, 11.574074074074074, 128.6008230452675, 2.57201646090535, -11.574074074074074, 0.0, 0.46810699588477367, -0.23148148148148148, 0.0, 1.4583333333333333, 0.0, 1.5097736625514402});
-const Mat6 kPhi_right_shoulder = symmetric({1546.3909554685797, 0.0, 0.0, 0.0, -46.39172866405739, 0.0, 1546.3909554685797, 0.0, 46.39172866405739, 0.0, 0.0, 1562.4999999999998, 0.0, 0.0, 0.0, 2.6417518599217216, 0.0, 0.0, 2.6417518599217216, 0.0, 1.25});
-const Mat6 kPhi_right_shoulder_cap = symmetric({1428.5714285714287, 0.0, 0.0, 0.0, 0.0, 42.857142857142854, 1428.5714285714287, 0.0, 0.0, 0.0, -14.285714285714286, 1428.5714285714287, -42.857142857142854, 14.285714285714286, 0.0, 2.7142857142857144, -0.42857142857142855, 0.0, 1.5714285714285716, 0.0, 2.857142857142857});
-const Mat6 kPhi_right_upper_arm = symmetric({614.7528386212323, 0.0, 0.0, 0.0, -30.737641931061617, 0.0, 614.7528386212323, 0.0, 30.737641931061617, 0.0, 0.0, 1562.4999999999998, 0.0, 0.0, 0.0, 2.786882096553081, 0.0, 0.0, 2.786882096553081, 0.0, 1.25});
-const Mat6 kPhi_right_forearm = symmetric({2332.3615160349855, 0.0, 0.0, 0.0, 0.0, -46.64723032069971, 585.5795187707514, 0.0, 0.0, 0.0, -40.990566313952606, 585.5795187707514, 11.71159037541503, 40.990566313952606, 0.0, 1.6628032360797294, 0.8198113262790521, 0.0, 4.297911070548111, 0.0, 5.230855676962106});
-const Mat6 kPhi_right_wrist = symmetric({11538.457100593423, 0.0, 0.0, 0.0, -115.38457100593423, 0.0, 11538.457100593423, 0.0, 115.38457100593423, 0.0, 0.0, 11111.111111111111, 0.0, 0.0, 0.0, 6.1538457100593424, 0.0, 0.0, 6.1538457100593424, 0.0, 5.0});
-const Mat6 kPhi_right_hand = symmetric({3370.7827294576073, 0.0, 0.0, 0.0, 0.0, 0.0, 1442.3083857251854, 0.0, 0.0, 0.0, -86.53850314351112, 1775.1489793780945, 0.0, 106.50893876268566, 0.0, 2.5, 0.0, 0.0, 8.89053632576114, 0.0, 7.6923101886106675});
+const Mat6 kInertia_pelvis = spatial_inertia(kLinks[1]);
+const Mat6 kInertia_left_hip = spatial_inertia(kLinks[2]);
+const Mat6 kInertia_left_groin = spatial_inertia(kLinks[3]);
+const Mat6 kInertia_left_thigh = spatial_inertia(kLinks[4]);
+const Mat6 kInertia_left_shank = spatial_inertia(kLinks[5]);
+const Mat6 kInertia_left_ankle = spatial_inertia(kLinks[6]);
+const Mat6 kInertia_left_foot = spatial_inertia(kLinks[7]);
+const Mat6 kInertia_right_hip = spatial_inertia(kLinks[8]);
+const Mat6 kInertia_right_groin = spatial_inertia(kLinks[9]);
+const Mat6 kInertia_right_thigh = spatial_inertia(kLinks[10]);
+const Mat6 kInertia_right_shank = spatial_inertia(kLinks[11]);
+const Mat6 kInertia_right_ankle = spatial_inertia(kLinks[12]);
+const Mat6 kInertia_right_foot = spatial_inertia(kLinks[13]);
+const Mat6 kInertia_waist_link = spatial_inertia(kLinks[14]);
+const Mat6 kInertia_abdomen = spatial_inertia(kLinks[15]);
+const Mat6 kInertia_torso = spatial_inertia(kLinks[16]);
+const Mat6 kInertia_left_shoulder = spatial_inertia(kLinks[17]);
+const Mat6 kInertia_left_shoulder_cap = spatial_inertia(kLinks[18]);
+const Mat6 kInertia_left_upper_arm = spatial_inertia(kLinks[19]);
+const Mat6 kInertia_left_forearm = spatial_inertia(kLinks[20]);
+const Mat6 kInertia_left_wrist = spatial_inertia(kLinks[21]);
+const Mat6 kInertia_left_hand = spatial_inertia(kLinks[22]);
+const Mat6 kInertia_neck = spatial_inertia(kLinks[23]);
+const Mat6 kInertia_head = spatial_inertia(kLinks[24]);
+const Mat6 kInertia_right_shoulder = spatial_inertia(kLinks[25]);
+const Mat6 kInertia_right_shoulder_cap = spatial_inertia(kLinks[26]);
+const Mat6 kInertia_right_upper_arm = spatial_inertia(kLinks[27]);
+const Mat6 kInertia_right_forearm = spatial_inertia(kLinks[28]);
+const Mat6 kInertia_right_wrist = spatial_inertia(kLinks[29]);
+const Mat6 kInertia_right_hand = spatial_inertia(kLinks[30]);
 
 // =================================================================================================
 // Joint 0 "__base__": floating, between links "__world__" and "pelvis"
@@ -1482,25 +1697,23 @@ void kinematics_base(Workspace& w) {
   i.v = joint_velocity<Floating>(w.v + 0);
 }
 
-// A: the ground "__world__"; B: the chain of "left_hip_pitch"; C feels the joint at "pelvis"
-void assemble_base(Workspace& w) {
+void free_base_base(Workspace& w) {
   auto& i = w.j_base;
-  load_torque(w, 0, 0, i.joined.tau);
-  const Columns6 c = Columns6::Zero();
-  if (!join(i.joined, kZero, w.j_left_hip_pitch.Phi_pelvis, i.X * kGround, w.j_left_hip_pitch.b_pelvis, c))
-    fail(w, kFactorization, 0);
-  couple(i.joined, w.j_left_hip_pitch.Phi_pelvis, i.at_pelvis);
-  i.Phi_pelvis = w.j_left_hip_pitch.Phi_pelvis - product(i.at_pelvis, i.at_pelvis);  // Eq. (4)
-  i.b_pelvis = w.j_left_hip_pitch.b_pelvis + bias_change(i.joined, i.at_pelvis);  // Eq. (7)
+  std::array<std::array<Real, kColumns>, 6> tau;
+  load_torque(w, 0, 0, tau);
+  for (std::size_t k = 0; k < 6; ++k)
+    for (int c = 0; c < kColumns; ++c)
+      i.pA(Floating::Free::row[k], c) -= tau[k][static_cast<std::size_t>(c)];
 }
 
-void disassemble_base(Workspace& w) {
+void free_acceleration_base(Workspace& w) {
   auto& i = w.j_base;
-  Release<Floating> release(i.joined);
-  release.feel_B(i.at_pelvis, w.j_base.F_on_pelvis);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 0, 0, release.qdd());  // Eq. (9)
-  w.j_left_hip_pitch.F_on_pelvis = w.j_base.F_on_pelvis + f;
+  const Columns6 a = i.a - i.X * kGround;
+  std::array<std::array<Real, kColumns>, 6> qdd;
+  for (std::size_t k = 0; k < 6; ++k)
+    for (int c = 0; c < kColumns; ++c)
+      qdd[k][static_cast<std::size_t>(c)] = a(Floating::Free::row[k], c);
+  store_acceleration(w, 0, 0, qdd);
 }
 
 // =================================================================================================
@@ -1520,28 +1733,24 @@ void kinematics_left_hip_pitch(Workspace& w) {
   i.v = i.X * w.j_base.v + joint_velocity<Revolute>(w.v + 6);
 }
 
-// A: the chain of "right_hip_pitch"; B: the chain of "left_hip_roll"; C feels the joint at "pelvis"
-void assemble_left_hip_pitch(Workspace& w) {
+void articulate_left_hip_pitch(Workspace& w) {
   auto& i = w.j_left_hip_pitch;
-  load_torque(w, 1, 6, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_right_hip_pitch.Phi_pelvis;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
-  if (!join(i.joined, Phi_A, w.j_left_hip_roll.Phi_left_hip, i.X * w.j_right_hip_pitch.b_pelvis, w.j_left_hip_roll.b_left_hip, c))
+  load_torque(w, 1, 6, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_hip_pitch.IA, w.j_left_hip_pitch.pA, handed, force))
     fail(w, kFactorization, 1);
-  couple(i.joined, X_Phi_A, i.at_pelvis);
-  i.Phi_pelvis = w.j_right_hip_pitch.Phi_pelvis - product(i.at_pelvis, i.at_pelvis);  // Eq. (3)
-  i.b_pelvis = w.j_right_hip_pitch.b_pelvis - bias_change(i.joined, i.at_pelvis);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_base.IA);
+  w.j_base.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_hip_pitch(Workspace& w) {
+void accelerate_left_hip_pitch(Workspace& w) {
   auto& i = w.j_left_hip_pitch;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_pelvis, w.j_left_hip_pitch.F_on_pelvis);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 1, 6, release.qdd());  // Eq. (9)
-  w.j_right_hip_pitch.F_on_pelvis = w.j_left_hip_pitch.F_on_pelvis - i.X.transposed_times(f);
-  w.j_left_hip_roll.F_on_left_hip = f;
+  Columns6 a = i.X * w.j_base.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_hip_pitch.a = a;
+  store_acceleration(w, 1, 6, qdd);
 }
 
 // =================================================================================================
@@ -1561,27 +1770,24 @@ void kinematics_left_hip_roll(Workspace& w) {
   i.v = i.X * w.j_left_hip_pitch.v + joint_velocity<Revolute>(w.v + 7);
 }
 
-// A: link "left_hip"; B: the chain of "left_hip_yaw"; C feels the joint at "left_hip"
-void assemble_left_hip_roll(Workspace& w) {
+void articulate_left_hip_roll(Workspace& w) {
   auto& i = w.j_left_hip_roll;
-  load_torque(w, 2, 7, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_hip;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 7);
-  if (!join(i.joined, Phi_A, w.j_left_hip_yaw.Phi_left_groin, i.X * w.j_left_hip_pitch.b, w.j_left_hip_yaw.b_left_groin, c))
+  load_torque(w, 2, 7, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 7);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_hip_roll.IA, w.j_left_hip_roll.pA, handed, force))
     fail(w, kFactorization, 2);
-  couple(i.joined, X_Phi_A, i.at_left_hip);
-  i.Phi_left_hip = kPhi_left_hip - product(i.at_left_hip, i.at_left_hip);  // Eq. (3)
-  i.b_left_hip = w.j_left_hip_pitch.b - bias_change(i.joined, i.at_left_hip);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_hip_pitch.IA);
+  w.j_left_hip_pitch.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_hip_roll(Workspace& w) {
+void accelerate_left_hip_roll(Workspace& w) {
   auto& i = w.j_left_hip_roll;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_left_hip, w.j_left_hip_roll.F_on_left_hip);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 2, 7, release.qdd());  // Eq. (9)
-  w.j_left_hip_yaw.F_on_left_groin = f;
+  Columns6 a = i.X * w.j_left_hip_pitch.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_hip_roll.a = a;
+  store_acceleration(w, 2, 7, qdd);
 }
 
 // =================================================================================================
@@ -1601,27 +1807,24 @@ void kinematics_left_hip_yaw(Workspace& w) {
   i.v = i.X * w.j_left_hip_roll.v + joint_velocity<Revolute>(w.v + 8);
 }
 
-// A: link "left_groin"; B: the chain of "left_knee"; C feels the joint at "left_groin"
-void assemble_left_hip_yaw(Workspace& w) {
+void articulate_left_hip_yaw(Workspace& w) {
   auto& i = w.j_left_hip_yaw;
-  load_torque(w, 3, 8, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_groin;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 8);
-  if (!join(i.joined, Phi_A, w.j_left_knee.Phi_left_thigh, i.X * w.j_left_hip_roll.b, w.j_left_knee.b_left_thigh, c))
+  load_torque(w, 3, 8, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 8);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_hip_yaw.IA, w.j_left_hip_yaw.pA, handed, force))
     fail(w, kFactorization, 3);
-  couple(i.joined, X_Phi_A, i.at_left_groin);
-  i.Phi_left_groin = kPhi_left_groin - product(i.at_left_groin, i.at_left_groin);  // Eq. (3)
-  i.b_left_groin = w.j_left_hip_roll.b - bias_change(i.joined, i.at_left_groin);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_hip_roll.IA);
+  w.j_left_hip_roll.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_hip_yaw(Workspace& w) {
+void accelerate_left_hip_yaw(Workspace& w) {
   auto& i = w.j_left_hip_yaw;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_left_groin, w.j_left_hip_yaw.F_on_left_groin);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 3, 8, release.qdd());  // Eq. (9)
-  w.j_left_knee.F_on_left_thigh = f;
+  Columns6 a = i.X * w.j_left_hip_roll.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_hip_yaw.a = a;
+  store_acceleration(w, 3, 8, qdd);
 }
 
 // =================================================================================================
@@ -1641,27 +1844,24 @@ void kinematics_left_knee(Workspace& w) {
   i.v = i.X * w.j_left_hip_yaw.v + joint_velocity<Revolute>(w.v + 9);
 }
 
-// A: link "left_thigh"; B: the chain of "left_ankle_pitch"; C feels the joint at "left_thigh"
-void assemble_left_knee(Workspace& w) {
+void articulate_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
-  load_torque(w, 4, 9, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_thigh;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 9);
-  if (!join(i.joined, Phi_A, w.j_left_ankle_pitch.Phi_left_shank, i.X * w.j_left_hip_yaw.b, w.j_left_ankle_pitch.b_left_shank, c))
+  load_torque(w, 4, 9, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 9);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_knee.IA, w.j_left_knee.pA, handed, force))
     fail(w, kFactorization, 4);
-  couple(i.joined, X_Phi_A, i.at_left_thigh);
-  i.Phi_left_thigh = kPhi_left_thigh - product(i.at_left_thigh, i.at_left_thigh);  // Eq. (3)
-  i.b_left_thigh = w.j_left_hip_yaw.b - bias_change(i.joined, i.at_left_thigh);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_hip_yaw.IA);
+  w.j_left_hip_yaw.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_knee(Workspace& w) {
+void accelerate_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_left_thigh, w.j_left_knee.F_on_left_thigh);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 4, 9, release.qdd());  // Eq. (9)
-  w.j_left_ankle_pitch.F_on_left_shank = f;
+  Columns6 a = i.X * w.j_left_hip_yaw.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_knee.a = a;
+  store_acceleration(w, 4, 9, qdd);
 }
 
 // =================================================================================================
@@ -1681,27 +1881,24 @@ void kinematics_left_ankle_pitch(Workspace& w) {
   i.v = i.X * w.j_left_knee.v + joint_velocity<Revolute>(w.v + 10);
 }
 
-// A: link "left_shank"; B: the chain of "left_ankle_roll"; C feels the joint at "left_shank"
-void assemble_left_ankle_pitch(Workspace& w) {
+void articulate_left_ankle_pitch(Workspace& w) {
   auto& i = w.j_left_ankle_pitch;
-  load_torque(w, 5, 10, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_shank;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 10);
-  if (!join(i.joined, Phi_A, w.j_left_ankle_roll.Phi_left_ankle, i.X * w.j_left_knee.b, w.j_left_ankle_roll.b_left_ankle, c))
+  load_torque(w, 5, 10, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 10);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_ankle_pitch.IA, w.j_left_ankle_pitch.pA, handed, force))
     fail(w, kFactorization, 5);
-  couple(i.joined, X_Phi_A, i.at_left_shank);
-  i.Phi_left_shank = kPhi_left_shank - product(i.at_left_shank, i.at_left_shank);  // Eq. (3)
-  i.b_left_shank = w.j_left_knee.b - bias_change(i.joined, i.at_left_shank);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_knee.IA);
+  w.j_left_knee.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_ankle_pitch(Workspace& w) {
+void accelerate_left_ankle_pitch(Workspace& w) {
   auto& i = w.j_left_ankle_pitch;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_left_shank, w.j_left_ankle_pitch.F_on_left_shank);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 5, 10, release.qdd());  // Eq. (9)
-  w.j_left_ankle_roll.F_on_left_ankle = f;
+  Columns6 a = i.X * w.j_left_knee.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_ankle_pitch.a = a;
+  store_acceleration(w, 5, 10, qdd);
 }
 
 // =================================================================================================
@@ -1721,26 +1918,24 @@ void kinematics_left_ankle_roll(Workspace& w) {
   i.v = i.X * w.j_left_ankle_pitch.v + joint_velocity<Revolute>(w.v + 11);
 }
 
-// A: link "left_ankle"; B: link "left_foot"; C feels the joint at "left_ankle"
-void assemble_left_ankle_roll(Workspace& w) {
+void articulate_left_ankle_roll(Workspace& w) {
   auto& i = w.j_left_ankle_roll;
-  load_torque(w, 6, 11, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_ankle;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 11);
-  if (!join(i.joined, Phi_A, kPhi_left_foot, i.X * w.j_left_ankle_pitch.b, w.j_left_ankle_roll.b, c))
+  load_torque(w, 6, 11, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 11);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_ankle_roll.IA, w.j_left_ankle_roll.pA, handed, force))
     fail(w, kFactorization, 6);
-  couple(i.joined, X_Phi_A, i.at_left_ankle);
-  i.Phi_left_ankle = kPhi_left_ankle - product(i.at_left_ankle, i.at_left_ankle);  // Eq. (3)
-  i.b_left_ankle = w.j_left_ankle_pitch.b - bias_change(i.joined, i.at_left_ankle);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_ankle_pitch.IA);
+  w.j_left_ankle_pitch.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_ankle_roll(Workspace& w) {
+void accelerate_left_ankle_roll(Workspace& w) {
   auto& i = w.j_left_ankle_roll;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_left_ankle, w.j_left_ankle_roll.F_on_left_ankle);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 6, 11, release.qdd());  // Eq. (9)
+  Columns6 a = i.X * w.j_left_ankle_pitch.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_ankle_roll.a = a;
+  store_acceleration(w, 6, 11, qdd);
 }
 
 // =================================================================================================
@@ -1760,27 +1955,24 @@ void kinematics_right_hip_pitch(Workspace& w) {
   i.v = i.X * w.j_base.v + joint_velocity<Revolute>(w.v + 12);
 }
 
-// A: link "pelvis"; B: the chain of "right_hip_roll"; C feels the joint at "pelvis"
-void assemble_right_hip_pitch(Workspace& w) {
+void articulate_right_hip_pitch(Workspace& w) {
   auto& i = w.j_right_hip_pitch;
-  load_torque(w, 7, 12, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_pelvis;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 12);
-  if (!join(i.joined, Phi_A, w.j_right_hip_roll.Phi_right_hip, i.X * w.j_base.b, w.j_right_hip_roll.b_right_hip, c))
+  load_torque(w, 7, 12, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 12);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_hip_pitch.IA, w.j_right_hip_pitch.pA, handed, force))
     fail(w, kFactorization, 7);
-  couple(i.joined, X_Phi_A, i.at_pelvis);
-  i.Phi_pelvis = kPhi_pelvis - product(i.at_pelvis, i.at_pelvis);  // Eq. (3)
-  i.b_pelvis = w.j_base.b - bias_change(i.joined, i.at_pelvis);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_base.IA);
+  w.j_base.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_hip_pitch(Workspace& w) {
+void accelerate_right_hip_pitch(Workspace& w) {
   auto& i = w.j_right_hip_pitch;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_pelvis, w.j_right_hip_pitch.F_on_pelvis);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 7, 12, release.qdd());  // Eq. (9)
-  w.j_right_hip_roll.F_on_right_hip = f;
+  Columns6 a = i.X * w.j_base.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_hip_pitch.a = a;
+  store_acceleration(w, 7, 12, qdd);
 }
 
 // =================================================================================================
@@ -1800,27 +1992,24 @@ void kinematics_right_hip_roll(Workspace& w) {
   i.v = i.X * w.j_right_hip_pitch.v + joint_velocity<Revolute>(w.v + 13);
 }
 
-// A: link "right_hip"; B: the chain of "right_hip_yaw"; C feels the joint at "right_hip"
-void assemble_right_hip_roll(Workspace& w) {
+void articulate_right_hip_roll(Workspace& w) {
   auto& i = w.j_right_hip_roll;
-  load_torque(w, 8, 13, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_hip;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 13);
-  if (!join(i.joined, Phi_A, w.j_right_hip_yaw.Phi_right_groin, i.X * w.j_right_hip_pitch.b, w.j_right_hip_yaw.b_right_groin, c))
+  load_torque(w, 8, 13, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 13);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_hip_roll.IA, w.j_right_hip_roll.pA, handed, force))
     fail(w, kFactorization, 8);
-  couple(i.joined, X_Phi_A, i.at_right_hip);
-  i.Phi_right_hip = kPhi_right_hip - product(i.at_right_hip, i.at_right_hip);  // Eq. (3)
-  i.b_right_hip = w.j_right_hip_pitch.b - bias_change(i.joined, i.at_right_hip);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_hip_pitch.IA);
+  w.j_right_hip_pitch.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_hip_roll(Workspace& w) {
+void accelerate_right_hip_roll(Workspace& w) {
   auto& i = w.j_right_hip_roll;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_right_hip, w.j_right_hip_roll.F_on_right_hip);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 8, 13, release.qdd());  // Eq. (9)
-  w.j_right_hip_yaw.F_on_right_groin = f;
+  Columns6 a = i.X * w.j_right_hip_pitch.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_hip_roll.a = a;
+  store_acceleration(w, 8, 13, qdd);
 }
 
 // =================================================================================================
@@ -1840,27 +2029,24 @@ void kinematics_right_hip_yaw(Workspace& w) {
   i.v = i.X * w.j_right_hip_roll.v + joint_velocity<Revolute>(w.v + 14);
 }
 
-// A: link "right_groin"; B: the chain of "right_knee"; C feels the joint at "right_groin"
-void assemble_right_hip_yaw(Workspace& w) {
+void articulate_right_hip_yaw(Workspace& w) {
   auto& i = w.j_right_hip_yaw;
-  load_torque(w, 9, 14, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_groin;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 14);
-  if (!join(i.joined, Phi_A, w.j_right_knee.Phi_right_thigh, i.X * w.j_right_hip_roll.b, w.j_right_knee.b_right_thigh, c))
+  load_torque(w, 9, 14, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 14);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_hip_yaw.IA, w.j_right_hip_yaw.pA, handed, force))
     fail(w, kFactorization, 9);
-  couple(i.joined, X_Phi_A, i.at_right_groin);
-  i.Phi_right_groin = kPhi_right_groin - product(i.at_right_groin, i.at_right_groin);  // Eq. (3)
-  i.b_right_groin = w.j_right_hip_roll.b - bias_change(i.joined, i.at_right_groin);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_hip_roll.IA);
+  w.j_right_hip_roll.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_hip_yaw(Workspace& w) {
+void accelerate_right_hip_yaw(Workspace& w) {
   auto& i = w.j_right_hip_yaw;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_right_groin, w.j_right_hip_yaw.F_on_right_groin);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 9, 14, release.qdd());  // Eq. (9)
-  w.j_right_knee.F_on_right_thigh = f;
+  Columns6 a = i.X * w.j_right_hip_roll.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_hip_yaw.a = a;
+  store_acceleration(w, 9, 14, qdd);
 }
 
 // =================================================================================================
@@ -1880,27 +2066,24 @@ void kinematics_right_knee(Workspace& w) {
   i.v = i.X * w.j_right_hip_yaw.v + joint_velocity<Revolute>(w.v + 15);
 }
 
-// A: link "right_thigh"; B: the chain of "right_ankle_pitch"; C feels the joint at "right_thigh"
-void assemble_right_knee(Workspace& w) {
+void articulate_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
-  load_torque(w, 10, 15, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_thigh;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 15);
-  if (!join(i.joined, Phi_A, w.j_right_ankle_pitch.Phi_right_shank, i.X * w.j_right_hip_yaw.b, w.j_right_ankle_pitch.b_right_shank, c))
+  load_torque(w, 10, 15, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 15);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_knee.IA, w.j_right_knee.pA, handed, force))
     fail(w, kFactorization, 10);
-  couple(i.joined, X_Phi_A, i.at_right_thigh);
-  i.Phi_right_thigh = kPhi_right_thigh - product(i.at_right_thigh, i.at_right_thigh);  // Eq. (3)
-  i.b_right_thigh = w.j_right_hip_yaw.b - bias_change(i.joined, i.at_right_thigh);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_hip_yaw.IA);
+  w.j_right_hip_yaw.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_knee(Workspace& w) {
+void accelerate_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_right_thigh, w.j_right_knee.F_on_right_thigh);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 10, 15, release.qdd());  // Eq. (9)
-  w.j_right_ankle_pitch.F_on_right_shank = f;
+  Columns6 a = i.X * w.j_right_hip_yaw.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_knee.a = a;
+  store_acceleration(w, 10, 15, qdd);
 }
 
 // =================================================================================================
@@ -1920,27 +2103,24 @@ void kinematics_right_ankle_pitch(Workspace& w) {
   i.v = i.X * w.j_right_knee.v + joint_velocity<Revolute>(w.v + 16);
 }
 
-// A: link "right_shank"; B: the chain of "right_ankle_roll"; C feels the joint at "right_shank"
-void assemble_right_ankle_pitch(Workspace& w) {
+void articulate_right_ankle_pitch(Workspace& w) {
   auto& i = w.j_right_ankle_pitch;
-  load_torque(w, 11, 16, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_shank;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 16);
-  if (!join(i.joined, Phi_A, w.j_right_ankle_roll.Phi_right_ankle, i.X * w.j_right_knee.b, w.j_right_ankle_roll.b_right_ankle, c))
+  load_torque(w, 11, 16, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 16);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_ankle_pitch.IA, w.j_right_ankle_pitch.pA, handed, force))
     fail(w, kFactorization, 11);
-  couple(i.joined, X_Phi_A, i.at_right_shank);
-  i.Phi_right_shank = kPhi_right_shank - product(i.at_right_shank, i.at_right_shank);  // Eq. (3)
-  i.b_right_shank = w.j_right_knee.b - bias_change(i.joined, i.at_right_shank);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_knee.IA);
+  w.j_right_knee.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_ankle_pitch(Workspace& w) {
+void accelerate_right_ankle_pitch(Workspace& w) {
   auto& i = w.j_right_ankle_pitch;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_right_shank, w.j_right_ankle_pitch.F_on_right_shank);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 11, 16, release.qdd());  // Eq. (9)
-  w.j_right_ankle_roll.F_on_right_ankle = f;
+  Columns6 a = i.X * w.j_right_knee.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_ankle_pitch.a = a;
+  store_acceleration(w, 11, 16, qdd);
 }
 
 // =================================================================================================
@@ -1960,26 +2140,24 @@ void kinematics_right_ankle_roll(Workspace& w) {
   i.v = i.X * w.j_right_ankle_pitch.v + joint_velocity<Revolute>(w.v + 17);
 }
 
-// A: link "right_ankle"; B: link "right_foot"; C feels the joint at "right_ankle"
-void assemble_right_ankle_roll(Workspace& w) {
+void articulate_right_ankle_roll(Workspace& w) {
   auto& i = w.j_right_ankle_roll;
-  load_torque(w, 12, 17, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_ankle;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 17);
-  if (!join(i.joined, Phi_A, kPhi_right_foot, i.X * w.j_right_ankle_pitch.b, w.j_right_ankle_roll.b, c))
+  load_torque(w, 12, 17, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 17);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_ankle_roll.IA, w.j_right_ankle_roll.pA, handed, force))
     fail(w, kFactorization, 12);
-  couple(i.joined, X_Phi_A, i.at_right_ankle);
-  i.Phi_right_ankle = kPhi_right_ankle - product(i.at_right_ankle, i.at_right_ankle);  // Eq. (3)
-  i.b_right_ankle = w.j_right_ankle_pitch.b - bias_change(i.joined, i.at_right_ankle);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_ankle_pitch.IA);
+  w.j_right_ankle_pitch.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_ankle_roll(Workspace& w) {
+void accelerate_right_ankle_roll(Workspace& w) {
   auto& i = w.j_right_ankle_roll;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_right_ankle, w.j_right_ankle_roll.F_on_right_ankle);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 12, 17, release.qdd());  // Eq. (9)
+  Columns6 a = i.X * w.j_right_ankle_pitch.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_ankle_roll.a = a;
+  store_acceleration(w, 12, 17, qdd);
 }
 
 // =================================================================================================
@@ -1999,27 +2177,27 @@ void kinematics_waist_yaw(Workspace& w) {
   i.v = i.X * w.j_base.v + joint_velocity<Revolute>(w.v + 18);
 }
 
-// A: the chain of "__base__"; B: link "waist_link"; C feels the joint at "waist_link"
-void assemble_waist_yaw(Workspace& w) {
+void articulate_waist_yaw(Workspace& w) {
   auto& i = w.j_waist_yaw;
-  load_torque(w, 13, 18, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_base.Phi_pelvis;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 18);
-  if (!join(i.joined, Phi_A, kPhi_waist_link, i.X * w.j_base.b_pelvis, w.j_waist_yaw.b, c))
+  load_torque(w, 13, 18, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 18);
+  i.body.c = -i.body.c;
+  const Mat6 IA = in_child(i.X, w.j_base.IA);
+  const Columns6 pA = wrench_in_child(i.X, w.j_base.pA);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, -1, IA, pA, handed, force))
     fail(w, kFactorization, 13);
-  couple(i.joined, kPhi_waist_link, i.at_waist_link);
-  i.Phi_waist_link = kPhi_waist_link - product(i.at_waist_link, i.at_waist_link);  // Eq. (4)
-  i.b_waist_link = w.j_waist_yaw.b + bias_change(i.joined, i.at_waist_link);  // Eq. (7)
+  w.j_waist_yaw.IA += handed;
+  w.j_waist_yaw.pA += force;
 }
 
-void disassemble_waist_yaw(Workspace& w) {
+void accelerate_waist_yaw(Workspace& w) {
   auto& i = w.j_waist_yaw;
-  Release<Revolute> release(i.joined);
-  release.feel_B(i.at_waist_link, w.j_waist_yaw.F_on_waist_link);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 13, 18, release.qdd());  // Eq. (9)
-  w.j_base.F_on_pelvis = -i.X.transposed_times(f);
+  Columns6 a = w.j_waist_yaw.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_base.a = motion_in_parent(i.X, a);
+  store_acceleration(w, 13, 18, negated(qdd));
 }
 
 // =================================================================================================
@@ -2039,27 +2217,27 @@ void kinematics_waist_roll(Workspace& w) {
   i.v = i.X * w.j_waist_yaw.v + joint_velocity<Revolute>(w.v + 19);
 }
 
-// A: the chain of "waist_yaw"; B: link "abdomen"; C feels the joint at "abdomen"
-void assemble_waist_roll(Workspace& w) {
+void articulate_waist_roll(Workspace& w) {
   auto& i = w.j_waist_roll;
-  load_torque(w, 14, 19, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_waist_yaw.Phi_waist_link;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 19);
-  if (!join(i.joined, Phi_A, kPhi_abdomen, i.X * w.j_waist_yaw.b_waist_link, w.j_waist_roll.b, c))
+  load_torque(w, 14, 19, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 19);
+  i.body.c = -i.body.c;
+  const Mat6 IA = in_child(i.X, w.j_waist_yaw.IA);
+  const Columns6 pA = wrench_in_child(i.X, w.j_waist_yaw.pA);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, -1, IA, pA, handed, force))
     fail(w, kFactorization, 14);
-  couple(i.joined, kPhi_abdomen, i.at_abdomen);
-  i.Phi_abdomen = kPhi_abdomen - product(i.at_abdomen, i.at_abdomen);  // Eq. (4)
-  i.b_abdomen = w.j_waist_roll.b + bias_change(i.joined, i.at_abdomen);  // Eq. (7)
+  w.j_waist_roll.IA += handed;
+  w.j_waist_roll.pA += force;
 }
 
-void disassemble_waist_roll(Workspace& w) {
+void accelerate_waist_roll(Workspace& w) {
   auto& i = w.j_waist_roll;
-  Release<Revolute> release(i.joined);
-  release.feel_B(i.at_abdomen, w.j_waist_roll.F_on_abdomen);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 14, 19, release.qdd());  // Eq. (9)
-  w.j_waist_yaw.F_on_waist_link = -i.X.transposed_times(f);
+  Columns6 a = w.j_waist_roll.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_waist_yaw.a = motion_in_parent(i.X, a);
+  store_acceleration(w, 14, 19, negated(qdd));
 }
 
 // =================================================================================================
@@ -2116,28 +2294,24 @@ void kinematics_left_shoulder_pitch(Workspace& w) {
   i.v = i.X * w.j_waist_pitch.v + joint_velocity<Revolute>(w.v + 21);
 }
 
-// A: the chain of "neck_yaw"; B: the chain of "left_shoulder_roll"; C feels the joint at "torso"
-void assemble_left_shoulder_pitch(Workspace& w) {
+void articulate_left_shoulder_pitch(Workspace& w) {
   auto& i = w.j_left_shoulder_pitch;
-  load_torque(w, 16, 21, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_neck_yaw.Phi_torso;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 21);
-  if (!join(i.joined, Phi_A, w.j_left_shoulder_roll.Phi_left_shoulder, i.X * w.j_neck_yaw.b_torso, w.j_left_shoulder_roll.b_left_shoulder, c))
+  load_torque(w, 16, 21, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 21);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_shoulder_pitch.IA, w.j_left_shoulder_pitch.pA, handed, force))
     fail(w, kFactorization, 16);
-  couple(i.joined, X_Phi_A, i.at_torso);
-  i.Phi_torso = w.j_neck_yaw.Phi_torso - product(i.at_torso, i.at_torso);  // Eq. (3)
-  i.b_torso = w.j_neck_yaw.b_torso - bias_change(i.joined, i.at_torso);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_waist_pitch.IA);
+  w.j_waist_pitch.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_shoulder_pitch(Workspace& w) {
+void accelerate_left_shoulder_pitch(Workspace& w) {
   auto& i = w.j_left_shoulder_pitch;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_torso, w.j_left_shoulder_pitch.F_on_torso);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 16, 21, release.qdd());  // Eq. (9)
-  w.j_neck_yaw.F_on_torso = w.j_left_shoulder_pitch.F_on_torso - i.X.transposed_times(f);
-  w.j_left_shoulder_roll.F_on_left_shoulder = f;
+  Columns6 a = i.X * w.j_waist_pitch.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_shoulder_pitch.a = a;
+  store_acceleration(w, 16, 21, qdd);
 }
 
 // =================================================================================================
@@ -2157,27 +2331,24 @@ void kinematics_left_shoulder_roll(Workspace& w) {
   i.v = i.X * w.j_left_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 22);
 }
 
-// A: link "left_shoulder"; B: the chain of "left_shoulder_yaw"; C feels the joint at "left_shoulder"
-void assemble_left_shoulder_roll(Workspace& w) {
+void articulate_left_shoulder_roll(Workspace& w) {
   auto& i = w.j_left_shoulder_roll;
-  load_torque(w, 17, 22, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_shoulder;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 22);
-  if (!join(i.joined, Phi_A, w.j_left_shoulder_yaw.Phi_left_shoulder_cap, i.X * w.j_left_shoulder_pitch.b, w.j_left_shoulder_yaw.b_left_shoulder_cap, c))
+  load_torque(w, 17, 22, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 22);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_shoulder_roll.IA, w.j_left_shoulder_roll.pA, handed, force))
     fail(w, kFactorization, 17);
-  couple(i.joined, X_Phi_A, i.at_left_shoulder);
-  i.Phi_left_shoulder = kPhi_left_shoulder - product(i.at_left_shoulder, i.at_left_shoulder);  // Eq. (3)
-  i.b_left_shoulder = w.j_left_shoulder_pitch.b - bias_change(i.joined, i.at_left_shoulder);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_shoulder_pitch.IA);
+  w.j_left_shoulder_pitch.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_shoulder_roll(Workspace& w) {
+void accelerate_left_shoulder_roll(Workspace& w) {
   auto& i = w.j_left_shoulder_roll;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_left_shoulder, w.j_left_shoulder_roll.F_on_left_shoulder);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 17, 22, release.qdd());  // Eq. (9)
-  w.j_left_shoulder_yaw.F_on_left_shoulder_cap = f;
+  Columns6 a = i.X * w.j_left_shoulder_pitch.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_shoulder_roll.a = a;
+  store_acceleration(w, 17, 22, qdd);
 }
 
 // =================================================================================================
@@ -2197,27 +2368,24 @@ void kinematics_left_shoulder_yaw(Workspace& w) {
   i.v = i.X * w.j_left_shoulder_roll.v + joint_velocity<Revolute>(w.v + 23);
 }
 
-// A: link "left_shoulder_cap"; B: the chain of "left_elbow"; C feels the joint at "left_shoulder_cap"
-void assemble_left_shoulder_yaw(Workspace& w) {
+void articulate_left_shoulder_yaw(Workspace& w) {
   auto& i = w.j_left_shoulder_yaw;
-  load_torque(w, 18, 23, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_shoulder_cap;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 23);
-  if (!join(i.joined, Phi_A, w.j_left_elbow.Phi_left_upper_arm, i.X * w.j_left_shoulder_roll.b, w.j_left_elbow.b_left_upper_arm, c))
+  load_torque(w, 18, 23, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 23);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_shoulder_yaw.IA, w.j_left_shoulder_yaw.pA, handed, force))
     fail(w, kFactorization, 18);
-  couple(i.joined, X_Phi_A, i.at_left_shoulder_cap);
-  i.Phi_left_shoulder_cap = kPhi_left_shoulder_cap - product(i.at_left_shoulder_cap, i.at_left_shoulder_cap);  // Eq. (3)
-  i.b_left_shoulder_cap = w.j_left_shoulder_roll.b - bias_change(i.joined, i.at_left_shoulder_cap);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_shoulder_roll.IA);
+  w.j_left_shoulder_roll.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_shoulder_yaw(Workspace& w) {
+void accelerate_left_shoulder_yaw(Workspace& w) {
   auto& i = w.j_left_shoulder_yaw;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_left_shoulder_cap, w.j_left_shoulder_yaw.F_on_left_shoulder_cap);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 18, 23, release.qdd());  // Eq. (9)
-  w.j_left_elbow.F_on_left_upper_arm = f;
+  Columns6 a = i.X * w.j_left_shoulder_roll.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_shoulder_yaw.a = a;
+  store_acceleration(w, 18, 23, qdd);
 }
 
 // =================================================================================================
@@ -2237,27 +2405,24 @@ void kinematics_left_elbow(Workspace& w) {
   i.v = i.X * w.j_left_shoulder_yaw.v + joint_velocity<Revolute>(w.v + 24);
 }
 
-// A: link "left_upper_arm"; B: the chain of "left_wrist_roll"; C feels the joint at "left_upper_arm"
-void assemble_left_elbow(Workspace& w) {
+void articulate_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
-  load_torque(w, 19, 24, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_upper_arm;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 24);
-  if (!join(i.joined, Phi_A, w.j_left_wrist_roll.Phi_left_forearm, i.X * w.j_left_shoulder_yaw.b, w.j_left_wrist_roll.b_left_forearm, c))
+  load_torque(w, 19, 24, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 24);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_elbow.IA, w.j_left_elbow.pA, handed, force))
     fail(w, kFactorization, 19);
-  couple(i.joined, X_Phi_A, i.at_left_upper_arm);
-  i.Phi_left_upper_arm = kPhi_left_upper_arm - product(i.at_left_upper_arm, i.at_left_upper_arm);  // Eq. (3)
-  i.b_left_upper_arm = w.j_left_shoulder_yaw.b - bias_change(i.joined, i.at_left_upper_arm);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_shoulder_yaw.IA);
+  w.j_left_shoulder_yaw.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_elbow(Workspace& w) {
+void accelerate_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_left_upper_arm, w.j_left_elbow.F_on_left_upper_arm);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 19, 24, release.qdd());  // Eq. (9)
-  w.j_left_wrist_roll.F_on_left_forearm = f;
+  Columns6 a = i.X * w.j_left_shoulder_yaw.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_elbow.a = a;
+  store_acceleration(w, 19, 24, qdd);
 }
 
 // =================================================================================================
@@ -2277,27 +2442,24 @@ void kinematics_left_wrist_roll(Workspace& w) {
   i.v = i.X * w.j_left_elbow.v + joint_velocity<Revolute>(w.v + 25);
 }
 
-// A: link "left_forearm"; B: the chain of "left_wrist_pitch"; C feels the joint at "left_forearm"
-void assemble_left_wrist_roll(Workspace& w) {
+void articulate_left_wrist_roll(Workspace& w) {
   auto& i = w.j_left_wrist_roll;
-  load_torque(w, 20, 25, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_forearm;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 25);
-  if (!join(i.joined, Phi_A, w.j_left_wrist_pitch.Phi_left_wrist, i.X * w.j_left_elbow.b, w.j_left_wrist_pitch.b_left_wrist, c))
+  load_torque(w, 20, 25, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 25);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_wrist_roll.IA, w.j_left_wrist_roll.pA, handed, force))
     fail(w, kFactorization, 20);
-  couple(i.joined, X_Phi_A, i.at_left_forearm);
-  i.Phi_left_forearm = kPhi_left_forearm - product(i.at_left_forearm, i.at_left_forearm);  // Eq. (3)
-  i.b_left_forearm = w.j_left_elbow.b - bias_change(i.joined, i.at_left_forearm);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_elbow.IA);
+  w.j_left_elbow.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_wrist_roll(Workspace& w) {
+void accelerate_left_wrist_roll(Workspace& w) {
   auto& i = w.j_left_wrist_roll;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_left_forearm, w.j_left_wrist_roll.F_on_left_forearm);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 20, 25, release.qdd());  // Eq. (9)
-  w.j_left_wrist_pitch.F_on_left_wrist = f;
+  Columns6 a = i.X * w.j_left_elbow.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_wrist_roll.a = a;
+  store_acceleration(w, 20, 25, qdd);
 }
 
 // =================================================================================================
@@ -2317,26 +2479,24 @@ void kinematics_left_wrist_pitch(Workspace& w) {
   i.v = i.X * w.j_left_wrist_roll.v + joint_velocity<Revolute>(w.v + 26);
 }
 
-// A: link "left_wrist"; B: link "left_hand"; C feels the joint at "left_wrist"
-void assemble_left_wrist_pitch(Workspace& w) {
+void articulate_left_wrist_pitch(Workspace& w) {
   auto& i = w.j_left_wrist_pitch;
-  load_torque(w, 21, 26, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_left_wrist;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 26);
-  if (!join(i.joined, Phi_A, kPhi_left_hand, i.X * w.j_left_wrist_roll.b, w.j_left_wrist_pitch.b, c))
+  load_torque(w, 21, 26, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 26);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_left_wrist_pitch.IA, w.j_left_wrist_pitch.pA, handed, force))
     fail(w, kFactorization, 21);
-  couple(i.joined, X_Phi_A, i.at_left_wrist);
-  i.Phi_left_wrist = kPhi_left_wrist - product(i.at_left_wrist, i.at_left_wrist);  // Eq. (3)
-  i.b_left_wrist = w.j_left_wrist_roll.b - bias_change(i.joined, i.at_left_wrist);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_left_wrist_roll.IA);
+  w.j_left_wrist_roll.pA += i.X.transposed_times(force);
 }
 
-void disassemble_left_wrist_pitch(Workspace& w) {
+void accelerate_left_wrist_pitch(Workspace& w) {
   auto& i = w.j_left_wrist_pitch;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_left_wrist, w.j_left_wrist_pitch.F_on_left_wrist);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 21, 26, release.qdd());  // Eq. (9)
+  Columns6 a = i.X * w.j_left_wrist_roll.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_left_wrist_pitch.a = a;
+  store_acceleration(w, 21, 26, qdd);
 }
 
 // =================================================================================================
@@ -2356,28 +2516,24 @@ void kinematics_neck_yaw(Workspace& w) {
   i.v = i.X * w.j_waist_pitch.v + joint_velocity<Revolute>(w.v + 27);
 }
 
-// A: the chain of "right_shoulder_pitch"; B: the chain of "neck_pitch"; C feels the joint at "torso"
-void assemble_neck_yaw(Workspace& w) {
+void articulate_neck_yaw(Workspace& w) {
   auto& i = w.j_neck_yaw;
-  load_torque(w, 22, 27, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_right_shoulder_pitch.Phi_torso;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 27);
-  if (!join(i.joined, Phi_A, w.j_neck_pitch.Phi_neck, i.X * w.j_right_shoulder_pitch.b_torso, w.j_neck_pitch.b_neck, c))
+  load_torque(w, 22, 27, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 27);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_neck_yaw.IA, w.j_neck_yaw.pA, handed, force))
     fail(w, kFactorization, 22);
-  couple(i.joined, X_Phi_A, i.at_torso);
-  i.Phi_torso = w.j_right_shoulder_pitch.Phi_torso - product(i.at_torso, i.at_torso);  // Eq. (3)
-  i.b_torso = w.j_right_shoulder_pitch.b_torso - bias_change(i.joined, i.at_torso);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_waist_pitch.IA);
+  w.j_waist_pitch.pA += i.X.transposed_times(force);
 }
 
-void disassemble_neck_yaw(Workspace& w) {
+void accelerate_neck_yaw(Workspace& w) {
   auto& i = w.j_neck_yaw;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_torso, w.j_neck_yaw.F_on_torso);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 22, 27, release.qdd());  // Eq. (9)
-  w.j_right_shoulder_pitch.F_on_torso = w.j_neck_yaw.F_on_torso - i.X.transposed_times(f);
-  w.j_neck_pitch.F_on_neck = f;
+  Columns6 a = i.X * w.j_waist_pitch.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_neck_yaw.a = a;
+  store_acceleration(w, 22, 27, qdd);
 }
 
 // =================================================================================================
@@ -2397,26 +2553,24 @@ void kinematics_neck_pitch(Workspace& w) {
   i.v = i.X * w.j_neck_yaw.v + joint_velocity<Revolute>(w.v + 28);
 }
 
-// A: link "neck"; B: link "head"; C feels the joint at "neck"
-void assemble_neck_pitch(Workspace& w) {
+void articulate_neck_pitch(Workspace& w) {
   auto& i = w.j_neck_pitch;
-  load_torque(w, 23, 28, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_neck;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 28);
-  if (!join(i.joined, Phi_A, kPhi_head, i.X * w.j_neck_yaw.b, w.j_neck_pitch.b, c))
+  load_torque(w, 23, 28, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 28);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_neck_pitch.IA, w.j_neck_pitch.pA, handed, force))
     fail(w, kFactorization, 23);
-  couple(i.joined, X_Phi_A, i.at_neck);
-  i.Phi_neck = kPhi_neck - product(i.at_neck, i.at_neck);  // Eq. (3)
-  i.b_neck = w.j_neck_yaw.b - bias_change(i.joined, i.at_neck);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_neck_yaw.IA);
+  w.j_neck_yaw.pA += i.X.transposed_times(force);
 }
 
-void disassemble_neck_pitch(Workspace& w) {
+void accelerate_neck_pitch(Workspace& w) {
   auto& i = w.j_neck_pitch;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_neck, w.j_neck_pitch.F_on_neck);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 23, 28, release.qdd());  // Eq. (9)
+  Columns6 a = i.X * w.j_neck_yaw.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_neck_pitch.a = a;
+  store_acceleration(w, 23, 28, qdd);
 }
 
 // =================================================================================================
@@ -2436,27 +2590,24 @@ void kinematics_right_shoulder_pitch(Workspace& w) {
   i.v = i.X * w.j_waist_pitch.v + joint_velocity<Revolute>(w.v + 29);
 }
 
-// A: link "torso"; B: the chain of "right_shoulder_roll"; C feels the joint at "torso"
-void assemble_right_shoulder_pitch(Workspace& w) {
+void articulate_right_shoulder_pitch(Workspace& w) {
   auto& i = w.j_right_shoulder_pitch;
-  load_torque(w, 24, 29, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_torso;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 29);
-  if (!join(i.joined, Phi_A, w.j_right_shoulder_roll.Phi_right_shoulder, i.X * w.j_waist_pitch.b, w.j_right_shoulder_roll.b_right_shoulder, c))
+  load_torque(w, 24, 29, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 29);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_shoulder_pitch.IA, w.j_right_shoulder_pitch.pA, handed, force))
     fail(w, kFactorization, 24);
-  couple(i.joined, X_Phi_A, i.at_torso);
-  i.Phi_torso = kPhi_torso - product(i.at_torso, i.at_torso);  // Eq. (3)
-  i.b_torso = w.j_waist_pitch.b - bias_change(i.joined, i.at_torso);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_waist_pitch.IA);
+  w.j_waist_pitch.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_shoulder_pitch(Workspace& w) {
+void accelerate_right_shoulder_pitch(Workspace& w) {
   auto& i = w.j_right_shoulder_pitch;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_torso, w.j_right_shoulder_pitch.F_on_torso);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 24, 29, release.qdd());  // Eq. (9)
-  w.j_right_shoulder_roll.F_on_right_shoulder = f;
+  Columns6 a = i.X * w.j_waist_pitch.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_shoulder_pitch.a = a;
+  store_acceleration(w, 24, 29, qdd);
 }
 
 // =================================================================================================
@@ -2476,27 +2627,24 @@ void kinematics_right_shoulder_roll(Workspace& w) {
   i.v = i.X * w.j_right_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 30);
 }
 
-// A: link "right_shoulder"; B: the chain of "right_shoulder_yaw"; C feels the joint at "right_shoulder"
-void assemble_right_shoulder_roll(Workspace& w) {
+void articulate_right_shoulder_roll(Workspace& w) {
   auto& i = w.j_right_shoulder_roll;
-  load_torque(w, 25, 30, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_shoulder;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 30);
-  if (!join(i.joined, Phi_A, w.j_right_shoulder_yaw.Phi_right_shoulder_cap, i.X * w.j_right_shoulder_pitch.b, w.j_right_shoulder_yaw.b_right_shoulder_cap, c))
+  load_torque(w, 25, 30, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 30);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_shoulder_roll.IA, w.j_right_shoulder_roll.pA, handed, force))
     fail(w, kFactorization, 25);
-  couple(i.joined, X_Phi_A, i.at_right_shoulder);
-  i.Phi_right_shoulder = kPhi_right_shoulder - product(i.at_right_shoulder, i.at_right_shoulder);  // Eq. (3)
-  i.b_right_shoulder = w.j_right_shoulder_pitch.b - bias_change(i.joined, i.at_right_shoulder);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_shoulder_pitch.IA);
+  w.j_right_shoulder_pitch.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_shoulder_roll(Workspace& w) {
+void accelerate_right_shoulder_roll(Workspace& w) {
   auto& i = w.j_right_shoulder_roll;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_right_shoulder, w.j_right_shoulder_roll.F_on_right_shoulder);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 25, 30, release.qdd());  // Eq. (9)
-  w.j_right_shoulder_yaw.F_on_right_shoulder_cap = f;
+  Columns6 a = i.X * w.j_right_shoulder_pitch.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_shoulder_roll.a = a;
+  store_acceleration(w, 25, 30, qdd);
 }
 
 // =================================================================================================
@@ -2516,27 +2664,24 @@ void kinematics_right_shoulder_yaw(Workspace& w) {
   i.v = i.X * w.j_right_shoulder_roll.v + joint_velocity<Revolute>(w.v + 31);
 }
 
-// A: link "right_shoulder_cap"; B: the chain of "right_elbow"; C feels the joint at "right_shoulder_cap"
-void assemble_right_shoulder_yaw(Workspace& w) {
+void articulate_right_shoulder_yaw(Workspace& w) {
   auto& i = w.j_right_shoulder_yaw;
-  load_torque(w, 26, 31, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_shoulder_cap;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 31);
-  if (!join(i.joined, Phi_A, w.j_right_elbow.Phi_right_upper_arm, i.X * w.j_right_shoulder_roll.b, w.j_right_elbow.b_right_upper_arm, c))
+  load_torque(w, 26, 31, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 31);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_shoulder_yaw.IA, w.j_right_shoulder_yaw.pA, handed, force))
     fail(w, kFactorization, 26);
-  couple(i.joined, X_Phi_A, i.at_right_shoulder_cap);
-  i.Phi_right_shoulder_cap = kPhi_right_shoulder_cap - product(i.at_right_shoulder_cap, i.at_right_shoulder_cap);  // Eq. (3)
-  i.b_right_shoulder_cap = w.j_right_shoulder_roll.b - bias_change(i.joined, i.at_right_shoulder_cap);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_shoulder_roll.IA);
+  w.j_right_shoulder_roll.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_shoulder_yaw(Workspace& w) {
+void accelerate_right_shoulder_yaw(Workspace& w) {
   auto& i = w.j_right_shoulder_yaw;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_right_shoulder_cap, w.j_right_shoulder_yaw.F_on_right_shoulder_cap);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 26, 31, release.qdd());  // Eq. (9)
-  w.j_right_elbow.F_on_right_upper_arm = f;
+  Columns6 a = i.X * w.j_right_shoulder_roll.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_shoulder_yaw.a = a;
+  store_acceleration(w, 26, 31, qdd);
 }
 
 // =================================================================================================
@@ -2556,27 +2701,24 @@ void kinematics_right_elbow(Workspace& w) {
   i.v = i.X * w.j_right_shoulder_yaw.v + joint_velocity<Revolute>(w.v + 32);
 }
 
-// A: link "right_upper_arm"; B: the chain of "right_wrist_roll"; C feels the joint at "right_upper_arm"
-void assemble_right_elbow(Workspace& w) {
+void articulate_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
-  load_torque(w, 27, 32, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_upper_arm;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 32);
-  if (!join(i.joined, Phi_A, w.j_right_wrist_roll.Phi_right_forearm, i.X * w.j_right_shoulder_yaw.b, w.j_right_wrist_roll.b_right_forearm, c))
+  load_torque(w, 27, 32, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 32);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_elbow.IA, w.j_right_elbow.pA, handed, force))
     fail(w, kFactorization, 27);
-  couple(i.joined, X_Phi_A, i.at_right_upper_arm);
-  i.Phi_right_upper_arm = kPhi_right_upper_arm - product(i.at_right_upper_arm, i.at_right_upper_arm);  // Eq. (3)
-  i.b_right_upper_arm = w.j_right_shoulder_yaw.b - bias_change(i.joined, i.at_right_upper_arm);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_shoulder_yaw.IA);
+  w.j_right_shoulder_yaw.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_elbow(Workspace& w) {
+void accelerate_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_right_upper_arm, w.j_right_elbow.F_on_right_upper_arm);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 27, 32, release.qdd());  // Eq. (9)
-  w.j_right_wrist_roll.F_on_right_forearm = f;
+  Columns6 a = i.X * w.j_right_shoulder_yaw.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_elbow.a = a;
+  store_acceleration(w, 27, 32, qdd);
 }
 
 // =================================================================================================
@@ -2596,27 +2738,24 @@ void kinematics_right_wrist_roll(Workspace& w) {
   i.v = i.X * w.j_right_elbow.v + joint_velocity<Revolute>(w.v + 33);
 }
 
-// A: link "right_forearm"; B: the chain of "right_wrist_pitch"; C feels the joint at "right_forearm"
-void assemble_right_wrist_roll(Workspace& w) {
+void articulate_right_wrist_roll(Workspace& w) {
   auto& i = w.j_right_wrist_roll;
-  load_torque(w, 28, 33, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_forearm;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 33);
-  if (!join(i.joined, Phi_A, w.j_right_wrist_pitch.Phi_right_wrist, i.X * w.j_right_elbow.b, w.j_right_wrist_pitch.b_right_wrist, c))
+  load_torque(w, 28, 33, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 33);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_wrist_roll.IA, w.j_right_wrist_roll.pA, handed, force))
     fail(w, kFactorization, 28);
-  couple(i.joined, X_Phi_A, i.at_right_forearm);
-  i.Phi_right_forearm = kPhi_right_forearm - product(i.at_right_forearm, i.at_right_forearm);  // Eq. (3)
-  i.b_right_forearm = w.j_right_elbow.b - bias_change(i.joined, i.at_right_forearm);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_elbow.IA);
+  w.j_right_elbow.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_wrist_roll(Workspace& w) {
+void accelerate_right_wrist_roll(Workspace& w) {
   auto& i = w.j_right_wrist_roll;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_right_forearm, w.j_right_wrist_roll.F_on_right_forearm);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 28, 33, release.qdd());  // Eq. (9)
-  w.j_right_wrist_pitch.F_on_right_wrist = f;
+  Columns6 a = i.X * w.j_right_elbow.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_wrist_roll.a = a;
+  store_acceleration(w, 28, 33, qdd);
 }
 
 // =================================================================================================
@@ -2636,26 +2775,24 @@ void kinematics_right_wrist_pitch(Workspace& w) {
   i.v = i.X * w.j_right_wrist_roll.v + joint_velocity<Revolute>(w.v + 34);
 }
 
-// A: link "right_wrist"; B: link "right_hand"; C feels the joint at "right_wrist"
-void assemble_right_wrist_pitch(Workspace& w) {
+void articulate_right_wrist_pitch(Workspace& w) {
   auto& i = w.j_right_wrist_pitch;
-  load_torque(w, 29, 34, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_right_wrist;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 34);
-  if (!join(i.joined, Phi_A, kPhi_right_hand, i.X * w.j_right_wrist_roll.b, w.j_right_wrist_pitch.b, c))
+  load_torque(w, 29, 34, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 34);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_right_wrist_pitch.IA, w.j_right_wrist_pitch.pA, handed, force))
     fail(w, kFactorization, 29);
-  couple(i.joined, X_Phi_A, i.at_right_wrist);
-  i.Phi_right_wrist = kPhi_right_wrist - product(i.at_right_wrist, i.at_right_wrist);  // Eq. (3)
-  i.b_right_wrist = w.j_right_wrist_roll.b - bias_change(i.joined, i.at_right_wrist);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_right_wrist_roll.IA);
+  w.j_right_wrist_roll.pA += i.X.transposed_times(force);
 }
 
-void disassemble_right_wrist_pitch(Workspace& w) {
+void accelerate_right_wrist_pitch(Workspace& w) {
   auto& i = w.j_right_wrist_pitch;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_right_wrist, w.j_right_wrist_pitch.F_on_right_wrist);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 29, 34, release.qdd());  // Eq. (9)
+  Columns6 a = i.X * w.j_right_wrist_roll.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_right_wrist_pitch.a = a;
+  store_acceleration(w, 29, 34, qdd);
 }
 
 
@@ -2681,36 +2818,38 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_waist_roll(w);
   kinematics_waist_pitch(w);
   stamp(1);
-  link_bias(kLinks[12], w.j_right_ankle_pitch.v, w.j_right_ankle_pitch.b);
-  link_bias(kLinks[13], w.j_right_ankle_roll.v, w.j_right_ankle_roll.b);
-  assemble_right_ankle_roll(w);
-  link_bias(kLinks[11], w.j_right_knee.v, w.j_right_knee.b);
-  assemble_right_ankle_pitch(w);
-  link_bias(kLinks[10], w.j_right_hip_yaw.v, w.j_right_hip_yaw.b);
-  assemble_right_knee(w);
-  link_bias(kLinks[9], w.j_right_hip_roll.v, w.j_right_hip_roll.b);
-  assemble_right_hip_yaw(w);
-  link_bias(kLinks[8], w.j_right_hip_pitch.v, w.j_right_hip_pitch.b);
-  assemble_right_hip_roll(w);
-  link_bias(kLinks[1], w.j_base.v, w.j_base.b);
-  assemble_right_hip_pitch(w);
-  link_bias(kLinks[6], w.j_left_ankle_pitch.v, w.j_left_ankle_pitch.b);
-  link_bias(kLinks[7], w.j_left_ankle_roll.v, w.j_left_ankle_roll.b);
-  assemble_left_ankle_roll(w);
-  link_bias(kLinks[5], w.j_left_knee.v, w.j_left_knee.b);
-  assemble_left_ankle_pitch(w);
-  link_bias(kLinks[4], w.j_left_hip_yaw.v, w.j_left_hip_yaw.b);
-  assemble_left_knee(w);
-  link_bias(kLinks[3], w.j_left_hip_roll.v, w.j_left_hip_roll.b);
-  assemble_left_hip_yaw(w);
-  link_bias(kLinks[2], w.j_left_hip_pitch.v, w.j_left_hip_pitch.b);
-  assemble_left_hip_roll(w);
-  assemble_left_hip_pitch(w);
-  assemble_base(w);
-  link_bias(kLinks[14], w.j_waist_yaw.v, w.j_waist_yaw.b);
-  assemble_waist_yaw(w);
-  link_bias(kLinks[15], w.j_waist_roll.v, w.j_waist_roll.b);
-  assemble_waist_roll(w);
+  start_link(kInertia_abdomen, w.j_waist_roll.v, w.j_waist_roll.IA, w.j_waist_roll.pA);
+  start_link(kInertia_waist_link, w.j_waist_yaw.v, w.j_waist_yaw.IA, w.j_waist_yaw.pA);
+  start_link(kInertia_pelvis, w.j_base.v, w.j_base.IA, w.j_base.pA);
+  start_link(kInertia_left_hip, w.j_left_hip_pitch.v, w.j_left_hip_pitch.IA, w.j_left_hip_pitch.pA);
+  start_link(kInertia_right_hip, w.j_right_hip_pitch.v, w.j_right_hip_pitch.IA, w.j_right_hip_pitch.pA);
+  start_link(kInertia_left_groin, w.j_left_hip_roll.v, w.j_left_hip_roll.IA, w.j_left_hip_roll.pA);
+  start_link(kInertia_left_thigh, w.j_left_hip_yaw.v, w.j_left_hip_yaw.IA, w.j_left_hip_yaw.pA);
+  start_link(kInertia_left_shank, w.j_left_knee.v, w.j_left_knee.IA, w.j_left_knee.pA);
+  start_link(kInertia_left_ankle, w.j_left_ankle_pitch.v, w.j_left_ankle_pitch.IA, w.j_left_ankle_pitch.pA);
+  start_link(kInertia_left_foot, w.j_left_ankle_roll.v, w.j_left_ankle_roll.IA, w.j_left_ankle_roll.pA);
+  start_link(kInertia_right_groin, w.j_right_hip_roll.v, w.j_right_hip_roll.IA, w.j_right_hip_roll.pA);
+  start_link(kInertia_right_thigh, w.j_right_hip_yaw.v, w.j_right_hip_yaw.IA, w.j_right_hip_yaw.pA);
+  start_link(kInertia_right_shank, w.j_right_knee.v, w.j_right_knee.IA, w.j_right_knee.pA);
+  start_link(kInertia_right_ankle, w.j_right_ankle_pitch.v, w.j_right_ankle_pitch.IA, w.j_right_ankle_pitch.pA);
+  start_link(kInertia_right_foot, w.j_right_ankle_roll.v, w.j_right_ankle_roll.IA, w.j_right_ankle_roll.pA);
+  free_base_base(w);
+  articulate_right_ankle_roll(w);
+  articulate_right_ankle_pitch(w);
+  articulate_right_knee(w);
+  articulate_right_hip_yaw(w);
+  articulate_right_hip_roll(w);
+  articulate_left_ankle_roll(w);
+  articulate_left_ankle_pitch(w);
+  articulate_left_knee(w);
+  articulate_left_hip_yaw(w);
+  articulate_left_hip_roll(w);
+  articulate_right_hip_pitch(w);
+  articulate_left_hip_pitch(w);
+  articulate_waist_yaw(w);
+  articulate_waist_roll(w);
+  if (!invert(w.j_waist_roll.IA, w.j_waist_roll.pA, w.j_waist_roll.Phi_abdomen, w.j_waist_roll.b_abdomen))
+    fail(w, kFactorization, 14);
   stamp(2);
   {  // from process 1: assembled: chain of "left_shoulder_pitch"
     const Real* from = channel.receive(0, w.status);
@@ -2728,21 +2867,23 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(1, w.status);
   }
   stamp(6);
-  disassemble_waist_roll(w);
-  disassemble_waist_yaw(w);
-  disassemble_base(w);
-  disassemble_left_hip_pitch(w);
-  disassemble_right_hip_pitch(w);
-  disassemble_right_hip_roll(w);
-  disassemble_right_hip_yaw(w);
-  disassemble_right_knee(w);
-  disassemble_right_ankle_pitch(w);
-  disassemble_right_ankle_roll(w);
-  disassemble_left_hip_roll(w);
-  disassemble_left_hip_yaw(w);
-  disassemble_left_knee(w);
-  disassemble_left_ankle_pitch(w);
-  disassemble_left_ankle_roll(w);
+  w.j_waist_roll.load = w.j_waist_roll.F_on_abdomen;
+  w.j_waist_roll.a = w.j_waist_roll.b_abdomen + w.j_waist_roll.Phi_abdomen * w.j_waist_roll.load;
+  accelerate_waist_roll(w);
+  accelerate_waist_yaw(w);
+  accelerate_left_hip_pitch(w);
+  accelerate_right_hip_pitch(w);
+  accelerate_left_hip_roll(w);
+  accelerate_left_hip_yaw(w);
+  accelerate_left_knee(w);
+  accelerate_left_ankle_pitch(w);
+  accelerate_left_ankle_roll(w);
+  accelerate_right_hip_roll(w);
+  accelerate_right_hip_yaw(w);
+  accelerate_right_knee(w);
+  accelerate_right_ankle_pitch(w);
+  accelerate_right_ankle_roll(w);
+  free_acceleration_base(w);
   stamp(7);
 }
 
@@ -2768,35 +2909,37 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_right_wrist_roll(w);
   kinematics_right_wrist_pitch(w);
   stamp(1);
-  link_bias(kLinks[29], w.j_right_wrist_roll.v, w.j_right_wrist_roll.b);
-  link_bias(kLinks[30], w.j_right_wrist_pitch.v, w.j_right_wrist_pitch.b);
-  assemble_right_wrist_pitch(w);
-  link_bias(kLinks[28], w.j_right_elbow.v, w.j_right_elbow.b);
-  assemble_right_wrist_roll(w);
-  link_bias(kLinks[27], w.j_right_shoulder_yaw.v, w.j_right_shoulder_yaw.b);
-  assemble_right_elbow(w);
-  link_bias(kLinks[26], w.j_right_shoulder_roll.v, w.j_right_shoulder_roll.b);
-  assemble_right_shoulder_yaw(w);
-  link_bias(kLinks[25], w.j_right_shoulder_pitch.v, w.j_right_shoulder_pitch.b);
-  assemble_right_shoulder_roll(w);
-  link_bias(kLinks[16], w.j_waist_pitch.v, w.j_waist_pitch.b);
-  assemble_right_shoulder_pitch(w);
-  link_bias(kLinks[23], w.j_neck_yaw.v, w.j_neck_yaw.b);
-  link_bias(kLinks[24], w.j_neck_pitch.v, w.j_neck_pitch.b);
-  assemble_neck_pitch(w);
-  assemble_neck_yaw(w);
-  link_bias(kLinks[21], w.j_left_wrist_roll.v, w.j_left_wrist_roll.b);
-  link_bias(kLinks[22], w.j_left_wrist_pitch.v, w.j_left_wrist_pitch.b);
-  assemble_left_wrist_pitch(w);
-  link_bias(kLinks[20], w.j_left_elbow.v, w.j_left_elbow.b);
-  assemble_left_wrist_roll(w);
-  link_bias(kLinks[19], w.j_left_shoulder_yaw.v, w.j_left_shoulder_yaw.b);
-  assemble_left_elbow(w);
-  link_bias(kLinks[18], w.j_left_shoulder_roll.v, w.j_left_shoulder_roll.b);
-  assemble_left_shoulder_yaw(w);
-  link_bias(kLinks[17], w.j_left_shoulder_pitch.v, w.j_left_shoulder_pitch.b);
-  assemble_left_shoulder_roll(w);
-  assemble_left_shoulder_pitch(w);
+  start_link(kInertia_torso, w.j_waist_pitch.v, w.j_waist_pitch.IA, w.j_waist_pitch.pA);
+  start_link(kInertia_left_shoulder, w.j_left_shoulder_pitch.v, w.j_left_shoulder_pitch.IA, w.j_left_shoulder_pitch.pA);
+  start_link(kInertia_neck, w.j_neck_yaw.v, w.j_neck_yaw.IA, w.j_neck_yaw.pA);
+  start_link(kInertia_right_shoulder, w.j_right_shoulder_pitch.v, w.j_right_shoulder_pitch.IA, w.j_right_shoulder_pitch.pA);
+  start_link(kInertia_left_shoulder_cap, w.j_left_shoulder_roll.v, w.j_left_shoulder_roll.IA, w.j_left_shoulder_roll.pA);
+  start_link(kInertia_left_upper_arm, w.j_left_shoulder_yaw.v, w.j_left_shoulder_yaw.IA, w.j_left_shoulder_yaw.pA);
+  start_link(kInertia_left_forearm, w.j_left_elbow.v, w.j_left_elbow.IA, w.j_left_elbow.pA);
+  start_link(kInertia_left_wrist, w.j_left_wrist_roll.v, w.j_left_wrist_roll.IA, w.j_left_wrist_roll.pA);
+  start_link(kInertia_left_hand, w.j_left_wrist_pitch.v, w.j_left_wrist_pitch.IA, w.j_left_wrist_pitch.pA);
+  start_link(kInertia_head, w.j_neck_pitch.v, w.j_neck_pitch.IA, w.j_neck_pitch.pA);
+  start_link(kInertia_right_shoulder_cap, w.j_right_shoulder_roll.v, w.j_right_shoulder_roll.IA, w.j_right_shoulder_roll.pA);
+  start_link(kInertia_right_upper_arm, w.j_right_shoulder_yaw.v, w.j_right_shoulder_yaw.IA, w.j_right_shoulder_yaw.pA);
+  start_link(kInertia_right_forearm, w.j_right_elbow.v, w.j_right_elbow.IA, w.j_right_elbow.pA);
+  start_link(kInertia_right_wrist, w.j_right_wrist_roll.v, w.j_right_wrist_roll.IA, w.j_right_wrist_roll.pA);
+  start_link(kInertia_right_hand, w.j_right_wrist_pitch.v, w.j_right_wrist_pitch.IA, w.j_right_wrist_pitch.pA);
+  articulate_right_wrist_pitch(w);
+  articulate_right_wrist_roll(w);
+  articulate_right_elbow(w);
+  articulate_right_shoulder_yaw(w);
+  articulate_right_shoulder_roll(w);
+  articulate_neck_pitch(w);
+  articulate_left_wrist_pitch(w);
+  articulate_left_wrist_roll(w);
+  articulate_left_elbow(w);
+  articulate_left_shoulder_yaw(w);
+  articulate_left_shoulder_roll(w);
+  articulate_right_shoulder_pitch(w);
+  articulate_neck_yaw(w);
+  articulate_left_shoulder_pitch(w);
+  if (!invert(w.j_waist_pitch.IA, w.j_waist_pitch.pA, w.j_left_shoulder_pitch.Phi_torso, w.j_left_shoulder_pitch.b_torso))
+    fail(w, kFactorization, 15);
   stamp(2);
   {  // to process 0: assembled: chain of "left_shoulder_pitch"
     Real* to = channel.outgoing(0, w.status);
@@ -2810,20 +2953,22 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_left_shoulder_pitch.F_on_torso);
   }
   stamp(4);
-  disassemble_left_shoulder_pitch(w);
-  disassemble_neck_yaw(w);
-  disassemble_right_shoulder_pitch(w);
-  disassemble_right_shoulder_roll(w);
-  disassemble_right_shoulder_yaw(w);
-  disassemble_right_elbow(w);
-  disassemble_right_wrist_roll(w);
-  disassemble_right_wrist_pitch(w);
-  disassemble_neck_pitch(w);
-  disassemble_left_shoulder_roll(w);
-  disassemble_left_shoulder_yaw(w);
-  disassemble_left_elbow(w);
-  disassemble_left_wrist_roll(w);
-  disassemble_left_wrist_pitch(w);
+  w.j_waist_pitch.load = w.j_left_shoulder_pitch.F_on_torso;
+  w.j_waist_pitch.a = w.j_left_shoulder_pitch.b_torso + w.j_left_shoulder_pitch.Phi_torso * w.j_waist_pitch.load;
+  accelerate_left_shoulder_pitch(w);
+  accelerate_neck_yaw(w);
+  accelerate_right_shoulder_pitch(w);
+  accelerate_left_shoulder_roll(w);
+  accelerate_left_shoulder_yaw(w);
+  accelerate_left_elbow(w);
+  accelerate_left_wrist_roll(w);
+  accelerate_left_wrist_pitch(w);
+  accelerate_neck_pitch(w);
+  accelerate_right_shoulder_roll(w);
+  accelerate_right_shoulder_yaw(w);
+  accelerate_right_elbow(w);
+  accelerate_right_wrist_roll(w);
+  accelerate_right_wrist_pitch(w);
   stamp(5);
 }
 

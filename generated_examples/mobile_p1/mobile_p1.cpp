@@ -1,7 +1,7 @@
 // Forward dynamics of "mobile" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
-// options   form ada, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // schedule  drive@0(|laser_spin(lift(|shoulder(|wrist(|loose)))|))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
@@ -152,22 +152,22 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
      {}},
     {"cart", 35.5, {-0.02799449804688646, 0.0, 0.21497801221230384},
      {2.082900209661478, 0.0, 0.33755007267889864, 0.0, 2.5480080181799307, 0.0, 0.33755007267889864, 0.0, 1.442107808518453},
-     {0.49902918256322004, 0.0, -0.11680634127913112, 0.0, 0.3924634431544335, 0.0, -0.11680634127913112, 0.0, 0.7207699610585852}},
+     {}},
     {"laser", 0.35, {0.0, 0.0, -0.04},
      {0.000245, 0.0, 0.0, 0.0, 0.000245, 0.0, 0.0, 0.0, 0.00028},
-     {4081.6326530612246, 0.0, 0.0, 0.0, 4081.6326530612246, 0.0, 0.0, 0.0, 3571.4285714285716}},
+     {}},
     {"carriage", 4.2, {0.08, 0.0, 0.0},
      {0.02086, 0.0, 0.0, 0.0, 0.01372, 0.0, 0.0, 0.0, 0.02086},
-     {47.93863854266539, 0.0, 0.0, 0.0, 72.8862973760933, 0.0, 0.0, 0.0, 47.93863854266539}},
+     {}},
     {"boom", 2.4, {0.17560487334233152, 0.02197563328834232, 0.03286335345030997},
      {0.0031240337753782573, -0.002972881060907817, -0.0044457804600413296, -0.002972881060907817, 0.026507966224621746, -0.0005563560920082658, -0.0044457804600413296, -0.0005563560920082658, 0.026048},
-     {497.5036858379399, 57.60325716354742, 86.14250953391092, 57.60325716354742, 44.41099670174264, 10.780089208369485, 86.14250953391092, 10.780089208369485, 53.323412698412696}},
+     {}},
     {"bowl", 0.9, {0.0, 0.0, 0.1},
      {0.0021075, 0.0, 0.0, 0.0, 0.00384, 0.0, 0.0, 0.0, 0.0021075},
-     {474.4958481613286, 0.0, 0.0, 0.0, 260.4166666666667, 0.0, 0.0, 0.0, 474.4958481613286}},
+     {}},
     {"load", 0.6, {0.01, -0.02, 0.015},
      {0.0006, 0.0, 0.0, 0.0, 0.0006, 0.0, 0.0, 0.0, 0.0006},
-     {1666.6666666666667, 0.0, 0.0, 0.0, 1666.6666666666667, 0.0, 0.0, 0.0, 1666.6666666666667}},
+     {}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
@@ -578,6 +578,270 @@ class Release {
   std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
 };
 
+// Articulated bodies: what one process does alone between its cuts. A joint is treated in its own
+// frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
+// sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
+
+[[maybe_unused]] Mat3 cross_from_left(const Vec3& r, const Mat3& m) {
+  Mat3 result;
+  for (int k = 0; k < 3; ++k) result.col(k) = r.cross(m.col(k));
+  return result;
+}
+
+// m rx
+[[maybe_unused]] Mat3 cross_from_right(const Mat3& m, const Vec3& r) {
+  Mat3 result;
+  for (int k = 0; k < 3; ++k) result.row(k) = m.row(k).transpose().cross(r).transpose();
+  return result;
+}
+
+// target += X^T m X: an inertia in the child's frame, felt in the parent's.
+ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Mat6& m, Mat6& target) {
+  const Mat3 A = X.E.transpose() * m.topLeftCorner<3, 3>() * X.E;
+  const Mat3 B = X.E.transpose() * m.topRightCorner<3, 3>() * X.E;
+  const Mat3 C = X.E.transpose() * m.bottomRightCorner<3, 3>() * X.E;
+  const Mat3 shifted = B + cross_from_left(X.r, C);
+  target.topLeftCorner<3, 3>() +=
+      A + cross_from_left(X.r, shifted.transpose()) - cross_from_right(B, X.r);
+  target.topRightCorner<3, 3>() += shifted;
+  target.bottomLeftCorner<3, 3>() += shifted.transpose();
+  target.bottomRightCorner<3, 3>() += C;
+}
+
+// X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
+ADAGEN_NOINLINE Mat6 in_child(const Transform& X, const Mat6& m) {
+  const Mat3 B = m.topRightCorner<3, 3>(), C = m.bottomRightCorner<3, 3>();
+  const Mat3 shifted = B - cross_from_left(X.r, C);
+  const Mat3 A = m.topLeftCorner<3, 3>() - cross_from_left(X.r, shifted.transpose()) +
+                 cross_from_right(B, X.r);
+  Mat6 result;
+  result.topLeftCorner<3, 3>() = X.E * A * X.E.transpose();
+  result.topRightCorner<3, 3>() = X.E * shifted * X.E.transpose();
+  result.bottomLeftCorner<3, 3>() = result.topRightCorner<3, 3>().transpose();
+  result.bottomRightCorner<3, 3>() = X.E * C * X.E.transpose();
+  return result;
+}
+
+// X^-T f: a wrench on the parent, felt in the child's frame.
+[[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
+  Columns6 result;
+  for (int k = 0; k < kColumns; ++k) {
+    const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
+    result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
+    result.col(k).template tail<3>() = X.E * force;
+  }
+  return result;
+}
+
+// X^-1 m: motions in the child's frame, told in the parent's.
+template <int columns>
+Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
+                                                 const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
+  for (int k = 0; k < columns; ++k) {
+    const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
+    result.col(k).template head<3>() = angular;
+    result.col(k).template tail<3>() =
+        X.E.transpose() * m.col(k).template tail<3>() + X.r.cross(angular);
+  }
+  return result;
+}
+
+// X^-1 m X^-T: a mobility in the child's frame, told in the parent's.
+ADAGEN_NOINLINE Mat6 congruent_in_parent(const Transform& X, const Mat6& m) {
+  const Mat6 half = motion_in_parent(X, m).transpose();
+  return motion_in_parent(X, half);
+}
+
+template <std::size_t n>
+std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kColumns>, n> x) {
+  for (auto& row : x)
+    for (Real& value : row) value = -value;
+  return x;
+}
+
+// Spatial inertia of a link at its origin.
+Mat6 spatial_inertia(const LinkConstants& link) {
+  const Vec3 c(link.com[0], link.com[1], link.com[2]);
+  const Mat3 cx = cross_from_left(c, Mat3::Identity());
+  Mat6 result;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) result(i, k) = link.tensor[3 * i + k];
+  result.topLeftCorner<3, 3>() -= link.mass * cx * cx;
+  result.topRightCorner<3, 3>() = link.mass * cx;
+  result.bottomLeftCorner<3, 3>() = -link.mass * cx;
+  result.bottomRightCorner<3, 3>() = link.mass * Mat3::Identity();
+  return result;
+}
+
+// I^A and p^A of a link start as its own inertia and v x* I v.
+ADAGEN_NOINLINE void start_link(const Mat6& inertia, const Vec6& velocity, Mat6& IA, Columns6& pA) {
+  IA = inertia;
+  const Vec6 momentum = inertia * velocity;
+  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 angular = momentum.head<3>(), linear = momentum.tail<3>();
+  pA.setZero();
+  pA.col(0).template head<3>() = omega.cross(angular) + v.cross(linear);
+  pA.col(0).template tail<3>() = omega.cross(linear);
+}
+
+template <class Kind>
+struct Articulated {
+  static constexpr int n = kFree<Kind>;
+  std::array<std::array<Real, n>, n> D;         // for n = 1 the inverse of D = S^T I^A S, else its
+                                                // Cholesky factor, the diagonal inverted
+  std::array<std::array<Real, 6>, n> E;         // D^-1 S^T I^A at the constrained rows, else zero
+  std::array<std::array<Real, kColumns>, n> u;  // sigma tau - S^T p^A
+  std::array<std::array<Real, kColumns>, n> tau;
+  Columns6 c;  // sigma c
+
+  template <std::size_t k>
+  void solve(std::array<std::array<Real, k>, n>& x) const {
+    if constexpr (n == 1) {
+      for (Real& value : x[0]) value *= D[0][0];
+    } else {
+      forward_substitute(D, x);
+      backward_substitute(D, x);
+    }
+  }
+};
+
+// The joint's share of the articulated body with inertia I and bias p on its far side: what it
+// hands on to its near side, by exact projection: nothing along S but the torque. Returns false
+// where D cannot be factorized.
+template <class Kind>
+ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I, const Columns6& p,
+                                Mat6& handed, Columns6& force) {
+  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  constexpr auto& free = Kind::Free::row;
+  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
+  bool good = true;
+  for (int k = 0; k < n; ++k) {
+    for (int l = 0; l < n; ++l) i.D[k][l] = I(free[k], free[l]);
+    i.E[k] = {};
+    for (int l = 0; l < m; ++l) i.E[k][constrained[l]] = I(free[k], constrained[l]);
+    for (int c = 0; c < kColumns; ++c) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
+  }
+  if constexpr (n == 1) {
+    good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
+    i.D[0][0] = 1 / i.D[0][0];
+  } else {
+    good = factorize(i.D);
+  }
+  i.solve(i.E);
+  auto moved = i.u;
+  i.solve(moved);
+  handed.setZero();
+  force.setZero();
+  if constexpr (m > 0) {
+    for (int r = 0; r < m; ++r)
+      for (int s = 0; s < m; ++s) {
+        Real x = I(constrained[r], constrained[s]);
+        for (int k = 0; k < n; ++k) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
+        handed(constrained[r], constrained[s]) = x;
+      }
+    for (int c = 0; c < kColumns; ++c)
+      for (int r = 0; r < m; ++r) {
+        Real x = p(constrained[r], c);
+        for (int k = 0; k < n; ++k) x += I(constrained[r], free[k]) * moved[k][c];
+        for (int s = 0; s < m; ++s)
+          x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
+        force(constrained[r], c) = x;
+      }
+  }
+  for (int k = 0; k < n; ++k)
+    for (int c = 0; c < kColumns; ++c) force(free[k], c) = sigma * i.tau[k][c];
+  return good;
+}
+
+// a becomes the far link's acceleration (joint frame) from the near link's; returns sigma qdd.
+template <class Kind>
+std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated<Kind>& i,
+                                                               Columns6& a) {
+  a += i.c;
+  auto moved = i.u;
+  i.solve(moved);
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) {
+      const int row = Kind::Free::row[k];
+      Real x = moved[k][c];
+      for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
+      moved[k][c] = x - a(row, c);
+    }
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) a(Kind::Free::row[k], c) += moved[k][c];
+  return moved;
+}
+
+// K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
+template <class Kind>
+ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
+  for (int k = 0; k < kFree<Kind>; ++k) m.row(Kind::Free::row[k]).setZero();
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
+}
+
+// Omega of the far side: K m K^T + S D^-1 S^T, m being the near side's (zero: the ground's).
+template <class Kind>
+ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
+  constexpr int n = kFree<Kind>;
+  share(i, m);
+  m.transposeInPlace();
+  share(i, m);
+  std::array<std::array<Real, n>, n> inverse{};
+  for (int k = 0; k < n; ++k) inverse[k][k] = 1;
+  i.solve(inverse);
+  for (int k = 0; k < n; ++k)
+    for (int l = 0; l < n; ++l) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
+}
+
+// A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
+template <class Kind>
+void deliver(Articulated<Kind>& i, Columns6& load) {
+  for (int k = 0; k < kFree<Kind>; ++k)
+    for (int c = 0; c < kColumns; ++c) {
+      Real& along = load(Kind::Free::row[k], c);
+      i.u[k][c] += along;
+      for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
+      along = 0;
+    }
+}
+
+// Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
+ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns6& b) {
+  std::array<std::array<Real, 6>, 6> L, x{};
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+    x[i][i] = 1;
+  }
+  const bool good = factorize(L);
+  forward_substitute(L, x);
+  for (int i = 0; i < 6; ++i)
+    for (int k = i; k < 6; ++k) {
+      Real sum = 0;
+      for (int row = 0; row < 6; ++row) sum += x[row][i] * x[row][k];
+      Phi(i, k) = Phi(k, i) = sum;
+    }
+  b.noalias() = -Phi * p;
+  return good;
+}
+
+// a with I^A a = -p^A: nothing else acts on the link.
+ADAGEN_NOINLINE bool solve_root(const Mat6& I, const Columns6& p, Columns6& a) {
+  std::array<std::array<Real, 6>, 6> L;
+  std::array<std::array<Real, kColumns>, 6> x;
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+    for (int c = 0; c < kColumns; ++c) x[i][c] = -p(i, c);
+  }
+  const bool good = factorize(L);
+  forward_substitute(L, x);
+  backward_substitute(L, x);
+  for (int i = 0; i < 6; ++i)
+    for (int c = 0; c < kColumns; ++c) a(i, c) = x[i][c];
+  return good;
+}
+
 constexpr std::array<MessageInfo, 0> kMessages{ {
 } };
 
@@ -812,63 +1076,55 @@ struct Workspace;
 struct Joint_drive {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "cart"
-  Columns6 b;  // bias of the bare link "cart"
-  Joined<Planar> joined;
+  Mat6 IA;  // articulated-body inertia of link "cart"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Planar> body;
 };
 
 struct Joint_laser_spin {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "laser"
-  Columns6 b;  // bias of the bare link "laser"
-  Mat6 Phi_cart;  // of the chain it completes
-  Columns6 b_cart;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_cart;
-  Columns6 F_on_cart;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "laser"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_lift {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "carriage"
-  Columns6 b;  // bias of the bare link "carriage"
-  Mat6 Phi_cart;  // of the chain it completes
-  Columns6 b_cart;
-  Joined<Prismatic> joined;
-  Coupled<Prismatic> at_cart;
-  Columns6 F_on_cart;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "carriage"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Prismatic> body;
 };
 
 struct Joint_shoulder {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "boom"
-  Columns6 b;  // bias of the bare link "boom"
-  Mat6 Phi_carriage;  // of the chain it completes
-  Columns6 b_carriage;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_carriage;
-  Columns6 F_on_carriage;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "boom"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_wrist {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "bowl"
-  Columns6 b;  // bias of the bare link "bowl"
-  Mat6 Phi_boom;  // of the chain it completes
-  Columns6 b_boom;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_boom;
-  Columns6 F_on_boom;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "bowl"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
 };
 
 struct Joint_loose {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "load"
-  Columns6 b;  // bias of the bare link "load"
-  Mat6 Phi_bowl;  // of the chain it completes
-  Columns6 b_bowl;
-  Joined<Floating> joined;
-  Coupled<Floating> at_bowl;
-  Columns6 F_on_bowl;  // outer wrench on that chain
+  Mat6 IA;  // articulated-body inertia of link "load"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Floating> body;
 };
 
 struct Workspace {
@@ -1001,12 +1257,12 @@ void store_coupled(Workspace& w, int joint, int v,
   store_acceleration(w, joint, v, sum);
 }
 
-const Mat6 kPhi_cart = symmetric({0.49902918256322004, 0.0, -0.11680634127913112, 0.0, 0.10401036681056933, 0.0, 0.3924634431544335, 0.0, -0.08437101087533662, 0.0, -0.010986817092861124, 0.7207699610585852, 0.0, -0.0049332017948705885, 0.0, 0.04630692629082958, 0.0, 0.002361924099163447, 0.05039085348290442, 0.0, 0.02847658451415464});
-const Mat6 kPhi_laser = symmetric({4081.6326530612246, 0.0, 0.0, 0.0, -163.26530612244898, 0.0, 4081.6326530612246, 0.0, 163.26530612244898, 0.0, 0.0, 3571.4285714285716, 0.0, 0.0, 0.0, 9.387755102040817, 0.0, 0.0, 9.387755102040817, 0.0, 2.857142857142857});
-const Mat6 kPhi_carriage = symmetric({47.93863854266539, 0.0, 0.0, 0.0, 0.0, 0.0, 72.8862973760933, 0.0, 0.0, 0.0, 5.830903790087464, 47.93863854266539, 0.0, -3.8350910834132312, 0.0, 0.23809523809523808, 0.0, 0.0, 0.5449025247682966, 0.0, 0.7045675413022352});
-const Mat6 kPhi_boom = symmetric({497.5036858379399, 57.60325716354742, 86.14250953391092, 1.8787996137760882e-16, 1.2225949944311751, -0.8175458812627366, 44.41099670174264, 10.780089208369485, -1.2225949944311743, 9.967199563138802e-17, 6.532919395176023, 53.323412698412696, 0.8175458812627351, -6.532919395176023, -2.8755195700899685e-16, 0.47481132657826264, -0.1435650409306874, -0.21469363914605485, 1.6040577210407847, -0.026867299257782407, 1.5818452380952377});
-const Mat6 kPhi_bowl = symmetric({474.4958481613286, 0.0, 0.0, 0.0, 47.44958481613286, 0.0, 260.4166666666667, 0.0, -26.041666666666668, 0.0, 0.0, 474.4958481613286, 0.0, 0.0, 0.0, 3.715277777777778, 0.0, 0.0, 5.856069592724397, 0.0, 1.1111111111111112});
-const Mat6 kPhi_load = symmetric({1666.6666666666667, 0.0, 0.0, 0.0, 25.0, 33.333333333333336, 1666.6666666666667, 0.0, -25.0, 0.0, 16.666666666666668, 1666.6666666666667, -33.333333333333336, -16.666666666666668, 0.0, 2.7083333333333335, 0.33333333333333337, -0.25, 2.2083333333333335, 0.5, 2.5});
+const Mat6 kInertia_cart = spatial_inertia(kLinks[1]);
+const Mat6 kInertia_laser = spatial_inertia(kLinks[2]);
+const Mat6 kInertia_carriage = spatial_inertia(kLinks[3]);
+const Mat6 kInertia_boom = spatial_inertia(kLinks[4]);
+const Mat6 kInertia_bowl = spatial_inertia(kLinks[5]);
+const Mat6 kInertia_load = spatial_inertia(kLinks[6]);
 
 // =================================================================================================
 // Joint 0 "drive": planar, between links "floor" and "cart"
@@ -1025,21 +1281,22 @@ void kinematics_drive(Workspace& w) {
   i.v = joint_velocity<Planar>(w.v + 0);
 }
 
-// A: the ground "floor"; B: the chain of "laser_spin"; C feels the joint at no link
-void assemble_drive(Workspace& w) {
+void articulate_drive(Workspace& w) {
   auto& i = w.j_drive;
-  load_torque(w, 0, 0, i.joined.tau);
-  const Columns6 c = Columns6::Zero();
-  if (!join(i.joined, kZero, w.j_laser_spin.Phi_cart, i.X * kGround, w.j_laser_spin.b_cart, c))
+  load_torque(w, 0, 0, i.body.tau);
+  i.body.c = Columns6::Zero();
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_drive.IA, w.j_drive.pA, handed, force))
     fail(w, kFactorization, 0);
 }
 
-void disassemble_drive(Workspace& w) {
+void accelerate_drive(Workspace& w) {
   auto& i = w.j_drive;
-  Release<Planar> release(i.joined);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 0, 0, release.qdd());  // Eq. (9)
-  w.j_laser_spin.F_on_cart = f;
+  Columns6 a = i.X * kGround;
+  const auto qdd = accelerate(i.body, a);
+  w.j_drive.a = a;
+  store_acceleration(w, 0, 0, qdd);
 }
 
 // =================================================================================================
@@ -1059,27 +1316,24 @@ void kinematics_laser_spin(Workspace& w) {
   i.v = i.X * w.j_drive.v + joint_velocity<Revolute>(w.v + 3);
 }
 
-// A: the chain of "lift"; B: link "laser"; C feels the joint at "cart"
-void assemble_laser_spin(Workspace& w) {
+void articulate_laser_spin(Workspace& w) {
   auto& i = w.j_laser_spin;
-  load_torque(w, 1, 3, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_lift.Phi_cart;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 3);
-  if (!join(i.joined, Phi_A, kPhi_laser, i.X * w.j_lift.b_cart, w.j_laser_spin.b, c))
+  load_torque(w, 1, 3, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 3);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_laser_spin.IA, w.j_laser_spin.pA, handed, force))
     fail(w, kFactorization, 1);
-  couple(i.joined, X_Phi_A, i.at_cart);
-  i.Phi_cart = w.j_lift.Phi_cart - product(i.at_cart, i.at_cart);  // Eq. (3)
-  i.b_cart = w.j_lift.b_cart - bias_change(i.joined, i.at_cart);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_drive.IA);
+  w.j_drive.pA += i.X.transposed_times(force);
 }
 
-void disassemble_laser_spin(Workspace& w) {
+void accelerate_laser_spin(Workspace& w) {
   auto& i = w.j_laser_spin;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_cart, w.j_laser_spin.F_on_cart);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 1, 3, release.qdd());  // Eq. (9)
-  w.j_lift.F_on_cart = w.j_laser_spin.F_on_cart - i.X.transposed_times(f);
+  Columns6 a = i.X * w.j_drive.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_laser_spin.a = a;
+  store_acceleration(w, 1, 3, qdd);
 }
 
 // =================================================================================================
@@ -1098,27 +1352,24 @@ void kinematics_lift(Workspace& w) {
   i.v = i.X * w.j_drive.v + joint_velocity<Prismatic>(w.v + 4);
 }
 
-// A: link "cart"; B: the chain of "shoulder"; C feels the joint at "cart"
-void assemble_lift(Workspace& w) {
+void articulate_lift(Workspace& w) {
   auto& i = w.j_lift;
-  load_torque(w, 2, 4, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_cart;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Prismatic>(i.v, w.v + 4);
-  if (!join(i.joined, Phi_A, w.j_shoulder.Phi_carriage, i.X * w.j_drive.b, w.j_shoulder.b_carriage, c))
+  load_torque(w, 2, 4, i.body.tau);
+  i.body.c = velocity_product<Prismatic>(i.v, w.v + 4);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_lift.IA, w.j_lift.pA, handed, force))
     fail(w, kFactorization, 2);
-  couple(i.joined, X_Phi_A, i.at_cart);
-  i.Phi_cart = kPhi_cart - product(i.at_cart, i.at_cart);  // Eq. (3)
-  i.b_cart = w.j_drive.b - bias_change(i.joined, i.at_cart);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_drive.IA);
+  w.j_drive.pA += i.X.transposed_times(force);
 }
 
-void disassemble_lift(Workspace& w) {
+void accelerate_lift(Workspace& w) {
   auto& i = w.j_lift;
-  Release<Prismatic> release(i.joined);
-  release.feel_A(i.at_cart, w.j_lift.F_on_cart);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 2, 4, release.qdd());  // Eq. (9)
-  w.j_shoulder.F_on_carriage = f;
+  Columns6 a = i.X * w.j_drive.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_lift.a = a;
+  store_acceleration(w, 2, 4, qdd);
 }
 
 // =================================================================================================
@@ -1138,27 +1389,24 @@ void kinematics_shoulder(Workspace& w) {
   i.v = i.X * w.j_lift.v + joint_velocity<Revolute>(w.v + 5);
 }
 
-// A: link "carriage"; B: the chain of "wrist"; C feels the joint at "carriage"
-void assemble_shoulder(Workspace& w) {
+void articulate_shoulder(Workspace& w) {
   auto& i = w.j_shoulder;
-  load_torque(w, 3, 5, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_carriage;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
-  if (!join(i.joined, Phi_A, w.j_wrist.Phi_boom, i.X * w.j_lift.b, w.j_wrist.b_boom, c))
+  load_torque(w, 3, 5, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 5);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_shoulder.IA, w.j_shoulder.pA, handed, force))
     fail(w, kFactorization, 3);
-  couple(i.joined, X_Phi_A, i.at_carriage);
-  i.Phi_carriage = kPhi_carriage - product(i.at_carriage, i.at_carriage);  // Eq. (3)
-  i.b_carriage = w.j_lift.b - bias_change(i.joined, i.at_carriage);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_lift.IA);
+  w.j_lift.pA += i.X.transposed_times(force);
 }
 
-void disassemble_shoulder(Workspace& w) {
+void accelerate_shoulder(Workspace& w) {
   auto& i = w.j_shoulder;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_carriage, w.j_shoulder.F_on_carriage);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 3, 5, release.qdd());  // Eq. (9)
-  w.j_wrist.F_on_boom = f;
+  Columns6 a = i.X * w.j_lift.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_shoulder.a = a;
+  store_acceleration(w, 3, 5, qdd);
 }
 
 // =================================================================================================
@@ -1178,27 +1426,24 @@ void kinematics_wrist(Workspace& w) {
   i.v = i.X * w.j_shoulder.v + joint_velocity<Revolute>(w.v + 6);
 }
 
-// A: link "boom"; B: the chain of "loose"; C feels the joint at "boom"
-void assemble_wrist(Workspace& w) {
+void articulate_wrist(Workspace& w) {
   auto& i = w.j_wrist;
-  load_torque(w, 4, 6, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_boom;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
-  if (!join(i.joined, Phi_A, w.j_loose.Phi_bowl, i.X * w.j_shoulder.b, w.j_loose.b_bowl, c))
+  load_torque(w, 4, 6, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_wrist.IA, w.j_wrist.pA, handed, force))
     fail(w, kFactorization, 4);
-  couple(i.joined, X_Phi_A, i.at_boom);
-  i.Phi_boom = kPhi_boom - product(i.at_boom, i.at_boom);  // Eq. (3)
-  i.b_boom = w.j_shoulder.b - bias_change(i.joined, i.at_boom);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_shoulder.IA);
+  w.j_shoulder.pA += i.X.transposed_times(force);
 }
 
-void disassemble_wrist(Workspace& w) {
+void accelerate_wrist(Workspace& w) {
   auto& i = w.j_wrist;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_boom, w.j_wrist.F_on_boom);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 4, 6, release.qdd());  // Eq. (9)
-  w.j_loose.F_on_bowl = f;
+  Columns6 a = i.X * w.j_shoulder.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_wrist.a = a;
+  store_acceleration(w, 4, 6, qdd);
 }
 
 // =================================================================================================
@@ -1219,26 +1464,24 @@ void kinematics_loose(Workspace& w) {
   i.v = i.X * w.j_wrist.v + joint_velocity<Floating>(w.v + 7);
 }
 
-// A: link "bowl"; B: link "load"; C feels the joint at "bowl"
-void assemble_loose(Workspace& w) {
+void articulate_loose(Workspace& w) {
   auto& i = w.j_loose;
-  load_torque(w, 5, 7, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_bowl;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Floating>(i.v, w.v + 7);
-  if (!join(i.joined, Phi_A, kPhi_load, i.X * w.j_wrist.b, w.j_loose.b, c))
+  load_torque(w, 5, 7, i.body.tau);
+  i.body.c = velocity_product<Floating>(i.v, w.v + 7);
+  Mat6 handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, w.j_loose.IA, w.j_loose.pA, handed, force))
     fail(w, kFactorization, 5);
-  couple(i.joined, X_Phi_A, i.at_bowl);
-  i.Phi_bowl = kPhi_bowl - product(i.at_bowl, i.at_bowl);  // Eq. (3)
-  i.b_bowl = w.j_wrist.b - bias_change(i.joined, i.at_bowl);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_wrist.IA);
+  w.j_wrist.pA += i.X.transposed_times(force);
 }
 
-void disassemble_loose(Workspace& w) {
+void accelerate_loose(Workspace& w) {
   auto& i = w.j_loose;
-  Release<Floating> release(i.joined);
-  release.feel_A(i.at_bowl, w.j_loose.F_on_bowl);
-  release.force();  // Eq. (8)
-  store_acceleration(w, 5, 7, release.qdd());  // Eq. (9)
+  Columns6 a = i.X * w.j_wrist.a;
+  const auto qdd = accelerate(i.body, a);
+  w.j_loose.a = a;
+  store_acceleration(w, 5, 7, qdd);
 }
 
 
@@ -1254,25 +1497,25 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_wrist(w);
   kinematics_loose(w);
   stamp(1);
-  link_bias(kLinks[5], w.j_wrist.v, w.j_wrist.b);
-  link_bias(kLinks[6], w.j_loose.v, w.j_loose.b);
-  assemble_loose(w);
-  link_bias(kLinks[4], w.j_shoulder.v, w.j_shoulder.b);
-  assemble_wrist(w);
-  link_bias(kLinks[3], w.j_lift.v, w.j_lift.b);
-  assemble_shoulder(w);
-  link_bias(kLinks[1], w.j_drive.v, w.j_drive.b);
-  assemble_lift(w);
-  link_bias(kLinks[2], w.j_laser_spin.v, w.j_laser_spin.b);
-  assemble_laser_spin(w);
-  assemble_drive(w);
+  start_link(kInertia_cart, w.j_drive.v, w.j_drive.IA, w.j_drive.pA);
+  start_link(kInertia_laser, w.j_laser_spin.v, w.j_laser_spin.IA, w.j_laser_spin.pA);
+  start_link(kInertia_carriage, w.j_lift.v, w.j_lift.IA, w.j_lift.pA);
+  start_link(kInertia_boom, w.j_shoulder.v, w.j_shoulder.IA, w.j_shoulder.pA);
+  start_link(kInertia_bowl, w.j_wrist.v, w.j_wrist.IA, w.j_wrist.pA);
+  start_link(kInertia_load, w.j_loose.v, w.j_loose.IA, w.j_loose.pA);
+  articulate_loose(w);
+  articulate_wrist(w);
+  articulate_shoulder(w);
+  articulate_lift(w);
+  articulate_laser_spin(w);
+  articulate_drive(w);
   stamp(2);
-  disassemble_drive(w);
-  disassemble_laser_spin(w);
-  disassemble_lift(w);
-  disassemble_shoulder(w);
-  disassemble_wrist(w);
-  disassemble_loose(w);
+  accelerate_drive(w);
+  accelerate_laser_spin(w);
+  accelerate_lift(w);
+  accelerate_shoulder(w);
+  accelerate_wrist(w);
+  accelerate_loose(w);
   stamp(3);
 }
 

@@ -12,7 +12,7 @@ import pytest
 from adagen.emit import emit, source
 from adagen.emit.names import identifiers
 from adagen.model import Model
-from adagen.plan import Plan, make_plan
+from adagen.plan import FORMS, Plan, make_plan
 from adagen.states import random_states, write_states
 from adagen.urdf import read_robot
 from tests.emitted import Builder, forward_error, plan_of, truth_of
@@ -59,8 +59,8 @@ def hostile(names: tuple[str, ...] = NAMES, links: tuple[str, ...] = LINKS) -> M
     )
 
 
-def plan(model: Model, processes: int = 2) -> Plan:
-    return make_plan(model, random_schedule(model, processes, np.random.default_rng(2)))
+def plan(model: Model, form: str = "ada") -> Plan:
+    return make_plan(model, random_schedule(model, 2, np.random.default_rng(2)), form=form)
 
 
 def bare(text: str) -> list[str]:
@@ -73,17 +73,21 @@ def bare(text: str) -> list[str]:
     return lines
 
 
-def test_of_a_name_nothing_but_its_cleaned_word_is_code() -> None:
-    wild = source(plan(hostile()), "same_p2")
-    tame = source(plan(hostile(identifiers(NAMES), identifiers(LINKS))), "same_p2")
+@pytest.mark.parametrize("form", FORMS)
+def test_of_a_name_nothing_but_its_cleaned_word_is_code(form: str) -> None:
+    wild = source(plan(hostile(), form), "same_p2")
+    tame = source(plan(hostile(identifiers(NAMES), identifiers(LINKS)), form), "same_p2")
     assert bare(wild) == bare(tame)
     assert wild.isascii() and "??" not in wild
     assert not re.search(r"\\$", wild, re.MULTILINE)  # joins lines, comments too
 
 
-def test_a_robot_of_hostile_names_is_built_and_solved(builder: Builder, tmp_path: Path) -> None:
+@pytest.mark.parametrize("form", FORMS)
+def test_a_robot_of_hostile_names_is_built_and_solved(
+    form: str, builder: Builder, tmp_path: Path
+) -> None:
     model = hostile()
-    solver = builder.solver(plan(model), name="hostile")
+    solver = builder.solver(plan(model, form), ("-O0",), name="hostile")
     states = random_states(model, 2, seed=4)
     found = solver.solve(model, states, tmp_path, "--check")
     assert forward_error(found, truth_of(model, states)) < 1e-9
@@ -95,7 +99,9 @@ def test_a_failure_names_a_hostile_joint_in_one_line(builder: Builder, tmp_path:
     turning = next(j for j, joint in enumerate(model.joints) if joint.kind.name == "spherical")
     states.v[0, model.v_start[turning]] = 1e300
     write_states(states, model, tmp_path / "s.json")
-    done = builder.solver(plan(model), name="hostile").run("--states", tmp_path / "s.json")
+    done = builder.solver(plan(model), ("-O0",), name="hostile").run(
+        "--states", tmp_path / "s.json"
+    )
     assert done.status == 1
     assert done.stdout == ""
     (line,) = done.stderr.splitlines()

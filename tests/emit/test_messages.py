@@ -13,6 +13,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from adagen.emit.processes import message_size
+from adagen.emit.words import Words
 from adagen.model import Model
 from adagen.plan import FORMS, Plan, make_plan
 from adagen.plan.types import Receive, Send
@@ -60,6 +62,7 @@ def test_every_message_is_read_before_its_place_is_written_again(
     model = grounded(model, rng)
     plan = make_plan(model, random_schedule(model, processes, rng), form=form)
     assert unguarded(plan) == []
+    assert all(message_size(Words(plan), message) > 0 for message in plan.messages)
 
 
 def test_the_check_sees_what_it_is_for() -> None:

@@ -48,9 +48,10 @@ def anything(seed: int, joints: int, mimics: int = 0) -> Model:
     return random_tree(np.random.default_rng(seed), joints, mimics=mimics)
 
 
-def by_chance(model: Model, processes: int, seed: int) -> Plan:
+def by_chance(model: Model, processes: int, seed: int, form: str) -> Plan:
     """Return the plan of a random schedule, in which processes may be idle."""
-    return make_plan(model, random_schedule(model, processes, np.random.default_rng(seed)))
+    schedule = random_schedule(model, processes, np.random.default_rng(seed))
+    return make_plan(model, schedule, form=form)
 
 
 @dataclass(frozen=True)
@@ -61,10 +62,16 @@ class Case:
 
 
 CASES = {
-    "all kinds, two slaved": Case(lambda: anything(21, 10, 2), lambda m: by_chance(m, 3, 5)),
-    "meeting only in the ground": Case(forest, lambda m: by_chance(m, 4, 1)),
-    "more processes than joints": Case(lambda: anything(5, 2), lambda m: plan_of(m, 4)),
-    "one joint, one process": Case(lambda: anything(6, 1), lambda m: plan_of(m, 1)),
+    "all kinds, two slaved": Case(lambda: anything(21, 10, 2), lambda m: by_chance(m, 3, 5, "ada")),
+    "the same in segments": Case(
+        lambda: anything(21, 10, 2), lambda m: by_chance(m, 3, 5, "segment")
+    ),
+    "meeting only in the ground": Case(forest, lambda m: by_chance(m, 4, 1, "ada")),
+    "the same forest in segments": Case(forest, lambda m: by_chance(m, 4, 1, "segment")),
+    "more processes than joints": Case(
+        lambda: anything(5, 2), lambda m: plan_of(m, 4, form="segment")
+    ),
+    "one joint, one process": Case(lambda: anything(6, 1), lambda m: plan_of(m, 1, form="ada")),
     "float": Case(human_figure, lambda m: plan_of(m, 2, scalar="float"), 1e-4),
 }
 

@@ -29,6 +29,7 @@ class Example:
     processes: int
     floating: bool = False
     mimic: bool = False
+    form: str = "segment"
     scalar: str = "double"
     channel: str = "auto"
 
@@ -50,16 +51,16 @@ class Example:
 EXAMPLES = (
     Example("arm7", "arm7", 1),
     Example("arm7", "arm7", 2),
-    Example("arm7_slaved", "arm7", 2, mimic=True),
+    Example("arm7_slaved", "arm7", 2, mimic=True, form="ada"),
     Example("arm7_float", "arm7", 2, scalar="float"),
     Example("humanoid", "humanoid", 2, floating=True),
-    Example("humanoid", "humanoid", 3, floating=True),
-    Example("human40", "human40", 1),
+    Example("humanoid", "humanoid", 3, floating=True, form="ada"),
+    Example("human40", "human40", 1, form="ada"),
     Example("human40", "human40", 4),
     Example("chain16", "chain16", 3),
-    Example("chain16", "chain16", 4, channel="message"),
+    Example("chain16", "chain16", 4, form="ada", channel="message"),
     Example("mobile", "mobile", 1),
-    Example("mobile", "mobile", 3),
+    Example("mobile", "mobile", 3, form="ada"),
 )
 
 
@@ -76,6 +77,7 @@ def stages(example: Example) -> tuple[Schedule, Plan]:
     plan = make_plan(
         model,
         schedule,
+        form=example.form,
         scalar=example.scalar,
         channel=example.channel,
         source_hash=hashlib.sha256(example.urdf.read_bytes()).hexdigest(),

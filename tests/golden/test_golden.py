@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from adagen.cli import main
+from adagen.plan import FORMS
 from tests.golden.directory import HINT, differences, held, update
 from tests.golden.examples import EXAMPLES, FOLDER, KEPT, golden_files
 
@@ -37,6 +38,7 @@ def test_the_table_covers_what_it_should() -> None:
     assert len({example.stem for example in EXAMPLES}) == len(EXAMPLES)
     kinds = {joint.kind.name for example in EXAMPLES for joint in example.model().joints}
     assert kinds == {"revolute", "prismatic", "spherical", "planar", "floating"}
+    assert {example.form for example in EXAMPLES} == set(FORMS)
     assert {example.scalar for example in EXAMPLES} == {"double", "float"}
     assert {example.model().floating for example in EXAMPLES} == {True, False}
     assert any(joint.mimic for example in EXAMPLES for joint in example.model().joints)
@@ -57,7 +59,8 @@ def test_nothing_is_dated_measured_or_of_this_machine(emitted: dict[str, bytes])
 
 def test_the_command_line_writes_the_same(emitted: dict[str, bytes], tmp_path: Path) -> None:
     (example,) = (e for e in EXAMPLES if e.stem == "mobile_p3")
-    assert main([str(example.urdf), "--procs", "3", "--out", str(tmp_path)]) == 0
+    words = [str(example.urdf), "--procs", "3", "--form", example.form]
+    assert main([*words, "--out", str(tmp_path)]) == 0
     files = {f"{example.stem}/{name}": data for name, data in held(tmp_path).items()}
     assert len(files) == 4
     assert files == {name: emitted[name] for name in files}
