@@ -13,7 +13,7 @@ from types import FrameType
 
 from adagen.errors import AdagenError, printable
 
-VERBS = ("schedule", "solve", "env")
+VERBS = ("schedule", "solve", "calibrate", "env")
 INTERNAL = 3
 INTERRUPTED = 130
 

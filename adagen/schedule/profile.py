@@ -8,6 +8,7 @@ the same on every machine.
 from __future__ import annotations
 
 import math
+import os
 import re
 import tomllib
 from collections.abc import Mapping
@@ -16,6 +17,7 @@ from importlib import resources
 from pathlib import Path
 
 from adagen.errors import InputError
+from adagen.schedule.costs import StepCosts, read_steps
 
 TICKS = 1_000_000
 """Ticks in a microsecond."""
@@ -37,6 +39,8 @@ class CostProfile:
         beta: per boundary joint, for the bias accelerations; not negative.
         gamma: per degree of freedom; usually negative.
         delta: of any join; ``delta + gamma n`` is positive for n = 1..6.
+        steps: what the steps of a plan cost on a machine, where that was measured; the paper's
+            profile prices joins alone.
 
     Raises:
         ValueError: a coefficient is not finite, too large or of the wrong sign.
@@ -47,6 +51,7 @@ class CostProfile:
     beta: float
     gamma: float
     delta: float
+    steps: StepCosts | None = None
 
     def __post_init__(self) -> None:
         for key in _COEFFICIENTS:
@@ -82,8 +87,30 @@ def _ticks(microseconds: float) -> int:
     return round(microseconds * TICKS)
 
 
+def profiles_folder(environ: Mapping[str, str] | None = None) -> Path:
+    """Return where measured profiles are kept: ``adagen/profiles`` in XDG_CONFIG_HOME.
+
+    That is ~/.config by default. The XDG specification has relative paths ignored.
+    """
+    environ = os.environ if environ is None else environ
+    base = environ.get("XDG_CONFIG_HOME", "")
+    folder = Path(base) if base and Path(base).is_absolute() else Path("~/.config").expanduser()
+    return folder / "adagen" / "profiles"
+
+
+def stored_profiles() -> list[str]:
+    """Return the names of the profiles measured on this machine, ascending."""
+    try:
+        return sorted(path.stem for path in profiles_folder().glob("*.toml") if path.is_file())
+    except OSError:
+        return []
+
+
 def load_profile(name: str) -> CostProfile:
-    """Return the shipped profile of that name, or the one read from the TOML file at that path.
+    """Return the shipped profile of that name, the one stored under it, or that of a TOML file.
+
+    A shipped name always means the shipped profile: what is emitted under it must not depend on
+    what has been measured here.
 
     Raises:
         InputError: there is no such profile, or the file is not a valid one.
@@ -92,11 +119,15 @@ def load_profile(name: str) -> CostProfile:
         text = (resources.files("adagen.schedule") / "profiles" / f"{name}.toml").read_text("utf-8")
         return parse_profile(text, f"{name}.toml")
     path = Path(name)
+    if name in stored_profiles():
+        path = profiles_folder() / f"{name}.toml"
     try:
-        return parse_profile(path.read_text("utf-8"), name)
+        return parse_profile(path.read_text("utf-8"), str(path))
     except FileNotFoundError:
+        known = ", ".join((*SHIPPED, *stored_profiles()))
         raise InputError(
-            f"no cost profile '{name}': give a TOML file or one of {', '.join(SHIPPED)}"
+            f"no cost profile '{name}': give a TOML file or one of {known}; adagen calibrate "
+            "measures this machine's"
         ) from None
     except UnicodeDecodeError:
         raise InputError("a cost profile must be UTF-8 text", name) from None
@@ -117,7 +148,7 @@ def parse_profile(text: str, file: str) -> CostProfile:
     except tomllib.TOMLDecodeError as error:
         found = re.search(r"line (\d+)", str(error))
         raise InputError(f"not TOML: {error}", file, int(found[1]) if found else None) from None
-    _known(table, ("name", "join"), "", text, file)
+    _known(table, ("name", "join", "steps", "channel", "cores"), "", text, file)
     name = table.get("name")
     if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z0-9._-]{1,64}", name):
         raise InputError(
@@ -132,8 +163,9 @@ def parse_profile(text: str, file: str) -> CostProfile:
         )
     _known(join, _COEFFICIENTS, "join.", text, file)
     values = {key: _number(join, key, text, file) for key in _COEFFICIENTS}
+    steps = read_steps(table, text, file)
     try:
-        return CostProfile(name, **values)
+        return CostProfile(name, **values, steps=steps)
     except ValueError as error:
         raise InputError(str(error), file, _line(text, str(error).split()[0])) from None
 

@@ -85,3 +85,63 @@ def _bar(joint: int, process: int, start: int, end: int, sweep: Sweep) -> Bar:
 
 def _message(sender: int, receiver: int, sent: int, used: int, sweep: Sweep) -> Message:
     return Message(sender, receiver, sent / TICKS, used / TICKS, sweep)
+
+
+@dataclass(frozen=True)
+class Interval:
+    """What one process does for a while, or waits for; microseconds from the start.
+
+    Attributes:
+        process: which process.
+        what: kinematics, assembly, disassembly, slaved, send, receive or wait.
+        joint: the joint that the work ends with (disassembly: begins with), for people.
+        message: number of the message that is sent, received or waited for.
+        start: when it begins.
+        end: when it ends.
+    """
+
+    process: int
+    what: str
+    joint: int | None
+    message: int | None
+    start: float
+    end: float
+
+
+@dataclass(frozen=True)
+class Exchange:
+    """A message between processes; microseconds from the start."""
+
+    sender: int
+    receiver: int
+    sent: float
+    used: float
+
+
+@dataclass(frozen=True)
+class MachineTimeline:
+    """How an evaluation goes on a machine, predicted or measured; times in microseconds.
+
+    Attributes:
+        intervals: process by process, in order.
+        exchanges: messages between processes.
+        makespan: when the last process is done.
+        source: ``predicted`` or ``measured``.
+    """
+
+    intervals: tuple[Interval, ...]
+    exchanges: tuple[Exchange, ...]
+    makespan: float
+    source: str
+
+    def busy(self, process: int) -> float:
+        """Return for how long a process works."""
+        return sum(
+            i.end - i.start for i in self.intervals if i.process == process and i.what != "wait"
+        )
+
+    def waiting(self, process: int) -> float:
+        """Return for how long a process waits for others, not counting what comes after its end."""
+        return sum(
+            i.end - i.start for i in self.intervals if i.process == process and i.what == "wait"
+        )

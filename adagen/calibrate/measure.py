@@ -1,0 +1,150 @@
+"""Times of emitted programs, stage by stage."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from adagen.build import Toolchain, build_executable
+from adagen.emit import emit, stem_of
+from adagen.errors import EnvironmentFault
+from adagen.plan import Plan
+from adagen.run import launch
+
+TIMEOUT = 120.0
+"""Seconds after which a run that should take a few is given up."""
+
+
+@dataclass(frozen=True)
+class StageTime:
+    """One stage of one process; microseconds.
+
+    Attributes:
+        process: which process.
+        what: kinematics, assembly, disassembly, slaved, send or receive.
+        message: number of the message of a send or receive; None for work.
+        start: from when the first process began.
+        length: without the look at the clock.
+    """
+
+    process: int
+    what: str
+    message: int | None
+    start: float
+    length: float
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """What was measured of one emitted program; microseconds.
+
+    Attributes:
+        time: an evaluation, state and result in place: the least median of several runs.
+        best: the fastest evaluation seen.
+        stages: in the order of ``adagen.plan.stages.stages``, process by process.
+        channel: window, message or none.
+        pinned: whether each process had a core of its own.
+    """
+
+    time: float
+    best: float
+    stages: tuple[StageTime, ...]
+    channel: str
+    pinned: bool
+
+    def of(self, process: int) -> tuple[StageTime, ...]:
+        """Return the stages of one process."""
+        return tuple(stage for stage in self.stages if stage.process == process)
+
+
+class Program:
+    """A plan, emitted and built, that can be timed any number of times.
+
+    Args:
+        plan: what to emit.
+        toolchain: what to build and run it with.
+
+    Raises:
+        EnvironmentFault: the compiler failed.
+    """
+
+    def __init__(self, plan: Plan, toolchain: Toolchain) -> None:
+        self.plan = plan
+        self.toolchain = toolchain
+        stem = stem_of(plan)
+        self.executable = build_executable(emit(plan)[f"{stem}.cpp"], stem, toolchain)
+
+    def measure(
+        self, *, repeat: int = 30, channel: str = "auto", arguments: Sequence[str] = ()
+    ) -> Measurement:
+        """Time it once.
+
+        Args:
+            repeat: evaluations of each of 64 random states.
+            channel: how processes exchange.
+            arguments: more words for the program.
+
+        Raises:
+            EnvironmentFault: it failed, or the time is up.
+        """
+        with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
+            trace = Path(folder, "trace.json")
+            words = ["--time", "--json", "--repeat", str(repeat), "--trace", str(trace)]
+            words += ["--channel", channel, *arguments]
+            count = len(self.plan.processes)
+            done = launch(self.executable, count, words, self.toolchain, TIMEOUT)
+            if done.status != 0:
+                raise EnvironmentFault(f"{self.executable.name} cannot be timed: {done.stderr}")
+            report = json.loads(done.stdout)
+            return _measurement(report, json.loads(trace.read_text(encoding="utf-8")))
+
+
+def _measurement(report: dict[str, Any], trace: dict[str, Any]) -> Measurement:
+    clock = float(trace["clock_ns"])
+    stages = tuple(
+        StageTime(
+            int(row["process"]),
+            str(row["what"]),
+            row["message"],
+            float(row["start_ns"]) / 1e3,
+            max(0.0, float(row["length_ns"]) - clock) / 1e3,
+        )
+        for row in trace["stages"]
+    )
+    times = report["time"]["in_place"]
+    return Measurement(
+        float(times["median_ns"]) / 1e3,
+        float(times["min_ns"]) / 1e3,
+        stages,
+        str(trace["channel"]),
+        bool(report["time"]["pinned"]),
+    )
+
+
+def least(measurements: Sequence[Measurement]) -> Measurement:
+    """Return the least of several measurements of one program, number by number.
+
+    Other work on the machine only ever adds to a time, so that the least median is the truest.
+    """
+    first = measurements[0]
+    stages = tuple(
+        StageTime(
+            same[0].process,
+            same[0].what,
+            same[0].message,
+            min(stage.start for stage in same),
+            min(stage.length for stage in same),
+        )
+        for same in zip(*(m.stages for m in measurements), strict=True)
+    )
+    return Measurement(
+        min(m.time for m in measurements),
+        min(m.best for m in measurements),
+        stages,
+        first.channel,
+        all(m.pinned for m in measurements),
+    )

@@ -1,0 +1,99 @@
+"""Robots made up to be timed: chains, hubs and trees of chosen joint kinds.
+
+Their times do not depend on their masses and lengths, only on what is joined to what by which kind
+of joint; bodies are drawn at random so that nothing can be folded or cancelled.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.model import KINDS, Inertia, Joint, Link, Model
+
+Array = NDArray[np.float64]
+
+
+def robot(name: str, parents: Sequence[int], kinds: Sequence[str], seed: int = 1) -> Model:
+    """Return a robot whose joint j joins link ``parents[j]`` to link j + 1.
+
+    Args:
+        name: its name.
+        parents: parent link of each joint, in depth-first order.
+        kinds: names of the joints' kinds, taken in turn.
+        seed: of its bodies.
+    """
+    rng = random.Random(seed)  # noqa: S311 (not for secrets)
+    joints = tuple(
+        Joint(
+            name=f"j{j}",
+            kind=KINDS[kinds[j % len(kinds)]],
+            parent=parent,
+            rotation=_rotation(rng),
+            translation=_vector(rng, 0.1, 0.3),
+            axis=np.array([0.0, 0.0, 1.0]),
+        )
+        for j, parent in enumerate(parents)
+    )
+    links = (
+        Link("ground", Inertia.zero()),
+        *(Link(f"l{j}", _body(rng)) for j in range(len(joints))),
+    )
+    return Model(name, links, joints)
+
+
+def chain(joints: int) -> list[int]:
+    """Return the parents of a serial chain."""
+    return list(range(joints))
+
+
+def star(arms: int, length: int) -> list[int]:
+    """Return the parents of arms on a hub, which a joint holds to the ground."""
+    parents = [0]
+    for _ in range(arms):
+        parents += [1, *range(len(parents) + 1, len(parents) + length)]
+    return parents
+
+
+def tree(joints: int, branching: float, seed: int) -> list[int]:
+    """Return the parents of a random tree in depth-first order.
+
+    Args:
+        joints: how many.
+        branching: chance that a joint does not follow the last one but an earlier one of the path.
+        seed: the same one gives the same tree.
+    """
+    rng = random.Random(seed)  # noqa: S311 (not for secrets)
+    path, parents = [0], []
+    for j in range(joints):
+        if len(path) > 2 and rng.random() < branching:
+            del path[rng.randrange(2, len(path)) :]
+        parents.append(path[-1])
+        path.append(j + 1)
+    return parents
+
+
+def _vector(rng: random.Random, least: float, most: float) -> Array:
+    return np.array([rng.choice((-1, 1)) * rng.uniform(least, most) for _ in range(3)])
+
+
+def _rotation(rng: random.Random) -> Array:
+    w, x, y, z = (rng.choice((-1, 1)) * rng.uniform(0.3, 1.0) for _ in range(4))
+    n = w * w + x * x + y * y + z * z
+    return np.eye(3) + 2 / n * np.array(
+        [
+            [-y * y - z * z, x * y - z * w, x * z + y * w],
+            [x * y + z * w, -x * x - z * z, y * z - x * w],
+            [x * z - y * w, y * z + x * w, -x * x - y * y],
+        ]
+    )
+
+
+def _body(rng: random.Random) -> Inertia:
+    mass, turn = rng.uniform(0.5, 2.0), _rotation(rng)
+    spread = turn @ np.diag([rng.uniform(0.05, 0.2) ** 2 for _ in range(3)]) @ turn.T
+    tensor = mass * (np.trace(spread) * np.eye(3) - spread)
+    return Inertia(mass, _vector(rng, 0.02, 0.15), (tensor + tensor.T) / 2)

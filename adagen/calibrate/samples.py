@@ -1,0 +1,77 @@
+"""Which programs a calibration builds and times: few, small, and different in every coefficient."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from adagen.calibrate.robots import chain, robot, star, tree
+from adagen.calibrate.schedules import random_schedule
+from adagen.model import Mimic, Model
+from adagen.plan import Plan, make_plan
+from adagen.schedule import CostProfile, Topology
+
+HALVES = ["revolute"] * 10 + ["spherical"] * 10
+OTHERS = ["prismatic"] * 8 + ["planar"] * 8
+MIXED = ["revolute", "spherical", "revolute", "prismatic", "planar"]
+
+
+def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan]]:
+    """Return labels and plans, those of the slaved robot last.
+
+    Args:
+        profile: prices the schedules' nodes; of no influence on what is measured.
+        quick: leave half of them out: coefficients of rare joint kinds become guesses from others.
+    """
+    halves = robot("halves", chain(20), HALVES, 1)
+    others = robot("others", chain(16), OTHERS, 2)
+    hub = robot("hub", star(5, 4), ["revolute"], 3)
+    figure = robot("figure", tree(22, 0.3, 4), ["floating", *MIXED * 5][:22], 4)
+    limbs = robot("limbs", [0, *tree(24, 0.3, 7)[1:]], ["floating", *["revolute"] * 23], 5)
+    turned = robot("turned", chain(20), ["floating", *MIXED * 4][:20], 8)
+    chosen = [
+        ("segment", halves, 2, 1, "half"),
+        ("segment", limbs, 2, 2, "shared"),
+        ("segment", limbs, 1, 1, ""),
+        ("ada", figure, 2, 3, "mixed"),
+        ("ada", limbs, 1, 4, "mixed"),
+        ("segment", figure, 2, 4, "half"),
+    ]
+    if not quick:
+        chosen += [
+            ("segment", others, 2, 1, "half"),
+            ("ada", halves, 2, 5, "half"),
+            ("ada", others, 2, 6, "half"),
+            ("ada", hub, 2, 7, "mixed"),
+            ("segment", hub, 2, 8, "shared"),
+            ("segment", halves, 2, 11, "shared"),
+            ("segment", turned, 2, 2, "half"),
+        ]
+    found = [
+        (f"{form} {model.name} P={processes}", _plan(model, form, processes, seed, how, profile))
+        for form, model, processes, seed, how in chosen
+    ]
+    slaved = _slaved(robot("slaved", chain(12), ["revolute"], 6))
+    return [*found, ("segment slaved P=1", _plan(slaved, "segment", 1, 1, "", profile))]
+
+
+def _plan(
+    model: Model, form: str, processes: int, seed: int, how: str, profile: CostProfile
+) -> Plan:
+    schedule = random_schedule(
+        Topology.of(model),
+        processes,
+        profile,
+        seed,
+        share={"half": 0.45, "mixed": 0.3, "shared": 0.3}.get(how, 0.2),
+        mixed=how == "mixed",
+        shared=how == "shared",
+    )
+    return make_plan(model, schedule, form=form)
+
+
+def _slaved(model: Model) -> Model:
+    """Return a robot with two joints slaved to another."""
+    joints = list(model.joints)
+    for j in (4, 9):
+        joints[j] = replace(joints[j], mimic=Mimic(1, 0.5, 0.1))
+    return replace(model, joints=tuple(joints))

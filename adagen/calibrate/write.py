@@ -1,0 +1,49 @@
+"""A cost profile as TOML."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import astuple
+
+from adagen.model.kinds import KINDS
+from adagen.schedule.costs import CHANNEL_KEYS, CHANNELS, OTHERS, PER_KIND
+from adagen.schedule.profile import CostProfile
+
+
+def profile_text(profile: CostProfile, remark: str, digits: int = 6) -> str:
+    """Return the text of a profile file.
+
+    Args:
+        profile: what to write.
+        remark: one line or more for people, such as which machine it is.
+        digits: decimal places of a microsecond.
+    """
+    return "\n".join(_lines(profile, remark, digits)) + "\n"
+
+
+def _lines(profile: CostProfile, remark: str, digits: int) -> Iterator[str]:
+    def value(x: float) -> str:
+        return repr(round(float(x), digits) + 0.0)
+
+    yield from (f"# {line}" for line in remark.splitlines())
+    yield f'name = "{profile.name}"'
+    if profile.steps is not None and profile.steps.cores:
+        yield f"cores = [{', '.join(map(repr, profile.steps.cores))}]  # speed of each"
+    yield "\n# Eq. (11): alpha k^2 + beta k + gamma n + delta, microseconds."
+    yield "[join]"
+    for key in ("alpha", "beta", "gamma", "delta"):
+        yield f"{key} = {value(getattr(profile, key))}"
+    if profile.steps is None:
+        return
+    yield "\n# What the steps of a plan take, microseconds (docs/profiles.md)."
+    groups = {**{group: (*KINDS, *more) for group, more in PER_KIND.items()}, **OTHERS}
+    for group, keys in groups.items():
+        yield f"[steps.{group}]"
+        yield from (f"{key} = {value(profile.steps[f'{group}.{key}'])}" for key in keys)
+        yield ""
+    for channel in CHANNELS:
+        yield f"[channel.{channel}]"
+        costs = astuple(profile.steps.channel(channel))
+        yield from (f"{key} = {value(x)}" for key, x in zip(CHANNEL_KEYS, costs, strict=True))
+        if channel != CHANNELS[-1]:
+            yield ""

@@ -1,0 +1,200 @@
+"""``adagen calibrate``: what the steps of a plan take on this machine."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import platform
+import re
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from statistics import median
+from typing import TYPE_CHECKING
+
+from adagen.cli.console import note, warn
+from adagen.cli.options import make_parser, parse
+from adagen.errors import EnvironmentFault
+
+if TYPE_CHECKING:
+    from adagen.calibrate import Calibration, Progress
+
+_EPILOG = """\
+Small solvers are emitted, built and timed, and the costs of their steps are fitted to their times.
+It takes a minute or two; nothing else should run meanwhile.
+
+examples:
+  adagen calibrate                              measure; the profile is stored as "machine"
+  adagen robot.urdf --procs 4 --profile machine     use it
+  adagen calibrate --out mine.toml              write it to a file instead"""
+
+_NAME = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9._-]{0,63}")
+
+
+def run(argv: Sequence[str]) -> int:
+    """Carry out ``adagen calibrate`` with the arguments after the verb; return the exit status."""
+    parser = make_parser("adagen calibrate", "Measure this machine's cost profile.", _EPILOG)
+    parser.add_argument(
+        "--name", type=_name, default="machine", help="of the profile (default: machine)"
+    )
+    parser.add_argument(
+        "--quick", action="store_true", help="half as many solvers, timed half as often"
+    )
+    parser.add_argument(
+        "--out", type=Path, metavar="FILE", help="write here instead of storing it by name"
+    )
+    parser.add_argument("--json", action="store_true", help="print how good the fit is as JSON")
+    options = parse(parser, argv)
+
+    from adagen.build import find_toolchain
+    from adagen.calibrate import calibrate, profile_text
+    from adagen.cli.files import write_file
+    from adagen.schedule.profile import profiles_folder
+
+    toolchain = find_toolchain()
+    path = options.out or profiles_folder() / f"{options.name}.toml"
+    began = time.monotonic()
+    with _bar() as progress:
+        found = calibrate(options.name, toolchain, quick=options.quick, progress=progress)
+    if options.out is None:
+        _make_folder(path.parent)
+    write_file(path, profile_text(found.profile, _remark(found)))
+    if options.json:
+        print(json.dumps(_summary(found, str(path)), indent=1))
+    else:
+        _show(found)
+    for line in _doubts(found):
+        warn(line)
+    word = str(path) if options.out is not None else options.name
+    note(f"wrote {path} in {time.monotonic() - began:.0f} s; use it with --profile {word}")
+    return 0
+
+
+def _name(text: str) -> str:
+    from adagen.schedule.profile import SHIPPED
+
+    if not _NAME.fullmatch(text):
+        raise argparse.ArgumentTypeError(
+            "must be up to 64 letters, digits, dots, hyphens and underscores, no dot first"
+        )
+    if text in SHIPPED:
+        raise argparse.ArgumentTypeError(f"'{text}' is the name of a shipped profile")
+    return text
+
+
+def _make_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise EnvironmentFault(
+            f"cannot store profiles in {folder} ({error.strerror}); set XDG_CONFIG_HOME to a "
+            "folder that can be written, or say --out FILE"
+        ) from None
+
+
+@contextmanager
+def _bar() -> Iterator[Progress]:
+    """Show a progress bar on stderr; plain lines where that is no terminal."""
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        said = ""
+
+        def say(what: str, done: int, total: int) -> None:
+            nonlocal said
+            if what != said:
+                note(f"{what} ... ({done} of {total})")
+            said = what
+
+        yield say
+        return
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=console, transient=True) as progress:
+        task = progress.add_task("compiling", total=None)
+
+        def show(what: str, done: int, total: int) -> None:
+            progress.update(task, description=what, completed=done, total=total)
+
+        yield show
+
+
+def _remark(found: Calibration) -> str:
+    lines = [
+        f"Measured by adagen calibrate on {_machine()}.",
+        f"Median error of a program's predicted time {_typical(found):.1%}.",
+    ]
+    if not found.messages_measured:
+        lines.append("There was one core only: the costs of messages are the default profile's.")
+    return "\n".join(lines)
+
+
+def _machine() -> str:
+    """Return the processor's name, as far as the system tells."""
+    try:
+        text = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        text = ""
+    found = re.search(r"^model name\s*:\s*(.+)$", text, re.MULTILINE)
+    name = found[1] if found else platform.processor() or platform.machine()
+    return "".join(c for c in name if c.isprintable())[:80]
+
+
+def _typical(found: Calibration) -> float:
+    return median(abs(predicted / measured - 1) for _, measured, predicted in found.totals)
+
+
+def _summary(found: Calibration, path: str) -> dict[str, object]:
+    return {
+        "profile": path,
+        "pinned": found.pinned,
+        "messages_measured": found.messages_measured,
+        "median_error": _typical(found),
+        "stages": {
+            what: {
+                "count": len(errors),
+                "median_error": median(map(abs, errors)),
+                "largest_error": max(map(abs, errors)),
+            }
+            for what, errors in sorted(found.errors.items())
+        },
+        "programs": [
+            {"program": label, "measured_us": measured, "predicted_us": predicted}
+            for label, measured, predicted in found.totals
+        ],
+    }
+
+
+def _show(found: Calibration) -> None:
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE)
+    for column in ("program", "measured (us)", "predicted (us)", "error"):
+        table.add_column(column, justify="left" if column == "program" else "right")
+    for label, measured, predicted in found.totals:
+        error = f"{predicted / measured - 1:+.1%}"
+        table.add_row(label, f"{measured:.2f}", f"{predicted:.2f}", error)
+    console = Console()
+    console.print(table)
+    for what, errors in sorted(found.errors.items()):
+        sizes = [abs(error) for error in errors]
+        console.print(
+            f"{what}: {len(sizes)} stages, median error {median(sizes):.1%}, "
+            f"largest {max(sizes):.1%}"
+        )
+
+
+def _doubts(found: Calibration) -> Iterator[str]:
+    if not found.pinned:
+        yield "warning: processes could not be held to a core each: times are less certain"
+    if not found.messages_measured:
+        yield "warning: one core only: the costs of messages are taken from the default profile"
+    if (error := _typical(found)) > 0.1:
+        yield (
+            f"warning: predicted times are off by {error:.0%} in the median: was something else "
+            "running? Measure again on an idle machine"
+        )

@@ -1,0 +1,116 @@
+"""What a step of a plan is made of, in the coefficients of a cost profile."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from adagen.model.kinds import KINDS
+from adagen.plan.types import (
+    Accelerate,
+    AccelerateRoot,
+    ApplyCoupling,
+    Articulate,
+    Deliver,
+    Disassemble,
+    FreeAcceleration,
+    FreeBase,
+    InvertRoot,
+    Join,
+    Kinematics,
+    LinkBias,
+    Load,
+    PlanJoint,
+    Propagate,
+    Receive,
+    Send,
+    SolveCoupling,
+    SolveRoot,
+    StartLink,
+    Step,
+)
+from adagen.schedule.costs import StepCosts
+
+Features = dict[str, float]
+"""How often each coefficient counts; names as in ``adagen.schedule.costs.NAMES``.
+
+Blocks count by the rows of Z in their products: a joint of one freedom, with five constraints,
+counts in full.
+"""
+
+_PLAIN: dict[type, str] = {
+    LinkBias: "link.bias",
+    StartLink: "link.start",
+    InvertRoot: "root.invert",
+    SolveRoot: "root.solve",
+    AccelerateRoot: "root.accelerate",
+    FreeBase: "free.base",
+    FreeAcceleration: "free.acceleration",
+    Load: "deliver.load",
+    SolveCoupling: "slaved.solve",
+    ApplyCoupling: "slaved.apply",
+}
+
+
+def features(step: Step, joints: Sequence[PlanJoint]) -> Features:
+    """Return what a step is made of; nothing for a message.
+
+    Args:
+        step: a step of a plan.
+        joints: the plan's joints.
+    """
+    if isinstance(step, Send | Receive):
+        return {}
+    plain = _PLAIN.get(type(step))
+    if plain is not None:
+        return {plain: 1}
+    kind = joints[step.joint].kind  # type: ignore[union-attr]
+    match step:
+        case Kinematics():
+            return {f"kinematics.{kind}": 1}
+        case Join():
+            return _join(step, kind)
+        case Disassemble():
+            return {f"disassemble.{kind}": 1, "disassemble.coupling": len(step.forces)}
+        case Articulate():
+            grounded = not step.reversed and joints[step.joint].parent == 0
+            return _turned("articulate", "ground" if grounded else kind, step.reversed)
+        case Propagate():
+            first = "ground" if step.near is None else kind
+            found = _turned("propagate", first, step.reversed)
+            return {**found, "propagate.spread": len(step.spreads)}
+        case Deliver():
+            return _turned("deliver", kind, step.reversed)
+        case Accelerate():
+            return _turned("accelerate", kind, step.reversed)
+    raise AssertionError(f"unknown step {step}")
+
+
+def _join(step: Join, kind: str) -> Features:
+    grounded = step.a is None and kind != "floating"
+    on_a = sum(coupling.side == "A" for coupling in step.couplings)
+    across = sum(block.across for block in step.blocks)
+    rows = (1 + len(KINDS[kind].constrained)) / 6
+    return {
+        f"join.{'ground' if grounded else kind}": 1,
+        "join.coupling_a": on_a,
+        "join.coupling_b": len(step.couplings) - on_a,
+        "join.block": rows * (len(step.blocks) - across),
+        "join.across": rows * across,
+    }
+
+
+def _turned(group: str, key: str, turned: bool) -> Features:
+    return {f"{group}.{key}": 1, **({f"{group}.reversed": 1} if turned else {})}
+
+
+def step_time(step: Step, joints: Sequence[PlanJoint], costs: StepCosts, slaved: int = 0) -> float:
+    """Return what a step takes on a core of speed 1, microseconds.
+
+    Args:
+        step: a step of a plan.
+        joints: the plan's joints.
+        costs: the machine's coefficients.
+        slaved: number of slaved joints, each of which adds a right-hand side to every step.
+    """
+    time = sum(costs[name] * count for name, count in features(step, joints).items())
+    return time * (1 + slaved * costs["slaved.column"])

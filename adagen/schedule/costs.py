@@ -1,0 +1,218 @@
+"""What the steps of a plan cost on a machine: the coefficients of a measured cost profile.
+
+Eq. (11) prices a join as a whole, in the paper's form of the algorithm. A machine spends its time
+on steps (kinematics, articulated bodies, joins, messages), each of which costs a base per joint
+kind and something for every handle that takes part. docs/profiles.md describes the file.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from adagen.errors import InputError
+from adagen.model.kinds import KINDS
+
+LIMIT = 1e6
+"""Most microseconds that a coefficient may be."""
+
+PER_KIND: dict[str, tuple[str, ...]] = {
+    "kinematics": (),
+    "join": ("ground", "coupling_a", "coupling_b", "block", "across"),
+    "disassemble": ("coupling",),
+    "articulate": ("ground", "reversed"),
+    "propagate": ("ground", "reversed", "spread"),
+    "deliver": ("reversed", "load"),
+    "accelerate": ("reversed",),
+}
+"""Groups with a coefficient per joint kind, and what else each has.
+
+A joint on the ground costs ``ground`` whatever its kind; ``reversed`` is added where the segment's
+root lies below the joint; the others are per handle, block or coupling.
+"""
+
+OTHERS: dict[str, tuple[str, ...]] = {
+    "link": ("bias", "start"),
+    "root": ("invert", "solve", "accelerate"),
+    "free": ("base", "acceleration"),
+    "slaved": ("solve", "apply", "column"),
+    "process": ("evaluation",),
+}
+"""Groups with coefficients of their own; ``slaved.column`` is a share, the others are times."""
+
+NAMES: tuple[str, ...] = tuple(
+    f"{group}.{key}"
+    for group, keys in {
+        **{group: (*KINDS, *extra) for group, extra in PER_KIND.items()},
+        **OTHERS,
+    }.items()
+    for key in keys
+)
+"""All coefficients of a step profile, as group.key."""
+
+CHANNELS = ("window", "message")
+CHANNEL_KEYS = ("send", "latency", "number")
+
+
+@dataclass(frozen=True)
+class ChannelCosts:
+    """What a message costs, in microseconds.
+
+    Attributes:
+        send: time of the sender, whatever the message holds.
+        latency: from sent to seen.
+        number: per number, to put it in and again to take it out.
+    """
+
+    send: float
+    latency: float
+    number: float
+
+    def __post_init__(self) -> None:
+        for key in CHANNEL_KEYS:
+            check(key, getattr(self, key))
+
+
+@dataclass(frozen=True)
+class StepCosts:
+    """Coefficients for the steps of a plan, in microseconds on a core of speed 1.
+
+    Attributes:
+        table: a coefficient for each of ``NAMES``.
+        window: messages through memory that processes share.
+        message: MPI messages.
+        cores: speed of each core; process p runs on core p, beyond the last one at speed 1.
+
+    Raises:
+        ValueError: a coefficient is missing, unknown, negative or not finite.
+    """
+
+    table: Mapping[str, float]
+    window: ChannelCosts
+    message: ChannelCosts
+    cores: tuple[float, ...] = field(default=())
+
+    def __post_init__(self) -> None:
+        if wrong := sorted(set(self.table).symmetric_difference(NAMES)):
+            raise ValueError(f"{wrong[0]} is {'unknown' if wrong[0] in self.table else 'missing'}")
+        for name, value in self.table.items():
+            check(name, value)
+        for speed in self.cores:
+            if not (math.isfinite(speed) and 0.01 <= speed <= 100):
+                raise ValueError("cores must be speeds from 0.01 to 100")
+
+    def __getitem__(self, name: str) -> float:
+        """Return a coefficient."""
+        return self.table[name]
+
+    def channel(self, name: str) -> ChannelCosts:
+        """Return the costs of a channel; ``auto`` is the window, as on one node."""
+        return self.message if name == "message" else self.window
+
+    def speed(self, process: int) -> float:
+        """Return the speed of the core of a process."""
+        return self.cores[process] if process < len(self.cores) else 1.0
+
+    @cached_property
+    def kinds(self) -> tuple[str, ...]:
+        """The joint kinds that are priced."""
+        return tuple(KINDS)
+
+
+def check(name: str, value: float) -> None:
+    """Raise ValueError unless a coefficient is a time that can be added up."""
+    if not (math.isfinite(value) and 0 <= value <= LIMIT):
+        raise ValueError(f"{name} must be a number from 0 to {LIMIT:g}")
+
+
+def read_steps(table: Mapping[str, object], text: str, file: str) -> StepCosts | None:
+    """Return what the tables [steps.*], [channel.*] and the list cores of a profile say, if any.
+
+    Raises:
+        InputError: a table or key is missing, unknown, of the wrong type or out of range.
+    """
+    if "steps" not in table:
+        for key in ("channel", "cores"):
+            if key in table:
+                raise InputError(
+                    f"{key} without the tables [steps.*]", file, line_of(text, "", key)
+                )
+        return None
+    groups = {**{group: (*KINDS, *more) for group, more in PER_KIND.items()}, **OTHERS}
+    found: dict[str, float] = {}
+    steps = _table(table, "steps", tuple(groups), text, file)
+    for group, keys in groups.items():
+        row = _table(steps, group, keys, text, file, "steps.")
+        for key in keys:
+            found[f"{group}.{key}"] = _number(row, key, f"steps.{group}", text, file)
+    channels = _table(table, "channel", CHANNELS, text, file)
+    costs = {}
+    for channel in CHANNELS:
+        row = _table(channels, channel, CHANNEL_KEYS, text, file, "channel.")
+        values = [_number(row, key, f"channel.{channel}", text, file) for key in CHANNEL_KEYS]
+        costs[channel] = ChannelCosts(*values)
+    return StepCosts(found, costs["window"], costs["message"], _cores(table, text, file))
+
+
+def _cores(table: Mapping[str, object], text: str, file: str) -> tuple[float, ...]:
+    cores = table.get("cores", [])
+    if not isinstance(cores, list) or len(cores) > 4096:
+        raise InputError("cores must be a list of speeds", file, line_of(text, "", "cores"))
+    for speed in cores:
+        number = isinstance(speed, int | float) and not isinstance(speed, bool)
+        if not number or not 0.01 <= speed <= 100:
+            raise InputError(
+                "cores must be a list of speeds from 0.01 to 100; 1 is the core that was measured",
+                file,
+                line_of(text, "", "cores"),
+            )
+    return tuple(float(speed) for speed in cores)
+
+
+def _table(
+    parent: Mapping[str, object],
+    name: str,
+    keys: tuple[str, ...],
+    text: str,
+    file: str,
+    prefix: str = "",
+) -> Mapping[str, object]:
+    table = parent.get(name)
+    if not isinstance(table, dict):
+        raise InputError(f"the table [{prefix}{name}] is missing: it holds {', '.join(keys)}", file)
+    for key in table:
+        if key not in keys:
+            line = line_of(text, f"{prefix}{name}", key)
+            known = ", ".join(keys)
+            raise InputError(f"unknown key '{prefix}{name}.{key}': expected {known}", file, line)
+    return table
+
+
+def _number(table: Mapping[str, object], key: str, prefix: str, text: str, file: str) -> float:
+    if key not in table:
+        raise InputError(f"{prefix}.{key} is missing: add '{key} = ...' (microseconds)", file)
+    value, line = table[key], line_of(text, prefix, key)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise InputError(f"{prefix}.{key} must be a number of microseconds", file, line)
+    if not 0 <= value <= LIMIT:  # false for nan
+        raise InputError(f"{prefix}.{key} must be a number from 0 to {LIMIT:g}", file, line)
+    return float(value)
+
+
+def line_of(text: str, table: str, key: str) -> int | None:
+    """Return the line on which a key of a table (or a table of it) is, where that is plain."""
+    here, headers = "", re.compile(r"\s*\[\s*([^\[\]]+?)\s*\]")
+    assigns = re.compile(rf"\s*[\"']?{re.escape(key)}[\"']?\s*[=.]")
+    for number, line in enumerate(text.splitlines(), 1):
+        header = headers.match(line)
+        if header:
+            here = re.sub(r"\s|[\"']", "", header[1])
+            whole = f"{table}.{key}" if table else key
+            if here == whole or here.startswith(f"{whole}."):
+                return number
+        elif here == table and assigns.match(line):
+            return number
+    return None

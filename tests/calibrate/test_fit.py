@@ -1,0 +1,110 @@
+"""The fit finds the coefficients that made the times, and says how far off it is."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from adagen.calibrate.fit import Sample, evaluation_cost, fit_channel, fit_steps, relative_errors
+from adagen.calibrate.measure import Measurement, StageTime
+from adagen.calibrate.nnls import nnls
+from adagen.calibrate.samples import calibration_plans
+from adagen.calibrate.surrogate import fit_equation11, join_time
+from adagen.calibrate.write import profile_text
+from adagen.plan import Plan
+from adagen.predict import predict
+from adagen.schedule import load_profile, parse_profile
+from adagen.schedule.costs import NAMES, StepCosts
+from adagen.schedule.profile import CostProfile
+from tests.predict.costs import WINDOW, step_costs
+
+
+def played(plan: Plan, costs: StepCosts, noise: float, rng: np.random.Generator) -> Sample:
+    """Return what would be measured on a machine with these costs."""
+    line = predict(plan, CostProfile("x", 0.1, 0.1, 0.0, 1.0, steps=costs))
+    rows, waiting = [], {}
+    for i in line.intervals:
+        if i.what == "wait":
+            waiting[i.process, i.message] = i.start
+            continue
+        start = waiting.get((i.process, i.message), i.start) if i.what == "receive" else i.start
+        length = (i.end - start) * (1 + noise * rng.normal())
+        rows.append(StageTime(i.process, i.what, i.message, start, length))
+    return Sample(plan, Measurement(line.makespan, line.makespan, tuple(rows), "window", True))
+
+
+@pytest.fixture(scope="module")
+def plans() -> list[Plan]:
+    found = [plan for _, plan in calibration_plans(load_profile("paper"), quick=False)]
+    return [plan for plan in found if not plan.slaved]
+
+
+def test_nnls_obeys_its_optimality_conditions() -> None:
+    rng = np.random.default_rng(1)
+    for _ in range(200):
+        m, n = int(rng.integers(4, 20)), int(rng.integers(1, 5))
+        A, b = rng.normal(size=(m, n)), rng.normal(size=m)
+        x = nnls(A, b)
+        slope = A.T @ (b - A @ x)
+        assert (x >= 0).all()
+        assert (slope <= 1e-8).all()
+        assert np.abs(slope[x > 0]).max(initial=0.0) < 1e-8
+
+
+def test_known_costs_are_found_again(plans: list[Plan]) -> None:
+    rng = np.random.default_rng(2)
+    truth = step_costs()
+    samples = [played(plan, truth, 0.0, rng) for plan in plans]
+    table = fit_steps(samples)
+    assert set(table) == set(NAMES) and min(table.values()) >= 0
+    found = StepCosts(table, WINDOW, WINDOW)
+    # Not every coefficient can be told apart, but the times of stages must come out.
+    errors = [abs(e) for row in relative_errors(samples, found).values() for e in row]
+    assert np.median(errors) < 0.01 and max(errors) < 0.06
+    for name in ("kinematics.revolute", "kinematics.spherical"):
+        assert found[name] == pytest.approx(truth[name], rel=0.03)
+
+
+def test_noise_and_an_outlier_do_little(plans: list[Plan]) -> None:
+    rng = np.random.default_rng(3)
+    truth = step_costs()
+    samples = [played(plan, truth, 0.03, rng) for plan in plans]
+    bad = samples[0].measured.stages[0]
+    stages = (StageTime(0, bad.what, None, 0.0, 20 * bad.length), *samples[0].measured.stages[1:])
+    m = samples[0].measured
+    samples[0] = Sample(samples[0].plan, Measurement(m.time, m.best, stages, "window", True))
+    found = StepCosts(fit_steps(samples), WINDOW, WINDOW)
+    clean = [played(plan, truth, 0.0, rng) for plan in plans]
+    errors = [abs(e) for row in relative_errors(clean, found).values() for e in row]
+    assert np.median(errors) < 0.03
+
+
+def test_channels_and_evaluation_are_found_again(plans: list[Plan]) -> None:
+    rng = np.random.default_rng(4)
+    truth = step_costs()
+    samples = [played(plan, truth, 0.0, rng) for plan in plans]
+    channel = fit_channel([s for s in samples if len(s.plan.processes) == 2])
+    assert channel.latency == pytest.approx(WINDOW.latency, rel=0.05)
+    assert channel.number == pytest.approx(WINDOW.number, rel=0.05)
+    assert channel.send == pytest.approx(WINDOW.send, rel=0.05)
+    assert evaluation_cost(samples) == pytest.approx(truth["process.evaluation"], rel=1e-6)
+
+
+def test_equation_11_stands_in_for_the_joins() -> None:
+    costs = step_costs()
+    profile = fit_equation11("x", costs)
+    for k in range(5):
+        guess = profile.join(k, 1) / 1e6
+        assert guess == pytest.approx(join_time(costs, "revolute", k), rel=0.25)
+
+
+def test_a_written_profile_is_read_back() -> None:
+    costs = step_costs(cores=(1.0, 0.5))
+    profile = CostProfile("mine", 0.1, 0.2, -0.01, 0.3, steps=costs)
+    text = profile_text(profile, "two lines\nof remark", digits=9)
+    read = parse_profile(text, "mine.toml")
+    assert read.steps is not None
+    assert dict(read.steps.table) == pytest.approx(dict(costs.table))
+    assert (read.steps.window, read.steps.message) == (costs.window, costs.message)
+    assert read.steps.cores == (1.0, 0.5)
+    assert profile_text(read, "two lines\nof remark", digits=9) == text
