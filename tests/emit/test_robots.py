@@ -102,7 +102,7 @@ def test_a_failed_factorization_names_the_joint(builder: Builder, tmp_path: Path
     # Beside each other, in float: V^-1 of joint 2 is what 1 kg m^2 leaves of 1e-9.
     links[2] = replace(links[2], inertia=thin(links[2].inertia))
     model = replace(model, links=tuple(links))
-    solver = builder.solver(plan_of(model, 2, scalar="float"), ("-O0",), name="thin")
+    solver = builder.solver(plan_of(model, 2, scalar="float", form="ada"), ("-O0",), name="thin")
     write_states(random_states(model, 2), model, tmp_path / "s.json")
     done = solver.run("--states", tmp_path / "s.json", "--result", tmp_path / "r.json")
     assert (done.status, done.stdout) == (1, "")
