@@ -5,7 +5,10 @@ from __future__ import annotations
 import re
 
 _RULE = re.compile(r"^-{60,}\s*$")
-_PREFIXED = re.compile(r"^\[[^\s\]]+:\d+\]|^\[[^\s\]]+:\d+,\d+\]|^\[[^\s\]]+\] \d+ more process")
+_PREFIXED = re.compile(
+    r"^\[[^\s\]]+:\d+\]|^\[[^\s\]]+:\d+,\d+\]|^\[[^\s\]]+\] \d+ more process"
+    r"|^\[(?:warn|err)\] "  # libevent, as processes end
+)
 _LAUNCHER = re.compile(r"^(prterun|mpiexec|mpirun|orterun)\b.*")
 
 

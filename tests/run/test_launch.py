@@ -165,6 +165,7 @@ def test_noise_is_told_from_the_program_s_words() -> None:
     text = (
         f"warning: kept\n{rule}\nprterun detected a failure:\n\n  Exit code: 1\n{rule}\n"
         "[host:123] *** Process received signal ***\nerror: also kept\n"
+        "[warn] Epoll MOD(4) on fd 20 failed. Old events were 6: Bad file descriptor\n"
         "[host:00123] 3 more processes have sent help message\n---- a short rule\n"
     )
     own, notice = without_launcher_noise(text)

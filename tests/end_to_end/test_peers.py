@@ -1,0 +1,139 @@
+"""What an emitted program does when its peers are gone, or its machine is small."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from adagen.run import without_launcher_noise
+from tests.emitted import cores
+from tests.end_to_end.subjects import Subject
+
+
+class TestPeers:
+    """A process that dies or stops ends the run; nothing outlives it."""
+
+    @pytest.fixture
+    def started(self, human: Subject) -> Iterator[Callable[..., subprocess.Popen[str]]]:
+        children: list[subprocess.Popen[str]] = []
+
+        def start(*words: str) -> subprocess.Popen[str]:
+            toolchain = human.solver.toolchain
+            copy = human.folder / "human40_copy"  # so that its processes can be told from others'
+            shutil.copy(human.solver.executable, copy)
+            command = [*toolchain.mpiexec, "-n", "4", "--oversubscribe", "--bind-to", "none"]
+            child = subprocess.Popen(
+                [*command, str(copy), *words],
+                env=toolchain.variables(os.environ),
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+                text=True,
+                errors="replace",
+            )
+            children.append(child)
+            return child
+
+        yield start
+        for child in children:
+            for pid in processes(human.folder / "human40_copy"):
+                os.kill(pid, signal.SIGKILL)
+            if child.poll() is None:
+                child.kill()
+            child.wait()
+            assert child.stderr is not None
+            child.stderr.close()
+
+    @pytest.mark.parametrize("channel", ["window", "message"])
+    @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSTOP])
+    @pytest.mark.parametrize("rank", [0, 2])
+    def test_a_peer_that_is_gone_ends_the_run(
+        self,
+        channel: str,
+        number: signal.Signals,
+        rank: int,
+        human: Subject,
+        started: Callable[..., subprocess.Popen[str]],
+    ) -> None:
+        words = ("--time", "--repeat", "1000000", "--timeout", "2", "--channel", channel)
+        child = started(*words)
+        victim = wait_for(lambda: running_ranks(human.folder / "human40_copy").get(rank))
+        time.sleep(0.5)  # past the start
+        assert child.poll() is None
+        os.kill(victim, number)
+        start = time.monotonic()
+        said = child.communicate(timeout=60)[1]
+        assert time.monotonic() - start < 30
+        assert child.returncode != 0
+        if number == signal.SIGSTOP:
+            assert child.returncode == 3
+            own = without_launcher_noise(said)[0].splitlines()
+            assert own and all("did not answer within the time limit" in line for line in own)
+        wait_for(lambda: not processes(human.folder / "human40_copy"))
+
+
+class TestMachine:
+    def test_more_processes_than_cores_finish(self, human: Subject) -> None:
+        done = human.solver.run("--check", "--time", "--repeat", "2", "--timeout", "20")
+        assert (done.status, done.stderr) == (0, "")
+
+    @pytest.mark.skipif(shutil.which("taskset") is None, reason="taskset is not installed")
+    @pytest.mark.parametrize("channel", ["window", "message"])
+    def test_all_processes_on_one_core_finish(self, channel: str, human: Subject) -> None:
+        allowed = os.sched_getaffinity(0)
+        try:
+            os.sched_setaffinity(0, {min(allowed)})  # what is started here inherits it
+            done = human.solver.run("--json", "--repeat", "1", "--channel", channel)
+        finally:
+            os.sched_setaffinity(0, allowed)
+        assert (done.status, done.stderr) == (0, "")
+        assert json.loads(done.stdout)["time"]["pinned"] is False
+
+    def test_pinning_can_be_left_out(self, arm: Subject) -> None:
+        words = ("--time", "--repeat", "1", "--json")
+        assert json.loads(arm.solver.run(*words, "--no-pin").stdout)["time"]["pinned"] is False
+        if cores() >= 2:
+            assert json.loads(arm.solver.run(*words).stdout)["time"]["pinned"] is True
+
+
+def processes(executable: Path) -> list[int]:
+    """Return the processes whose program is ``executable``."""
+    found = []
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            if os.path.realpath(folder / "exe") == str(executable.resolve()):
+                found.append(int(folder.name))
+        except OSError:
+            continue
+    return sorted(found)
+
+
+def running_ranks(executable: Path) -> dict[int, int]:
+    """Return rank to process of a run, once all have their rank."""
+    ranks = {}
+    for pid in processes(executable):
+        try:
+            variables = Path(f"/proc/{pid}/environ").read_bytes().split(b"\0")
+        except OSError:
+            continue
+        for variable in variables:
+            name, _, value = variable.partition(b"=")
+            if name == b"OMPI_COMM_WORLD_RANK":
+                ranks[int(value)] = pid
+    return ranks if len(ranks) == 4 else {}
+
+
+def wait_for(condition: Callable[[], Any], limit: float = 30.0) -> Any:
+    deadline = time.monotonic() + limit
+    while not (value := condition()):
+        assert time.monotonic() < deadline, "it did not happen in time"
+        time.sleep(0.05)
+    return value
