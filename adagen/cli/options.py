@@ -114,10 +114,10 @@ def add_schedule(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--split",
-        choices=("always", "free"),
+        choices=("always", "free", "any"),
         default="always",
-        help="whether two branches always divide their processes (default, as in the paper) or "
-        "may share them",
+        help="whether two branches always divide their processes (default, as in the paper), may "
+        "share them (free), or may also divide them unevenly (any)",
     )
     parser.add_argument(
         "--schedule",

@@ -160,7 +160,7 @@ class AStar:
         for at in chosen:
             slot = step.slots[at]
             processes = slot.last - slot.first
-            options = self.space.options(slot.chain, processes)
+            options = self.space.options(slot.chain, processes, every=True)
             rest = (*step.slots[:at], *step.slots[at + 1 :])
             for i in range(len(options.cut)):
                 option = self.space.option(slot.chain, processes, options, i)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import numpy as np
+from itertools import product
+from time import monotonic
 
 from adagen.schedule.budget import Budget, OutOfBudget, Task, run
 from adagen.schedule.chains import WHOLE, Chain
 from adagen.schedule.draft import Draft
-from adagen.schedule.options import FOREVER, Option, Options, Space
+from adagen.schedule.options import FOREVER, Option, Space
 from adagen.schedule.ties import Builder, Slot
 
 
@@ -17,12 +18,16 @@ class Beam:
     Args:
         space: the search space.
         width: options that divide the processes, followed at each state; of the others, half.
+        sharp: whether options are told apart by the bounds on their sides, which sees where many
+            joints meet, or by the work on their sides alone, which sees balance. Neither is always
+            the better guide.
         budget: where it ends, chains not reached any more are left to the order of least work.
     """
 
-    def __init__(self, space: Space, width: int, budget: Budget) -> None:
+    def __init__(self, space: Space, width: int, budget: Budget, sharp: bool = False) -> None:
         self.space = space
         self.width = width
+        self.sharp = sharp
         self.budget = budget
         self._memo: dict[tuple[int, int], int] = {}
 
@@ -57,21 +62,35 @@ class Beam:
         best, choice = self.space.single.work(chain), None
         if processes == 1:
             return None
-        options = self.space.options(chain, processes)
-        for i in self._promising(options, processes):
-            option = self.space.option(chain, processes, options, i)
-            if int(options.bound[i]) < best and (time := run(self._try(option))) < best:
+        for bound, option in self._promising(chain, processes):
+            if bound < best and (time := run(self._try(option))) < best:
                 best, choice = time, option
         return choice
 
-    def _promising(self, options: Options, processes: int) -> list[int]:
-        order = np.argsort(options.bound, kind="stable")
-        order = order[~options.hard[order]]
-        divides = options.first[order] < processes
-        chosen = np.concatenate(
-            [order[divides][: self.width], order[~divides][: (self.width + 1) // 2]]
-        )
-        return [int(i) for i in chosen]
+    def _promising(self, chain: Chain, processes: int) -> list[tuple[int, Option]]:
+        """Return the most promising options and their bounds."""
+        options = self.space.options(chain, processes)
+        left = [self.width, (self.width + 1) // 2]
+        chosen = []
+        easy = options.take(~options.hard)
+        lower = self._sharp if self.sharp else self._rough
+        limit = FOREVER if self.sharp else 0
+        for bound, option in self.space.best_first(chain, processes, easy, limit, lower):
+            if left[option.shared]:
+                left[option.shared] -= 1
+                chosen.append((bound, option))
+            if not any(left):
+                break
+        return chosen
+
+    def _rough(self, chain: Chain, processes: int, work: int) -> int:  # noqa: ARG002
+        return 0
+
+    def _sharp(self, chain: Chain, processes: int, work: int) -> int:
+        if work == 0 or processes == 1:
+            return work
+        bounds = self.space.bounds
+        return max(bounds.spread(work, processes), bounds.meeting(chain, processes))
 
     def _try(self, o: Option) -> Task[int]:
         root: int = (yield self._solve(o.root, o.first)) if o.root_work else 0
@@ -92,34 +111,38 @@ class Beam:
             self.budget.spend()
         except OutOfBudget:
             return work
-        options = self.space.options(chain, processes)
-        for i in self._promising(options, processes):
-            if int(options.bound[i]) < best:
-                time: int = yield self._try(self.space.option(chain, processes, options, i))
+        for bound, option in self._promising(chain, processes):
+            if bound < best:
+                time: int = yield self._try(option)
                 best = min(best, time)
         self._memo[key] = best
         return best
 
 
-def incumbent(space: Space, processes: int, lower: int, expansions: int) -> tuple[int, Draft]:
+def incumbent(
+    space: Space, processes: int, lower: int, expansions: int, deadline: float | None
+) -> tuple[int, Draft]:
     """Return the best of several beams of growing width: its time in ticks and the schedule.
 
     Args:
         space: the search space.
         processes: P.
         lower: a proven bound; a schedule that meets it ends the search.
-        expansions: states that may be expanded in all.
+        expansions: states that may be expanded for either way to tell options apart.
+        deadline: on the monotonic clock, after which no beam is begun; None for none.
     """
     best, chosen = FOREVER, None
-    for width in (1, 2, 4, 8, 16):
-        budget = Budget(expansions)
-        beam = Beam(space, width, budget)
+    left = {False: expansions, True: expansions}
+    for width, sharp in product((1, 2, 4, 8, 16), (False, True)):
+        late = chosen is not None and deadline is not None and monotonic() > deadline
+        if left[sharp] <= 0 or best <= lower or late:
+            continue
+        budget = Budget(left[sharp], deadline)
+        beam = Beam(space, width, budget, sharp)
         time = beam.time(processes)
         if time < best:
             best, chosen = time, beam
-        expansions -= budget.expanded
-        if best <= lower or expansions <= 0:
-            break
+        left[sharp] -= budget.expanded
     assert chosen is not None
     chosen.budget = Budget(1 << 30)
     return best, chosen.draft(processes)

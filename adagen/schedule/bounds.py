@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.schedule.chains import WHOLE, Chain, Chains
+from adagen.schedule.paths import PathBounds
 from adagen.schedule.single import SingleProcess
 from adagen.schedule.tree import Split
 
@@ -21,7 +22,8 @@ class Rules:
     Attributes:
         halving: always in halves, as III-C has it for P a power of two; else anyhow.
         split: ``always``: two descendants divide the range if it has two processes or more;
-            ``free``: they may also share it, one after the other.
+            ``free``: they may also share it, one after the other. Where ranges may be divided
+            anyhow, ``any`` comes to the same as ``free``.
     """
 
     halving: bool
@@ -30,6 +32,8 @@ class Rules:
     @staticmethod
     def of(processes: int, split: Split) -> Rules:
         """Return the rules for P processes."""
+        if split == "any":
+            return Rules(halving=False, split="free")
         return Rules(processes & (processes - 1) == 0, split)
 
     def splits(self, processes: int) -> list[tuple[int, int]]:
@@ -58,6 +62,9 @@ class Bounds:
         self._least = chains.q[1] + chains.least_fixed
         self._towers = np.array([self._tower(link, 0) for link in range(len(chains.degree))])
         self._hubs: dict[Chain, int] = {}
+        self._paths = PathBounds(
+            chains, self.spread_all, shares=rules.split == "free", halving=rules.halving
+        )
 
     def spread(self, work: int, processes: int) -> int:
         """Return the least time for a chain with a boundary whose work on one process is ``work``.
@@ -85,7 +92,12 @@ class Bounds:
             return work
         left = work - self.chains.least_fixed
         share = self.spread((left + 1) // 2, processes // 2) if self.rules.halving else 0
-        return max(self.chains.least_fixed + max(share, -(-left // processes)), self.hub(WHOLE))
+        spread = self.chains.least_fixed + max(share, -(-left // processes))
+        return max(spread, self.meeting(WHOLE, processes))
+
+    def meeting(self, chain: Chain, processes: int) -> int:
+        """Return a lower bound for two processes or more from the joints that meet at a link."""
+        return max(self.hub(chain), self._paths.bound(chain, processes))
 
     def hub(self, chain: Chain) -> int:
         """Return the time that a link with many joints takes, whatever the number of processes.

@@ -8,8 +8,6 @@ as in a search over sequences.
 
 from __future__ import annotations
 
-import numpy as np
-
 from adagen.schedule.budget import Budget, OutOfBudget, Task, run
 from adagen.schedule.chains import WHOLE, Chain
 from adagen.schedule.options import FOREVER, Option, Space
@@ -65,7 +63,7 @@ class ExactSearch:
             The optimum, or None if the budget ran out.
         """
         self.lower = max(self.lower, self.space.bounds.whole(processes))
-        step = 16
+        step = 64
         try:
             while self.lower < known:
                 limit = known if step <= 1 else self.lower + max(1, (known - self.lower) // step)
@@ -85,7 +83,7 @@ class ExactSearch:
         if work == 0 or processes == 1:
             return work
         bounds = self.space.bounds
-        bound = max(bounds.spread(work, processes), bounds.hub(chain))
+        bound = max(bounds.spread(work, processes), bounds.meeting(chain, processes))
         known = self._memo.get((self.space.canon.key(chain), processes))
         return bound if known is None else max(bound, known[0])
 
@@ -95,20 +93,20 @@ class ExactSearch:
         known, exact = self._memo.get(key, (0, False))
         if exact or known >= limit:
             return known
-        known = max(known, self.space.bounds.hub(chain))
+        known = max(known, self.space.bounds.meeting(chain, processes))
         if known >= limit:
             return known
         self.budget.spend()
         options = self.space.options(chain, processes)
         best = self.space.cutter.cuts(chain).work  # never slower than one process alone
         lowest = FOREVER
-        for i in np.argsort(options.bound, kind="stable").tolist():
+        for bound, option in self.space.best_first(
+            chain, processes, options, min(best, limit), self._lower
+        ):
             goal = min(best, limit)
-            bound = int(options.bound[i])
             if bound >= goal:
                 lowest = min(lowest, bound)
                 break
-            option = self.space.option(chain, processes, options, i)
             attempt = self._shared if option.shared else self._divided
             value: int = yield attempt(option, goal)
             if value < goal:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import heapq
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -38,6 +40,20 @@ class Options(NamedTuple):
     second: Ints
     hard: NDArray[np.bool_]
 
+    def take(self, keep: NDArray[np.bool_]) -> Options:
+        """Return the options that are kept."""
+        return Options(
+            self.bound[keep],
+            self.work[keep],
+            self.cut[keep],
+            self.first[keep],
+            self.second[keep],
+            self.hard[keep],
+        )
+
+
+Lower = Callable[[Chain, int, int], int]
+
 
 class Option(NamedTuple):
     """One option, worked out; a work of 0 means a bare link."""
@@ -65,41 +81,57 @@ class Space:
         self.cutter = Cutter(self.chains, self.single)
         self.bounds = Bounds(self.chains, self.single, rules)
         self.canon = Canon(self.chains)
-        degree = self.chains.degree
-        # Joints to a link without any other joint: under free splitting they may go first.
-        self._bare = np.array(
-            [
-                degree[p + 1] == 1 or (above == 0 and degree[0] == 1)
-                for p, above in enumerate(self.chains.parent)
-            ]
-        )
+        degree = np.array(self.chains.degree, dtype=np.int64)
+        above = np.array(self.chains.parent, dtype=np.int64)
+        below = np.arange(1, len(above) + 1)
+        # Joints to a link without any other joint, and the link on their other side.
+        ground = (above == 0) & (degree[0] == 1)
+        self._bare = (degree[below] == 1) | ground
+        self._neighbour = np.where(ground & (degree[below] > 1), below, above)
+        self._degree = degree
 
     def cuts(self, chain: Chain) -> Cuts:
-        """Return the cuts of a chain that some optimal schedule makes first.
+        """Return the cuts of a chain that there are in this space."""
+        return self.cutter.cuts(chain)
 
-        With free splitting a joint to a bare leaf can go down to just above that leaf's neighbour:
-        no node on the way gets dearer, and nothing else waits for it. It is then left out unless
-        there is no other joint.
+    def _worthwhile(self, chain: Chain, cuts: Cuts) -> NDArray[np.bool_]:
+        """Return which cuts of a chain some optimal schedule of least work makes first.
+
+        A joint p to a bare leaf can go down below the next cut i around its neighbour: i and p
+        together cost no more then, and the other side of i no longer waits for p. Where every range
+        of two chains is divided, that must not make two chains of one, so that p stops above the
+        last other joint of its neighbour.
         """
-        cuts = self.cutter.cuts(chain)
-        if self.rules.split == "always":
-            return cuts
-        keep = ~self._bare[cuts.position]
-        return cuts.take(keep) if keep.any() and not keep.all() else cuts
+        bare = self._bare[cuts.position]
+        if self.rules.split == "free":
+            keep: NDArray[np.bool_] = ~bare
+        else:
+            inner = self._degree[self._neighbour[cuts.position]]
+            for link in self.chains.handles(chain):
+                inner = inner - (self._neighbour[cuts.position] == link)
+            keep = ~bare | (inner <= 2)
+        return keep if bool(keep.any()) else np.ones_like(bare)
 
-    def options(self, chain: Chain, processes: int) -> Options:
-        """Return all options of a state with two processes or more."""
+    def options(self, chain: Chain, processes: int, *, every: bool = False) -> Options:
+        """Return the options of a state with two processes or more.
+
+        Args:
+            chain: the chain.
+            processes: P.
+            every: all of them, not only those that some optimal schedule of least work takes.
+        """
         cuts = self.cuts(chain)
         n = len(cuts.position)
+        keep = np.ones(n, dtype=np.bool_) if every else self._worthwhile(chain, cuts)
         two = (cuts.root_size > 0) & (cuts.end_size > 0)
         spread = self.bounds.spread_all
         shared = cuts.cost + spread(cuts.root_work, processes) + spread(cuts.end_work, processes)
-        keep = np.ones(n, dtype=np.bool_) if self.rules.split == "free" else ~two
         rows: list[tuple[Ints, NDArray[np.bool_], int, int]] = []
         for first, second in self.rules.splits(processes):
             longer = np.maximum(spread(cuts.root_work, first), spread(cuts.end_work, second))
-            rows.append((cuts.cost + longer, two, first, second))
-        rows.append((shared, keep, processes, processes))
+            rows.append((cuts.cost + longer, two & keep, first, second))
+        alone = keep if self.rules.split == "free" else ~two & keep
+        rows.append((shared, alone, processes, processes))
         at = np.arange(n)
         cut = np.concatenate([at[kept] for _, kept, _, _ in rows])
         sizes = [int(kept.sum()) for _, kept, _, _ in rows]
@@ -137,6 +169,44 @@ class Space:
             int(cuts.end_work[at]),
             first == processes,
         )
+
+    def best_first(
+        self, chain: Chain, processes: int, options: Options, limit: int, lower: Lower
+    ) -> Iterator[tuple[int, Option]]:
+        """Yield the options of a state by ascending bound, the bound sharpened on the way.
+
+        Only what has the least bound so far is looked at closely, so that options which nobody
+        asks for cost next to nothing.
+
+        Args:
+            chain: the chain.
+            processes: P.
+            options: its options.
+            limit: bounds from here on need not be sharp.
+            lower: lower bound on the time of a side, from its chain, processes and work.
+
+        Raises:
+            TooManyBranches: a hard option comes next.
+        """
+        order = np.argsort(options.bound, kind="stable").tolist()
+        rough = [(int(options.bound[i]), i) for i in order]
+        sharp: list[tuple[int, int, Option]] = []
+        at = 0
+        while at < len(rough) or sharp:
+            if at < len(rough) and (not sharp or rough[at][0] <= sharp[0][0]):
+                bound, i = rough[at]
+                at += 1
+                option = self.option(chain, processes, options, i)
+                if bound >= limit:
+                    heapq.heappush(sharp, (bound, i, option))
+                    continue
+                root = lower(option.root, option.first, option.root_work)
+                end = lower(option.end, option.second, option.end_work)
+                together = root + end if option.shared else max(root, end)
+                heapq.heappush(sharp, (max(bound, option.cost + together), i, option))
+            else:
+                bound, _, option = heapq.heappop(sharp)
+                yield bound, option
 
     def size(self, chain: Chain) -> int:
         """Return the number of joints of a chain."""

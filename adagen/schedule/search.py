@@ -19,6 +19,7 @@ from adagen.schedule.exact import ExactSearch
 from adagen.schedule.options import Space
 from adagen.schedule.profile import TICKS, CostProfile
 from adagen.schedule.restricted import joined_between_processes, restricted_draft
+from adagen.schedule.segment_schedule import segment_schedule
 from adagen.schedule.ties import LeastWork, walk
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Schedule, Split, Strategy, Tie, loads_of, makespan_of
@@ -89,7 +90,8 @@ def find_schedule(
             admissible, so that the schedule may be longer than the best.
         improved: for A*, the improved NextNodes() instead of the naive one.
         split: ``always``: two descendants divide their range (III-C); ``free``: they may share it
-            instead, one after the other (``exact`` only).
+            instead, one after the other; ``any``: the same, and ranges are divided in any way also
+            where P is a power of two: best where many limbs meet (both ``exact`` only).
         expansions: states or nodes the search may expand; the answer depends on nothing else.
         time_budget: seconds after which the search ends too; None for no such limit. Where it
             strikes, the answer depends on the machine.
@@ -106,10 +108,15 @@ def find_schedule(
         UsageError: an argument is out of range.
     """
     _check(processes, tie, strategy, split, expansions, time_budget)
+    deadline = None if time_budget is None else monotonic() + time_budget
+    if profile.steps is not None and strategy == "exact" and split == "always":
+        return segment_schedule(
+            topology, processes, profile, tie, cuttable, expansions=expansions, deadline=deadline
+        )
+    profile = profile.joins_only()  # A* and shared ranges follow the paper's costs
     rules = Rules.of(processes, split)
     space = Space(topology, profile, rules)
     searched = processes if rules.halving else rules.useful(processes, len(topology))
-    deadline = None if time_budget is None else monotonic() + time_budget
     request = Request(space, searched, tie, improved, expansions, deadline, progress)
     if searched == 1:
         found = _one(request)
@@ -161,8 +168,8 @@ def _check(
     ):
         if value not in known:
             raise UsageError(f"unknown {what} '{value}': expected {', '.join(known)}")
-    if split == "free" and strategy != "exact":
-        raise UsageError("free splitting needs the strategy 'exact': A* follows the paper")
+    if split != "always" and strategy != "exact":
+        raise UsageError(f"splitting '{split}' needs the strategy 'exact': A* follows the paper")
     if expansions < 0 or (time_budget is not None and not time_budget >= 0):
         raise UsageError("a search budget must not be negative")
 
@@ -185,11 +192,21 @@ def _budget(request: Request, report: Callable[[int], None] | None = None) -> Bu
     return Budget(request.expansions, request.deadline, report)
 
 
+def _guesses(request: Request) -> int:
+    """Return how many states the beams may expand for a first schedule."""
+    return max(64, min(1000, 10 * request.expansions), request.expansions // 10)
+
+
+def _half(deadline: float | None) -> float | None:
+    """Return the moment when half of the time that is left will have gone by."""
+    return None if deadline is None else (monotonic() + deadline) / 2
+
+
 def _exact(request: Request) -> Found:
     """Return what branch and bound finds; a beam's schedule where the budget runs out."""
     space, processes = request.space, request.processes
     lower = space.bounds.whole(processes)
-    known, draft = incumbent(space, processes, lower, max(64, request.expansions // 20))
+    known, draft = incumbent(space, processes, lower, _guesses(request), _half(request.deadline))
     if not space.rules.halving:
         known, draft = min((known, draft), _halved(request), key=lambda pair: pair[0])
 
@@ -222,8 +239,8 @@ def _halved(request: Request) -> tuple[int, Draft]:
     space = Space(request.space.topology, request.space.profile, rules)
     lower = space.bounds.whole(fewer)
     budget = max(64, request.expansions // 4)
-    known, draft = incumbent(space, fewer, lower, max(64, request.expansions // 20))
-    search = ExactSearch(space, Budget(budget, request.deadline))
+    known, draft = incumbent(space, fewer, lower, _guesses(request), _half(request.deadline))
+    search = ExactSearch(space, Budget(budget, _half(request.deadline)))
     optimum = search.tighten(fewer, known)
     if optimum is not None and optimum < known:
         search.budget = Budget(1 << 40)
@@ -267,7 +284,7 @@ def _astar(request: Request, strategy: Strategy) -> Found:
     goal = search.search(processes)
     lower = max(lower, search.lower)
     if goal is None:
-        _, draft = incumbent(space, processes, lower, max(64, request.expansions // 20))
+        _, draft = incumbent(space, processes, lower, _guesses(request), None)
         return Found(draft, lower, search.budget.expanded, False)
     # A naive sequence is not in the canonical order of slots, so that its smallest is another one.
     proven = strategy == "astar" and (request.improved or request.tie == "work")

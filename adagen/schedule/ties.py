@@ -82,7 +82,7 @@ def walk(
 def _first_fit(
     space: Space, search: ExactSearch, chain: Chain, p: int, budget: int, lexicographic: bool
 ) -> tuple[Option, tuple[int, int]]:
-    options = space.options(chain, p)
+    options = space.options(chain, p, every=lexicographic)
     for i in _in_order(space, chain, options, budget, lexicographic):
         o = space.option(chain, p, options, i)
         left = budget - o.cost
@@ -100,7 +100,9 @@ def _in_order(
 ) -> Iterator[int]:
     fit = np.flatnonzero(options.bound <= budget)
     if lexicographic:
-        original = np.array(space.chains.original)[space.cuts(chain).position[options.cut[fit]]]
+        original = np.array(space.chains.original)[
+            space.cutter.cuts(chain).position[options.cut[fit]]
+        ]
         order = np.lexsort((options.first[fit], original))
     else:
         order = np.argsort(options.bound[fit], kind="stable")

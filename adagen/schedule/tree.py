@@ -12,7 +12,7 @@ from adagen.schedule.topology import Topology
 Tie = Literal["work", "lex"]
 Strategy = Literal["exact", "astar", "paper", "file"]
 Named = Literal["balanced", "sequential", "middle-out"]
-Split = Literal["always", "free"]
+Split = Literal["always", "free", "any"]
 Verdict = Literal["optimal", "gap"]
 
 
@@ -66,7 +66,8 @@ class Schedule:
         tie: the preference among equally long schedules.
         tie_proven: whether the preference is known to be met.
         strategy: how the schedule was found, or its name.
-        split: whether two descendants always divide the range (III-C), or may share it.
+        split: whether two descendants always divide the range (III-C), may share it, or may also
+            divide it unevenly.
         expanded: partial chains (exact) or search nodes (A*) that were expanded.
         loads: active time of each process; length P.
     """
@@ -224,13 +225,13 @@ def _check_ranges(schedule: Schedule, topology: Topology) -> None:
         if all(r == node.processes for r in ranges):
             continue
         a, b = node.processes
-        if len(ranges) == 2:
-            (first, m), (n, last) = ranges
+        if len(ranges) == 2:  # whichever side has the first process stays where it is joined
+            (first, m), (n, last) = sorted(ranges)
             if a == first < m == n < last == b:
                 continue
         raise InvalidSchedule(
             f"the descendants of joint {_name(topology, node.joint)} neither share its range of "
-            "processes nor divide it, root side first"
+            "processes nor divide it"
         )
 
 

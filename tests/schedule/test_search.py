@@ -76,12 +76,13 @@ def test_every_strategy_against_all_schedule_trees(
 
 
 @settings(max_examples=60, deadline=None)
-@given(topologies(9), profiles(), st.integers(1, 8), st.sampled_from(["always", "free"]))
+@given(topologies(9), profiles(), st.integers(1, 8), st.sampled_from(["always", "free", "any"]))
 def test_exact_against_subset_program(
     topology: Topology, profile: CostProfile, p: int, split: Split
 ) -> None:
     brute = Brute(topology, profile)
-    best = brute.best(brute.whole, p, p & (p - 1) == 0, split == "free")
+    halving = p & (p - 1) == 0 and split != "any"
+    best = brute.best(brute.whole, p, halving, split != "always")
     for tie in TIES:
         s = find_schedule(topology, p, profile=profile, tie=tie, split=split)
         validate(s, topology)
@@ -177,6 +178,18 @@ def test_isomorphic_branches_are_searched_once() -> None:
     assert s.verdict == "optimal" and s.expanded < 1000
 
 
+def test_a_star_of_limbs_is_proven_at_once() -> None:
+    """Where limbs meet, halving gives away three of them at most on eight processes."""
+    parents = tuple(0 if j % 25 == 0 else j for j in range(200))
+    topology = Topology.bare(parents)
+    s = find_schedule(topology, 8, profile=PAPER, expansions=100)
+    validate(s, topology)
+    assert (s.verdict, s.makespan) == ("optimal", 2279.2)
+    uneven = find_schedule(topology, 8, profile=PAPER, expansions=100, split="any")
+    validate(uneven, topology)
+    assert uneven.makespan == 743.2
+
+
 def test_boundaries_with_many_branches_are_given_up_honestly() -> None:
     """A broad random tree whose cuts have more branch links than the exact merge is meant for."""
     parents = [0, *((j * 7919 + 13) % (j + 1) for j in range(1, 120))]
@@ -193,6 +206,7 @@ def test_arguments_are_checked() -> None:
         {"tie": "any"},
         {"strategy": "file"},
         {"split": "free", "strategy": "astar"},
+        {"split": "any", "strategy": "paper"},
         {"expansions": -1},
         {"time_budget": float("nan")},
     ):
