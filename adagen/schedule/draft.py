@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from adagen.schedule.pricing import segment_prices
 from adagen.schedule.profile import TICKS, CostProfile
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node
@@ -70,7 +71,14 @@ class Draft:
                 stack += [(side, (a, b)) for side in sides]
 
     def finish(self, topology: Topology, profile: CostProfile) -> Node:
-        """Return the tree with the cost and the boundary of each node."""
+        """Return the tree with the cost and the boundary of each node.
+
+        Where the profile has costs of steps, nodes are priced by segments.
+        """
+        prices = None
+        if profile.steps is not None:
+            children = list(zip(self.root_child, self.end_child, strict=True))
+            prices = segment_prices(topology, profile, self.root, children, self.ranges)
         order, stack = [], [self.root]
         while stack:
             joint = stack.pop()
@@ -88,7 +96,7 @@ class Draft:
                 joints += n
             # Each joint inside the chain is counted by both of its links, one outside by one.
             k = degrees - 2 * joints
-            cost = profile.join(k, topology.dofs[joint]) / TICKS
-            result = Node(joint, self.ranges[joint], sides[0], sides[1], cost, k)
+            cost = profile.join(k, topology.dofs[joint]) if prices is None else prices[joint]
+            result = Node(joint, self.ranges[joint], sides[0], sides[1], cost / TICKS, k)
             made[joint] = (result, degrees, joints)
         return made[self.root][0]

@@ -14,6 +14,7 @@ from adagen.schedule.chains import WHOLE, Chain, Chains
 from adagen.schedule.draft import Draft
 from adagen.schedule.options import Space
 from adagen.schedule.profile import TICKS, CostProfile
+from adagen.schedule.segment_schedule import segment_bound
 from adagen.schedule.single import outward
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import (
@@ -87,7 +88,10 @@ def as_schedule(
     )
     # Any split is the weakest rule that such a tree may follow.
     rules = Rules(halving=False, split="free" if shares else "always")
-    lower = min(makespan, Space(topology, profile, rules).bounds.whole(processes) / TICKS)
+    if profile.steps is not None:
+        lower = min(makespan, segment_bound(topology, profile, processes))
+    else:
+        lower = min(makespan, Space(topology, profile, rules).bounds.whole(processes) / TICKS)
     schedule = Schedule(
         root=root,
         processes=processes,

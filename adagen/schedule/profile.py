@@ -12,7 +12,7 @@ import os
 import re
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import resources
 from pathlib import Path
 
@@ -69,6 +69,10 @@ class CostProfile:
                     f"delta + {dofs} gamma must be positive: the cost of a join with {dofs} "
                     "degrees of freedom"
                 )
+
+    def joins_only(self) -> CostProfile:
+        """Return the same profile without costs of steps: Eq. (11) alone, for form `ada`."""
+        return replace(self, steps=None)
 
     def boundary(self, k: int) -> int:
         """Return q(k) = alpha k^2 + beta k in ticks, the part that the schedule decides."""

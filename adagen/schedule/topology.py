@@ -18,15 +18,19 @@ class Topology:
         parents: parent link of each joint, ``0 <= parents[j] <= j``; length N.
         dofs: degrees of freedom n_i of each joint, 1 to 6; length N.
         names: name of each joint, all different; length N.
+        kinds: name of each joint's kind; length N, or empty where only degrees of freedom matter.
     """
 
     parents: tuple[int, ...]
     dofs: tuple[int, ...]
     names: tuple[str, ...]
+    kinds: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if not len(self.parents) == len(self.dofs) == len(self.names):
             raise ValueError("parents, dofs and names must be equally long")
+        if self.kinds and len(self.kinds) != len(self.parents):
+            raise ValueError("there must be as many kinds as joints, or none")
         for j, (parent, dofs) in enumerate(zip(self.parents, self.dofs, strict=True)):
             if not 0 <= parent <= j:
                 raise ValueError(f"joint {j}: parent link {parent} is not one of 0..{j}")
@@ -42,6 +46,7 @@ class Topology:
             tuple(joint.parent for joint in model.joints),
             tuple(joint.kind.nv for joint in model.joints),
             tuple(joint.name for joint in model.joints),
+            tuple(joint.kind.name for joint in model.joints),
         )
 
     @staticmethod
@@ -54,6 +59,13 @@ class Topology:
     def serial(joints: int) -> Topology:
         """Return the serial chain of joints of one degree of freedom (Section IV-B)."""
         return Topology.bare(tuple(range(joints)))
+
+    def kind(self, joint: int) -> str:
+        """Return the name of a joint's kind; if none was given, a common one of its freedoms."""
+        if self.kinds:
+            return self.kinds[joint]
+        dofs = self.dofs[joint]
+        return "revolute" if dofs == 1 else "spherical" if dofs < 6 else "floating"
 
     def __len__(self) -> int:
         """Return N, the number of joints."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -35,7 +36,7 @@ def test_what_is_predicted_can_happen(form: str, processes: int, seed: int) -> N
     for p, process in enumerate(made.processes):
         mine = [i for i in line.intervals if i.process == p]
         assert [i.what for i in mine if i.what != "wait"] == [s.what for s in stages(process)]
-        for before, after in zip(mine, mine[1:], strict=False):
+        for before, after in pairwise(mine):
             assert before.end == pytest.approx(after.start, abs=1e-12)
         if mine:
             ends.append(mine[-1].end)
@@ -88,7 +89,7 @@ def test_mpi_messages_and_slow_cores_take_longer() -> None:
 @pytest.mark.parametrize("name", ["join.coupling_a", "join.block", "propagate.spread"])
 def test_no_coefficient_makes_anything_faster(name: str) -> None:
     made = plan(4, "ada" if name.startswith("join") else "segment")
-    dearer = step_profile(**{name.replace(".", "__"): 1.0})
+    dearer = step_profile((), **{name.replace(".", "__"): 1.0})
     assert predict(made, dearer).makespan >= predict(made, step_profile()).makespan
 
 
