@@ -21,12 +21,17 @@ def _ends(words: Words, step: Articulate | Propagate | Deliver | Accelerate) -> 
     return (child, parent) if step.reversed else (parent, child)
 
 
+def _of_link(words: Words, j: int, link: int) -> str:
+    """Where a link's part of the memory is, seen from a joint's function (``i`` is its own)."""
+    return "i" if link == j + 1 else words.link_memory(link)
+
+
 def articulate(words: Words, step: Articulate) -> list[str]:
     """I^A and p^A of the far link, through the joint, onto the near link."""
     j = step.joint
     joint = words.plan.joints[j]
     near, far = _ends(words, step)
-    own, beyond = words.link_memory(near), words.link_memory(far)
+    own, beyond = _of_link(words, step.joint, near), _of_link(words, step.joint, far)
     sigma = "-1" if step.reversed else "1"
     inertia, force = f"{beyond}.IA", f"{beyond}.pA"
     lines = [
@@ -38,12 +43,12 @@ def articulate(words: Words, step: Articulate) -> list[str]:
     if step.reversed:
         lines += [
             "i.body.c = -i.body.c;",
-            f"const Mat6 IA = in_child(i.X, {inertia});",
+            f"const Inertia IA = in_child(i.X, {inertia});",
             f"const Columns6 pA = wrench_in_child(i.X, {force});",
         ]
         inertia, force = "IA", "pA"
     lines += [
-        "Mat6 handed;",
+        "Inertia handed;",
         "Columns6 force;",
         f"if (!articulate(i.body, {sigma}, {inertia}, {force}, handed, force))",
         f"  fail(w, kFactorization, {j});",
@@ -111,7 +116,7 @@ def _far_acceleration(
 def deliver(words: Words, step: Deliver) -> list[str]:
     """The load on the far link, through the joint, onto the near link."""
     near, far = _ends(words, step)
-    load = f"{words.link_memory(far)}.load"
+    load = f"{_of_link(words, step.joint, far)}.load"
     lines = [
         f"auto& i = {words.memory(step.joint)};",
         f"Columns6 load = {f'wrench_in_child(i.X, {load})' if step.reversed else load};",
@@ -119,16 +124,16 @@ def deliver(words: Words, step: Deliver) -> list[str]:
     ]
     if near > 0:
         handed = "load" if step.reversed else "i.X.transposed_times(load)"
-        lines.append(f"{words.link_memory(near)}.load += {handed};")
+        lines.append(f"{_of_link(words, step.joint, near)}.load += {handed};")
     return lines
 
 
 def accelerate(words: Words, step: Accelerate) -> list[str]:
     """Qdd of the joint and the acceleration of its far link."""
     near, far = _ends(words, step)
-    start = "kGround" if near == 0 else f"{words.link_memory(near)}.a"
+    start = "kGround" if near == 0 else f"{_of_link(words, step.joint, near)}.a"
     lines = [f"auto& i = {words.memory(step.joint)};"]
-    target = f"{words.link_memory(far)}.a"
+    target = f"{_of_link(words, step.joint, far)}.a"
     lines += _far_acceleration(step, start, target, "const auto qdd = ")
     qdd = "negated(qdd)" if step.reversed else "qdd"
     return [*lines, store(words, step.joint, qdd)]

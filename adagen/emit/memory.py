@@ -69,7 +69,7 @@ class Members:
             case StartLink():
                 name = words.quoted_link(step.link)
                 self.lines[step.link - 1] += [
-                    f"Mat6 IA;  // articulated-body inertia of link {name}",
+                    f"Inertia IA;  // articulated-body inertia of link {name}",
                     "Columns6 pA;  // and its bias force",
                     "Columns6 a;  // acceleration of the link, relative to free fall",
                 ]
