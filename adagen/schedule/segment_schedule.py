@@ -37,7 +37,8 @@ def segment_schedule(
 ) -> Schedule:
     """Return a schedule for form `segment` under measured costs; see ``find_schedule``.
 
-    Ranges of up to four processes are divided in any way, larger ones in halves; a chain may leave processes idle where they do not pay.
+    Ranges of up to four processes are divided in any way, larger ones in halves; a chain may leave
+    processes idle where they do not pay.
 
     Raises:
         InputError: the robot has no joint, or costs are too large.
