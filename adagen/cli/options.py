@@ -11,6 +11,8 @@ from adagen import __version__
 from adagen.errors import UsageError, printable
 
 MOST_PROCESSES = 1024
+AUTO = 0
+"""What --procs is where it is to be chosen."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -76,16 +78,18 @@ def add_schedule(parser: argparse.ArgumentParser) -> None:
     """Add the number of processes and how the schedule is searched."""
     parser.add_argument(
         "--procs",
-        type=_whole(1, MOST_PROCESSES),
+        type=_processes,
         required=True,
         metavar="P",
-        help=f"number of processes, 1 to {MOST_PROCESSES}",
+        help=f"number of processes, 1 to {MOST_PROCESSES}, or auto: as many as the cost profile "
+        "predicts to pay on this machine's cores",
     )
     parser.add_argument(
         "--profile",
         default="default",
         metavar="NAME|FILE",
-        help="what operations cost: a shipped profile (default, paper) or a TOML file",
+        help="what operations cost: a shipped profile (default, paper), one that adagen calibrate "
+        "has stored, or a TOML file",
     )
     parser.add_argument(
         "--tie",
@@ -154,6 +158,11 @@ def add_emission(parser: argparse.ArgumentParser) -> None:
         help="between processes: shared window on one node and messages elsewhere (auto), or "
         "one of them",
     )
+
+
+def _processes(text: str) -> int:
+    """Return a number of processes; 0 for auto."""
+    return AUTO if text == "auto" else _whole(1, MOST_PROCESSES)(text)
 
 
 def seconds(text: str) -> float:

@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, get_args
 
 from adagen.cli.console import Stages, note, progress, warn
+from adagen.cli.options import AUTO
+from adagen.cli.predicted import scheduled
 from adagen.errors import InputError
 
 if TYPE_CHECKING:
@@ -74,27 +76,33 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
         from adagen.schedule.tree import Named
 
         profile = load_profile(options.profile)
-        if options.schedule in get_args(Named):
-            topology = Topology.of(model)
-            return named_schedule(options.schedule, topology, options.procs, profile=profile)
-        if options.schedule != "auto":
+        if options.form == "ada":
+            profile = profile.joins_only()
+        if options.schedule not in ("auto", *get_args(Named)):
             return _read_schedule(options, Topology.of(model), profile)
         cuttable = None
-        if options.form == "segment":
+        if options.form == "segment" and options.schedule == "auto":
             from adagen.plan.cuts import cuttable_joints
 
             cuttable = cuttable_joints(model, options.scalar)
-        return find_schedule(
-            Topology.of(model),
-            options.procs,
-            cuttable=cuttable,
-            profile=profile,
-            tie=options.tie,
-            strategy=options.strategy,
-            split=options.split,
-            improved=not options.naive,
-            **({} if options.expansions is None else {"expansions": options.expansions}),
-        )
+
+        def schedule(processes: int) -> Schedule:
+            topology = Topology.of(model)
+            if options.schedule != "auto":
+                return named_schedule(options.schedule, topology, processes, profile=profile)
+            return find_schedule(
+                topology,
+                processes,
+                cuttable=cuttable,
+                profile=profile,
+                tie=options.tie,
+                strategy=options.strategy,
+                split=options.split,
+                improved=not options.naive,
+                **({} if options.expansions is None else {"expansions": options.expansions}),
+            )
+
+        return scheduled(model, options, schedule)
 
 
 def _read_schedule(
@@ -110,6 +118,8 @@ def _read_schedule(
     except ValueError:
         raise InputError("not UTF-8 text", options.schedule) from None
     schedule = schedule_from_json(text, topology, profile, options.schedule)
+    if options.procs == AUTO:
+        options.procs = schedule.processes
     if schedule.processes != options.procs:
         raise InputError(
             f"this schedule is for {schedule.processes} processes, not {options.procs}; "

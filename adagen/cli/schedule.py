@@ -8,9 +8,14 @@ from typing import TYPE_CHECKING
 
 from adagen.cli.console import Stages, note
 from adagen.cli.options import add_model, add_schedule, make_parser, parse
+from adagen.cli.predicted import timeline
 
 if TYPE_CHECKING:
+    import argparse
+
+    from adagen.model import Model
     from adagen.schedule import Schedule
+    from adagen.schedule.timeline import MachineTimeline
 
 _EPILOG = """\
 examples:
@@ -27,7 +32,14 @@ def run(argv: Sequence[str]) -> int:
     add_schedule(parser)
     parser.add_argument("--json", action="store_true", help="print the schedule tree as JSON")
     parser.add_argument("--svg", type=Path, metavar="FILE", help="draw the schedule tree")
+    parser.add_argument(
+        "--trace",
+        metavar="FILE",
+        help="with --svg: draw what a run measured (its --trace) under what is predicted",
+    )
     options = parse(parser, argv)
+    if options.trace is not None and options.svg is None:
+        parser.error("--trace needs --svg FILE: the drawing to make")
 
     from adagen.cli import pipeline
     from adagen.cli.files import write_file
@@ -39,7 +51,7 @@ def run(argv: Sequence[str]) -> int:
         schedule = pipeline.schedule_model(model, options, stages)
         if options.svg is not None:
             with stages.stage("draw"):
-                write_file(options.svg, pipeline.draw(schedule, model))
+                write_file(options.svg, _drawing(model, schedule, options))
     finally:
         if options.verbose:
             note(str(stages))
@@ -48,9 +60,49 @@ def run(argv: Sequence[str]) -> int:
         print(schedule_to_json(schedule, topology))
         return 0
     print(schedule_tree(schedule, topology))
-    _show_loads(schedule)
+    line = timeline(model, schedule, options)
+    if line is None:
+        _show_loads(schedule)
+    else:
+        _show_machine(schedule, line)
     print(pipeline.prediction(schedule))
     return 0
+
+
+def _drawing(model: Model, schedule: Schedule, options: argparse.Namespace) -> str:
+    """Return the schedule as SVG, or predicted and measured timelines where there is a trace."""
+    from adagen.cli import pipeline
+
+    if options.trace is None:
+        return pipeline.draw(schedule, model)
+    from adagen.schedule.draw_trace import machine_svg
+    from adagen.schedule.trace import read_trace
+
+    names = [joint.name for joint in model.joints]
+    lines = [read_trace(options.trace, names, schedule.processes)]
+    predicted = timeline(model, schedule, options)
+    if predicted is not None:
+        lines.insert(0, predicted)
+    count = f"{schedule.processes} process{'es' if schedule.processes > 1 else ''}"
+    return machine_svg(lines, names, f"{model.name}, {count}, form {options.form}")
+
+
+def _show_machine(schedule: Schedule, line: MachineTimeline) -> None:
+    """Print how long each process works and waits by the steps of its plan, for people."""
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE)
+    for column in ("process", "busy (us)", "waiting (us)", "share"):
+        table.add_column(column, justify="right")
+    for process in range(schedule.processes):
+        busy, waiting = line.busy(process), line.waiting(process)
+        share = f"{busy / line.makespan:.0%}"
+        table.add_row(str(process), f"{busy:.2f}", f"{waiting:.2f}", share)
+    console = Console()
+    console.print(table)
+    console.print(f"{line.makespan:.2f} us step by step, waiting and messages included")
 
 
 def _show_loads(schedule: Schedule) -> None:

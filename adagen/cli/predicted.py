@@ -1,0 +1,83 @@
+"""What the cost profile predicts of a schedule, and how many processes that speaks for."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from adagen.cli.console import note, warn
+from adagen.cli.options import AUTO
+
+if TYPE_CHECKING:
+    from adagen.model import Model
+    from adagen.schedule import CostProfile, Schedule
+    from adagen.schedule.timeline import MachineTimeline
+
+MOST_CORES = 16
+"""Processes that --procs auto considers at most."""
+
+
+def scheduled(
+    model: Model, options: argparse.Namespace, schedule: Callable[[int], Schedule]
+) -> Schedule:
+    """Return the schedule for the processes that were asked for, or for as many as pay.
+
+    Where they were asked for and do not pay, a warning says so.
+
+    Args:
+        model: the robot.
+        options: the command line; ``procs`` is set where it was left open.
+        schedule: finds a schedule for a number of processes.
+    """
+    from adagen.predict import choose_processes, predicted_time
+    from adagen.predict.choose import WORTH
+
+    profile = _profile(options)
+    if options.procs == AUTO:
+        found = choose_processes(model, profile, options.form, cores(), schedule)
+        best = found[0]
+        options.procs = best.processes
+        times = ", ".join(
+            f"{c.time:.2f} us on {c.processes}" for c in sorted(found, key=lambda c: c.processes)
+        )
+        note(f"--procs auto: {best.processes} (predicted: {times}; {profile.name} profile)")
+        return best.schedule
+    chosen = schedule(options.procs)
+    if options.procs > 1 and profile.steps is not None:
+        many = predicted_time(model, chosen, profile, options.form)
+        one = predicted_time(model, schedule(1), profile, options.form)
+        if many > (1 - WORTH) * one:
+            warn(
+                f"{options.model}: warning: {options.procs} processes do not pay: predicted "
+                f"{many:.2f} us, and {one:.2f} us on one ({profile.name} profile); say --procs 1, "
+                "or auto"
+            )
+    return chosen
+
+
+def cores() -> int:
+    """Return how many cores this process may use, up to what is worth a search."""
+    count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    return min(count or 1, MOST_CORES)
+
+
+def timeline(
+    model: Model, schedule: Schedule, options: argparse.Namespace
+) -> MachineTimeline | None:
+    """Return how an evaluation is predicted to go step by step, if the profile can tell."""
+    from adagen.plan import make_plan
+    from adagen.predict import predict
+
+    profile = _profile(options)
+    if profile.steps is None:
+        return None
+    plan = make_plan(model, schedule, form=options.form, scalar=options.scalar)
+    return predict(plan, profile)
+
+
+def _profile(options: argparse.Namespace) -> CostProfile:
+    from adagen.schedule import load_profile
+
+    return load_profile(options.profile)

@@ -1,0 +1,68 @@
+"""How many processes pay: one schedule after another, played through on the machine's costs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from adagen.model import Model
+from adagen.plan import make_plan
+from adagen.predict.simulate import predict
+from adagen.schedule import CostProfile, Schedule
+
+WORTH = 0.03
+"""Share of the time that more processes must save to be preferred."""
+_PATIENCE = 3  # numbers of processes in a row that bring nothing, after which the search ends
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A number of processes, its schedule and its predicted time in microseconds."""
+
+    processes: int
+    schedule: Schedule
+    time: float
+
+
+def predicted_time(model: Model, schedule: Schedule, profile: CostProfile, form: str) -> float:
+    """Return what a schedule is predicted to take, microseconds.
+
+    By the steps of its plan where the profile prices them, else by Eq. (11).
+
+    Args:
+        model: the robot.
+        schedule: of its joints.
+        profile: the costs.
+        form: of the algorithm.
+    """
+    if profile.steps is None:
+        return schedule.makespan
+    return predict(make_plan(model, schedule, form=form), profile).makespan
+
+
+def choose_processes(
+    model: Model,
+    profile: CostProfile,
+    form: str,
+    most: int,
+    schedule: Callable[[int], Schedule],
+) -> list[Candidate]:
+    """Return candidates for 1 process and more, the best one first.
+
+    Args:
+        model: the robot.
+        profile: the costs.
+        form: of the algorithm.
+        most: processes to consider at most, such as the number of cores.
+        schedule: finds a schedule for a number of processes.
+    """
+    best = Candidate(1, one := schedule(1), predicted_time(model, one, profile, form))
+    seen = [best]
+    for processes in range(2, most + 1):
+        found = schedule(processes)
+        seen.append(Candidate(processes, found, predicted_time(model, found, profile, form)))
+        if seen[-1].time < (1 - WORTH) * best.time:
+            best = seen[-1]
+        elif processes - best.processes >= _PATIENCE:
+            break
+    return [best, *(candidate for candidate in seen if candidate is not best)]
