@@ -73,7 +73,10 @@ def _lost(plan: Plan, j: int, x: NDArray[np.float64], assembled: NDArray[np.floa
     if plan.joints[j].parent > 0:
         bare = bare + x @ _bare_mobility(plan.links[plan.joints[j].parent]) @ x.T
     at = np.ix_(rows, rows)
-    return lost_mobility(bare[at], assembled[at])
+    try:
+        return lost_mobility(bare[at], assembled[at])
+    except np.linalg.LinAlgError:
+        return np.inf
 
 
 def _bare_mobility(link: PlanLink) -> NDArray[np.float64]:

@@ -150,6 +150,10 @@ class Machine:
                     self._apply_coupling()
         except KeyError as missing:
             raise PlanError(f"{step} reads {missing}, which this process does not have") from None
+        except np.linalg.LinAlgError:
+            place = getattr(step, "joint", getattr(step, "link", 1) - 1)
+            name = self.plan.joints[place].name
+            raise FloatingPointError(f'joint "{name}": factorization failed') from None
         return True
 
     @staticmethod
@@ -231,11 +235,7 @@ class Machine:
         phi = phi_a + self._block(step.b)
         beta = b_a - self.memory[step.b_bias] + c - phi[:, free] @ tau
         m = phi[np.ix_(constrained, constrained)]
-        try:
-            lower = np.linalg.cholesky(m) if constrained else m
-        except np.linalg.LinAlgError:
-            name = self.plan.joints[step.joint].name
-            raise FloatingPointError(f'joint "{name}": factorization failed') from None
+        lower = np.linalg.cholesky(m) if constrained else m
         z0 = np.linalg.solve(lower, beta[constrained]) if constrained else beta[constrained]
         z: dict[int, Array] = {}
         y: dict[int, Array] = {}
