@@ -10,29 +10,18 @@ from numpy.typing import NDArray
 from adagen.model.kinds import KINDS, JointKind
 from adagen.plan.interpret_segment import SegmentMachine
 from adagen.plan.types import (
-    Accelerate,
-    AccelerateRoot,
     ApplyCoupling,
-    Articulate,
     Bias,
     Block,
-    Deliver,
     Disassemble,
-    FreeAcceleration,
-    FreeBase,
-    InvertRoot,
     Join,
     Kinematics,
     LinkBias,
-    Load,
     Message,
     Plan,
-    Propagate,
     Receive,
     Send,
     SolveCoupling,
-    SolveRoot,
-    StartLink,
     Step,
 )
 
@@ -113,41 +102,10 @@ class Machine:
 
     def step(self, step: Step) -> bool:
         """Do one step; return False if it has to wait for a message."""
+        if isinstance(step, Receive) and step.message not in self.mail:
+            return False
         try:
-            match step:
-                case Kinematics():
-                    self._kinematics(step)
-                case LinkBias():
-                    self._link_bias(step.link)
-                case Join():
-                    self._join(step)
-                case Disassemble():
-                    self._disassemble(step)
-                case (
-                    StartLink()
-                    | FreeBase()
-                    | Articulate()
-                    | InvertRoot()
-                    | SolveRoot()
-                    | Propagate()
-                    | Load()
-                    | Deliver()
-                    | AccelerateRoot()
-                    | FreeAcceleration()
-                    | Accelerate()
-                ):
-                    self.segments.step(step)
-                case Send():
-                    items = self._contents(self.plan.messages[step.message])
-                    self.mail[step.message] = {item: self.memory[item] for item in items}
-                case Receive():
-                    if step.message not in self.mail:
-                        return False
-                    self.memory.update(self.mail.pop(step.message))
-                case SolveCoupling():
-                    self._solve_coupling()
-                case ApplyCoupling():
-                    self._apply_coupling()
+            self._do(step)
         except KeyError as missing:
             raise PlanError(f"{step} reads {missing}, which this process does not have") from None
         except np.linalg.LinAlgError:
@@ -155,6 +113,28 @@ class Machine:
             name = self.plan.joints[place].name
             raise FloatingPointError(f'joint "{name}": factorization failed') from None
         return True
+
+    def _do(self, step: Step) -> None:
+        match step:
+            case Kinematics():
+                self._kinematics(step)
+            case LinkBias():
+                self._link_bias(step.link)
+            case Join():
+                self._join(step)
+            case Disassemble():
+                self._disassemble(step)
+            case Send():
+                items = self._contents(self.plan.messages[step.message])
+                self.mail[step.message] = {item: self.memory[item] for item in items}
+            case Receive():
+                self.memory.update(self.mail.pop(step.message))
+            case SolveCoupling():
+                self._solve_coupling()
+            case ApplyCoupling():
+                self._apply_coupling()
+            case _:
+                self.segments.step(step)
 
     @staticmethod
     def _contents(message: Message) -> list[Any]:
