@@ -157,7 +157,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             source_hash=_hash(Path(options.model)),
         )
     idle = sum(not process.owns for process in plan.processes)
-    if idle:
+    if idle and not getattr(options, "told_to_use_fewer", False):
         few = len(plan.processes) - idle
         warn(
             f"{options.model}: warning: {idle} of {len(plan.processes)} processes will have"

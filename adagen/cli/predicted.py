@@ -54,6 +54,7 @@ def scheduled(
                 f"{many:.2f} us, and {one:.2f} us on one ({profile.name} profile); say --procs 1, "
                 "or auto"
             )
+            options.told_to_use_fewer = True
     return chosen
 
 

@@ -123,12 +123,12 @@ def load_profile(name: str) -> CostProfile:
         text = (resources.files("adagen.schedule") / "profiles" / f"{name}.toml").read_text("utf-8")
         return parse_profile(text, f"{name}.toml")
     path = Path(name)
-    if name in stored_profiles():
+    if name in stored_profiles():  # never SHIPPED, which are done with
         path = profiles_folder() / f"{name}.toml"
     try:
         return parse_profile(path.read_text("utf-8"), str(path))
     except FileNotFoundError:
-        known = ", ".join((*SHIPPED, *stored_profiles()))
+        known = ", ".join(dict.fromkeys((*SHIPPED, *stored_profiles())))
         raise InputError(
             f"no cost profile '{name}': give a TOML file or one of {known}; adagen calibrate "
             "measures this machine's"

@@ -1,0 +1,108 @@
+"""How many processes pay, as the command line says it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from adagen.calibrate import profile_text
+from adagen.cli import main
+from tests.cli.test_generate import write_arm
+from tests.predict.costs import step_profile
+
+
+@pytest.fixture
+def cheap(tmp_path: Path) -> Path:
+    """A profile under which cuts cost next to nothing."""
+    names = ("join", "disassemble", "propagate", "deliver")
+    kinds = ("revolute", "ground")
+    free = {f"{n}__{k}": 0.0 for n in names for k in kinds if (n, k) not in _MISSING}
+    file = tmp_path / "cheap.toml"
+    costs = dict.fromkeys(("root__invert", "process__evaluation"), 0.0)
+    profile = step_profile((), **free, **costs, articulate__revolute=1.0)
+    file.write_text(profile_text(profile, "cheap cuts"))
+    return file
+
+
+_MISSING = {("disassemble", "ground"), ("deliver", "ground")}
+
+
+def test_more_processes_than_pay_are_obeyed_with_a_warning(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arm = write_arm(tmp_path / "arm.urdf", 6)
+    assert main(["schedule", str(arm), "--procs", "4", "--json"]) == 0
+    stdout, stderr = capsys.readouterr()
+    assert json.loads(stdout)["root"]["processes"] == [0, 4]
+    assert "4 processes do not pay: predicted" in stderr
+    assert "us on one (default profile); say --procs 1, or auto" in stderr
+
+
+def test_where_they_pay_there_is_no_warning(
+    tmp_path: Path, cheap: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arm = write_arm(tmp_path / "arm.urdf", 12)
+    assert main(["schedule", str(arm), "--procs", "2", "--profile", str(cheap), "--json"]) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_auto_takes_one_for_an_arm_and_more_where_it_pays(
+    tmp_path: Path,
+    cheap: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("adagen.cli.predicted.cores", lambda: 4)
+    arm = write_arm(tmp_path / "arm.urdf", 12)
+    assert main(["schedule", str(arm), "--procs", "auto", "--json"]) == 0
+    stdout, stderr = capsys.readouterr()
+    assert json.loads(stdout)["root"]["processes"][1] <= 2 and "--procs auto: " in stderr
+    words = ["schedule", str(arm), "--procs", "auto", "--profile", str(cheap), "--json"]
+    assert main(words) == 0
+    assert json.loads(capsys.readouterr().out)["root"]["processes"][1] >= 2
+
+
+def test_auto_works_with_the_paper_profile_and_form_ada(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arm = write_arm(tmp_path / "arm.urdf", 9)
+    for more in (["--profile", "paper"], ["--form", "ada"]):
+        assert main(["schedule", str(arm), "--procs", "auto", *more]) == 0
+        assert "--procs auto: " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("text", ["0", "Auto", "auto2", "-1", "1025", ""])
+def test_other_words_are_refused(
+    text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arm = write_arm(tmp_path / "arm.urdf")
+    assert main(["schedule", str(arm), f"--procs={text}"]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_generating_for_auto_names_the_processes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arm = write_arm(tmp_path / "arm.urdf")
+    assert main([str(arm), "--procs", "auto", "--out", str(tmp_path / "o")]) == 0
+    assert (tmp_path / "o" / "arm_p1.cpp").is_file()
+    capsys.readouterr()
+
+
+def test_stored_profiles_are_found_by_name(
+    tmp_path: Path,
+    cheap: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    folder = tmp_path / "config" / "adagen" / "profiles"
+    folder.mkdir(parents=True)
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    (folder / "machine.toml").write_text(cheap.read_text())
+    (folder / "default.toml").write_text("not the shipped one")
+    arm = write_arm(tmp_path / "arm.urdf")
+    for name, status in (("machine", 0), ("default", 0), ("other", 1)):
+        assert main(["schedule", str(arm), "--procs", "1", "--profile", name]) == status
+    assert "one of default, paper, machine;" in capsys.readouterr().err
