@@ -64,7 +64,7 @@ def run(argv: Sequence[str]) -> int:
     if line is None:
         _show_loads(schedule)
     else:
-        _show_machine(schedule, line)
+        _show_machine(schedule, line, options.form)
     print(pipeline.prediction(schedule))
     return 0
 
@@ -87,7 +87,7 @@ def _drawing(model: Model, schedule: Schedule, options: argparse.Namespace) -> s
     return machine_svg(lines, names, f"{model.name}, {count}, form {options.form}")
 
 
-def _show_machine(schedule: Schedule, line: MachineTimeline) -> None:
+def _show_machine(schedule: Schedule, line: MachineTimeline, form: str) -> None:
     """Print how long each process works and waits by the steps of its plan, for people."""
     from rich import box
     from rich.console import Console
@@ -102,7 +102,12 @@ def _show_machine(schedule: Schedule, line: MachineTimeline) -> None:
         table.add_row(str(process), f"{busy:.2f}", f"{waiting:.2f}", share)
     console = Console()
     console.print(table)
-    console.print(f"{line.makespan:.2f} us step by step, waiting and messages included")
+    above = line.makespan / schedule.lower_bound - 1
+    proof = ""
+    if form == "segment" and schedule.split == "always":
+        proof = f", at most {above:.1%} above what is proven to be the least"
+    said = f"{line.makespan:.2f} us step by step, waiting and messages included{proof}"
+    console.print(said, soft_wrap=True)
 
 
 def _show_loads(schedule: Schedule) -> None:

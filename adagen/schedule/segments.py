@@ -84,8 +84,11 @@ class SegmentCosts:
         return self._ticks(propagate, f"deliver.{kind}", "deliver.load")
 
     def handles(self, chain: Chain) -> list[int]:
-        """Return the links of a chain that boundary joints touch, ascending, each once."""
-        return sorted(set(self.chains.handles(chain)))
+        """Return the links of a chain that boundary joints touch, ascending, each once.
+
+        The ground is none: what meets there alone does not feel each other.
+        """
+        return sorted(set(self.chains.handles(chain)) - {0})
 
     def work(self, chain: Chain) -> int:
         """Return what the joints of a chain take, without paths, root and start."""
@@ -171,6 +174,8 @@ class SegmentCosts:
     def transit(self, chain: Chain) -> int:
         """Return how long a chain's results and the forces on it are under way, together."""
         m = len(self.handles(chain))
+        if not m:  # nothing to tell
+            return 0
         numbers = 36 * m * (m + 1) / 2 + 6 * m + 6 * m
         channel = self.costs.window
         return round((2 * (channel.send + channel.latency) + numbers * channel.number) * TICKS)
