@@ -72,7 +72,8 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
         InputError: the profile or the schedule file is refused.
     """
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
-        from adagen.schedule import Topology, find_schedule, load_profile, named_schedule
+        from adagen.predict import best_schedule
+        from adagen.schedule import Topology, load_profile, named_schedule
         from adagen.schedule.tree import Named
 
         profile = load_profile(options.profile)
@@ -80,21 +81,17 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
             profile = profile.joins_only()
         if options.schedule not in ("auto", *get_args(Named)):
             return _read_schedule(options, Topology.of(model), profile)
-        cuttable = None
-        if options.form == "segment" and options.schedule == "auto":
-            from adagen.plan.cuts import cuttable_joints
-
-            cuttable = cuttable_joints(model, options.scalar)
 
         def schedule(processes: int) -> Schedule:
-            topology = Topology.of(model)
             if options.schedule != "auto":
+                topology = Topology.of(model)
                 return named_schedule(options.schedule, topology, processes, profile=profile)
-            return find_schedule(
-                topology,
+            return best_schedule(
+                model,
                 processes,
-                cuttable=cuttable,
-                profile=profile,
+                profile,
+                options.form,
+                options.scalar,
                 tie=options.tie,
                 strategy=options.strategy,
                 split=options.split,

@@ -1,7 +1,15 @@
 """How long a plan takes on a machine, step by step, as its cost profile tells."""
 
+from adagen.predict.best import best_schedule
 from adagen.predict.choose import choose_processes, predicted_time
 from adagen.predict.features import features, step_time
 from adagen.predict.simulate import predict
 
-__all__ = ["choose_processes", "features", "predict", "predicted_time", "step_time"]
+__all__ = [
+    "best_schedule",
+    "choose_processes",
+    "features",
+    "predict",
+    "predicted_time",
+    "step_time",
+]

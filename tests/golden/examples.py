@@ -10,7 +10,8 @@ from pathlib import Path
 from adagen.emit import emit
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.schedule import Schedule, Topology, find_schedule, load_profile, schedule_to_json
+from adagen.predict import best_schedule
+from adagen.schedule import Schedule, Topology, load_profile, schedule_to_json
 from adagen.schedule.draw import schedule_svg
 from adagen.urdf import read_robot
 from tests.golden.make_models import MODELS, ROBOTS
@@ -72,8 +73,7 @@ def _model(urdf: Path, floating: bool, mimic: bool) -> Model:
 def stages(example: Example) -> tuple[Schedule, Plan]:
     """Return the schedule and the plan of an example."""
     model = example.model()
-    topology = Topology.of(model)
-    schedule = find_schedule(topology, example.processes, profile=load_profile("default"))
+    schedule = best_schedule(model, example.processes, load_profile("default"), example.form)
     plan = make_plan(
         model,
         schedule,

@@ -1,0 +1,46 @@
+"""The schedule that the tool takes by itself: searched, then improved by playing plans through."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from adagen.model import Model
+from adagen.plan.cuts import cuttable_joints
+from adagen.predict.refine import refine
+from adagen.schedule import CostProfile, Schedule, Topology, find_schedule
+
+
+def best_schedule(
+    model: Model,
+    processes: int,
+    profile: CostProfile,
+    form: str = "segment",
+    scalar: str = "double",
+    **search: Any,
+) -> Schedule:
+    """Return a schedule for a form of the algorithm.
+
+    Form `ada` is searched by Eq. (11), form `segment` by the costs of steps where the profile has
+    them, at joints alone where cuts lose no digits.
+
+    Args:
+        model: the robot.
+        processes: P.
+        profile: the costs.
+        form: of the algorithm.
+        scalar: "double" or "float".
+        search: further arguments of ``find_schedule``.
+
+    Raises:
+        InputError: the robot has no joint, or costs are too large.
+        UsageError: an argument is out of range.
+    """
+    topology = Topology.of(model)
+    if form == "ada":
+        return find_schedule(topology, processes, profile=profile.joins_only(), **search)
+    cuttable = cuttable_joints(model, scalar)
+    found = find_schedule(topology, processes, profile=profile, cuttable=cuttable, **search)
+    searched = search.get("strategy", "exact") == "exact" and found.split == "always"
+    if profile.steps is None or not searched or processes == 1:
+        return found
+    return refine(model, found, profile, cuttable)
