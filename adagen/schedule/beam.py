@@ -132,7 +132,9 @@ def incumbent(
         deadline: on the monotonic clock, after which no beam is begun; None for none.
     """
     best, chosen = FOREVER, None
-    left = {False: expansions, True: expansions}
+    # Without branches the bounds tell the same.
+    branched = max(space.chains.degree) > 2
+    left = {False: expansions, True: expansions if branched else 0}
     for width, sharp in product((1, 2, 4, 8, 16), (False, True)):
         late = chosen is not None and deadline is not None and monotonic() > deadline
         if left[sharp] <= 0 or best <= lower or late:

@@ -47,6 +47,7 @@ class PathBounds:
         self._end = np.array(chains.end, dtype=np.int64)
         self._fixed = np.array(chains.fixed, dtype=np.int64)
         self._link = np.array([chains.q_sum[d] for d in chains.degree], dtype=np.int64)
+        self._degree = np.array(chains.degree, dtype=np.int64)
         self._known: dict[tuple[Chain, int], int] = {}
 
     def bound(self, chain: Chain, processes: int) -> int:
@@ -59,6 +60,9 @@ class PathBounds:
 
     def _bound(self, chain: Chain, processes: int) -> int:
         chains = self.chains
+        given = processes.bit_length() - 1 if self._halving else processes - 1
+        if self._meeting(chain) <= given:
+            return 0  # every branch could be given away
         at = np.concatenate([np.arange(a, b) for a, b in chains.segments(chain)])
         own, outside = self._own(chain)
         # Work below each position, itself and its link included, and in all.
@@ -69,7 +73,6 @@ class PathBounds:
         # The root node has all boundary joints around it; counted are those at one link.
         q = chains.q
         extra = q[chains.boundary(chain)] - q[outside]
-        given = processes.bit_length() - 1 if self._halving else processes - 1
         links = np.concatenate([self._parent[at], at + 1])
         branch = np.concatenate([below - self._fixed[at], total - below])
         order = np.lexsort((-branch, links))
@@ -88,6 +91,13 @@ class PathBounds:
             return max(single, pair) + extra
         rest = np.add.reduceat(branch, first) - away
         return self._shared(total + extra, rest, away, branch[first], processes)
+
+    def _meeting(self, chain: Chain) -> int:
+        """Return the largest number of joints at a link of a chain, those outside counted too."""
+        most = self.chains.degree[chain.top]
+        for a, b in self.chains.segments(chain):
+            most = max(most, int(self._degree[a + 1 : b + 1].max()))
+        return most
 
     def _shared(self, total: int, rest: Ints, away: Ints, size: Ints, processes: int) -> int:
         """Return the best bound where what stays of the branches is shared out.

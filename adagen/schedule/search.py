@@ -194,7 +194,7 @@ def _budget(request: Request, report: Callable[[int], None] | None = None) -> Bu
 
 def _guesses(request: Request) -> int:
     """Return how many states the beams may expand for a first schedule."""
-    return max(64, min(1000, 10 * request.expansions), request.expansions // 10)
+    return max(64, min(1000, 10 * request.expansions))
 
 
 def _half(deadline: float | None) -> float | None:
