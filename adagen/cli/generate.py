@@ -16,6 +16,7 @@ _EPILOG = """\
 other commands (each has a --help of its own):
   adagen schedule MODEL --procs P                  what runs where, and what it should cost
   adagen solve MODEL --procs P --states FILE       generate, build and run for given states
+  adagen calibrate                                 measure what operations cost on this machine
   adagen env                                       the compiler, MPI and Eigen in use
 
 examples:
