@@ -10,7 +10,7 @@ from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan, plan_to_json
-from adagen.plan.types import LinkBias, StartLink
+from adagen.plan.steps import LinkBias, StartLink
 
 # Largest residual that an emitted self-check lets pass: what the scalar keeps, with a margin for
 # long chains (docs/accuracy.md).

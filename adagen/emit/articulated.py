@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from adagen.emit.joins import coupling_torques, store, velocity_product
 from adagen.emit.words import Words
-from adagen.plan.types import (
+from adagen.plan.steps import (
     Accelerate,
     Articulate,
     Deliver,

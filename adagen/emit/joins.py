@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from adagen.emit.kinematics import configuration, velocity
 from adagen.emit.words import Words
-from adagen.plan.types import Coupling, Disassemble, Join
+from adagen.plan.steps import Coupling, Disassemble, Join
 
 
 def parts(words: Words, join: Join, end: Disassemble) -> str:

@@ -9,7 +9,7 @@ from adagen.emit import articulated, joins
 from adagen.emit.kinematics import kinematics_lines
 from adagen.emit.memory import Members
 from adagen.emit.words import Words
-from adagen.plan.types import (
+from adagen.plan.steps import (
     Accelerate,
     Articulate,
     Deliver,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 
 from adagen.emit.words import Words
-from adagen.plan.types import (
+from adagen.plan.steps import (
     Articulate,
     Bias,
     Block,

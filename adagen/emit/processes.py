@@ -7,14 +7,12 @@ from functools import partial
 from adagen.emit.joints import function_of
 from adagen.emit.stages import stage_rows, stamped_lines
 from adagen.emit.words import Words
-from adagen.plan.types import (
+from adagen.plan.steps import (
     AccelerateRoot,
     ApplyCoupling,
     InvertRoot,
     LinkBias,
     Load,
-    Message,
-    Process,
     Receive,
     Send,
     SolveCoupling,
@@ -22,6 +20,7 @@ from adagen.plan.types import (
     StartLink,
     Step,
 )
+from adagen.plan.types import Message, Process
 
 _NAMED = 6  # joints that a summary names before it only counts
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from adagen.plan.stages import stages
-from adagen.plan.types import Process, Step
+from adagen.plan.steps import Step
+from adagen.plan.types import Process
 
 
 def stage_rows(process: Process) -> list[dict[str, object]]:

@@ -9,7 +9,7 @@ from adagen.emit.expressions import Printer
 from adagen.emit.names import distinct, identifiers, quoted
 from adagen.model.kinds import KINDS, JointKind
 from adagen.plan import Plan
-from adagen.plan.types import Bias, Block, Force, blocks_set_by
+from adagen.plan.steps import Bias, Block, Force, blocks_set_by
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,8 @@ from adagen.plan.ada import AdaPlanner
 from adagen.plan.constants import joints_of, links_of
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serialise import plan_from_json, plan_to_json
-from adagen.plan.types import LinkBias, Plan
+from adagen.plan.steps import LinkBias
+from adagen.plan.types import Plan
 from adagen.schedule import Schedule, Topology, schedule_line
 
 FORMS: dict[str, type[AdaPlanner]] = {"segment": SegmentPlanner, "ada": AdaPlanner}

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from adagen.plan.types import (
+from adagen.plan.steps import (
     ApplyCoupling,
     Bias,
     BiasUpdate,
@@ -23,14 +23,12 @@ from adagen.plan.types import (
     Join,
     Kinematics,
     LinkBias,
-    Message,
-    PlanJoint,
-    Process,
     Receive,
     Send,
     SolveCoupling,
     Step,
 )
+from adagen.plan.types import Message, PlanJoint, Process
 from adagen.schedule import Node, Schedule, postorder
 
 

@@ -17,7 +17,8 @@ from adagen.model import Inertia
 from adagen.model.kinds import KINDS
 from adagen.plan.constants import inverse_inertia
 from adagen.plan.interpret import execute
-from adagen.plan.types import Join, Plan, PlanJoint, PlanLink
+from adagen.plan.steps import Join
+from adagen.plan.types import Plan, PlanJoint, PlanLink
 
 EPSILON = {"double": 2.0**-53, "float": 2.0**-24}
 

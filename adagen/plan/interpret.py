@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from adagen.model.kinds import KINDS, JointKind
 from adagen.plan.interpret_segment import SegmentMachine
-from adagen.plan.types import (
+from adagen.plan.steps import (
     ApplyCoupling,
     Bias,
     Block,
@@ -17,13 +17,12 @@ from adagen.plan.types import (
     Join,
     Kinematics,
     LinkBias,
-    Message,
-    Plan,
     Receive,
     Send,
     SolveCoupling,
     Step,
 )
+from adagen.plan.types import Message, Plan
 
 Array = NDArray[np.float64]
 

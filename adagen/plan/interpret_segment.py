@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model.kinds import KINDS
-from adagen.plan.types import (
+from adagen.plan.steps import (
     Accelerate,
     AccelerateRoot,
     Articulate,

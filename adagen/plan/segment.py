@@ -13,7 +13,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from adagen.plan.ada import AdaPlanner, Chain
-from adagen.plan.types import (
+from adagen.plan.steps import (
     Accelerate,
     AccelerateRoot,
     Articulate,
@@ -25,12 +25,12 @@ from adagen.plan.types import (
     FreeBase,
     InvertRoot,
     Load,
-    PlanJoint,
     Propagate,
     SolveRoot,
     Spread,
     StartLink,
 )
+from adagen.plan.types import PlanJoint
 from adagen.schedule import Node, Schedule, postorder, preorder
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from adagen.plan.types import (
+from adagen.plan.steps import (
     Accelerate,
     AccelerateRoot,
     ApplyCoupling,
@@ -19,12 +19,12 @@ from adagen.plan.types import (
     Join,
     Kinematics,
     Load,
-    Process,
     Receive,
     Send,
     SolveCoupling,
     Step,
 )
+from adagen.plan.types import Process
 
 What = Literal["kinematics", "assembly", "disassembly", "slaved", "send", "receive"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from adagen.model.kinds import KINDS
-from adagen.plan.types import (
+from adagen.plan.steps import (
     Accelerate,
     AccelerateRoot,
     ApplyCoupling,
@@ -19,7 +19,6 @@ from adagen.plan.types import (
     Kinematics,
     LinkBias,
     Load,
-    PlanJoint,
     Propagate,
     Receive,
     Send,
@@ -28,6 +27,7 @@ from adagen.plan.types import (
     StartLink,
     Step,
 )
+from adagen.plan.types import PlanJoint
 from adagen.schedule.costs import StepCosts
 
 Features = dict[str, float]

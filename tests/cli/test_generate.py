@@ -81,7 +81,7 @@ class TestGenerate:
     def test_no_machine_path_and_the_same_bytes_anywhere(self, arm: Path, tmp_path: Path) -> None:
         elsewhere = tmp_path / "elsewhere"
         elsewhere.mkdir()
-        other = elsewhere / "other.urdf"
+        other = elsewhere / arm.name
         other.write_bytes(arm.read_bytes())
         for model, out in ((arm, "a"), (other, "b")):
             assert main([str(model), "--procs", "2", "--out", str(tmp_path / out)]) == 0
@@ -140,7 +140,8 @@ class TestGenerate:
         for number in ("1.5", "0.02", "0.03", "0.01"):
             light = light.replace(f'="{number}"', f'="{number}e-9"')
         (tmp_path / "b.urdf").write_text(text.replace(LINK.format(name="l2"), light))
-        assert main([str(tmp_path / "b.urdf"), "--procs", "2", "--out", str(tmp_path / "b")]) == 0
+        words = ["--procs", "2", "--form", "ada", "--out", str(tmp_path / "b")]
+        assert main([str(tmp_path / "b.urdf"), *words]) == 0
         (line,) = [row for row in said()[1].splitlines() if "errors of about" in row]
         assert line.startswith(f"{tmp_path / 'b.urdf'}: warning: ")
 

@@ -17,7 +17,7 @@ from adagen.emit.processes import message_size
 from adagen.emit.words import Words
 from adagen.model import Model
 from adagen.plan import FORMS, Plan, make_plan
-from adagen.plan.types import Receive, Send
+from adagen.plan.steps import Receive, Send
 from tests.models import random_tree, serial_chain
 from tests.schedules import random_schedule
 

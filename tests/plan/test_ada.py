@@ -14,7 +14,8 @@ from adagen.errors import InputError, UsageError
 from adagen.model import Inertia, Model
 from adagen.plan import FORMS, make_plan, plan_from_json, plan_to_json
 from adagen.plan.interpret import PlanError, interpret
-from adagen.plan.types import Join, Plan, Receive, Send
+from adagen.plan.steps import Join, Receive, Send
+from adagen.plan.types import Plan
 from adagen.reference import exact_forward_dynamics, forward_dynamics
 from adagen.states import random_states
 from tests.models import binary, human_figure, random_tree, serial_chain, star, three_axis_chain

@@ -11,17 +11,17 @@ from adagen.model import Inertia, Model
 from adagen.plan import make_plan
 from adagen.plan.cuts import cuttable_joints
 from adagen.plan.interpret import interpret
-from adagen.plan.types import (
+from adagen.plan.steps import (
     Articulate,
     FreeBase,
     InvertRoot,
     Join,
     LinkBias,
-    Plan,
     Propagate,
     Receive,
     Send,
 )
+from adagen.plan.types import Plan
 from adagen.reference import exact_forward_dynamics
 from adagen.schedule import Topology, find_schedule, load_profile
 from adagen.schedule.restricted import joined_between_processes

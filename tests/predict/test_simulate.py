@@ -11,7 +11,8 @@ import pytest
 from adagen.model.kinds import REVOLUTE
 from adagen.plan import Plan, make_plan
 from adagen.plan.stages import stages
-from adagen.plan.types import Message, Process, Receive, Send
+from adagen.plan.steps import Receive, Send
+from adagen.plan.types import Message, Process
 from adagen.predict import features, predict, step_time
 from adagen.schedule import Topology, find_schedule, load_profile
 from adagen.schedule.costs import NAMES
