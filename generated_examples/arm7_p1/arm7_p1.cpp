@@ -5,14 +5,16 @@
 // schedule  base_yaw@0(|shoulder_pitch(|upper_arm_roll(|elbow_pitch(|forearm_roll(|wrist_pitch(|flange_roll(|left_finger_slide(right_finger_slide|))))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
-// b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
-// joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
-// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. How to read on:
+// Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
+// link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
+// accelerations come back. Spatial vectors are [angular; linear], in link frames turned so that every
+// joint axis is z.
+//
+// How to read on:
 //   1. interface   what a program that links this file calls
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint: its memory, kinematics, assembly, disassembly
+//   4. joints      for each joint its memory, then what is done with it, step by step
 //   5. processes   who does what, in order
 //   6. program     states in, accelerations out; check; time
 
@@ -88,6 +90,12 @@ void arm7_p1_close(arm7_p1_solver* solver);
 #include <Eigen/Geometry>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
+// A counted loop that is to be unrolled whole, so that indices computed in it become constants.
+#if defined(__clang__)
+#define ADAGEN_FOR(k, first, last) _Pragma("clang loop unroll(full)") for (int k = first; k < last; ++k)
+#else
+#define ADAGEN_FOR(k, first, last) _Pragma("GCC unroll 16") for (int k = first; k < last; ++k)
+#endif
 
 namespace {
 
@@ -600,50 +608,111 @@ class Release {
 // frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
 // sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
 
-[[maybe_unused]] Mat3 cross_from_left(const Vec3& r, const Mat3& m) {
-  Mat3 result;
-  for (int k = 0; k < 3; ++k) result.col(k) = r.cross(m.col(k));
+// A spatial inertia [[A, B], [B^T, C]]: A and C symmetric, their upper triangles row by row; B row
+// by row. 21 numbers, and half the work of a 6x6 matrix.
+struct Inertia {
+  std::array<Real, 6> A, C;
+  std::array<Real, 9> B;
+
+  static constexpr int symmetric(int i, int k) {
+    return i <= k ? i * (5 - i) / 2 + k : symmetric(k, i);
+  }
+
+  constexpr Real operator()(int i, int k) const {
+    if (i < 3 && k < 3) return A[symmetric(i, k)];
+    if (i >= 3 && k >= 3) return C[symmetric(i - 3, k - 3)];
+    return i < 3 ? B[3 * i + k - 3] : B[3 * k + i - 3];
+  }
+
+  // Sets the entries (i, k) and (k, i), which are one.
+  constexpr void set(int i, int k, Real value) {
+    if (i < 3 && k < 3)
+      A[symmetric(i, k)] = value;
+    else if (i >= 3 && k >= 3)
+      C[symmetric(i - 3, k - 3)] = value;
+    else if (i < 3)
+      B[3 * i + k - 3] = value;
+    else
+      B[3 * k + i - 3] = value;
+  }
+
+  Inertia& operator+=(const Inertia& other) {
+    ADAGEN_FOR (k, 0, 6) A[k] += other.A[k], C[k] += other.C[k];
+    ADAGEN_FOR (k, 0, 9) B[k] += other.B[k];
+    return *this;
+  }
+};
+
+// T^T m T for a symmetric m, T being E or, transposed, E^T; both row by row.
+template <bool transposed>
+std::array<Real, 6> rotated(const Mat3& E, const std::array<Real, 6>& m) {
+  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
+  std::array<Real, 9> half;  // m T
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      half[3 * i + k] = m[Inertia::symmetric(i, 0)] * T(0, k) +
+                        m[Inertia::symmetric(i, 1)] * T(1, k) +
+                        m[Inertia::symmetric(i, 2)] * T(2, k);
+  std::array<Real, 6> result;
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, i, 3)
+      result[Inertia::symmetric(i, k)] =
+          T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
   return result;
 }
 
-// m rx
-[[maybe_unused]] Mat3 cross_from_right(const Mat3& m, const Vec3& r) {
-  Mat3 result;
-  for (int k = 0; k < 3; ++k) result.row(k) = m.row(k).transpose().cross(r).transpose();
+template <bool transposed>
+std::array<Real, 9> rotated(const Mat3& E, const std::array<Real, 9>& m) {
+  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
+  std::array<Real, 9> half, result;
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      half[3 * i + k] = m[3 * i] * T(0, k) + m[3 * i + 1] * T(1, k) + m[3 * i + 2] * T(2, k);
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      result[3 * i + k] = T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
   return result;
+}
+
+// The inertia m told at a point whose origin is at -r from the one it is told at:
+// B + rx C, and A + rx (B + rx C)^T - B rx.
+inline void shift(const Vec3& r, Inertia& m) {
+  const auto& C = m.C;
+  auto& A = m.A;
+  const std::array<Real, 9> B = m.B;
+  auto& S = m.B;
+  const auto c = [&C](int i, int k) { return C[Inertia::symmetric(i, k)]; };
+  ADAGEN_FOR (k, 0, 3) {
+    S[k] += r[1] * c(2, k) - r[2] * c(1, k);
+    S[3 + k] += r[2] * c(0, k) - r[0] * c(2, k);
+    S[6 + k] += r[0] * c(1, k) - r[1] * c(0, k);
+  }
+  A[0] += r[1] * S[2] - r[2] * S[1] - (B[1] * r[2] - B[2] * r[1]);
+  A[1] += r[1] * S[5] - r[2] * S[4] - (B[2] * r[0] - B[0] * r[2]);
+  A[2] += r[1] * S[8] - r[2] * S[7] - (B[0] * r[1] - B[1] * r[0]);
+  A[3] += r[2] * S[3] - r[0] * S[5] - (B[5] * r[0] - B[3] * r[2]);
+  A[4] += r[2] * S[6] - r[0] * S[8] - (B[3] * r[1] - B[4] * r[0]);
+  A[5] += r[0] * S[7] - r[1] * S[6] - (B[6] * r[1] - B[7] * r[0]);
 }
 
 // target += X^T m X: an inertia in the child's frame, felt in the parent's.
-ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Mat6& m, Mat6& target) {
-  const Mat3 A = X.E.transpose() * m.topLeftCorner<3, 3>() * X.E;
-  const Mat3 B = X.E.transpose() * m.topRightCorner<3, 3>() * X.E;
-  const Mat3 C = X.E.transpose() * m.bottomRightCorner<3, 3>() * X.E;
-  const Mat3 shifted = B + cross_from_left(X.r, C);
-  target.topLeftCorner<3, 3>() +=
-      A + cross_from_left(X.r, shifted.transpose()) - cross_from_right(B, X.r);
-  target.topRightCorner<3, 3>() += shifted;
-  target.bottomLeftCorner<3, 3>() += shifted.transpose();
-  target.bottomRightCorner<3, 3>() += C;
+ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Inertia& m, Inertia& target) {
+  Inertia turned{rotated<false>(X.E, m.A), rotated<false>(X.E, m.C), rotated<false>(X.E, m.B)};
+  shift(X.r, turned);
+  target += turned;
 }
 
 // X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
-ADAGEN_NOINLINE Mat6 in_child(const Transform& X, const Mat6& m) {
-  const Mat3 B = m.topRightCorner<3, 3>(), C = m.bottomRightCorner<3, 3>();
-  const Mat3 shifted = B - cross_from_left(X.r, C);
-  const Mat3 A = m.topLeftCorner<3, 3>() - cross_from_left(X.r, shifted.transpose()) +
-                 cross_from_right(B, X.r);
-  Mat6 result;
-  result.topLeftCorner<3, 3>() = X.E * A * X.E.transpose();
-  result.topRightCorner<3, 3>() = X.E * shifted * X.E.transpose();
-  result.bottomLeftCorner<3, 3>() = result.topRightCorner<3, 3>().transpose();
-  result.bottomRightCorner<3, 3>() = X.E * C * X.E.transpose();
-  return result;
+ADAGEN_NOINLINE Inertia in_child(const Transform& X, const Inertia& m) {
+  Inertia moved = m;
+  shift(-X.r, moved);
+  return {rotated<true>(X.E, moved.A), rotated<true>(X.E, moved.C), rotated<true>(X.E, moved.B)};
 }
 
 // X^-T f: a wrench on the parent, felt in the child's frame.
 [[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
   Columns6 result;
-  for (int k = 0; k < kColumns; ++k) {
+  ADAGEN_FOR (k, 0, kColumns) {
     const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
     result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
     result.col(k).template tail<3>() = X.E * force;
@@ -656,7 +725,7 @@ template <int columns>
 Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
                                                  const Eigen::Matrix<Real, 6, columns>& m) {
   Eigen::Matrix<Real, 6, columns> result;
-  for (int k = 0; k < columns; ++k) {
+  ADAGEN_FOR (k, 0, columns) {
     const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
     result.col(k).template head<3>() = angular;
     result.col(k).template tail<3>() =
@@ -679,28 +748,31 @@ std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kC
 }
 
 // Spatial inertia of a link at its origin.
-Mat6 spatial_inertia(const LinkConstants& link) {
-  const Vec3 c(link.com[0], link.com[1], link.com[2]);
-  const Mat3 cx = cross_from_left(c, Mat3::Identity());
-  Mat6 result;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) result(i, k) = link.tensor[3 * i + k];
-  result.topLeftCorner<3, 3>() -= link.mass * cx * cx;
-  result.topRightCorner<3, 3>() = link.mass * cx;
-  result.bottomLeftCorner<3, 3>() = -link.mass * cx;
-  result.bottomRightCorner<3, 3>() = link.mass * Mat3::Identity();
-  return result;
+Inertia spatial_inertia(const LinkConstants& link) {
+  const Real x = link.com[0], y = link.com[1], z = link.com[2], m = link.mass;
+  const Real* const t = link.tensor;
+  return {{t[0] + m * (y * y + z * z), t[1] - m * x * y, t[2] - m * x * z,
+           t[4] + m * (x * x + z * z), t[5] - m * y * z, t[8] + m * (x * x + y * y)},
+          {m, 0, 0, m, 0, m},
+          {0, -m * z, m * y, m * z, 0, -m * x, -m * y, m * x, 0}};
 }
 
 // I^A and p^A of a link start as its own inertia and v x* I v.
-ADAGEN_NOINLINE void start_link(const Mat6& inertia, const Vec6& velocity, Mat6& IA, Columns6& pA) {
+ADAGEN_NOINLINE void start_link(const Inertia& inertia, const Vec6& velocity, Inertia& IA,
+                                Columns6& pA) {
   IA = inertia;
-  const Vec6 momentum = inertia * velocity;
-  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
-  const Vec3 angular = momentum.head<3>(), linear = momentum.tail<3>();
-  pA.setZero();
-  pA.col(0).template head<3>() = omega.cross(angular) + v.cross(linear);
-  pA.col(0).template tail<3>() = omega.cross(linear);
+  const auto& A = inertia.A;
+  const Vec3 w = velocity.head<3>(), v = velocity.tail<3>();
+  const Real mass = inertia.C[0];
+  const Vec3 mc(inertia.B[7], inertia.B[2], inertia.B[3]);  // mass times centre of mass
+  const Vec3 angular =
+      Vec3(A[0] * w[0] + A[1] * w[1] + A[2] * w[2], A[1] * w[0] + A[3] * w[1] + A[4] * w[2],
+           A[2] * w[0] + A[4] * w[1] + A[5] * w[2]) +
+      mc.cross(v);
+  const Vec3 linear = mass * v + w.cross(mc);
+  if constexpr (kColumns > 1) pA.setZero();
+  pA.col(0).template head<3>() = w.cross(angular) + v.cross(linear);
+  pA.col(0).template tail<3>() = w.cross(linear);
 }
 
 template <class Kind>
@@ -728,17 +800,17 @@ struct Articulated {
 // hands on to its near side, by exact projection: nothing along S but the torque. Returns false
 // where D cannot be factorized.
 template <class Kind>
-ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I, const Columns6& p,
-                                Mat6& handed, Columns6& force) {
+ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia& I,
+                                const Columns6& p, Inertia& handed, Columns6& force) {
   constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
   constexpr auto& free = Kind::Free::row;
   [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
   bool good = true;
-  for (int k = 0; k < n; ++k) {
-    for (int l = 0; l < n; ++l) i.D[k][l] = I(free[k], free[l]);
+  ADAGEN_FOR (k, 0, n) {
+    ADAGEN_FOR (l, 0, n) i.D[k][l] = I(free[k], free[l]);
     i.E[k] = {};
-    for (int l = 0; l < m; ++l) i.E[k][constrained[l]] = I(free[k], constrained[l]);
-    for (int c = 0; c < kColumns; ++c) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
+    ADAGEN_FOR (l, 0, m) i.E[k][constrained[l]] = I(free[k], constrained[l]);
+    ADAGEN_FOR (c, 0, kColumns) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
   }
   if constexpr (n == 1) {
     good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
@@ -749,26 +821,25 @@ ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I,
   i.solve(i.E);
   auto moved = i.u;
   i.solve(moved);
-  handed.setZero();
-  force.setZero();
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (l, 0, 6) handed.set(free[k], l, 0);
   if constexpr (m > 0) {
-    for (int r = 0; r < m; ++r)
-      for (int s = 0; s < m; ++s) {
+    ADAGEN_FOR (r, 0, m)
+      ADAGEN_FOR (s, r, m) {
         Real x = I(constrained[r], constrained[s]);
-        for (int k = 0; k < n; ++k) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
-        handed(constrained[r], constrained[s]) = x;
+        ADAGEN_FOR (k, 0, n) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
+        handed.set(constrained[r], constrained[s], x);
       }
-    for (int c = 0; c < kColumns; ++c)
-      for (int r = 0; r < m; ++r) {
+    ADAGEN_FOR (c, 0, kColumns)
+      ADAGEN_FOR (r, 0, m) {
         Real x = p(constrained[r], c);
-        for (int k = 0; k < n; ++k) x += I(constrained[r], free[k]) * moved[k][c];
-        for (int s = 0; s < m; ++s)
-          x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
+        ADAGEN_FOR (k, 0, n) x += I(constrained[r], free[k]) * moved[k][c];
+        ADAGEN_FOR (s, 0, m) x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
         force(constrained[r], c) = x;
       }
   }
-  for (int k = 0; k < n; ++k)
-    for (int c = 0; c < kColumns; ++c) force(free[k], c) = sigma * i.tau[k][c];
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (c, 0, kColumns) force(free[k], c) = sigma * i.tau[k][c];
   return good;
 }
 
@@ -779,23 +850,23 @@ std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated
   a += i.c;
   auto moved = i.u;
   i.solve(moved);
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) {
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) {
       const int row = Kind::Free::row[k];
       Real x = moved[k][c];
       for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
       moved[k][c] = x - a(row, c);
     }
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) a(Kind::Free::row[k], c) += moved[k][c];
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) a(Kind::Free::row[k], c) += moved[k][c];
   return moved;
 }
 
 // K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
 template <class Kind>
 ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
-  for (int k = 0; k < kFree<Kind>; ++k) m.row(Kind::Free::row[k]).setZero();
-  for (int k = 0; k < kFree<Kind>; ++k)
+  ADAGEN_FOR (k, 0, (kFree<Kind>)) m.row(Kind::Free::row[k]).setZero();
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
     for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
 }
 
@@ -807,17 +878,17 @@ ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
   m.transposeInPlace();
   share(i, m);
   std::array<std::array<Real, n>, n> inverse{};
-  for (int k = 0; k < n; ++k) inverse[k][k] = 1;
+  ADAGEN_FOR (k, 0, n) inverse[k][k] = 1;
   i.solve(inverse);
-  for (int k = 0; k < n; ++k)
-    for (int l = 0; l < n; ++l) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (l, 0, n) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
 }
 
 // A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
 template <class Kind>
 void deliver(Articulated<Kind>& i, Columns6& load) {
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) {
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) {
       Real& along = load(Kind::Free::row[k], c);
       i.u[k][c] += along;
       for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
@@ -826,18 +897,18 @@ void deliver(Articulated<Kind>& i, Columns6& load) {
 }
 
 // Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
-ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns6& b) {
+ADAGEN_NOINLINE bool invert(const Inertia& I, const Columns6& p, Mat6& Phi, Columns6& b) {
   std::array<std::array<Real, 6>, 6> L, x{};
-  for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
     x[i][i] = 1;
   }
   const bool good = factorize(L);
   forward_substitute(L, x);
-  for (int i = 0; i < 6; ++i)
-    for (int k = i; k < 6; ++k) {
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, i, 6) {
       Real sum = 0;
-      for (int row = 0; row < 6; ++row) sum += x[row][i] * x[row][k];
+      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
       Phi(i, k) = Phi(k, i) = sum;
     }
   b.noalias() = -Phi * p;
@@ -845,18 +916,18 @@ ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns
 }
 
 // a with I^A a = -p^A: nothing else acts on the link.
-ADAGEN_NOINLINE bool solve_root(const Mat6& I, const Columns6& p, Columns6& a) {
+ADAGEN_NOINLINE bool solve_root(const Inertia& I, const Columns6& p, Columns6& a) {
   std::array<std::array<Real, 6>, 6> L;
   std::array<std::array<Real, kColumns>, 6> x;
-  for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
-    for (int c = 0; c < kColumns; ++c) x[i][c] = -p(i, c);
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
+    ADAGEN_FOR (c, 0, kColumns) x[i][c] = -p(i, c);
   }
   const bool good = factorize(L);
   forward_substitute(L, x);
   backward_substitute(L, x);
-  for (int i = 0; i < 6; ++i)
-    for (int c = 0; c < kColumns; ++c) a(i, c) = x[i][c];
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (c, 0, kColumns) a(i, c) = x[i][c];
   return good;
 }
 
@@ -1094,7 +1165,7 @@ struct Workspace;
 struct Joint_base_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "turret"
-  Mat6 IA;  // articulated-body inertia of link "turret"
+  Inertia IA;  // articulated-body inertia of link "turret"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1103,7 +1174,7 @@ struct Joint_base_yaw {
 struct Joint_shoulder_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "upper_arm"
-  Mat6 IA;  // articulated-body inertia of link "upper_arm"
+  Inertia IA;  // articulated-body inertia of link "upper_arm"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1112,7 +1183,7 @@ struct Joint_shoulder_pitch {
 struct Joint_upper_arm_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "elbow_housing"
-  Mat6 IA;  // articulated-body inertia of link "elbow_housing"
+  Inertia IA;  // articulated-body inertia of link "elbow_housing"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1121,7 +1192,7 @@ struct Joint_upper_arm_roll {
 struct Joint_elbow_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "forearm"
-  Mat6 IA;  // articulated-body inertia of link "forearm"
+  Inertia IA;  // articulated-body inertia of link "forearm"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1130,7 +1201,7 @@ struct Joint_elbow_pitch {
 struct Joint_forearm_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "wrist_housing"
-  Mat6 IA;  // articulated-body inertia of link "wrist_housing"
+  Inertia IA;  // articulated-body inertia of link "wrist_housing"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1139,7 +1210,7 @@ struct Joint_forearm_roll {
 struct Joint_wrist_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "wrist"
-  Mat6 IA;  // articulated-body inertia of link "wrist"
+  Inertia IA;  // articulated-body inertia of link "wrist"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1148,7 +1219,7 @@ struct Joint_wrist_pitch {
 struct Joint_flange_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "hand"
-  Mat6 IA;  // articulated-body inertia of link "hand"
+  Inertia IA;  // articulated-body inertia of link "hand"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1157,7 +1228,7 @@ struct Joint_flange_roll {
 struct Joint_left_finger_slide {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_finger"
-  Mat6 IA;  // articulated-body inertia of link "left_finger"
+  Inertia IA;  // articulated-body inertia of link "left_finger"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Prismatic> body;
@@ -1166,7 +1237,7 @@ struct Joint_left_finger_slide {
 struct Joint_right_finger_slide {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_finger"
-  Mat6 IA;  // articulated-body inertia of link "right_finger"
+  Inertia IA;  // articulated-body inertia of link "right_finger"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Prismatic> body;
@@ -1305,15 +1376,15 @@ void store_coupled(Workspace& w, int joint, int v,
   store_acceleration(w, joint, v, sum);
 }
 
-const Mat6 kInertia_turret = spatial_inertia(kLinks[1]);
-const Mat6 kInertia_upper_arm = spatial_inertia(kLinks[2]);
-const Mat6 kInertia_elbow_housing = spatial_inertia(kLinks[3]);
-const Mat6 kInertia_forearm = spatial_inertia(kLinks[4]);
-const Mat6 kInertia_wrist_housing = spatial_inertia(kLinks[5]);
-const Mat6 kInertia_wrist = spatial_inertia(kLinks[6]);
-const Mat6 kInertia_hand = spatial_inertia(kLinks[7]);
-const Mat6 kInertia_left_finger = spatial_inertia(kLinks[8]);
-const Mat6 kInertia_right_finger = spatial_inertia(kLinks[9]);
+const Inertia kInertia_turret = spatial_inertia(kLinks[1]);
+const Inertia kInertia_upper_arm = spatial_inertia(kLinks[2]);
+const Inertia kInertia_elbow_housing = spatial_inertia(kLinks[3]);
+const Inertia kInertia_forearm = spatial_inertia(kLinks[4]);
+const Inertia kInertia_wrist_housing = spatial_inertia(kLinks[5]);
+const Inertia kInertia_wrist = spatial_inertia(kLinks[6]);
+const Inertia kInertia_hand = spatial_inertia(kLinks[7]);
+const Inertia kInertia_left_finger = spatial_inertia(kLinks[8]);
+const Inertia kInertia_right_finger = spatial_inertia(kLinks[9]);
 
 // =================================================================================================
 // Joint 0 "base_yaw": revolute, between links "pedestal" and "turret"
@@ -1336,9 +1407,9 @@ void articulate_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   load_torque(w, 0, 0, i.body.tau);
   i.body.c = Columns6::Zero();
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_base_yaw.IA, w.j_base_yaw.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 0);
 }
 
@@ -1346,7 +1417,7 @@ void accelerate_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   Columns6 a = i.X * kGround;
   const auto qdd = accelerate(i.body, a);
-  w.j_base_yaw.a = a;
+  i.a = a;
   store_acceleration(w, 0, 0, qdd);
 }
 
@@ -1371,9 +1442,9 @@ void articulate_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   load_torque(w, 1, 1, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 1);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_shoulder_pitch.IA, w.j_shoulder_pitch.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 1);
   add_in_parent(i.X, handed, w.j_base_yaw.IA);
   w.j_base_yaw.pA += i.X.transposed_times(force);
@@ -1383,7 +1454,7 @@ void accelerate_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   Columns6 a = i.X * w.j_base_yaw.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_shoulder_pitch.a = a;
+  i.a = a;
   store_acceleration(w, 1, 1, qdd);
 }
 
@@ -1408,9 +1479,9 @@ void articulate_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   load_torque(w, 2, 2, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 2);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_upper_arm_roll.IA, w.j_upper_arm_roll.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 2);
   add_in_parent(i.X, handed, w.j_shoulder_pitch.IA);
   w.j_shoulder_pitch.pA += i.X.transposed_times(force);
@@ -1420,7 +1491,7 @@ void accelerate_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   Columns6 a = i.X * w.j_shoulder_pitch.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_upper_arm_roll.a = a;
+  i.a = a;
   store_acceleration(w, 2, 2, qdd);
 }
 
@@ -1445,9 +1516,9 @@ void articulate_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   load_torque(w, 3, 3, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 3);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_elbow_pitch.IA, w.j_elbow_pitch.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 3);
   add_in_parent(i.X, handed, w.j_upper_arm_roll.IA);
   w.j_upper_arm_roll.pA += i.X.transposed_times(force);
@@ -1457,7 +1528,7 @@ void accelerate_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   Columns6 a = i.X * w.j_upper_arm_roll.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_elbow_pitch.a = a;
+  i.a = a;
   store_acceleration(w, 3, 3, qdd);
 }
 
@@ -1482,9 +1553,9 @@ void articulate_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   load_torque(w, 4, 4, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 4);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_forearm_roll.IA, w.j_forearm_roll.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 4);
   add_in_parent(i.X, handed, w.j_elbow_pitch.IA);
   w.j_elbow_pitch.pA += i.X.transposed_times(force);
@@ -1494,7 +1565,7 @@ void accelerate_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   Columns6 a = i.X * w.j_elbow_pitch.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_forearm_roll.a = a;
+  i.a = a;
   store_acceleration(w, 4, 4, qdd);
 }
 
@@ -1519,9 +1590,9 @@ void articulate_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   load_torque(w, 5, 5, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 5);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_wrist_pitch.IA, w.j_wrist_pitch.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 5);
   add_in_parent(i.X, handed, w.j_forearm_roll.IA);
   w.j_forearm_roll.pA += i.X.transposed_times(force);
@@ -1531,7 +1602,7 @@ void accelerate_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   Columns6 a = i.X * w.j_forearm_roll.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_wrist_pitch.a = a;
+  i.a = a;
   store_acceleration(w, 5, 5, qdd);
 }
 
@@ -1556,9 +1627,9 @@ void articulate_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
   load_torque(w, 6, 6, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_flange_roll.IA, w.j_flange_roll.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 6);
   add_in_parent(i.X, handed, w.j_wrist_pitch.IA);
   w.j_wrist_pitch.pA += i.X.transposed_times(force);
@@ -1568,7 +1639,7 @@ void accelerate_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
   Columns6 a = i.X * w.j_wrist_pitch.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_flange_roll.a = a;
+  i.a = a;
   store_acceleration(w, 6, 6, qdd);
 }
 
@@ -1592,9 +1663,9 @@ void articulate_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
   load_torque(w, 7, 7, i.body.tau);
   i.body.c = velocity_product<Prismatic>(i.v, w.v + 7);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_finger_slide.IA, w.j_left_finger_slide.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 7);
   add_in_parent(i.X, handed, w.j_flange_roll.IA);
   w.j_flange_roll.pA += i.X.transposed_times(force);
@@ -1604,7 +1675,7 @@ void accelerate_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
   Columns6 a = i.X * w.j_flange_roll.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_finger_slide.a = a;
+  i.a = a;
   store_acceleration(w, 7, 7, qdd);
 }
 
@@ -1628,9 +1699,9 @@ void articulate_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
   load_torque(w, 8, 8, i.body.tau);
   i.body.c = velocity_product<Prismatic>(i.v, w.v + 8);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_finger_slide.IA, w.j_right_finger_slide.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 8);
   add_in_parent(i.X, handed, w.j_flange_roll.IA);
   w.j_flange_roll.pA += i.X.transposed_times(force);
@@ -1640,7 +1711,7 @@ void accelerate_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
   Columns6 a = i.X * w.j_flange_roll.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_finger_slide.a = a;
+  i.a = a;
   store_acceleration(w, 8, 8, qdd);
 }
 

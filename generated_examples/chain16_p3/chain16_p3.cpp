@@ -2,17 +2,22 @@
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  joint07@0-2(joint06@0(joint05(joint04(joint03(joint02(joint01|)|)|)|)|) | joint11@1-2(joint08@1(|joint09(|joint10)) | joint12@2(|joint13(|joint14(|joint15(|joint16))))))
+// schedule  joint09@0-2(joint05@0-1(joint01@1(|joint02(|joint03(|joint04))) | joint06@0(|joint07(|joint08))) | joint10@2(|joint11(|joint12(|joint13(|joint14(|joint15(|joint16)))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
-// b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
-// joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
-// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. How to read on:
+// Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
+// link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
+// accelerations come back. Spatial vectors are [angular; linear], in link frames turned so that every
+// joint axis is z.
+// Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura joins them: Phi =
+// (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent link's side) and
+// chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
+//
+// How to read on:
 //   1. interface   what a program that links this file calls
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint: its memory, kinematics, assembly, disassembly
+//   4. joints      for each joint its memory, then what is done with it, step by step
 //   5. processes   who does what, in order
 //   6. program     states in, accelerations out; check; time
 
@@ -88,6 +93,12 @@ void chain16_p3_close(chain16_p3_solver* solver);
 #include <Eigen/Geometry>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
+// A counted loop that is to be unrolled whole, so that indices computed in it become constants.
+#if defined(__clang__)
+#define ADAGEN_FOR(k, first, last) _Pragma("clang loop unroll(full)") for (int k = first; k < last; ++k)
+#else
+#define ADAGEN_FOR(k, first, last) _Pragma("GCC unroll 16") for (int k = first; k < last; ++k)
+#endif
 
 namespace {
 
@@ -642,50 +653,111 @@ class Release {
 // frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
 // sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
 
-[[maybe_unused]] Mat3 cross_from_left(const Vec3& r, const Mat3& m) {
-  Mat3 result;
-  for (int k = 0; k < 3; ++k) result.col(k) = r.cross(m.col(k));
+// A spatial inertia [[A, B], [B^T, C]]: A and C symmetric, their upper triangles row by row; B row
+// by row. 21 numbers, and half the work of a 6x6 matrix.
+struct Inertia {
+  std::array<Real, 6> A, C;
+  std::array<Real, 9> B;
+
+  static constexpr int symmetric(int i, int k) {
+    return i <= k ? i * (5 - i) / 2 + k : symmetric(k, i);
+  }
+
+  constexpr Real operator()(int i, int k) const {
+    if (i < 3 && k < 3) return A[symmetric(i, k)];
+    if (i >= 3 && k >= 3) return C[symmetric(i - 3, k - 3)];
+    return i < 3 ? B[3 * i + k - 3] : B[3 * k + i - 3];
+  }
+
+  // Sets the entries (i, k) and (k, i), which are one.
+  constexpr void set(int i, int k, Real value) {
+    if (i < 3 && k < 3)
+      A[symmetric(i, k)] = value;
+    else if (i >= 3 && k >= 3)
+      C[symmetric(i - 3, k - 3)] = value;
+    else if (i < 3)
+      B[3 * i + k - 3] = value;
+    else
+      B[3 * k + i - 3] = value;
+  }
+
+  Inertia& operator+=(const Inertia& other) {
+    ADAGEN_FOR (k, 0, 6) A[k] += other.A[k], C[k] += other.C[k];
+    ADAGEN_FOR (k, 0, 9) B[k] += other.B[k];
+    return *this;
+  }
+};
+
+// T^T m T for a symmetric m, T being E or, transposed, E^T; both row by row.
+template <bool transposed>
+std::array<Real, 6> rotated(const Mat3& E, const std::array<Real, 6>& m) {
+  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
+  std::array<Real, 9> half;  // m T
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      half[3 * i + k] = m[Inertia::symmetric(i, 0)] * T(0, k) +
+                        m[Inertia::symmetric(i, 1)] * T(1, k) +
+                        m[Inertia::symmetric(i, 2)] * T(2, k);
+  std::array<Real, 6> result;
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, i, 3)
+      result[Inertia::symmetric(i, k)] =
+          T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
   return result;
 }
 
-// m rx
-[[maybe_unused]] Mat3 cross_from_right(const Mat3& m, const Vec3& r) {
-  Mat3 result;
-  for (int k = 0; k < 3; ++k) result.row(k) = m.row(k).transpose().cross(r).transpose();
+template <bool transposed>
+std::array<Real, 9> rotated(const Mat3& E, const std::array<Real, 9>& m) {
+  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
+  std::array<Real, 9> half, result;
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      half[3 * i + k] = m[3 * i] * T(0, k) + m[3 * i + 1] * T(1, k) + m[3 * i + 2] * T(2, k);
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      result[3 * i + k] = T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
   return result;
+}
+
+// The inertia m told at a point whose origin is at -r from the one it is told at:
+// B + rx C, and A + rx (B + rx C)^T - B rx.
+inline void shift(const Vec3& r, Inertia& m) {
+  const auto& C = m.C;
+  auto& A = m.A;
+  const std::array<Real, 9> B = m.B;
+  auto& S = m.B;
+  const auto c = [&C](int i, int k) { return C[Inertia::symmetric(i, k)]; };
+  ADAGEN_FOR (k, 0, 3) {
+    S[k] += r[1] * c(2, k) - r[2] * c(1, k);
+    S[3 + k] += r[2] * c(0, k) - r[0] * c(2, k);
+    S[6 + k] += r[0] * c(1, k) - r[1] * c(0, k);
+  }
+  A[0] += r[1] * S[2] - r[2] * S[1] - (B[1] * r[2] - B[2] * r[1]);
+  A[1] += r[1] * S[5] - r[2] * S[4] - (B[2] * r[0] - B[0] * r[2]);
+  A[2] += r[1] * S[8] - r[2] * S[7] - (B[0] * r[1] - B[1] * r[0]);
+  A[3] += r[2] * S[3] - r[0] * S[5] - (B[5] * r[0] - B[3] * r[2]);
+  A[4] += r[2] * S[6] - r[0] * S[8] - (B[3] * r[1] - B[4] * r[0]);
+  A[5] += r[0] * S[7] - r[1] * S[6] - (B[6] * r[1] - B[7] * r[0]);
 }
 
 // target += X^T m X: an inertia in the child's frame, felt in the parent's.
-ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Mat6& m, Mat6& target) {
-  const Mat3 A = X.E.transpose() * m.topLeftCorner<3, 3>() * X.E;
-  const Mat3 B = X.E.transpose() * m.topRightCorner<3, 3>() * X.E;
-  const Mat3 C = X.E.transpose() * m.bottomRightCorner<3, 3>() * X.E;
-  const Mat3 shifted = B + cross_from_left(X.r, C);
-  target.topLeftCorner<3, 3>() +=
-      A + cross_from_left(X.r, shifted.transpose()) - cross_from_right(B, X.r);
-  target.topRightCorner<3, 3>() += shifted;
-  target.bottomLeftCorner<3, 3>() += shifted.transpose();
-  target.bottomRightCorner<3, 3>() += C;
+ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Inertia& m, Inertia& target) {
+  Inertia turned{rotated<false>(X.E, m.A), rotated<false>(X.E, m.C), rotated<false>(X.E, m.B)};
+  shift(X.r, turned);
+  target += turned;
 }
 
 // X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
-ADAGEN_NOINLINE Mat6 in_child(const Transform& X, const Mat6& m) {
-  const Mat3 B = m.topRightCorner<3, 3>(), C = m.bottomRightCorner<3, 3>();
-  const Mat3 shifted = B - cross_from_left(X.r, C);
-  const Mat3 A = m.topLeftCorner<3, 3>() - cross_from_left(X.r, shifted.transpose()) +
-                 cross_from_right(B, X.r);
-  Mat6 result;
-  result.topLeftCorner<3, 3>() = X.E * A * X.E.transpose();
-  result.topRightCorner<3, 3>() = X.E * shifted * X.E.transpose();
-  result.bottomLeftCorner<3, 3>() = result.topRightCorner<3, 3>().transpose();
-  result.bottomRightCorner<3, 3>() = X.E * C * X.E.transpose();
-  return result;
+ADAGEN_NOINLINE Inertia in_child(const Transform& X, const Inertia& m) {
+  Inertia moved = m;
+  shift(-X.r, moved);
+  return {rotated<true>(X.E, moved.A), rotated<true>(X.E, moved.C), rotated<true>(X.E, moved.B)};
 }
 
 // X^-T f: a wrench on the parent, felt in the child's frame.
 [[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
   Columns6 result;
-  for (int k = 0; k < kColumns; ++k) {
+  ADAGEN_FOR (k, 0, kColumns) {
     const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
     result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
     result.col(k).template tail<3>() = X.E * force;
@@ -698,7 +770,7 @@ template <int columns>
 Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
                                                  const Eigen::Matrix<Real, 6, columns>& m) {
   Eigen::Matrix<Real, 6, columns> result;
-  for (int k = 0; k < columns; ++k) {
+  ADAGEN_FOR (k, 0, columns) {
     const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
     result.col(k).template head<3>() = angular;
     result.col(k).template tail<3>() =
@@ -721,28 +793,31 @@ std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kC
 }
 
 // Spatial inertia of a link at its origin.
-Mat6 spatial_inertia(const LinkConstants& link) {
-  const Vec3 c(link.com[0], link.com[1], link.com[2]);
-  const Mat3 cx = cross_from_left(c, Mat3::Identity());
-  Mat6 result;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) result(i, k) = link.tensor[3 * i + k];
-  result.topLeftCorner<3, 3>() -= link.mass * cx * cx;
-  result.topRightCorner<3, 3>() = link.mass * cx;
-  result.bottomLeftCorner<3, 3>() = -link.mass * cx;
-  result.bottomRightCorner<3, 3>() = link.mass * Mat3::Identity();
-  return result;
+Inertia spatial_inertia(const LinkConstants& link) {
+  const Real x = link.com[0], y = link.com[1], z = link.com[2], m = link.mass;
+  const Real* const t = link.tensor;
+  return {{t[0] + m * (y * y + z * z), t[1] - m * x * y, t[2] - m * x * z,
+           t[4] + m * (x * x + z * z), t[5] - m * y * z, t[8] + m * (x * x + y * y)},
+          {m, 0, 0, m, 0, m},
+          {0, -m * z, m * y, m * z, 0, -m * x, -m * y, m * x, 0}};
 }
 
 // I^A and p^A of a link start as its own inertia and v x* I v.
-ADAGEN_NOINLINE void start_link(const Mat6& inertia, const Vec6& velocity, Mat6& IA, Columns6& pA) {
+ADAGEN_NOINLINE void start_link(const Inertia& inertia, const Vec6& velocity, Inertia& IA,
+                                Columns6& pA) {
   IA = inertia;
-  const Vec6 momentum = inertia * velocity;
-  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
-  const Vec3 angular = momentum.head<3>(), linear = momentum.tail<3>();
-  pA.setZero();
-  pA.col(0).template head<3>() = omega.cross(angular) + v.cross(linear);
-  pA.col(0).template tail<3>() = omega.cross(linear);
+  const auto& A = inertia.A;
+  const Vec3 w = velocity.head<3>(), v = velocity.tail<3>();
+  const Real mass = inertia.C[0];
+  const Vec3 mc(inertia.B[7], inertia.B[2], inertia.B[3]);  // mass times centre of mass
+  const Vec3 angular =
+      Vec3(A[0] * w[0] + A[1] * w[1] + A[2] * w[2], A[1] * w[0] + A[3] * w[1] + A[4] * w[2],
+           A[2] * w[0] + A[4] * w[1] + A[5] * w[2]) +
+      mc.cross(v);
+  const Vec3 linear = mass * v + w.cross(mc);
+  if constexpr (kColumns > 1) pA.setZero();
+  pA.col(0).template head<3>() = w.cross(angular) + v.cross(linear);
+  pA.col(0).template tail<3>() = w.cross(linear);
 }
 
 template <class Kind>
@@ -770,17 +845,17 @@ struct Articulated {
 // hands on to its near side, by exact projection: nothing along S but the torque. Returns false
 // where D cannot be factorized.
 template <class Kind>
-ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I, const Columns6& p,
-                                Mat6& handed, Columns6& force) {
+ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia& I,
+                                const Columns6& p, Inertia& handed, Columns6& force) {
   constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
   constexpr auto& free = Kind::Free::row;
   [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
   bool good = true;
-  for (int k = 0; k < n; ++k) {
-    for (int l = 0; l < n; ++l) i.D[k][l] = I(free[k], free[l]);
+  ADAGEN_FOR (k, 0, n) {
+    ADAGEN_FOR (l, 0, n) i.D[k][l] = I(free[k], free[l]);
     i.E[k] = {};
-    for (int l = 0; l < m; ++l) i.E[k][constrained[l]] = I(free[k], constrained[l]);
-    for (int c = 0; c < kColumns; ++c) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
+    ADAGEN_FOR (l, 0, m) i.E[k][constrained[l]] = I(free[k], constrained[l]);
+    ADAGEN_FOR (c, 0, kColumns) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
   }
   if constexpr (n == 1) {
     good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
@@ -791,26 +866,25 @@ ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I,
   i.solve(i.E);
   auto moved = i.u;
   i.solve(moved);
-  handed.setZero();
-  force.setZero();
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (l, 0, 6) handed.set(free[k], l, 0);
   if constexpr (m > 0) {
-    for (int r = 0; r < m; ++r)
-      for (int s = 0; s < m; ++s) {
+    ADAGEN_FOR (r, 0, m)
+      ADAGEN_FOR (s, r, m) {
         Real x = I(constrained[r], constrained[s]);
-        for (int k = 0; k < n; ++k) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
-        handed(constrained[r], constrained[s]) = x;
+        ADAGEN_FOR (k, 0, n) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
+        handed.set(constrained[r], constrained[s], x);
       }
-    for (int c = 0; c < kColumns; ++c)
-      for (int r = 0; r < m; ++r) {
+    ADAGEN_FOR (c, 0, kColumns)
+      ADAGEN_FOR (r, 0, m) {
         Real x = p(constrained[r], c);
-        for (int k = 0; k < n; ++k) x += I(constrained[r], free[k]) * moved[k][c];
-        for (int s = 0; s < m; ++s)
-          x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
+        ADAGEN_FOR (k, 0, n) x += I(constrained[r], free[k]) * moved[k][c];
+        ADAGEN_FOR (s, 0, m) x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
         force(constrained[r], c) = x;
       }
   }
-  for (int k = 0; k < n; ++k)
-    for (int c = 0; c < kColumns; ++c) force(free[k], c) = sigma * i.tau[k][c];
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (c, 0, kColumns) force(free[k], c) = sigma * i.tau[k][c];
   return good;
 }
 
@@ -821,23 +895,23 @@ std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated
   a += i.c;
   auto moved = i.u;
   i.solve(moved);
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) {
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) {
       const int row = Kind::Free::row[k];
       Real x = moved[k][c];
       for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
       moved[k][c] = x - a(row, c);
     }
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) a(Kind::Free::row[k], c) += moved[k][c];
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) a(Kind::Free::row[k], c) += moved[k][c];
   return moved;
 }
 
 // K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
 template <class Kind>
 ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
-  for (int k = 0; k < kFree<Kind>; ++k) m.row(Kind::Free::row[k]).setZero();
-  for (int k = 0; k < kFree<Kind>; ++k)
+  ADAGEN_FOR (k, 0, (kFree<Kind>)) m.row(Kind::Free::row[k]).setZero();
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
     for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
 }
 
@@ -849,17 +923,17 @@ ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
   m.transposeInPlace();
   share(i, m);
   std::array<std::array<Real, n>, n> inverse{};
-  for (int k = 0; k < n; ++k) inverse[k][k] = 1;
+  ADAGEN_FOR (k, 0, n) inverse[k][k] = 1;
   i.solve(inverse);
-  for (int k = 0; k < n; ++k)
-    for (int l = 0; l < n; ++l) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (l, 0, n) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
 }
 
 // A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
 template <class Kind>
 void deliver(Articulated<Kind>& i, Columns6& load) {
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) {
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) {
       Real& along = load(Kind::Free::row[k], c);
       i.u[k][c] += along;
       for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
@@ -868,18 +942,18 @@ void deliver(Articulated<Kind>& i, Columns6& load) {
 }
 
 // Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
-ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns6& b) {
+ADAGEN_NOINLINE bool invert(const Inertia& I, const Columns6& p, Mat6& Phi, Columns6& b) {
   std::array<std::array<Real, 6>, 6> L, x{};
-  for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
     x[i][i] = 1;
   }
   const bool good = factorize(L);
   forward_substitute(L, x);
-  for (int i = 0; i < 6; ++i)
-    for (int k = i; k < 6; ++k) {
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, i, 6) {
       Real sum = 0;
-      for (int row = 0; row < 6; ++row) sum += x[row][i] * x[row][k];
+      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
       Phi(i, k) = Phi(k, i) = sum;
     }
   b.noalias() = -Phi * p;
@@ -887,30 +961,30 @@ ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns
 }
 
 // a with I^A a = -p^A: nothing else acts on the link.
-ADAGEN_NOINLINE bool solve_root(const Mat6& I, const Columns6& p, Columns6& a) {
+ADAGEN_NOINLINE bool solve_root(const Inertia& I, const Columns6& p, Columns6& a) {
   std::array<std::array<Real, 6>, 6> L;
   std::array<std::array<Real, kColumns>, 6> x;
-  for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
-    for (int c = 0; c < kColumns; ++c) x[i][c] = -p(i, c);
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
+    ADAGEN_FOR (c, 0, kColumns) x[i][c] = -p(i, c);
   }
   const bool good = factorize(L);
   forward_substitute(L, x);
   backward_substitute(L, x);
-  for (int i = 0; i < 6; ++i)
-    for (int c = 0; c < kColumns; ++c) a(i, c) = x[i][c];
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (c, 0, kColumns) a(i, c) = x[i][c];
   return good;
 }
 
 constexpr std::array<MessageInfo, 8> kMessages{ {
-    {2, 1, 42},  // 0: assembled: chain of "joint12"
-    {1, 0, 42},  // 1: assembled: chain of "joint11"
-    {0, 1, 6},  // 2: forces on: chain of "joint11"
-    {1, 2, 6},  // 3: forces on: chain of "joint12"
-    {0, 1, 26},  // 4: state
+    {1, 0, 42},  // 0: assembled: chain of "joint01"
+    {2, 0, 42},  // 1: assembled: chain of "joint10"
+    {0, 2, 6},  // 2: forces on: chain of "joint10"
+    {0, 1, 6},  // 3: forces on: chain of "joint01"
+    {0, 1, 12},  // 4: state
     {1, 0, 4},  // 5: accelerations
-    {0, 2, 37},  // 6: state
-    {2, 0, 5},  // 7: accelerations
+    {0, 2, 39},  // 6: state
+    {2, 0, 7},  // 7: accelerations
 } };
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
@@ -1144,57 +1218,7 @@ struct Workspace;
 struct Joint_joint01 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod01"
-  Mat6 IA;  // articulated-body inertia of link "rod01"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
-};
-
-struct Joint_joint02 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod02"
-  Mat6 IA;  // articulated-body inertia of link "rod02"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
-};
-
-struct Joint_joint03 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod03"
-  Mat6 IA;  // articulated-body inertia of link "rod03"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
-};
-
-struct Joint_joint04 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod04"
-  Mat6 IA;  // articulated-body inertia of link "rod04"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
-};
-
-struct Joint_joint05 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod05"
-  Mat6 IA;  // articulated-body inertia of link "rod05"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
-};
-
-struct Joint_joint06 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod06"
-  Mat6 IA;  // articulated-body inertia of link "rod06"
+  Inertia IA;  // articulated-body inertia of link "rod01"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1206,96 +1230,140 @@ struct Joint_joint06 {
   Columns6 b_rod03;
   Mat6 Phi_rod04;  // of the chain it completes
   Columns6 b_rod04;
+  Columns6 load;  // what handle forces add
+  Columns6 F_on_rod04;  // outer wrench on that chain
+};
+
+struct Joint_joint02 {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "rod02"
+  Inertia IA;  // articulated-body inertia of link "rod02"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
+};
+
+struct Joint_joint03 {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "rod03"
+  Inertia IA;  // articulated-body inertia of link "rod03"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
+};
+
+struct Joint_joint04 {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "rod04"
+  Inertia IA;  // articulated-body inertia of link "rod04"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
+};
+
+struct Joint_joint05 {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "rod05"
+  Inertia IA;  // articulated-body inertia of link "rod05"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Mat6 Phi_rod08;  // of the chain it completes
+  Columns6 b_rod08;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod08;
+  Columns6 load;  // what handle forces add
+  Columns6 F_on_rod08;  // outer wrench on that chain
+};
+
+struct Joint_joint06 {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "rod06"
+  Inertia IA;  // articulated-body inertia of link "rod06"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
   Mat6 Phi_rod05;  // of the chain it completes
   Columns6 b_rod05;
   Mat6 Phi_rod06;  // of the chain it completes
+  Mat6 Phi_rod05_rod06;  // of the chain it completes
   Columns6 b_rod06;
+  Mat6 Phi_rod07;  // of the chain it completes
+  Mat6 Phi_rod05_rod07;  // of the chain it completes
+  Columns6 b_rod07;
+  Mat6 Phi_rod08;  // of the chain it completes
+  Mat6 Phi_rod05_rod08;  // of the chain it completes
+  Columns6 b_rod08;
   Columns6 load;  // what handle forces add
-  Columns6 F_on_rod06;  // outer wrench on that chain
+  Columns6 F_on_rod05;  // outer wrench on that chain
 };
 
 struct Joint_joint07 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod07"
-  Joined<Revolute> joined;
-  Mat6 IA;  // articulated-body inertia of link "rod07"
+  Inertia IA;  // articulated-body inertia of link "rod07"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Revolute> body;
   Columns6 load;  // what handle forces add
 };
 
 struct Joint_joint08 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod08"
-  Mat6 IA;  // articulated-body inertia of link "rod08"
+  Inertia IA;  // articulated-body inertia of link "rod08"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
-  Mat6 Phi_rod07;  // of the chain it completes
-  Columns6 b_rod07;
-  Mat6 Phi_rod08;  // of the chain it completes
-  Mat6 Phi_rod07_rod08;  // of the chain it completes
-  Columns6 b_rod08;
-  Mat6 Phi_rod09;  // of the chain it completes
-  Mat6 Phi_rod07_rod09;  // of the chain it completes
-  Columns6 b_rod09;
-  Mat6 Phi_rod10;  // of the chain it completes
-  Mat6 Phi_rod07_rod10;  // of the chain it completes
-  Columns6 b_rod10;
   Columns6 load;  // what handle forces add
-  Columns6 F_on_rod10;  // outer wrench on that chain
 };
 
 struct Joint_joint09 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod09"
-  Mat6 IA;  // articulated-body inertia of link "rod09"
+  Joined<Revolute> joined;
+  Inertia IA;  // articulated-body inertia of link "rod09"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
   Columns6 load;  // what handle forces add
 };
 
 struct Joint_joint10 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod10"
-  Mat6 IA;  // articulated-body inertia of link "rod10"
+  Inertia IA;  // articulated-body inertia of link "rod10"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
+  Mat6 Phi_rod09;  // of the chain it completes
+  Columns6 b_rod09;
+  Columns6 F_on_rod09;  // outer wrench on that chain
 };
 
 struct Joint_joint11 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod11"
-  Mat6 Phi_rod07;  // of the chain it completes
-  Columns6 b_rod07;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod07;
-  Mat6 IA;  // articulated-body inertia of link "rod11"
+  Inertia IA;  // articulated-body inertia of link "rod11"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
-  Columns6 load;  // what handle forces add
-  Columns6 F_on_rod07;  // outer wrench on that chain
+  Articulated<Revolute> body;
 };
 
 struct Joint_joint12 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod12"
-  Mat6 IA;  // articulated-body inertia of link "rod12"
+  Inertia IA;  // articulated-body inertia of link "rod12"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
-  Mat6 Phi_rod11;  // of the chain it completes
-  Columns6 b_rod11;
-  Columns6 F_on_rod11;  // outer wrench on that chain
 };
 
 struct Joint_joint13 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod13"
-  Mat6 IA;  // articulated-body inertia of link "rod13"
+  Inertia IA;  // articulated-body inertia of link "rod13"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1304,7 +1372,7 @@ struct Joint_joint13 {
 struct Joint_joint14 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod14"
-  Mat6 IA;  // articulated-body inertia of link "rod14"
+  Inertia IA;  // articulated-body inertia of link "rod14"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1313,7 +1381,7 @@ struct Joint_joint14 {
 struct Joint_joint15 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod15"
-  Mat6 IA;  // articulated-body inertia of link "rod15"
+  Inertia IA;  // articulated-body inertia of link "rod15"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1322,7 +1390,7 @@ struct Joint_joint15 {
 struct Joint_joint16 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod16"
-  Mat6 IA;  // articulated-body inertia of link "rod16"
+  Inertia IA;  // articulated-body inertia of link "rod16"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1468,22 +1536,22 @@ void store_coupled(Workspace& w, int joint, int v,
   store_acceleration(w, joint, v, sum);
 }
 
-const Mat6 kInertia_rod01 = spatial_inertia(kLinks[1]);
-const Mat6 kInertia_rod02 = spatial_inertia(kLinks[2]);
-const Mat6 kInertia_rod03 = spatial_inertia(kLinks[3]);
-const Mat6 kInertia_rod04 = spatial_inertia(kLinks[4]);
-const Mat6 kInertia_rod05 = spatial_inertia(kLinks[5]);
-const Mat6 kInertia_rod06 = spatial_inertia(kLinks[6]);
-const Mat6 kInertia_rod07 = spatial_inertia(kLinks[7]);
-const Mat6 kInertia_rod08 = spatial_inertia(kLinks[8]);
-const Mat6 kInertia_rod09 = spatial_inertia(kLinks[9]);
-const Mat6 kInertia_rod10 = spatial_inertia(kLinks[10]);
-const Mat6 kInertia_rod11 = spatial_inertia(kLinks[11]);
-const Mat6 kInertia_rod12 = spatial_inertia(kLinks[12]);
-const Mat6 kInertia_rod13 = spatial_inertia(kLinks[13]);
-const Mat6 kInertia_rod14 = spatial_inertia(kLinks[14]);
-const Mat6 kInertia_rod15 = spatial_inertia(kLinks[15]);
-const Mat6 kInertia_rod16 = spatial_inertia(kLinks[16]);
+const Inertia kInertia_rod01 = spatial_inertia(kLinks[1]);
+const Inertia kInertia_rod02 = spatial_inertia(kLinks[2]);
+const Inertia kInertia_rod03 = spatial_inertia(kLinks[3]);
+const Inertia kInertia_rod04 = spatial_inertia(kLinks[4]);
+const Inertia kInertia_rod05 = spatial_inertia(kLinks[5]);
+const Inertia kInertia_rod06 = spatial_inertia(kLinks[6]);
+const Inertia kInertia_rod07 = spatial_inertia(kLinks[7]);
+const Inertia kInertia_rod08 = spatial_inertia(kLinks[8]);
+const Inertia kInertia_rod09 = spatial_inertia(kLinks[9]);
+const Inertia kInertia_rod10 = spatial_inertia(kLinks[10]);
+const Inertia kInertia_rod11 = spatial_inertia(kLinks[11]);
+const Inertia kInertia_rod12 = spatial_inertia(kLinks[12]);
+const Inertia kInertia_rod13 = spatial_inertia(kLinks[13]);
+const Inertia kInertia_rod14 = spatial_inertia(kLinks[14]);
+const Inertia kInertia_rod15 = spatial_inertia(kLinks[15]);
+const Inertia kInertia_rod16 = spatial_inertia(kLinks[16]);
 
 // =================================================================================================
 // Joint 0 "joint01": revolute, between links "ceiling" and "rod01"
@@ -1506,9 +1574,9 @@ void articulate_joint01(Workspace& w) {
   auto& i = w.j_joint01;
   load_torque(w, 0, 0, i.body.tau);
   i.body.c = Columns6::Zero();
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint01.IA, w.j_joint01.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 0);
 }
 
@@ -1516,15 +1584,15 @@ void propagate_joint01(Workspace& w) {
   auto& i = w.j_joint01;
   Mat6 Omega = kZero;
   carry(i.body, Omega);
-  w.j_joint06.Phi_rod01 = Omega;
+  w.j_joint01.Phi_rod01 = Omega;
   Columns6 a = i.X * kGround;
   accelerate(i.body, a);
-  w.j_joint06.b_rod01 = a;
+  w.j_joint01.b_rod01 = a;
 }
 
 void deliver_joint01(Workspace& w) {
   auto& i = w.j_joint01;
-  Columns6 load = w.j_joint01.load;
+  Columns6 load = i.load;
   deliver(i.body, load);
 }
 
@@ -1532,7 +1600,7 @@ void accelerate_joint01(Workspace& w) {
   auto& i = w.j_joint01;
   Columns6 a = i.X * kGround;
   const auto qdd = accelerate(i.body, a);
-  w.j_joint01.a = a;
+  i.a = a;
   store_acceleration(w, 0, 0, qdd);
 }
 
@@ -1557,9 +1625,9 @@ void articulate_joint02(Workspace& w) {
   auto& i = w.j_joint02;
   load_torque(w, 1, 1, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 1);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint02.IA, w.j_joint02.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 1);
   add_in_parent(i.X, handed, w.j_joint01.IA);
   w.j_joint01.pA += i.X.transposed_times(force);
@@ -1567,17 +1635,17 @@ void articulate_joint02(Workspace& w) {
 
 void propagate_joint02(Workspace& w) {
   auto& i = w.j_joint02;
-  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod01, i.X);
+  Mat6 Omega = from_right(i.X * w.j_joint01.Phi_rod01, i.X);
   carry(i.body, Omega);
-  w.j_joint06.Phi_rod02 = Omega;
-  Columns6 a = i.X * w.j_joint06.b_rod01;
+  w.j_joint01.Phi_rod02 = Omega;
+  Columns6 a = i.X * w.j_joint01.b_rod01;
   accelerate(i.body, a);
-  w.j_joint06.b_rod02 = a;
+  w.j_joint01.b_rod02 = a;
 }
 
 void deliver_joint02(Workspace& w) {
   auto& i = w.j_joint02;
-  Columns6 load = w.j_joint02.load;
+  Columns6 load = i.load;
   deliver(i.body, load);
   w.j_joint01.load += i.X.transposed_times(load);
 }
@@ -1586,7 +1654,7 @@ void accelerate_joint02(Workspace& w) {
   auto& i = w.j_joint02;
   Columns6 a = i.X * w.j_joint01.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_joint02.a = a;
+  i.a = a;
   store_acceleration(w, 1, 1, qdd);
 }
 
@@ -1611,9 +1679,9 @@ void articulate_joint03(Workspace& w) {
   auto& i = w.j_joint03;
   load_torque(w, 2, 2, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 2);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint03.IA, w.j_joint03.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 2);
   add_in_parent(i.X, handed, w.j_joint02.IA);
   w.j_joint02.pA += i.X.transposed_times(force);
@@ -1621,17 +1689,17 @@ void articulate_joint03(Workspace& w) {
 
 void propagate_joint03(Workspace& w) {
   auto& i = w.j_joint03;
-  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod02, i.X);
+  Mat6 Omega = from_right(i.X * w.j_joint01.Phi_rod02, i.X);
   carry(i.body, Omega);
-  w.j_joint06.Phi_rod03 = Omega;
-  Columns6 a = i.X * w.j_joint06.b_rod02;
+  w.j_joint01.Phi_rod03 = Omega;
+  Columns6 a = i.X * w.j_joint01.b_rod02;
   accelerate(i.body, a);
-  w.j_joint06.b_rod03 = a;
+  w.j_joint01.b_rod03 = a;
 }
 
 void deliver_joint03(Workspace& w) {
   auto& i = w.j_joint03;
-  Columns6 load = w.j_joint03.load;
+  Columns6 load = i.load;
   deliver(i.body, load);
   w.j_joint02.load += i.X.transposed_times(load);
 }
@@ -1640,7 +1708,7 @@ void accelerate_joint03(Workspace& w) {
   auto& i = w.j_joint03;
   Columns6 a = i.X * w.j_joint02.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_joint03.a = a;
+  i.a = a;
   store_acceleration(w, 2, 2, qdd);
 }
 
@@ -1665,9 +1733,9 @@ void articulate_joint04(Workspace& w) {
   auto& i = w.j_joint04;
   load_torque(w, 3, 3, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 3);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint04.IA, w.j_joint04.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 3);
   add_in_parent(i.X, handed, w.j_joint03.IA);
   w.j_joint03.pA += i.X.transposed_times(force);
@@ -1675,17 +1743,17 @@ void articulate_joint04(Workspace& w) {
 
 void propagate_joint04(Workspace& w) {
   auto& i = w.j_joint04;
-  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod03, i.X);
+  Mat6 Omega = from_right(i.X * w.j_joint01.Phi_rod03, i.X);
   carry(i.body, Omega);
-  w.j_joint06.Phi_rod04 = Omega;
-  Columns6 a = i.X * w.j_joint06.b_rod03;
+  w.j_joint01.Phi_rod04 = Omega;
+  Columns6 a = i.X * w.j_joint01.b_rod03;
   accelerate(i.body, a);
-  w.j_joint06.b_rod04 = a;
+  w.j_joint01.b_rod04 = a;
 }
 
 void deliver_joint04(Workspace& w) {
   auto& i = w.j_joint04;
-  Columns6 load = w.j_joint04.load;
+  Columns6 load = i.load;
   deliver(i.body, load);
   w.j_joint03.load += i.X.transposed_times(load);
 }
@@ -1694,7 +1762,7 @@ void accelerate_joint04(Workspace& w) {
   auto& i = w.j_joint04;
   Columns6 a = i.X * w.j_joint03.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_joint04.a = a;
+  i.a = a;
   store_acceleration(w, 3, 3, qdd);
 }
 
@@ -1715,41 +1783,28 @@ void kinematics_joint05(Workspace& w) {
   i.v = i.X * w.j_joint04.v + joint_velocity<Revolute>(w.v + 4);
 }
 
-void articulate_joint05(Workspace& w) {
+// A: the chain of "joint01"; B: the chain of "joint06"; C feels the joint at "rod08"
+void assemble_joint05(Workspace& w) {
   auto& i = w.j_joint05;
-  load_torque(w, 4, 4, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 4);
-  Mat6 handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint05.IA, w.j_joint05.pA, handed, force))
+  load_torque(w, 4, 4, i.joined.tau);
+  const Mat6 X_Phi_A = i.X * w.j_joint01.Phi_rod04;
+  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
+  if (!join(i.joined, Phi_A, w.j_joint06.Phi_rod05, i.X * w.j_joint01.b_rod04, w.j_joint06.b_rod05, c))
     fail(w, kFactorization, 4);
-  add_in_parent(i.X, handed, w.j_joint04.IA);
-  w.j_joint04.pA += i.X.transposed_times(force);
+  couple(i.joined, w.j_joint06.Phi_rod05_rod08, i.at_rod08);
+  i.Phi_rod08 = w.j_joint06.Phi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (4)
+  i.b_rod08 = w.j_joint06.b_rod08 + bias_change(i.joined, i.at_rod08);  // Eq. (7)
 }
 
-void propagate_joint05(Workspace& w) {
+void disassemble_joint05(Workspace& w) {
   auto& i = w.j_joint05;
-  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod04, i.X);
-  carry(i.body, Omega);
-  w.j_joint06.Phi_rod05 = Omega;
-  Columns6 a = i.X * w.j_joint06.b_rod04;
-  accelerate(i.body, a);
-  w.j_joint06.b_rod05 = a;
-}
-
-void deliver_joint05(Workspace& w) {
-  auto& i = w.j_joint05;
-  Columns6 load = w.j_joint05.load;
-  deliver(i.body, load);
-  w.j_joint04.load += i.X.transposed_times(load);
-}
-
-void accelerate_joint05(Workspace& w) {
-  auto& i = w.j_joint05;
-  Columns6 a = i.X * w.j_joint04.a;
-  const auto qdd = accelerate(i.body, a);
-  w.j_joint05.a = a;
-  store_acceleration(w, 4, 4, qdd);
+  Release<Revolute> release(i.joined);
+  release.feel_B(i.at_rod08, w.j_joint05.F_on_rod08);
+  const Columns6 f = release.force();  // Eq. (8), (10)
+  store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
+  w.j_joint01.F_on_rod04 = -i.X.transposed_times(f);
+  w.j_joint06.F_on_rod05 = f;
 }
 
 // =================================================================================================
@@ -1773,9 +1828,9 @@ void articulate_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   load_torque(w, 5, 5, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 5);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint06.IA, w.j_joint06.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 5);
   add_in_parent(i.X, handed, w.j_joint05.IA);
   w.j_joint05.pA += i.X.transposed_times(force);
@@ -1789,11 +1844,14 @@ void propagate_joint06(Workspace& w) {
   Columns6 a = i.X * w.j_joint06.b_rod05;
   accelerate(i.body, a);
   w.j_joint06.b_rod06 = a;
+  Mat6 Psi_0 = i.X * w.j_joint06.Phi_rod05;  // with link "rod05"
+  share(i.body, Psi_0);
+  w.j_joint06.Phi_rod05_rod06 = Psi_0.transpose();
 }
 
 void deliver_joint06(Workspace& w) {
   auto& i = w.j_joint06;
-  Columns6 load = w.j_joint06.load;
+  Columns6 load = i.load;
   deliver(i.body, load);
   w.j_joint05.load += i.X.transposed_times(load);
 }
@@ -1802,7 +1860,7 @@ void accelerate_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   Columns6 a = i.X * w.j_joint05.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_joint06.a = a;
+  i.a = a;
   store_acceleration(w, 5, 5, qdd);
 }
 
@@ -1823,24 +1881,44 @@ void kinematics_joint07(Workspace& w) {
   i.v = i.X * w.j_joint06.v + joint_velocity<Revolute>(w.v + 6);
 }
 
-// A: the chain of "joint06"; B: the chain of "joint11"; C feels the joint at no link
-void assemble_joint07(Workspace& w) {
+void articulate_joint07(Workspace& w) {
   auto& i = w.j_joint07;
-  load_torque(w, 6, 6, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint06.Phi_rod06;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
-  if (!join(i.joined, Phi_A, w.j_joint11.Phi_rod07, i.X * w.j_joint06.b_rod06, w.j_joint11.b_rod07, c))
+  load_torque(w, 6, 6, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
+  Inertia handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 6);
+  add_in_parent(i.X, handed, w.j_joint06.IA);
+  w.j_joint06.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint07(Workspace& w) {
+void propagate_joint07(Workspace& w) {
   auto& i = w.j_joint07;
-  Release<Revolute> release(i.joined);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 6, 6, release.qdd());  // Eq. (9)
-  w.j_joint06.F_on_rod06 = -i.X.transposed_times(f);
-  w.j_joint11.F_on_rod07 = f;
+  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod06, i.X);
+  carry(i.body, Omega);
+  w.j_joint06.Phi_rod07 = Omega;
+  Columns6 a = i.X * w.j_joint06.b_rod06;
+  accelerate(i.body, a);
+  w.j_joint06.b_rod07 = a;
+  Mat6 Psi_0 = times_transposed(i.X, w.j_joint06.Phi_rod05_rod06);  // with link "rod05"
+  share(i.body, Psi_0);
+  w.j_joint06.Phi_rod05_rod07 = Psi_0.transpose();
+}
+
+void deliver_joint07(Workspace& w) {
+  auto& i = w.j_joint07;
+  Columns6 load = i.load;
+  deliver(i.body, load);
+  w.j_joint06.load += i.X.transposed_times(load);
+}
+
+void accelerate_joint07(Workspace& w) {
+  auto& i = w.j_joint07;
+  Columns6 a = i.X * w.j_joint06.a;
+  const auto qdd = accelerate(i.body, a);
+  i.a = a;
+  store_acceleration(w, 6, 6, qdd);
 }
 
 // =================================================================================================
@@ -1864,9 +1942,9 @@ void articulate_joint08(Workspace& w) {
   auto& i = w.j_joint08;
   load_torque(w, 7, 7, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 7);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint08.IA, w.j_joint08.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 7);
   add_in_parent(i.X, handed, w.j_joint07.IA);
   w.j_joint07.pA += i.X.transposed_times(force);
@@ -1874,20 +1952,20 @@ void articulate_joint08(Workspace& w) {
 
 void propagate_joint08(Workspace& w) {
   auto& i = w.j_joint08;
-  Mat6 Omega = from_right(i.X * w.j_joint08.Phi_rod07, i.X);
+  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod07, i.X);
   carry(i.body, Omega);
-  w.j_joint08.Phi_rod08 = Omega;
-  Columns6 a = i.X * w.j_joint08.b_rod07;
+  w.j_joint06.Phi_rod08 = Omega;
+  Columns6 a = i.X * w.j_joint06.b_rod07;
   accelerate(i.body, a);
-  w.j_joint08.b_rod08 = a;
-  Mat6 Psi_0 = i.X * w.j_joint08.Phi_rod07;  // with link "rod07"
+  w.j_joint06.b_rod08 = a;
+  Mat6 Psi_0 = times_transposed(i.X, w.j_joint06.Phi_rod05_rod07);  // with link "rod05"
   share(i.body, Psi_0);
-  w.j_joint08.Phi_rod07_rod08 = Psi_0.transpose();
+  w.j_joint06.Phi_rod05_rod08 = Psi_0.transpose();
 }
 
 void deliver_joint08(Workspace& w) {
   auto& i = w.j_joint08;
-  Columns6 load = w.j_joint08.load;
+  Columns6 load = i.load;
   deliver(i.body, load);
   w.j_joint07.load += i.X.transposed_times(load);
 }
@@ -1896,7 +1974,7 @@ void accelerate_joint08(Workspace& w) {
   auto& i = w.j_joint08;
   Columns6 a = i.X * w.j_joint07.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_joint08.a = a;
+  i.a = a;
   store_acceleration(w, 7, 7, qdd);
 }
 
@@ -1917,44 +1995,24 @@ void kinematics_joint09(Workspace& w) {
   i.v = i.X * w.j_joint08.v + joint_velocity<Revolute>(w.v + 8);
 }
 
-void articulate_joint09(Workspace& w) {
+// A: the chain of "joint05"; B: the chain of "joint10"; C feels the joint at no link
+void assemble_joint09(Workspace& w) {
   auto& i = w.j_joint09;
-  load_torque(w, 8, 8, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 8);
-  Mat6 handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint09.IA, w.j_joint09.pA, handed, force))
+  load_torque(w, 8, 8, i.joined.tau);
+  const Mat6 X_Phi_A = i.X * w.j_joint05.Phi_rod08;
+  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 8);
+  if (!join(i.joined, Phi_A, w.j_joint10.Phi_rod09, i.X * w.j_joint05.b_rod08, w.j_joint10.b_rod09, c))
     fail(w, kFactorization, 8);
-  add_in_parent(i.X, handed, w.j_joint08.IA);
-  w.j_joint08.pA += i.X.transposed_times(force);
 }
 
-void propagate_joint09(Workspace& w) {
+void disassemble_joint09(Workspace& w) {
   auto& i = w.j_joint09;
-  Mat6 Omega = from_right(i.X * w.j_joint08.Phi_rod08, i.X);
-  carry(i.body, Omega);
-  w.j_joint08.Phi_rod09 = Omega;
-  Columns6 a = i.X * w.j_joint08.b_rod08;
-  accelerate(i.body, a);
-  w.j_joint08.b_rod09 = a;
-  Mat6 Psi_0 = times_transposed(i.X, w.j_joint08.Phi_rod07_rod08);  // with link "rod07"
-  share(i.body, Psi_0);
-  w.j_joint08.Phi_rod07_rod09 = Psi_0.transpose();
-}
-
-void deliver_joint09(Workspace& w) {
-  auto& i = w.j_joint09;
-  Columns6 load = w.j_joint09.load;
-  deliver(i.body, load);
-  w.j_joint08.load += i.X.transposed_times(load);
-}
-
-void accelerate_joint09(Workspace& w) {
-  auto& i = w.j_joint09;
-  Columns6 a = i.X * w.j_joint08.a;
-  const auto qdd = accelerate(i.body, a);
-  w.j_joint09.a = a;
-  store_acceleration(w, 8, 8, qdd);
+  Release<Revolute> release(i.joined);
+  const Columns6 f = release.force();  // Eq. (8), (10)
+  store_acceleration(w, 8, 8, release.qdd());  // Eq. (9)
+  w.j_joint05.F_on_rod08 = -i.X.transposed_times(f);
+  w.j_joint10.F_on_rod09 = f;
 }
 
 // =================================================================================================
@@ -1978,39 +2036,19 @@ void articulate_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   load_torque(w, 9, 9, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 9);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint10.IA, w.j_joint10.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 9);
   add_in_parent(i.X, handed, w.j_joint09.IA);
   w.j_joint09.pA += i.X.transposed_times(force);
-}
-
-void propagate_joint10(Workspace& w) {
-  auto& i = w.j_joint10;
-  Mat6 Omega = from_right(i.X * w.j_joint08.Phi_rod09, i.X);
-  carry(i.body, Omega);
-  w.j_joint08.Phi_rod10 = Omega;
-  Columns6 a = i.X * w.j_joint08.b_rod09;
-  accelerate(i.body, a);
-  w.j_joint08.b_rod10 = a;
-  Mat6 Psi_0 = times_transposed(i.X, w.j_joint08.Phi_rod07_rod09);  // with link "rod07"
-  share(i.body, Psi_0);
-  w.j_joint08.Phi_rod07_rod10 = Psi_0.transpose();
-}
-
-void deliver_joint10(Workspace& w) {
-  auto& i = w.j_joint10;
-  Columns6 load = w.j_joint10.load;
-  deliver(i.body, load);
-  w.j_joint09.load += i.X.transposed_times(load);
 }
 
 void accelerate_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   Columns6 a = i.X * w.j_joint09.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_joint10.a = a;
+  i.a = a;
   store_acceleration(w, 9, 9, qdd);
 }
 
@@ -2031,28 +2069,24 @@ void kinematics_joint11(Workspace& w) {
   i.v = i.X * w.j_joint10.v + joint_velocity<Revolute>(w.v + 10);
 }
 
-// A: the chain of "joint08"; B: the chain of "joint12"; C feels the joint at "rod07"
-void assemble_joint11(Workspace& w) {
+void articulate_joint11(Workspace& w) {
   auto& i = w.j_joint11;
-  load_torque(w, 10, 10, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint08.Phi_rod10;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 10);
-  if (!join(i.joined, Phi_A, w.j_joint12.Phi_rod11, i.X * w.j_joint08.b_rod10, w.j_joint12.b_rod11, c))
+  load_torque(w, 10, 10, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 10);
+  Inertia handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 10);
-  couple(i.joined, times_transposed(i.X, w.j_joint08.Phi_rod07_rod10), i.at_rod07);
-  i.Phi_rod07 = w.j_joint08.Phi_rod07 - product(i.at_rod07, i.at_rod07);  // Eq. (3)
-  i.b_rod07 = w.j_joint08.b_rod07 - bias_change(i.joined, i.at_rod07);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_joint10.IA);
+  w.j_joint10.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint11(Workspace& w) {
+void accelerate_joint11(Workspace& w) {
   auto& i = w.j_joint11;
-  Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod07, w.j_joint11.F_on_rod07);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 10, 10, release.qdd());  // Eq. (9)
-  w.j_joint08.F_on_rod10 = -i.X.transposed_times(f);
-  w.j_joint12.F_on_rod11 = f;
+  Columns6 a = i.X * w.j_joint10.a;
+  const auto qdd = accelerate(i.body, a);
+  i.a = a;
+  store_acceleration(w, 10, 10, qdd);
 }
 
 // =================================================================================================
@@ -2076,9 +2110,9 @@ void articulate_joint12(Workspace& w) {
   auto& i = w.j_joint12;
   load_torque(w, 11, 11, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 11);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint12.IA, w.j_joint12.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 11);
   add_in_parent(i.X, handed, w.j_joint11.IA);
   w.j_joint11.pA += i.X.transposed_times(force);
@@ -2088,7 +2122,7 @@ void accelerate_joint12(Workspace& w) {
   auto& i = w.j_joint12;
   Columns6 a = i.X * w.j_joint11.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_joint12.a = a;
+  i.a = a;
   store_acceleration(w, 11, 11, qdd);
 }
 
@@ -2113,9 +2147,9 @@ void articulate_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   load_torque(w, 12, 12, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 12);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint13.IA, w.j_joint13.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 12);
   add_in_parent(i.X, handed, w.j_joint12.IA);
   w.j_joint12.pA += i.X.transposed_times(force);
@@ -2125,7 +2159,7 @@ void accelerate_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   Columns6 a = i.X * w.j_joint12.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_joint13.a = a;
+  i.a = a;
   store_acceleration(w, 12, 12, qdd);
 }
 
@@ -2150,9 +2184,9 @@ void articulate_joint14(Workspace& w) {
   auto& i = w.j_joint14;
   load_torque(w, 13, 13, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 13);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint14.IA, w.j_joint14.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 13);
   add_in_parent(i.X, handed, w.j_joint13.IA);
   w.j_joint13.pA += i.X.transposed_times(force);
@@ -2162,7 +2196,7 @@ void accelerate_joint14(Workspace& w) {
   auto& i = w.j_joint14;
   Columns6 a = i.X * w.j_joint13.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_joint14.a = a;
+  i.a = a;
   store_acceleration(w, 13, 13, qdd);
 }
 
@@ -2187,9 +2221,9 @@ void articulate_joint15(Workspace& w) {
   auto& i = w.j_joint15;
   load_torque(w, 14, 14, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 14);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint15.IA, w.j_joint15.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 14);
   add_in_parent(i.X, handed, w.j_joint14.IA);
   w.j_joint14.pA += i.X.transposed_times(force);
@@ -2199,7 +2233,7 @@ void accelerate_joint15(Workspace& w) {
   auto& i = w.j_joint15;
   Columns6 a = i.X * w.j_joint14.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_joint15.a = a;
+  i.a = a;
   store_acceleration(w, 14, 14, qdd);
 }
 
@@ -2224,9 +2258,9 @@ void articulate_joint16(Workspace& w) {
   auto& i = w.j_joint16;
   load_torque(w, 15, 15, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 15);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_joint16.IA, w.j_joint16.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 15);
   add_in_parent(i.X, handed, w.j_joint15.IA);
   w.j_joint15.pA += i.X.transposed_times(force);
@@ -2236,82 +2270,15 @@ void accelerate_joint16(Workspace& w) {
   auto& i = w.j_joint16;
   Columns6 a = i.X * w.j_joint15.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_joint16.a = a;
+  i.a = a;
   store_acceleration(w, 15, 15, qdd);
 }
 
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 7 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...
+// Process 0: 5 of 16 joints: "joint05", "joint06", "joint07", "joint08", "joint09"; kinematics of 4 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  stamp(0);
-  kinematics_joint01(w);
-  kinematics_joint02(w);
-  kinematics_joint03(w);
-  kinematics_joint04(w);
-  kinematics_joint05(w);
-  kinematics_joint06(w);
-  kinematics_joint07(w);
-  stamp(1);
-  start_link(kInertia_rod01, w.j_joint01.v, w.j_joint01.IA, w.j_joint01.pA);
-  start_link(kInertia_rod02, w.j_joint02.v, w.j_joint02.IA, w.j_joint02.pA);
-  start_link(kInertia_rod03, w.j_joint03.v, w.j_joint03.IA, w.j_joint03.pA);
-  start_link(kInertia_rod04, w.j_joint04.v, w.j_joint04.IA, w.j_joint04.pA);
-  start_link(kInertia_rod05, w.j_joint05.v, w.j_joint05.IA, w.j_joint05.pA);
-  start_link(kInertia_rod06, w.j_joint06.v, w.j_joint06.IA, w.j_joint06.pA);
-  articulate_joint06(w);
-  articulate_joint05(w);
-  articulate_joint04(w);
-  articulate_joint03(w);
-  articulate_joint02(w);
-  articulate_joint01(w);
-  propagate_joint01(w);
-  propagate_joint02(w);
-  propagate_joint03(w);
-  propagate_joint04(w);
-  propagate_joint05(w);
-  propagate_joint06(w);
-  stamp(2);
-  {  // from process 1: assembled: chain of "joint11"
-    const Real* from = channel.receive(1, w.status);
-    from = get(from, w.j_joint11.Phi_rod07);
-    from = get(from, w.j_joint11.b_rod07);
-  }
-  stamp(3);
-  assemble_joint07(w);
-  stamp(4);
-  disassemble_joint07(w);
-  stamp(5);
-  {  // to process 1: forces on: chain of "joint11"
-    Real* to = channel.outgoing(2, w.status);
-    to = put(to, w.j_joint11.F_on_rod07);
-    channel.send(2, w.status);
-  }
-  stamp(6);
-  w.j_joint01.load = Columns6::Zero();
-  w.j_joint02.load = Columns6::Zero();
-  w.j_joint03.load = Columns6::Zero();
-  w.j_joint04.load = Columns6::Zero();
-  w.j_joint05.load = Columns6::Zero();
-  w.j_joint06.load = w.j_joint06.F_on_rod06;
-  deliver_joint06(w);
-  deliver_joint05(w);
-  deliver_joint04(w);
-  deliver_joint03(w);
-  deliver_joint02(w);
-  deliver_joint01(w);
-  accelerate_joint01(w);
-  accelerate_joint02(w);
-  accelerate_joint03(w);
-  accelerate_joint04(w);
-  accelerate_joint05(w);
-  accelerate_joint06(w);
-  stamp(7);
-}
-
-// Process 1: 4 of 16 joints: "joint08", "joint09", "joint10", "joint11"; kinematics of 7 more on the way to the ground
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
@@ -2322,65 +2289,115 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint07(w);
   kinematics_joint08(w);
   kinematics_joint09(w);
-  kinematics_joint10(w);
-  kinematics_joint11(w);
   stamp(1);
+  start_link(kInertia_rod05, w.j_joint05.v, w.j_joint05.IA, w.j_joint05.pA);
+  start_link(kInertia_rod06, w.j_joint06.v, w.j_joint06.IA, w.j_joint06.pA);
   start_link(kInertia_rod07, w.j_joint07.v, w.j_joint07.IA, w.j_joint07.pA);
   start_link(kInertia_rod08, w.j_joint08.v, w.j_joint08.IA, w.j_joint08.pA);
-  start_link(kInertia_rod09, w.j_joint09.v, w.j_joint09.IA, w.j_joint09.pA);
-  start_link(kInertia_rod10, w.j_joint10.v, w.j_joint10.IA, w.j_joint10.pA);
-  articulate_joint10(w);
-  articulate_joint09(w);
   articulate_joint08(w);
-  if (!invert(w.j_joint07.IA, w.j_joint07.pA, w.j_joint08.Phi_rod07, w.j_joint08.b_rod07))
-    fail(w, kFactorization, 6);
+  articulate_joint07(w);
+  articulate_joint06(w);
+  if (!invert(w.j_joint05.IA, w.j_joint05.pA, w.j_joint06.Phi_rod05, w.j_joint06.b_rod05))
+    fail(w, kFactorization, 4);
+  propagate_joint06(w);
+  propagate_joint07(w);
   propagate_joint08(w);
-  propagate_joint09(w);
-  propagate_joint10(w);
   stamp(2);
-  {  // from process 2: assembled: chain of "joint12"
+  {  // from process 1: assembled: chain of "joint01"
     const Real* from = channel.receive(0, w.status);
-    from = get(from, w.j_joint12.Phi_rod11);
-    from = get(from, w.j_joint12.b_rod11);
+    from = get(from, w.j_joint01.Phi_rod04);
+    from = get(from, w.j_joint01.b_rod04);
   }
   stamp(3);
-  assemble_joint11(w);
+  assemble_joint05(w);
   stamp(4);
-  {  // to process 0: assembled: chain of "joint11"
-    Real* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_joint11.Phi_rod07);
-    to = put(to, w.j_joint11.b_rod07);
-    channel.send(1, w.status);
+  {  // from process 2: assembled: chain of "joint10"
+    const Real* from = channel.receive(1, w.status);
+    from = get(from, w.j_joint10.Phi_rod09);
+    from = get(from, w.j_joint10.b_rod09);
   }
   stamp(5);
-  {  // from process 0: forces on: chain of "joint11"
-    const Real* from = channel.receive(2, w.status);
-    from = get(from, w.j_joint11.F_on_rod07);
-  }
+  assemble_joint09(w);
   stamp(6);
-  disassemble_joint11(w);
+  disassemble_joint09(w);
   stamp(7);
-  {  // to process 2: forces on: chain of "joint12"
-    Real* to = channel.outgoing(3, w.status);
-    to = put(to, w.j_joint12.F_on_rod11);
-    channel.send(3, w.status);
+  {  // to process 2: forces on: chain of "joint10"
+    Real* to = channel.outgoing(2, w.status);
+    to = put(to, w.j_joint10.F_on_rod09);
+    channel.send(2, w.status);
   }
   stamp(8);
-  w.j_joint07.load = w.j_joint11.F_on_rod07;
-  w.j_joint08.load = Columns6::Zero();
-  w.j_joint09.load = Columns6::Zero();
-  w.j_joint10.load = w.j_joint08.F_on_rod10;
-  deliver_joint10(w);
-  deliver_joint09(w);
-  deliver_joint08(w);
-  w.j_joint07.a = w.j_joint08.b_rod07 + w.j_joint08.Phi_rod07 * w.j_joint07.load;
-  accelerate_joint08(w);
-  accelerate_joint09(w);
-  accelerate_joint10(w);
+  disassemble_joint05(w);
   stamp(9);
+  {  // to process 1: forces on: chain of "joint01"
+    Real* to = channel.outgoing(3, w.status);
+    to = put(to, w.j_joint01.F_on_rod04);
+    channel.send(3, w.status);
+  }
+  stamp(10);
+  w.j_joint05.load = w.j_joint06.F_on_rod05;
+  w.j_joint06.load = Columns6::Zero();
+  w.j_joint07.load = Columns6::Zero();
+  w.j_joint08.load = w.j_joint05.F_on_rod08;
+  deliver_joint08(w);
+  deliver_joint07(w);
+  deliver_joint06(w);
+  w.j_joint05.a = w.j_joint06.b_rod05 + w.j_joint06.Phi_rod05 * w.j_joint05.load;
+  accelerate_joint06(w);
+  accelerate_joint07(w);
+  accelerate_joint08(w);
+  stamp(11);
 }
 
-// Process 2: 5 of 16 joints: "joint12", "joint13", "joint14", "joint15", "joint16"; kinematics of 11 more on the way to the ground
+// Process 1: 4 of 16 joints: "joint01", "joint02", "joint03", "joint04"
+void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
+  kinematics_joint01(w);
+  kinematics_joint02(w);
+  kinematics_joint03(w);
+  kinematics_joint04(w);
+  stamp(1);
+  start_link(kInertia_rod01, w.j_joint01.v, w.j_joint01.IA, w.j_joint01.pA);
+  start_link(kInertia_rod02, w.j_joint02.v, w.j_joint02.IA, w.j_joint02.pA);
+  start_link(kInertia_rod03, w.j_joint03.v, w.j_joint03.IA, w.j_joint03.pA);
+  start_link(kInertia_rod04, w.j_joint04.v, w.j_joint04.IA, w.j_joint04.pA);
+  articulate_joint04(w);
+  articulate_joint03(w);
+  articulate_joint02(w);
+  articulate_joint01(w);
+  propagate_joint01(w);
+  propagate_joint02(w);
+  propagate_joint03(w);
+  propagate_joint04(w);
+  stamp(2);
+  {  // to process 0: assembled: chain of "joint01"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.j_joint01.Phi_rod04);
+    to = put(to, w.j_joint01.b_rod04);
+    channel.send(0, w.status);
+  }
+  stamp(3);
+  {  // from process 0: forces on: chain of "joint01"
+    const Real* from = channel.receive(3, w.status);
+    from = get(from, w.j_joint01.F_on_rod04);
+  }
+  stamp(4);
+  w.j_joint01.load = Columns6::Zero();
+  w.j_joint02.load = Columns6::Zero();
+  w.j_joint03.load = Columns6::Zero();
+  w.j_joint04.load = w.j_joint01.F_on_rod04;
+  deliver_joint04(w);
+  deliver_joint03(w);
+  deliver_joint02(w);
+  deliver_joint01(w);
+  accelerate_joint01(w);
+  accelerate_joint02(w);
+  accelerate_joint03(w);
+  accelerate_joint04(w);
+  stamp(5);
+}
+
+// Process 2: 7 of 16 joints: "joint10", "joint11", "joint12", "joint13", "joint14", "joint15", ...; kinematics of 9 more on the way to the ground
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_joint01(w);
@@ -2400,6 +2417,8 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint15(w);
   kinematics_joint16(w);
   stamp(1);
+  start_link(kInertia_rod09, w.j_joint09.v, w.j_joint09.IA, w.j_joint09.pA);
+  start_link(kInertia_rod10, w.j_joint10.v, w.j_joint10.IA, w.j_joint10.pA);
   start_link(kInertia_rod11, w.j_joint11.v, w.j_joint11.IA, w.j_joint11.pA);
   start_link(kInertia_rod12, w.j_joint12.v, w.j_joint12.IA, w.j_joint12.pA);
   start_link(kInertia_rod13, w.j_joint13.v, w.j_joint13.IA, w.j_joint13.pA);
@@ -2411,23 +2430,27 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   articulate_joint14(w);
   articulate_joint13(w);
   articulate_joint12(w);
-  if (!invert(w.j_joint11.IA, w.j_joint11.pA, w.j_joint12.Phi_rod11, w.j_joint12.b_rod11))
-    fail(w, kFactorization, 10);
+  articulate_joint11(w);
+  articulate_joint10(w);
+  if (!invert(w.j_joint09.IA, w.j_joint09.pA, w.j_joint10.Phi_rod09, w.j_joint10.b_rod09))
+    fail(w, kFactorization, 8);
   stamp(2);
-  {  // to process 1: assembled: chain of "joint12"
-    Real* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_joint12.Phi_rod11);
-    to = put(to, w.j_joint12.b_rod11);
-    channel.send(0, w.status);
+  {  // to process 0: assembled: chain of "joint10"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.j_joint10.Phi_rod09);
+    to = put(to, w.j_joint10.b_rod09);
+    channel.send(1, w.status);
   }
   stamp(3);
-  {  // from process 1: forces on: chain of "joint12"
-    const Real* from = channel.receive(3, w.status);
-    from = get(from, w.j_joint12.F_on_rod11);
+  {  // from process 0: forces on: chain of "joint10"
+    const Real* from = channel.receive(2, w.status);
+    from = get(from, w.j_joint10.F_on_rod09);
   }
   stamp(4);
-  w.j_joint11.load = w.j_joint12.F_on_rod11;
-  w.j_joint11.a = w.j_joint12.b_rod11 + w.j_joint12.Phi_rod11 * w.j_joint11.load;
+  w.j_joint09.load = w.j_joint10.F_on_rod09;
+  w.j_joint09.a = w.j_joint10.b_rod09 + w.j_joint10.Phi_rod09 * w.j_joint09.load;
+  accelerate_joint10(w);
+  accelerate_joint11(w);
   accelerate_joint12(w);
   accelerate_joint13(w);
   accelerate_joint14(w);
@@ -2439,19 +2462,19 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
 
 // What each process reads of q and v, and the velocity entries whose tau and qdd are its own.
-constexpr std::array<int, 7> kReadQ_0{0, 1, 2, 3, 4, 5, 6};
-constexpr std::array<int, 7> kReadV_0{0, 1, 2, 3, 4, 5, 6};
-constexpr std::array<int, 7> kOwn_0{0, 1, 2, 3, 4, 5, 6};
-constexpr std::array<int, 11> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
-constexpr std::array<int, 11> kReadV_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
-constexpr std::array<int, 4> kOwn_1{7, 8, 9, 10};
+constexpr std::array<int, 9> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
+constexpr std::array<int, 9> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
+constexpr std::array<int, 5> kOwn_0{4, 5, 6, 7, 8};
+constexpr std::array<int, 4> kReadQ_1{0, 1, 2, 3};
+constexpr std::array<int, 4> kReadV_1{0, 1, 2, 3};
+constexpr std::array<int, 4> kOwn_1{0, 1, 2, 3};
 constexpr std::array<int, 16> kReadQ_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 constexpr std::array<int, 16> kReadV_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr std::array<int, 5> kOwn_2{11, 12, 13, 14, 15};
+constexpr std::array<int, 7> kOwn_2{9, 10, 11, 12, 13, 14, 15};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {7, kReadQ_0.data(), 7, kReadV_0.data(), 7, kOwn_0.data()},
-    {11, kReadQ_1.data(), 11, kReadV_1.data(), 4, kOwn_1.data()},
-    {16, kReadQ_2.data(), 16, kReadV_2.data(), 5, kOwn_2.data()},
+    {9, kReadQ_0.data(), 9, kReadV_0.data(), 5, kOwn_0.data()},
+    {4, kReadQ_1.data(), 4, kReadV_1.data(), 4, kOwn_1.data()},
+    {16, kReadQ_2.data(), 16, kReadV_2.data(), 7, kOwn_2.data()},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -3216,35 +3239,35 @@ class Watch {
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 7> kStages_0{ {
-    {"kinematics", 6, -1},
-    {"assembly", 5, -1},
-    {"receive", -1, 1},
-    {"assembly", 6, -1},
-    {"disassembly", 6, -1},
-    {"send", -1, 2},
-    {"disassembly", 5, -1},
-} };
-constexpr std::array<Stage, 9> kStages_1{ {
-    {"kinematics", 10, -1},
-    {"assembly", 9, -1},
+constexpr std::array<Stage, 11> kStages_0{ {
+    {"kinematics", 8, -1},
+    {"assembly", 7, -1},
     {"receive", -1, 0},
-    {"assembly", 10, -1},
-    {"send", -1, 1},
-    {"receive", -1, 2},
-    {"disassembly", 10, -1},
+    {"assembly", 4, -1},
+    {"receive", -1, 1},
+    {"assembly", 8, -1},
+    {"disassembly", 8, -1},
+    {"send", -1, 2},
+    {"disassembly", 4, -1},
     {"send", -1, 3},
-    {"disassembly", 9, -1},
+    {"disassembly", 7, -1},
+} };
+constexpr std::array<Stage, 5> kStages_1{ {
+    {"kinematics", 3, -1},
+    {"assembly", 3, -1},
+    {"send", -1, 0},
+    {"receive", -1, 3},
+    {"disassembly", 3, -1},
 } };
 constexpr std::array<Stage, 5> kStages_2{ {
     {"kinematics", 15, -1},
-    {"assembly", 11, -1},
-    {"send", -1, 0},
-    {"receive", -1, 3},
-    {"disassembly", 11, -1},
+    {"assembly", 9, -1},
+    {"send", -1, 1},
+    {"receive", -1, 2},
+    {"disassembly", 9, -1},
 } };
 constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data(), kStages_2.data()};
-constexpr std::array<int, kProcesses> kStageCount{7, 9, 5};
+constexpr std::array<int, kProcesses> kStageCount{11, 5, 5};
 
 // What --trace FILE writes: when each stage of each process began and ended, as the medians over
 // many evaluations of random states; ns from the instant at which the processes start together.

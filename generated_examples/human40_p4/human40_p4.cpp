@@ -2,17 +2,22 @@
 //
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  spine@0-3(root@0-1(|left_hip(right_hip@0(|right_knee(|right_ankle)) | left_knee@1(|left_ankle))) | neck@2-3(left_shoulder(right_shoulder@2(|right_elbow(|right_wrist)) | left_elbow@3(|left_wrist))|))
+// schedule  spine@0-3(left_hip@2-3(root@2(|right_hip(|right_knee(|right_ankle))) | left_knee@3(|left_ankle)) | left_shoulder@0-1(neck@0(right_shoulder(|right_elbow(|right_wrist))|) | left_elbow@1(|left_wrist)))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
-// b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
-// joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
-// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. How to read on:
+// Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
+// link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
+// accelerations come back. Spatial vectors are [angular; linear], in link frames turned so that every
+// joint axis is z.
+// Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura joins them: Phi =
+// (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent link's side) and
+// chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
+//
+// How to read on:
 //   1. interface   what a program that links this file calls
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint: its memory, kinematics, assembly, disassembly
+//   4. joints      for each joint its memory, then what is done with it, step by step
 //   5. processes   who does what, in order
 //   6. program     states in, accelerations out; check; time
 
@@ -88,6 +93,12 @@ void human40_p4_close(human40_p4_solver* solver);
 #include <Eigen/Geometry>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
+// A counted loop that is to be unrolled whole, so that indices computed in it become constants.
+#if defined(__clang__)
+#define ADAGEN_FOR(k, first, last) _Pragma("clang loop unroll(full)") for (int k = first; k < last; ++k)
+#else
+#define ADAGEN_FOR(k, first, last) _Pragma("GCC unroll 16") for (int k = first; k < last; ++k)
+#endif
 
 namespace {
 
@@ -185,7 +196,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
      {}},
     {"head", 4.9, {0.01, 0.0, 0.14},
      {0.0196, 0.0, 0.0, 0.0, 0.0196, 0.0, 0.0, 0.0, 0.0196},
-     {51.02040816326531, 0.0, 0.0, 0.0, 51.02040816326531, 0.0, 0.0, 0.0, 51.02040816326531}},
+     {}},
     {"right_upper_arm", 1.9, {0.0, 0.0, -0.14},
      {0.0133752, 0.0, 0.0, 0.0, 0.0133752, 0.0, 0.0, 0.0, 0.00192375},
      {}},
@@ -636,50 +647,111 @@ class Release {
 // frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
 // sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
 
-[[maybe_unused]] Mat3 cross_from_left(const Vec3& r, const Mat3& m) {
-  Mat3 result;
-  for (int k = 0; k < 3; ++k) result.col(k) = r.cross(m.col(k));
+// A spatial inertia [[A, B], [B^T, C]]: A and C symmetric, their upper triangles row by row; B row
+// by row. 21 numbers, and half the work of a 6x6 matrix.
+struct Inertia {
+  std::array<Real, 6> A, C;
+  std::array<Real, 9> B;
+
+  static constexpr int symmetric(int i, int k) {
+    return i <= k ? i * (5 - i) / 2 + k : symmetric(k, i);
+  }
+
+  constexpr Real operator()(int i, int k) const {
+    if (i < 3 && k < 3) return A[symmetric(i, k)];
+    if (i >= 3 && k >= 3) return C[symmetric(i - 3, k - 3)];
+    return i < 3 ? B[3 * i + k - 3] : B[3 * k + i - 3];
+  }
+
+  // Sets the entries (i, k) and (k, i), which are one.
+  constexpr void set(int i, int k, Real value) {
+    if (i < 3 && k < 3)
+      A[symmetric(i, k)] = value;
+    else if (i >= 3 && k >= 3)
+      C[symmetric(i - 3, k - 3)] = value;
+    else if (i < 3)
+      B[3 * i + k - 3] = value;
+    else
+      B[3 * k + i - 3] = value;
+  }
+
+  Inertia& operator+=(const Inertia& other) {
+    ADAGEN_FOR (k, 0, 6) A[k] += other.A[k], C[k] += other.C[k];
+    ADAGEN_FOR (k, 0, 9) B[k] += other.B[k];
+    return *this;
+  }
+};
+
+// T^T m T for a symmetric m, T being E or, transposed, E^T; both row by row.
+template <bool transposed>
+std::array<Real, 6> rotated(const Mat3& E, const std::array<Real, 6>& m) {
+  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
+  std::array<Real, 9> half;  // m T
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      half[3 * i + k] = m[Inertia::symmetric(i, 0)] * T(0, k) +
+                        m[Inertia::symmetric(i, 1)] * T(1, k) +
+                        m[Inertia::symmetric(i, 2)] * T(2, k);
+  std::array<Real, 6> result;
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, i, 3)
+      result[Inertia::symmetric(i, k)] =
+          T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
   return result;
 }
 
-// m rx
-[[maybe_unused]] Mat3 cross_from_right(const Mat3& m, const Vec3& r) {
-  Mat3 result;
-  for (int k = 0; k < 3; ++k) result.row(k) = m.row(k).transpose().cross(r).transpose();
+template <bool transposed>
+std::array<Real, 9> rotated(const Mat3& E, const std::array<Real, 9>& m) {
+  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
+  std::array<Real, 9> half, result;
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      half[3 * i + k] = m[3 * i] * T(0, k) + m[3 * i + 1] * T(1, k) + m[3 * i + 2] * T(2, k);
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      result[3 * i + k] = T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
   return result;
+}
+
+// The inertia m told at a point whose origin is at -r from the one it is told at:
+// B + rx C, and A + rx (B + rx C)^T - B rx.
+inline void shift(const Vec3& r, Inertia& m) {
+  const auto& C = m.C;
+  auto& A = m.A;
+  const std::array<Real, 9> B = m.B;
+  auto& S = m.B;
+  const auto c = [&C](int i, int k) { return C[Inertia::symmetric(i, k)]; };
+  ADAGEN_FOR (k, 0, 3) {
+    S[k] += r[1] * c(2, k) - r[2] * c(1, k);
+    S[3 + k] += r[2] * c(0, k) - r[0] * c(2, k);
+    S[6 + k] += r[0] * c(1, k) - r[1] * c(0, k);
+  }
+  A[0] += r[1] * S[2] - r[2] * S[1] - (B[1] * r[2] - B[2] * r[1]);
+  A[1] += r[1] * S[5] - r[2] * S[4] - (B[2] * r[0] - B[0] * r[2]);
+  A[2] += r[1] * S[8] - r[2] * S[7] - (B[0] * r[1] - B[1] * r[0]);
+  A[3] += r[2] * S[3] - r[0] * S[5] - (B[5] * r[0] - B[3] * r[2]);
+  A[4] += r[2] * S[6] - r[0] * S[8] - (B[3] * r[1] - B[4] * r[0]);
+  A[5] += r[0] * S[7] - r[1] * S[6] - (B[6] * r[1] - B[7] * r[0]);
 }
 
 // target += X^T m X: an inertia in the child's frame, felt in the parent's.
-ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Mat6& m, Mat6& target) {
-  const Mat3 A = X.E.transpose() * m.topLeftCorner<3, 3>() * X.E;
-  const Mat3 B = X.E.transpose() * m.topRightCorner<3, 3>() * X.E;
-  const Mat3 C = X.E.transpose() * m.bottomRightCorner<3, 3>() * X.E;
-  const Mat3 shifted = B + cross_from_left(X.r, C);
-  target.topLeftCorner<3, 3>() +=
-      A + cross_from_left(X.r, shifted.transpose()) - cross_from_right(B, X.r);
-  target.topRightCorner<3, 3>() += shifted;
-  target.bottomLeftCorner<3, 3>() += shifted.transpose();
-  target.bottomRightCorner<3, 3>() += C;
+ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Inertia& m, Inertia& target) {
+  Inertia turned{rotated<false>(X.E, m.A), rotated<false>(X.E, m.C), rotated<false>(X.E, m.B)};
+  shift(X.r, turned);
+  target += turned;
 }
 
 // X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
-ADAGEN_NOINLINE Mat6 in_child(const Transform& X, const Mat6& m) {
-  const Mat3 B = m.topRightCorner<3, 3>(), C = m.bottomRightCorner<3, 3>();
-  const Mat3 shifted = B - cross_from_left(X.r, C);
-  const Mat3 A = m.topLeftCorner<3, 3>() - cross_from_left(X.r, shifted.transpose()) +
-                 cross_from_right(B, X.r);
-  Mat6 result;
-  result.topLeftCorner<3, 3>() = X.E * A * X.E.transpose();
-  result.topRightCorner<3, 3>() = X.E * shifted * X.E.transpose();
-  result.bottomLeftCorner<3, 3>() = result.topRightCorner<3, 3>().transpose();
-  result.bottomRightCorner<3, 3>() = X.E * C * X.E.transpose();
-  return result;
+ADAGEN_NOINLINE Inertia in_child(const Transform& X, const Inertia& m) {
+  Inertia moved = m;
+  shift(-X.r, moved);
+  return {rotated<true>(X.E, moved.A), rotated<true>(X.E, moved.C), rotated<true>(X.E, moved.B)};
 }
 
 // X^-T f: a wrench on the parent, felt in the child's frame.
 [[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
   Columns6 result;
-  for (int k = 0; k < kColumns; ++k) {
+  ADAGEN_FOR (k, 0, kColumns) {
     const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
     result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
     result.col(k).template tail<3>() = X.E * force;
@@ -692,7 +764,7 @@ template <int columns>
 Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
                                                  const Eigen::Matrix<Real, 6, columns>& m) {
   Eigen::Matrix<Real, 6, columns> result;
-  for (int k = 0; k < columns; ++k) {
+  ADAGEN_FOR (k, 0, columns) {
     const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
     result.col(k).template head<3>() = angular;
     result.col(k).template tail<3>() =
@@ -715,28 +787,31 @@ std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kC
 }
 
 // Spatial inertia of a link at its origin.
-Mat6 spatial_inertia(const LinkConstants& link) {
-  const Vec3 c(link.com[0], link.com[1], link.com[2]);
-  const Mat3 cx = cross_from_left(c, Mat3::Identity());
-  Mat6 result;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) result(i, k) = link.tensor[3 * i + k];
-  result.topLeftCorner<3, 3>() -= link.mass * cx * cx;
-  result.topRightCorner<3, 3>() = link.mass * cx;
-  result.bottomLeftCorner<3, 3>() = -link.mass * cx;
-  result.bottomRightCorner<3, 3>() = link.mass * Mat3::Identity();
-  return result;
+Inertia spatial_inertia(const LinkConstants& link) {
+  const Real x = link.com[0], y = link.com[1], z = link.com[2], m = link.mass;
+  const Real* const t = link.tensor;
+  return {{t[0] + m * (y * y + z * z), t[1] - m * x * y, t[2] - m * x * z,
+           t[4] + m * (x * x + z * z), t[5] - m * y * z, t[8] + m * (x * x + y * y)},
+          {m, 0, 0, m, 0, m},
+          {0, -m * z, m * y, m * z, 0, -m * x, -m * y, m * x, 0}};
 }
 
 // I^A and p^A of a link start as its own inertia and v x* I v.
-ADAGEN_NOINLINE void start_link(const Mat6& inertia, const Vec6& velocity, Mat6& IA, Columns6& pA) {
+ADAGEN_NOINLINE void start_link(const Inertia& inertia, const Vec6& velocity, Inertia& IA,
+                                Columns6& pA) {
   IA = inertia;
-  const Vec6 momentum = inertia * velocity;
-  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
-  const Vec3 angular = momentum.head<3>(), linear = momentum.tail<3>();
-  pA.setZero();
-  pA.col(0).template head<3>() = omega.cross(angular) + v.cross(linear);
-  pA.col(0).template tail<3>() = omega.cross(linear);
+  const auto& A = inertia.A;
+  const Vec3 w = velocity.head<3>(), v = velocity.tail<3>();
+  const Real mass = inertia.C[0];
+  const Vec3 mc(inertia.B[7], inertia.B[2], inertia.B[3]);  // mass times centre of mass
+  const Vec3 angular =
+      Vec3(A[0] * w[0] + A[1] * w[1] + A[2] * w[2], A[1] * w[0] + A[3] * w[1] + A[4] * w[2],
+           A[2] * w[0] + A[4] * w[1] + A[5] * w[2]) +
+      mc.cross(v);
+  const Vec3 linear = mass * v + w.cross(mc);
+  if constexpr (kColumns > 1) pA.setZero();
+  pA.col(0).template head<3>() = w.cross(angular) + v.cross(linear);
+  pA.col(0).template tail<3>() = w.cross(linear);
 }
 
 template <class Kind>
@@ -764,17 +839,17 @@ struct Articulated {
 // hands on to its near side, by exact projection: nothing along S but the torque. Returns false
 // where D cannot be factorized.
 template <class Kind>
-ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I, const Columns6& p,
-                                Mat6& handed, Columns6& force) {
+ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia& I,
+                                const Columns6& p, Inertia& handed, Columns6& force) {
   constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
   constexpr auto& free = Kind::Free::row;
   [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
   bool good = true;
-  for (int k = 0; k < n; ++k) {
-    for (int l = 0; l < n; ++l) i.D[k][l] = I(free[k], free[l]);
+  ADAGEN_FOR (k, 0, n) {
+    ADAGEN_FOR (l, 0, n) i.D[k][l] = I(free[k], free[l]);
     i.E[k] = {};
-    for (int l = 0; l < m; ++l) i.E[k][constrained[l]] = I(free[k], constrained[l]);
-    for (int c = 0; c < kColumns; ++c) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
+    ADAGEN_FOR (l, 0, m) i.E[k][constrained[l]] = I(free[k], constrained[l]);
+    ADAGEN_FOR (c, 0, kColumns) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
   }
   if constexpr (n == 1) {
     good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
@@ -785,26 +860,25 @@ ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I,
   i.solve(i.E);
   auto moved = i.u;
   i.solve(moved);
-  handed.setZero();
-  force.setZero();
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (l, 0, 6) handed.set(free[k], l, 0);
   if constexpr (m > 0) {
-    for (int r = 0; r < m; ++r)
-      for (int s = 0; s < m; ++s) {
+    ADAGEN_FOR (r, 0, m)
+      ADAGEN_FOR (s, r, m) {
         Real x = I(constrained[r], constrained[s]);
-        for (int k = 0; k < n; ++k) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
-        handed(constrained[r], constrained[s]) = x;
+        ADAGEN_FOR (k, 0, n) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
+        handed.set(constrained[r], constrained[s], x);
       }
-    for (int c = 0; c < kColumns; ++c)
-      for (int r = 0; r < m; ++r) {
+    ADAGEN_FOR (c, 0, kColumns)
+      ADAGEN_FOR (r, 0, m) {
         Real x = p(constrained[r], c);
-        for (int k = 0; k < n; ++k) x += I(constrained[r], free[k]) * moved[k][c];
-        for (int s = 0; s < m; ++s)
-          x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
+        ADAGEN_FOR (k, 0, n) x += I(constrained[r], free[k]) * moved[k][c];
+        ADAGEN_FOR (s, 0, m) x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
         force(constrained[r], c) = x;
       }
   }
-  for (int k = 0; k < n; ++k)
-    for (int c = 0; c < kColumns; ++c) force(free[k], c) = sigma * i.tau[k][c];
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (c, 0, kColumns) force(free[k], c) = sigma * i.tau[k][c];
   return good;
 }
 
@@ -815,23 +889,23 @@ std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated
   a += i.c;
   auto moved = i.u;
   i.solve(moved);
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) {
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) {
       const int row = Kind::Free::row[k];
       Real x = moved[k][c];
       for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
       moved[k][c] = x - a(row, c);
     }
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) a(Kind::Free::row[k], c) += moved[k][c];
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) a(Kind::Free::row[k], c) += moved[k][c];
   return moved;
 }
 
 // K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
 template <class Kind>
 ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
-  for (int k = 0; k < kFree<Kind>; ++k) m.row(Kind::Free::row[k]).setZero();
-  for (int k = 0; k < kFree<Kind>; ++k)
+  ADAGEN_FOR (k, 0, (kFree<Kind>)) m.row(Kind::Free::row[k]).setZero();
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
     for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
 }
 
@@ -843,17 +917,17 @@ ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
   m.transposeInPlace();
   share(i, m);
   std::array<std::array<Real, n>, n> inverse{};
-  for (int k = 0; k < n; ++k) inverse[k][k] = 1;
+  ADAGEN_FOR (k, 0, n) inverse[k][k] = 1;
   i.solve(inverse);
-  for (int k = 0; k < n; ++k)
-    for (int l = 0; l < n; ++l) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (l, 0, n) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
 }
 
 // A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
 template <class Kind>
 void deliver(Articulated<Kind>& i, Columns6& load) {
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) {
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) {
       Real& along = load(Kind::Free::row[k], c);
       i.u[k][c] += along;
       for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
@@ -862,18 +936,18 @@ void deliver(Articulated<Kind>& i, Columns6& load) {
 }
 
 // Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
-ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns6& b) {
+ADAGEN_NOINLINE bool invert(const Inertia& I, const Columns6& p, Mat6& Phi, Columns6& b) {
   std::array<std::array<Real, 6>, 6> L, x{};
-  for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
     x[i][i] = 1;
   }
   const bool good = factorize(L);
   forward_substitute(L, x);
-  for (int i = 0; i < 6; ++i)
-    for (int k = i; k < 6; ++k) {
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, i, 6) {
       Real sum = 0;
-      for (int row = 0; row < 6; ++row) sum += x[row][i] * x[row][k];
+      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
       Phi(i, k) = Phi(k, i) = sum;
     }
   b.noalias() = -Phi * p;
@@ -881,33 +955,33 @@ ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns
 }
 
 // a with I^A a = -p^A: nothing else acts on the link.
-ADAGEN_NOINLINE bool solve_root(const Mat6& I, const Columns6& p, Columns6& a) {
+ADAGEN_NOINLINE bool solve_root(const Inertia& I, const Columns6& p, Columns6& a) {
   std::array<std::array<Real, 6>, 6> L;
   std::array<std::array<Real, kColumns>, 6> x;
-  for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
-    for (int c = 0; c < kColumns; ++c) x[i][c] = -p(i, c);
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
+    ADAGEN_FOR (c, 0, kColumns) x[i][c] = -p(i, c);
   }
   const bool good = factorize(L);
   forward_substitute(L, x);
   backward_substitute(L, x);
-  for (int i = 0; i < 6; ++i)
-    for (int c = 0; c < kColumns; ++c) a(i, c) = x[i][c];
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (c, 0, kColumns) a(i, c) = x[i][c];
   return good;
 }
 
 constexpr std::array<MessageInfo, 12> kMessages{ {
-    {1, 0, 42},  // 0: assembled: chain of "left_knee"
-    {3, 2, 42},  // 1: assembled: chain of "left_elbow"
-    {2, 0, 42},  // 2: assembled: chain of "neck"
-    {0, 2, 6},  // 3: forces on: chain of "neck"
-    {0, 1, 6},  // 4: forces on: chain of "left_knee"
-    {2, 3, 6},  // 5: forces on: chain of "left_elbow"
-    {0, 1, 33},  // 6: state
+    {3, 2, 42},  // 0: assembled: chain of "left_knee"
+    {1, 0, 42},  // 1: assembled: chain of "left_elbow"
+    {2, 0, 42},  // 2: assembled: chain of "left_hip"
+    {0, 2, 6},  // 3: forces on: chain of "left_hip"
+    {2, 3, 6},  // 4: forces on: chain of "left_knee"
+    {0, 1, 6},  // 5: forces on: chain of "left_elbow"
+    {0, 1, 40},  // 6: state
     {1, 0, 4},  // 7: accelerations
-    {0, 2, 63},  // 8: state
-    {2, 0, 13},  // 9: accelerations
-    {0, 3, 40},  // 10: state
+    {0, 2, 52},  // 8: state
+    {2, 0, 16},  // 9: accelerations
+    {0, 3, 33},  // 10: state
     {3, 0, 4},  // 11: accelerations
 } };
 
@@ -1142,13 +1216,11 @@ struct Workspace;
 struct Joint_root {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "pelvis"
-  Mat6 IA;  // articulated-body inertia of link "pelvis"
+  Inertia IA;  // articulated-body inertia of link "pelvis"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Mat6 Phi_pelvis;  // of the chain it completes
   Columns6 b_pelvis;
-  Joined<Floating> joined;
-  Coupled<Floating> at_pelvis;
   Columns6 load;  // what handle forces add
   Columns6 F_on_pelvis;  // outer wrench on that chain
 };
@@ -1160,7 +1232,7 @@ struct Joint_left_hip {
   Columns6 b_pelvis;
   Joined<Spherical> joined;
   Coupled<Spherical> at_pelvis;
-  Mat6 IA;  // articulated-body inertia of link "left_thigh"
+  Inertia IA;  // articulated-body inertia of link "left_thigh"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Columns6 load;  // what handle forces add
@@ -1170,7 +1242,7 @@ struct Joint_left_hip {
 struct Joint_left_knee {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_shank"
-  Mat6 IA;  // articulated-body inertia of link "left_shank"
+  Inertia IA;  // articulated-body inertia of link "left_shank"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1182,7 +1254,7 @@ struct Joint_left_knee {
 struct Joint_left_ankle {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_foot"
-  Mat6 IA;  // articulated-body inertia of link "left_foot"
+  Inertia IA;  // articulated-body inertia of link "left_foot"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Spherical> body;
@@ -1191,19 +1263,16 @@ struct Joint_left_ankle {
 struct Joint_right_hip {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_thigh"
-  Mat6 IA;  // articulated-body inertia of link "right_thigh"
+  Inertia IA;  // articulated-body inertia of link "right_thigh"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Spherical> body;
-  Mat6 Phi_pelvis;  // of the chain it completes
-  Columns6 b_pelvis;
-  Columns6 F_on_pelvis;  // outer wrench on that chain
 };
 
 struct Joint_right_knee {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_shank"
-  Mat6 IA;  // articulated-body inertia of link "right_shank"
+  Inertia IA;  // articulated-body inertia of link "right_shank"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1212,7 +1281,7 @@ struct Joint_right_knee {
 struct Joint_right_ankle {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_foot"
-  Mat6 IA;  // articulated-body inertia of link "right_foot"
+  Inertia IA;  // articulated-body inertia of link "right_foot"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Spherical> body;
@@ -1221,10 +1290,10 @@ struct Joint_right_ankle {
 struct Joint_spine {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "trunk"
-  Joined<Spherical> joined;
-  Mat6 IA;  // articulated-body inertia of link "trunk"
+  Inertia IA;  // articulated-body inertia of link "trunk"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
+  Joined<Spherical> joined;
   Columns6 load;  // what handle forces add
 };
 
@@ -1235,7 +1304,7 @@ struct Joint_left_shoulder {
   Columns6 b_trunk;
   Joined<Spherical> joined;
   Coupled<Spherical> at_trunk;
-  Mat6 IA;  // articulated-body inertia of link "left_upper_arm"
+  Inertia IA;  // articulated-body inertia of link "left_upper_arm"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Columns6 load;  // what handle forces add
@@ -1245,7 +1314,7 @@ struct Joint_left_shoulder {
 struct Joint_left_elbow {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_forearm"
-  Mat6 IA;  // articulated-body inertia of link "left_forearm"
+  Inertia IA;  // articulated-body inertia of link "left_forearm"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1257,7 +1326,7 @@ struct Joint_left_elbow {
 struct Joint_left_wrist {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_hand"
-  Mat6 IA;  // articulated-body inertia of link "left_hand"
+  Inertia IA;  // articulated-body inertia of link "left_hand"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Spherical> body;
@@ -1266,18 +1335,7 @@ struct Joint_left_wrist {
 struct Joint_neck {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "head"
-  Columns6 b;  // bias of the bare link "head"
-  Mat6 Phi_trunk;  // of the chain it completes
-  Columns6 b_trunk;
-  Joined<Spherical> joined;
-  Coupled<Spherical> at_trunk;
-  Columns6 F_on_trunk;  // outer wrench on that chain
-};
-
-struct Joint_right_shoulder {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_upper_arm"
-  Mat6 IA;  // articulated-body inertia of link "right_upper_arm"
+  Inertia IA;  // articulated-body inertia of link "head"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Spherical> body;
@@ -1286,10 +1344,19 @@ struct Joint_right_shoulder {
   Columns6 F_on_trunk;  // outer wrench on that chain
 };
 
+struct Joint_right_shoulder {
+  Transform X;  // parent link's to child link's frame
+  Vec6 v;  // velocity of link "right_upper_arm"
+  Inertia IA;  // articulated-body inertia of link "right_upper_arm"
+  Columns6 pA;  // and its bias force
+  Columns6 a;  // acceleration of the link, relative to free fall
+  Articulated<Spherical> body;
+};
+
 struct Joint_right_elbow {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_forearm"
-  Mat6 IA;  // articulated-body inertia of link "right_forearm"
+  Inertia IA;  // articulated-body inertia of link "right_forearm"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1298,7 +1365,7 @@ struct Joint_right_elbow {
 struct Joint_right_wrist {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_hand"
-  Mat6 IA;  // articulated-body inertia of link "right_hand"
+  Inertia IA;  // articulated-body inertia of link "right_hand"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Spherical> body;
@@ -1443,21 +1510,21 @@ void store_coupled(Workspace& w, int joint, int v,
   store_acceleration(w, joint, v, sum);
 }
 
-const Mat6 kPhi_head = symmetric({51.02040816326531, 0.0, 0.0, 0.0, 7.142857142857144, 0.0, 51.02040816326531, 0.0, -7.142857142857144, 0.0, 0.5102040816326531, 51.02040816326531, 0.0, -0.5102040816326531, 0.0, 1.2040816326530615, 0.0, -0.07142857142857144, 1.209183673469388, 0.0, 0.20918367346938774});
-const Mat6 kInertia_pelvis = spatial_inertia(kLinks[1]);
-const Mat6 kInertia_left_thigh = spatial_inertia(kLinks[2]);
-const Mat6 kInertia_left_shank = spatial_inertia(kLinks[3]);
-const Mat6 kInertia_left_foot = spatial_inertia(kLinks[4]);
-const Mat6 kInertia_right_thigh = spatial_inertia(kLinks[5]);
-const Mat6 kInertia_right_shank = spatial_inertia(kLinks[6]);
-const Mat6 kInertia_right_foot = spatial_inertia(kLinks[7]);
-const Mat6 kInertia_trunk = spatial_inertia(kLinks[8]);
-const Mat6 kInertia_left_upper_arm = spatial_inertia(kLinks[9]);
-const Mat6 kInertia_left_forearm = spatial_inertia(kLinks[10]);
-const Mat6 kInertia_left_hand = spatial_inertia(kLinks[11]);
-const Mat6 kInertia_right_upper_arm = spatial_inertia(kLinks[13]);
-const Mat6 kInertia_right_forearm = spatial_inertia(kLinks[14]);
-const Mat6 kInertia_right_hand = spatial_inertia(kLinks[15]);
+const Inertia kInertia_pelvis = spatial_inertia(kLinks[1]);
+const Inertia kInertia_left_thigh = spatial_inertia(kLinks[2]);
+const Inertia kInertia_left_shank = spatial_inertia(kLinks[3]);
+const Inertia kInertia_left_foot = spatial_inertia(kLinks[4]);
+const Inertia kInertia_right_thigh = spatial_inertia(kLinks[5]);
+const Inertia kInertia_right_shank = spatial_inertia(kLinks[6]);
+const Inertia kInertia_right_foot = spatial_inertia(kLinks[7]);
+const Inertia kInertia_trunk = spatial_inertia(kLinks[8]);
+const Inertia kInertia_left_upper_arm = spatial_inertia(kLinks[9]);
+const Inertia kInertia_left_forearm = spatial_inertia(kLinks[10]);
+const Inertia kInertia_left_hand = spatial_inertia(kLinks[11]);
+const Inertia kInertia_head = spatial_inertia(kLinks[12]);
+const Inertia kInertia_right_upper_arm = spatial_inertia(kLinks[13]);
+const Inertia kInertia_right_forearm = spatial_inertia(kLinks[14]);
+const Inertia kInertia_right_hand = spatial_inertia(kLinks[15]);
 
 // =================================================================================================
 // Joint 0 "root": floating, between links "world" and "pelvis"
@@ -1473,25 +1540,23 @@ void kinematics_root(Workspace& w) {
   i.v = joint_velocity<Floating>(w.v + 0);
 }
 
-// A: the ground "world"; B: the chain of "left_hip"; C feels the joint at "pelvis"
-void assemble_root(Workspace& w) {
+void free_base_root(Workspace& w) {
   auto& i = w.j_root;
-  load_torque(w, 0, 0, i.joined.tau);
-  const Columns6 c = Columns6::Zero();
-  if (!join(i.joined, kZero, w.j_left_hip.Phi_pelvis, i.X * kGround, w.j_left_hip.b_pelvis, c))
-    fail(w, kFactorization, 0);
-  couple(i.joined, w.j_left_hip.Phi_pelvis, i.at_pelvis);
-  i.Phi_pelvis = w.j_left_hip.Phi_pelvis - product(i.at_pelvis, i.at_pelvis);  // Eq. (4)
-  i.b_pelvis = w.j_left_hip.b_pelvis + bias_change(i.joined, i.at_pelvis);  // Eq. (7)
+  std::array<std::array<Real, kColumns>, 6> tau;
+  load_torque(w, 0, 0, tau);
+  for (std::size_t k = 0; k < 6; ++k)
+    for (int c = 0; c < kColumns; ++c)
+      i.pA(Floating::Free::row[k], c) -= tau[k][static_cast<std::size_t>(c)];
 }
 
-void disassemble_root(Workspace& w) {
+void free_acceleration_root(Workspace& w) {
   auto& i = w.j_root;
-  Release<Floating> release(i.joined);
-  release.feel_B(i.at_pelvis, w.j_root.F_on_pelvis);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 0, 0, release.qdd());  // Eq. (9)
-  w.j_left_hip.F_on_pelvis = w.j_root.F_on_pelvis + f;
+  const Columns6 a = i.a - i.X * kGround;
+  std::array<std::array<Real, kColumns>, 6> qdd;
+  for (std::size_t k = 0; k < 6; ++k)
+    for (int c = 0; c < kColumns; ++c)
+      qdd[k][static_cast<std::size_t>(c)] = a(Floating::Free::row[k], c);
+  store_acceleration(w, 0, 0, qdd);
 }
 
 // =================================================================================================
@@ -1508,18 +1573,18 @@ void kinematics_left_hip(Workspace& w) {
   i.v = i.X * w.j_root.v + joint_velocity<Spherical>(w.v + 6);
 }
 
-// A: the chain of "right_hip"; B: the chain of "left_knee"; C feels the joint at "pelvis"
+// A: the chain of "root"; B: the chain of "left_knee"; C feels the joint at "pelvis"
 void assemble_left_hip(Workspace& w) {
   auto& i = w.j_left_hip;
   load_torque(w, 1, 6, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_right_hip.Phi_pelvis;
+  const Mat6 X_Phi_A = i.X * w.j_root.Phi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Spherical>(i.v, w.v + 6);
-  if (!join(i.joined, Phi_A, w.j_left_knee.Phi_left_thigh, i.X * w.j_right_hip.b_pelvis, w.j_left_knee.b_left_thigh, c))
+  if (!join(i.joined, Phi_A, w.j_left_knee.Phi_left_thigh, i.X * w.j_root.b_pelvis, w.j_left_knee.b_left_thigh, c))
     fail(w, kFactorization, 1);
   couple(i.joined, X_Phi_A, i.at_pelvis);
-  i.Phi_pelvis = w.j_right_hip.Phi_pelvis - product(i.at_pelvis, i.at_pelvis);  // Eq. (3)
-  i.b_pelvis = w.j_right_hip.b_pelvis - bias_change(i.joined, i.at_pelvis);  // Eq. (6)
+  i.Phi_pelvis = w.j_root.Phi_pelvis - product(i.at_pelvis, i.at_pelvis);  // Eq. (3)
+  i.b_pelvis = w.j_root.b_pelvis - bias_change(i.joined, i.at_pelvis);  // Eq. (6)
 }
 
 void disassemble_left_hip(Workspace& w) {
@@ -1528,7 +1593,7 @@ void disassemble_left_hip(Workspace& w) {
   release.feel_A(i.at_pelvis, w.j_left_hip.F_on_pelvis);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 1, 6, release.qdd());  // Eq. (9)
-  w.j_right_hip.F_on_pelvis = w.j_left_hip.F_on_pelvis - i.X.transposed_times(f);
+  w.j_root.F_on_pelvis = w.j_left_hip.F_on_pelvis - i.X.transposed_times(f);
   w.j_left_knee.F_on_left_thigh = f;
 }
 
@@ -1553,9 +1618,9 @@ void articulate_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
   load_torque(w, 2, 9, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 9);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_knee.IA, w.j_left_knee.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 2);
   add_in_parent(i.X, handed, w.j_left_hip.IA);
   w.j_left_hip.pA += i.X.transposed_times(force);
@@ -1565,7 +1630,7 @@ void accelerate_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
   Columns6 a = i.X * w.j_left_hip.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_knee.a = a;
+  i.a = a;
   store_acceleration(w, 2, 9, qdd);
 }
 
@@ -1591,9 +1656,9 @@ void articulate_left_ankle(Workspace& w) {
   auto& i = w.j_left_ankle;
   load_torque(w, 3, 10, i.body.tau);
   i.body.c = velocity_product<Spherical>(i.v, w.v + 10);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_ankle.IA, w.j_left_ankle.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 3);
   add_in_parent(i.X, handed, w.j_left_knee.IA);
   w.j_left_knee.pA += i.X.transposed_times(force);
@@ -1603,7 +1668,7 @@ void accelerate_left_ankle(Workspace& w) {
   auto& i = w.j_left_ankle;
   Columns6 a = i.X * w.j_left_knee.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_ankle.a = a;
+  i.a = a;
   store_acceleration(w, 3, 10, qdd);
 }
 
@@ -1625,9 +1690,9 @@ void articulate_right_hip(Workspace& w) {
   auto& i = w.j_right_hip;
   load_torque(w, 4, 13, i.body.tau);
   i.body.c = velocity_product<Spherical>(i.v, w.v + 13);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_hip.IA, w.j_right_hip.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 4);
   add_in_parent(i.X, handed, w.j_root.IA);
   w.j_root.pA += i.X.transposed_times(force);
@@ -1637,7 +1702,7 @@ void accelerate_right_hip(Workspace& w) {
   auto& i = w.j_right_hip;
   Columns6 a = i.X * w.j_root.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_hip.a = a;
+  i.a = a;
   store_acceleration(w, 4, 13, qdd);
 }
 
@@ -1662,9 +1727,9 @@ void articulate_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
   load_torque(w, 5, 16, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 16);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_knee.IA, w.j_right_knee.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 5);
   add_in_parent(i.X, handed, w.j_right_hip.IA);
   w.j_right_hip.pA += i.X.transposed_times(force);
@@ -1674,7 +1739,7 @@ void accelerate_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
   Columns6 a = i.X * w.j_right_hip.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_knee.a = a;
+  i.a = a;
   store_acceleration(w, 5, 16, qdd);
 }
 
@@ -1700,9 +1765,9 @@ void articulate_right_ankle(Workspace& w) {
   auto& i = w.j_right_ankle;
   load_torque(w, 6, 17, i.body.tau);
   i.body.c = velocity_product<Spherical>(i.v, w.v + 17);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_ankle.IA, w.j_right_ankle.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 6);
   add_in_parent(i.X, handed, w.j_right_knee.IA);
   w.j_right_knee.pA += i.X.transposed_times(force);
@@ -1712,7 +1777,7 @@ void accelerate_right_ankle(Workspace& w) {
   auto& i = w.j_right_ankle;
   Columns6 a = i.X * w.j_right_knee.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_ankle.a = a;
+  i.a = a;
   store_acceleration(w, 6, 17, qdd);
 }
 
@@ -1730,14 +1795,14 @@ void kinematics_spine(Workspace& w) {
   i.v = i.X * w.j_root.v + joint_velocity<Spherical>(w.v + 20);
 }
 
-// A: the chain of "root"; B: the chain of "neck"; C feels the joint at no link
+// A: the chain of "left_hip"; B: the chain of "left_shoulder"; C feels the joint at no link
 void assemble_spine(Workspace& w) {
   auto& i = w.j_spine;
   load_torque(w, 7, 20, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_root.Phi_pelvis;
+  const Mat6 X_Phi_A = i.X * w.j_left_hip.Phi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Spherical>(i.v, w.v + 20);
-  if (!join(i.joined, Phi_A, w.j_neck.Phi_trunk, i.X * w.j_root.b_pelvis, w.j_neck.b_trunk, c))
+  if (!join(i.joined, Phi_A, w.j_left_shoulder.Phi_trunk, i.X * w.j_left_hip.b_pelvis, w.j_left_shoulder.b_trunk, c))
     fail(w, kFactorization, 7);
 }
 
@@ -1746,8 +1811,8 @@ void disassemble_spine(Workspace& w) {
   Release<Spherical> release(i.joined);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 7, 20, release.qdd());  // Eq. (9)
-  w.j_root.F_on_pelvis = -i.X.transposed_times(f);
-  w.j_neck.F_on_trunk = f;
+  w.j_left_hip.F_on_pelvis = -i.X.transposed_times(f);
+  w.j_left_shoulder.F_on_trunk = f;
 }
 
 // =================================================================================================
@@ -1764,18 +1829,18 @@ void kinematics_left_shoulder(Workspace& w) {
   i.v = i.X * w.j_spine.v + joint_velocity<Spherical>(w.v + 23);
 }
 
-// A: the chain of "right_shoulder"; B: the chain of "left_elbow"; C feels the joint at "trunk"
+// A: the chain of "neck"; B: the chain of "left_elbow"; C feels the joint at "trunk"
 void assemble_left_shoulder(Workspace& w) {
   auto& i = w.j_left_shoulder;
   load_torque(w, 8, 23, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_right_shoulder.Phi_trunk;
+  const Mat6 X_Phi_A = i.X * w.j_neck.Phi_trunk;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Spherical>(i.v, w.v + 23);
-  if (!join(i.joined, Phi_A, w.j_left_elbow.Phi_left_upper_arm, i.X * w.j_right_shoulder.b_trunk, w.j_left_elbow.b_left_upper_arm, c))
+  if (!join(i.joined, Phi_A, w.j_left_elbow.Phi_left_upper_arm, i.X * w.j_neck.b_trunk, w.j_left_elbow.b_left_upper_arm, c))
     fail(w, kFactorization, 8);
   couple(i.joined, X_Phi_A, i.at_trunk);
-  i.Phi_trunk = w.j_right_shoulder.Phi_trunk - product(i.at_trunk, i.at_trunk);  // Eq. (3)
-  i.b_trunk = w.j_right_shoulder.b_trunk - bias_change(i.joined, i.at_trunk);  // Eq. (6)
+  i.Phi_trunk = w.j_neck.Phi_trunk - product(i.at_trunk, i.at_trunk);  // Eq. (3)
+  i.b_trunk = w.j_neck.b_trunk - bias_change(i.joined, i.at_trunk);  // Eq. (6)
 }
 
 void disassemble_left_shoulder(Workspace& w) {
@@ -1784,7 +1849,7 @@ void disassemble_left_shoulder(Workspace& w) {
   release.feel_A(i.at_trunk, w.j_left_shoulder.F_on_trunk);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 8, 23, release.qdd());  // Eq. (9)
-  w.j_right_shoulder.F_on_trunk = w.j_left_shoulder.F_on_trunk - i.X.transposed_times(f);
+  w.j_neck.F_on_trunk = w.j_left_shoulder.F_on_trunk - i.X.transposed_times(f);
   w.j_left_elbow.F_on_left_upper_arm = f;
 }
 
@@ -1809,9 +1874,9 @@ void articulate_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
   load_torque(w, 9, 26, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 26);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_elbow.IA, w.j_left_elbow.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 9);
   add_in_parent(i.X, handed, w.j_left_shoulder.IA);
   w.j_left_shoulder.pA += i.X.transposed_times(force);
@@ -1821,7 +1886,7 @@ void accelerate_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
   Columns6 a = i.X * w.j_left_shoulder.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_elbow.a = a;
+  i.a = a;
   store_acceleration(w, 9, 26, qdd);
 }
 
@@ -1847,9 +1912,9 @@ void articulate_left_wrist(Workspace& w) {
   auto& i = w.j_left_wrist;
   load_torque(w, 10, 27, i.body.tau);
   i.body.c = velocity_product<Spherical>(i.v, w.v + 27);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_wrist.IA, w.j_left_wrist.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 10);
   add_in_parent(i.X, handed, w.j_left_elbow.IA);
   w.j_left_elbow.pA += i.X.transposed_times(force);
@@ -1859,7 +1924,7 @@ void accelerate_left_wrist(Workspace& w) {
   auto& i = w.j_left_wrist;
   Columns6 a = i.X * w.j_left_elbow.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_wrist.a = a;
+  i.a = a;
   store_acceleration(w, 10, 27, qdd);
 }
 
@@ -1877,27 +1942,24 @@ void kinematics_neck(Workspace& w) {
   i.v = i.X * w.j_spine.v + joint_velocity<Spherical>(w.v + 30);
 }
 
-// A: the chain of "left_shoulder"; B: link "head"; C feels the joint at "trunk"
-void assemble_neck(Workspace& w) {
+void articulate_neck(Workspace& w) {
   auto& i = w.j_neck;
-  load_torque(w, 11, 30, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_left_shoulder.Phi_trunk;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Spherical>(i.v, w.v + 30);
-  if (!join(i.joined, Phi_A, kPhi_head, i.X * w.j_left_shoulder.b_trunk, w.j_neck.b, c))
+  load_torque(w, 11, 30, i.body.tau);
+  i.body.c = velocity_product<Spherical>(i.v, w.v + 30);
+  Inertia handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 11);
-  couple(i.joined, X_Phi_A, i.at_trunk);
-  i.Phi_trunk = w.j_left_shoulder.Phi_trunk - product(i.at_trunk, i.at_trunk);  // Eq. (3)
-  i.b_trunk = w.j_left_shoulder.b_trunk - bias_change(i.joined, i.at_trunk);  // Eq. (6)
+  add_in_parent(i.X, handed, w.j_spine.IA);
+  w.j_spine.pA += i.X.transposed_times(force);
 }
 
-void disassemble_neck(Workspace& w) {
+void accelerate_neck(Workspace& w) {
   auto& i = w.j_neck;
-  Release<Spherical> release(i.joined);
-  release.feel_A(i.at_trunk, w.j_neck.F_on_trunk);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 11, 30, release.qdd());  // Eq. (9)
-  w.j_left_shoulder.F_on_trunk = w.j_neck.F_on_trunk - i.X.transposed_times(f);
+  Columns6 a = i.X * w.j_spine.a;
+  const auto qdd = accelerate(i.body, a);
+  i.a = a;
+  store_acceleration(w, 11, 30, qdd);
 }
 
 // =================================================================================================
@@ -1918,9 +1980,9 @@ void articulate_right_shoulder(Workspace& w) {
   auto& i = w.j_right_shoulder;
   load_torque(w, 12, 33, i.body.tau);
   i.body.c = velocity_product<Spherical>(i.v, w.v + 33);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_shoulder.IA, w.j_right_shoulder.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 12);
   add_in_parent(i.X, handed, w.j_spine.IA);
   w.j_spine.pA += i.X.transposed_times(force);
@@ -1930,7 +1992,7 @@ void accelerate_right_shoulder(Workspace& w) {
   auto& i = w.j_right_shoulder;
   Columns6 a = i.X * w.j_spine.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_shoulder.a = a;
+  i.a = a;
   store_acceleration(w, 12, 33, qdd);
 }
 
@@ -1955,9 +2017,9 @@ void articulate_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
   load_torque(w, 13, 36, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 36);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_elbow.IA, w.j_right_elbow.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 13);
   add_in_parent(i.X, handed, w.j_right_shoulder.IA);
   w.j_right_shoulder.pA += i.X.transposed_times(force);
@@ -1967,7 +2029,7 @@ void accelerate_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
   Columns6 a = i.X * w.j_right_shoulder.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_elbow.a = a;
+  i.a = a;
   store_acceleration(w, 13, 36, qdd);
 }
 
@@ -1993,9 +2055,9 @@ void articulate_right_wrist(Workspace& w) {
   auto& i = w.j_right_wrist;
   load_torque(w, 14, 37, i.body.tau);
   i.body.c = velocity_product<Spherical>(i.v, w.v + 37);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_wrist.IA, w.j_right_wrist.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 14);
   add_in_parent(i.X, handed, w.j_right_elbow.IA);
   w.j_right_elbow.pA += i.X.transposed_times(force);
@@ -2005,112 +2067,15 @@ void accelerate_right_wrist(Workspace& w) {
   auto& i = w.j_right_wrist;
   Columns6 a = i.X * w.j_right_elbow.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_wrist.a = a;
+  i.a = a;
   store_acceleration(w, 14, 37, qdd);
 }
 
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 6 of 15 joints: "root", "left_hip", "right_hip", "right_knee", "right_ankle", "spine"
+// Process 0: 6 of 15 joints: "spine", "left_shoulder", "neck", "right_shoulder", "right_elbow", "right_wrist"; kinematics of 1 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  stamp(0);
-  kinematics_root(w);
-  kinematics_left_hip(w);
-  kinematics_right_hip(w);
-  kinematics_right_knee(w);
-  kinematics_right_ankle(w);
-  kinematics_spine(w);
-  stamp(1);
-  start_link(kInertia_pelvis, w.j_root.v, w.j_root.IA, w.j_root.pA);
-  start_link(kInertia_right_thigh, w.j_right_hip.v, w.j_right_hip.IA, w.j_right_hip.pA);
-  start_link(kInertia_right_shank, w.j_right_knee.v, w.j_right_knee.IA, w.j_right_knee.pA);
-  start_link(kInertia_right_foot, w.j_right_ankle.v, w.j_right_ankle.IA, w.j_right_ankle.pA);
-  articulate_right_ankle(w);
-  articulate_right_knee(w);
-  articulate_right_hip(w);
-  if (!invert(w.j_root.IA, w.j_root.pA, w.j_right_hip.Phi_pelvis, w.j_right_hip.b_pelvis))
-    fail(w, kFactorization, 0);
-  stamp(2);
-  {  // from process 1: assembled: chain of "left_knee"
-    const Real* from = channel.receive(0, w.status);
-    from = get(from, w.j_left_knee.Phi_left_thigh);
-    from = get(from, w.j_left_knee.b_left_thigh);
-  }
-  stamp(3);
-  assemble_left_hip(w);
-  assemble_root(w);
-  stamp(4);
-  {  // from process 2: assembled: chain of "neck"
-    const Real* from = channel.receive(2, w.status);
-    from = get(from, w.j_neck.Phi_trunk);
-    from = get(from, w.j_neck.b_trunk);
-  }
-  stamp(5);
-  assemble_spine(w);
-  stamp(6);
-  disassemble_spine(w);
-  stamp(7);
-  {  // to process 2: forces on: chain of "neck"
-    Real* to = channel.outgoing(3, w.status);
-    to = put(to, w.j_neck.F_on_trunk);
-    channel.send(3, w.status);
-  }
-  stamp(8);
-  disassemble_root(w);
-  disassemble_left_hip(w);
-  stamp(9);
-  {  // to process 1: forces on: chain of "left_knee"
-    Real* to = channel.outgoing(4, w.status);
-    to = put(to, w.j_left_knee.F_on_left_thigh);
-    channel.send(4, w.status);
-  }
-  stamp(10);
-  w.j_root.load = w.j_right_hip.F_on_pelvis;
-  w.j_root.a = w.j_right_hip.b_pelvis + w.j_right_hip.Phi_pelvis * w.j_root.load;
-  accelerate_right_hip(w);
-  accelerate_right_knee(w);
-  accelerate_right_ankle(w);
-  stamp(11);
-}
-
-// Process 1: 2 of 15 joints: "left_knee", "left_ankle"; kinematics of 2 more on the way to the ground
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  stamp(0);
-  kinematics_root(w);
-  kinematics_left_hip(w);
-  kinematics_left_knee(w);
-  kinematics_left_ankle(w);
-  stamp(1);
-  start_link(kInertia_left_thigh, w.j_left_hip.v, w.j_left_hip.IA, w.j_left_hip.pA);
-  start_link(kInertia_left_shank, w.j_left_knee.v, w.j_left_knee.IA, w.j_left_knee.pA);
-  start_link(kInertia_left_foot, w.j_left_ankle.v, w.j_left_ankle.IA, w.j_left_ankle.pA);
-  articulate_left_ankle(w);
-  articulate_left_knee(w);
-  if (!invert(w.j_left_hip.IA, w.j_left_hip.pA, w.j_left_knee.Phi_left_thigh, w.j_left_knee.b_left_thigh))
-    fail(w, kFactorization, 1);
-  stamp(2);
-  {  // to process 0: assembled: chain of "left_knee"
-    Real* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_left_knee.Phi_left_thigh);
-    to = put(to, w.j_left_knee.b_left_thigh);
-    channel.send(0, w.status);
-  }
-  stamp(3);
-  {  // from process 0: forces on: chain of "left_knee"
-    const Real* from = channel.receive(4, w.status);
-    from = get(from, w.j_left_knee.F_on_left_thigh);
-  }
-  stamp(4);
-  w.j_left_hip.load = w.j_left_knee.F_on_left_thigh;
-  w.j_left_hip.a = w.j_left_knee.b_left_thigh + w.j_left_knee.Phi_left_thigh * w.j_left_hip.load;
-  accelerate_left_knee(w);
-  accelerate_left_ankle(w);
-  stamp(5);
-}
-
-// Process 2: 5 of 15 joints: "left_shoulder", "neck", "right_shoulder", "right_elbow", "right_wrist"; kinematics of 2 more on the way to the ground
-void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_root(w);
   kinematics_spine(w);
@@ -2121,56 +2086,60 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_right_wrist(w);
   stamp(1);
   start_link(kInertia_trunk, w.j_spine.v, w.j_spine.IA, w.j_spine.pA);
+  start_link(kInertia_head, w.j_neck.v, w.j_neck.IA, w.j_neck.pA);
   start_link(kInertia_right_upper_arm, w.j_right_shoulder.v, w.j_right_shoulder.IA, w.j_right_shoulder.pA);
   start_link(kInertia_right_forearm, w.j_right_elbow.v, w.j_right_elbow.IA, w.j_right_elbow.pA);
   start_link(kInertia_right_hand, w.j_right_wrist.v, w.j_right_wrist.IA, w.j_right_wrist.pA);
   articulate_right_wrist(w);
   articulate_right_elbow(w);
   articulate_right_shoulder(w);
-  if (!invert(w.j_spine.IA, w.j_spine.pA, w.j_right_shoulder.Phi_trunk, w.j_right_shoulder.b_trunk))
+  articulate_neck(w);
+  if (!invert(w.j_spine.IA, w.j_spine.pA, w.j_neck.Phi_trunk, w.j_neck.b_trunk))
     fail(w, kFactorization, 7);
   stamp(2);
-  {  // from process 3: assembled: chain of "left_elbow"
+  {  // from process 1: assembled: chain of "left_elbow"
     const Real* from = channel.receive(1, w.status);
     from = get(from, w.j_left_elbow.Phi_left_upper_arm);
     from = get(from, w.j_left_elbow.b_left_upper_arm);
   }
   stamp(3);
   assemble_left_shoulder(w);
-  link_bias(kLinks[12], w.j_neck.v, w.j_neck.b);
-  assemble_neck(w);
   stamp(4);
-  {  // to process 0: assembled: chain of "neck"
-    Real* to = channel.outgoing(2, w.status);
-    to = put(to, w.j_neck.Phi_trunk);
-    to = put(to, w.j_neck.b_trunk);
-    channel.send(2, w.status);
+  {  // from process 2: assembled: chain of "left_hip"
+    const Real* from = channel.receive(2, w.status);
+    from = get(from, w.j_left_hip.Phi_pelvis);
+    from = get(from, w.j_left_hip.b_pelvis);
   }
   stamp(5);
-  {  // from process 0: forces on: chain of "neck"
-    const Real* from = channel.receive(3, w.status);
-    from = get(from, w.j_neck.F_on_trunk);
-  }
+  assemble_spine(w);
   stamp(6);
-  disassemble_neck(w);
-  disassemble_left_shoulder(w);
+  disassemble_spine(w);
   stamp(7);
-  {  // to process 3: forces on: chain of "left_elbow"
+  {  // to process 2: forces on: chain of "left_hip"
+    Real* to = channel.outgoing(3, w.status);
+    to = put(to, w.j_left_hip.F_on_pelvis);
+    channel.send(3, w.status);
+  }
+  stamp(8);
+  disassemble_left_shoulder(w);
+  stamp(9);
+  {  // to process 1: forces on: chain of "left_elbow"
     Real* to = channel.outgoing(5, w.status);
     to = put(to, w.j_left_elbow.F_on_left_upper_arm);
     channel.send(5, w.status);
   }
-  stamp(8);
-  w.j_spine.load = w.j_right_shoulder.F_on_trunk;
-  w.j_spine.a = w.j_right_shoulder.b_trunk + w.j_right_shoulder.Phi_trunk * w.j_spine.load;
+  stamp(10);
+  w.j_spine.load = w.j_neck.F_on_trunk;
+  w.j_spine.a = w.j_neck.b_trunk + w.j_neck.Phi_trunk * w.j_spine.load;
+  accelerate_neck(w);
   accelerate_right_shoulder(w);
   accelerate_right_elbow(w);
   accelerate_right_wrist(w);
-  stamp(9);
+  stamp(11);
 }
 
-// Process 3: 2 of 15 joints: "left_elbow", "left_wrist"; kinematics of 3 more on the way to the ground
-void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+// Process 1: 2 of 15 joints: "left_elbow", "left_wrist"; kinematics of 3 more on the way to the ground
+void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_root(w);
   kinematics_spine(w);
@@ -2186,14 +2155,14 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   if (!invert(w.j_left_shoulder.IA, w.j_left_shoulder.pA, w.j_left_elbow.Phi_left_upper_arm, w.j_left_elbow.b_left_upper_arm))
     fail(w, kFactorization, 8);
   stamp(2);
-  {  // to process 2: assembled: chain of "left_elbow"
+  {  // to process 0: assembled: chain of "left_elbow"
     Real* to = channel.outgoing(1, w.status);
     to = put(to, w.j_left_elbow.Phi_left_upper_arm);
     to = put(to, w.j_left_elbow.b_left_upper_arm);
     channel.send(1, w.status);
   }
   stamp(3);
-  {  // from process 2: forces on: chain of "left_elbow"
+  {  // from process 0: forces on: chain of "left_elbow"
     const Real* from = channel.receive(5, w.status);
     from = get(from, w.j_left_elbow.F_on_left_upper_arm);
   }
@@ -2205,26 +2174,118 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(5);
 }
 
+// Process 2: 5 of 15 joints: "root", "left_hip", "right_hip", "right_knee", "right_ankle"
+void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
+  kinematics_root(w);
+  kinematics_left_hip(w);
+  kinematics_right_hip(w);
+  kinematics_right_knee(w);
+  kinematics_right_ankle(w);
+  stamp(1);
+  start_link(kInertia_pelvis, w.j_root.v, w.j_root.IA, w.j_root.pA);
+  start_link(kInertia_right_thigh, w.j_right_hip.v, w.j_right_hip.IA, w.j_right_hip.pA);
+  start_link(kInertia_right_shank, w.j_right_knee.v, w.j_right_knee.IA, w.j_right_knee.pA);
+  start_link(kInertia_right_foot, w.j_right_ankle.v, w.j_right_ankle.IA, w.j_right_ankle.pA);
+  free_base_root(w);
+  articulate_right_ankle(w);
+  articulate_right_knee(w);
+  articulate_right_hip(w);
+  if (!invert(w.j_root.IA, w.j_root.pA, w.j_root.Phi_pelvis, w.j_root.b_pelvis))
+    fail(w, kFactorization, 0);
+  stamp(2);
+  {  // from process 3: assembled: chain of "left_knee"
+    const Real* from = channel.receive(0, w.status);
+    from = get(from, w.j_left_knee.Phi_left_thigh);
+    from = get(from, w.j_left_knee.b_left_thigh);
+  }
+  stamp(3);
+  assemble_left_hip(w);
+  stamp(4);
+  {  // to process 0: assembled: chain of "left_hip"
+    Real* to = channel.outgoing(2, w.status);
+    to = put(to, w.j_left_hip.Phi_pelvis);
+    to = put(to, w.j_left_hip.b_pelvis);
+    channel.send(2, w.status);
+  }
+  stamp(5);
+  {  // from process 0: forces on: chain of "left_hip"
+    const Real* from = channel.receive(3, w.status);
+    from = get(from, w.j_left_hip.F_on_pelvis);
+  }
+  stamp(6);
+  disassemble_left_hip(w);
+  stamp(7);
+  {  // to process 3: forces on: chain of "left_knee"
+    Real* to = channel.outgoing(4, w.status);
+    to = put(to, w.j_left_knee.F_on_left_thigh);
+    channel.send(4, w.status);
+  }
+  stamp(8);
+  w.j_root.load = w.j_root.F_on_pelvis;
+  w.j_root.a = w.j_root.b_pelvis + w.j_root.Phi_pelvis * w.j_root.load;
+  accelerate_right_hip(w);
+  accelerate_right_knee(w);
+  accelerate_right_ankle(w);
+  free_acceleration_root(w);
+  stamp(9);
+}
+
+// Process 3: 2 of 15 joints: "left_knee", "left_ankle"; kinematics of 2 more on the way to the ground
+void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
+  kinematics_root(w);
+  kinematics_left_hip(w);
+  kinematics_left_knee(w);
+  kinematics_left_ankle(w);
+  stamp(1);
+  start_link(kInertia_left_thigh, w.j_left_hip.v, w.j_left_hip.IA, w.j_left_hip.pA);
+  start_link(kInertia_left_shank, w.j_left_knee.v, w.j_left_knee.IA, w.j_left_knee.pA);
+  start_link(kInertia_left_foot, w.j_left_ankle.v, w.j_left_ankle.IA, w.j_left_ankle.pA);
+  articulate_left_ankle(w);
+  articulate_left_knee(w);
+  if (!invert(w.j_left_hip.IA, w.j_left_hip.pA, w.j_left_knee.Phi_left_thigh, w.j_left_knee.b_left_thigh))
+    fail(w, kFactorization, 1);
+  stamp(2);
+  {  // to process 2: assembled: chain of "left_knee"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.j_left_knee.Phi_left_thigh);
+    to = put(to, w.j_left_knee.b_left_thigh);
+    channel.send(0, w.status);
+  }
+  stamp(3);
+  {  // from process 2: forces on: chain of "left_knee"
+    const Real* from = channel.receive(4, w.status);
+    from = get(from, w.j_left_knee.F_on_left_thigh);
+  }
+  stamp(4);
+  w.j_left_hip.load = w.j_left_knee.F_on_left_thigh;
+  w.j_left_hip.a = w.j_left_knee.b_left_thigh + w.j_left_knee.Phi_left_thigh * w.j_left_hip.load;
+  accelerate_left_knee(w);
+  accelerate_left_ankle(w);
+  stamp(5);
+}
+
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
 // What each process reads of q and v, and the velocity entries whose tau and qdd are its own.
-constexpr std::array<int, 24> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28};
-constexpr std::array<int, 19> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
-constexpr std::array<int, 19> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
-constexpr std::array<int, 16> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr std::array<int, 13> kReadV_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
-constexpr std::array<int, 4> kOwn_1{9, 10, 11, 12};
-constexpr std::array<int, 28> kReadQ_2{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 29, 30, 31, 32, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50};
-constexpr std::array<int, 22> kReadV_2{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
-constexpr std::array<int, 13> kOwn_2{23, 24, 25, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
-constexpr std::array<int, 20> kReadQ_3{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37};
-constexpr std::array<int, 16> kReadV_3{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
-constexpr std::array<int, 4> kOwn_3{26, 27, 28, 29};
+constexpr std::array<int, 28> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 29, 30, 31, 32, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50};
+constexpr std::array<int, 22> kReadV_0{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 16> kOwn_0{20, 21, 22, 23, 24, 25, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 20> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37};
+constexpr std::array<int, 16> kReadV_1{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
+constexpr std::array<int, 4> kOwn_1{26, 27, 28, 29};
+constexpr std::array<int, 20> kReadQ_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 16, 17, 18, 19, 20, 21, 22, 23, 24};
+constexpr std::array<int, 16> kReadV_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 13, 14, 15, 16, 17, 18, 19};
+constexpr std::array<int, 16> kOwn_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 13, 14, 15, 16, 17, 18, 19};
+constexpr std::array<int, 16> kReadQ_3{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+constexpr std::array<int, 13> kReadV_3{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+constexpr std::array<int, 4> kOwn_3{9, 10, 11, 12};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {24, kReadQ_0.data(), 19, kReadV_0.data(), 19, kOwn_0.data()},
-    {16, kReadQ_1.data(), 13, kReadV_1.data(), 4, kOwn_1.data()},
-    {28, kReadQ_2.data(), 22, kReadV_2.data(), 13, kOwn_2.data()},
-    {20, kReadQ_3.data(), 16, kReadV_3.data(), 4, kOwn_3.data()},
+    {28, kReadQ_0.data(), 22, kReadV_0.data(), 16, kOwn_0.data()},
+    {20, kReadQ_1.data(), 16, kReadV_1.data(), 4, kOwn_1.data()},
+    {20, kReadQ_2.data(), 16, kReadV_2.data(), 16, kOwn_2.data()},
+    {16, kReadQ_3.data(), 13, kReadV_3.data(), 4, kOwn_3.data()},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -2990,42 +3051,42 @@ class Watch {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<Stage, 11> kStages_0{ {
-    {"kinematics", 7, -1},
-    {"assembly", 4, -1},
-    {"receive", -1, 0},
-    {"assembly", 0, -1},
+    {"kinematics", 14, -1},
+    {"assembly", 11, -1},
+    {"receive", -1, 1},
+    {"assembly", 8, -1},
     {"receive", -1, 2},
     {"assembly", 7, -1},
     {"disassembly", 7, -1},
     {"send", -1, 3},
-    {"disassembly", 0, -1},
-    {"send", -1, 4},
-    {"disassembly", 4, -1},
+    {"disassembly", 8, -1},
+    {"send", -1, 5},
+    {"disassembly", 11, -1},
 } };
 constexpr std::array<Stage, 5> kStages_1{ {
-    {"kinematics", 3, -1},
-    {"assembly", 2, -1},
-    {"send", -1, 0},
-    {"receive", -1, 4},
-    {"disassembly", 2, -1},
-} };
-constexpr std::array<Stage, 9> kStages_2{ {
-    {"kinematics", 14, -1},
-    {"assembly", 12, -1},
-    {"receive", -1, 1},
-    {"assembly", 11, -1},
-    {"send", -1, 2},
-    {"receive", -1, 3},
-    {"disassembly", 11, -1},
-    {"send", -1, 5},
-    {"disassembly", 12, -1},
-} };
-constexpr std::array<Stage, 5> kStages_3{ {
     {"kinematics", 10, -1},
     {"assembly", 9, -1},
     {"send", -1, 1},
     {"receive", -1, 5},
     {"disassembly", 9, -1},
+} };
+constexpr std::array<Stage, 9> kStages_2{ {
+    {"kinematics", 6, -1},
+    {"assembly", 4, -1},
+    {"receive", -1, 0},
+    {"assembly", 1, -1},
+    {"send", -1, 2},
+    {"receive", -1, 3},
+    {"disassembly", 1, -1},
+    {"send", -1, 4},
+    {"disassembly", 4, -1},
+} };
+constexpr std::array<Stage, 5> kStages_3{ {
+    {"kinematics", 3, -1},
+    {"assembly", 2, -1},
+    {"send", -1, 0},
+    {"receive", -1, 4},
+    {"disassembly", 2, -1},
 } };
 constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data(), kStages_2.data(), kStages_3.data()};
 constexpr std::array<int, kProcesses> kStageCount{11, 5, 9, 5};

@@ -2,17 +2,22 @@
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// schedule  waist_pitch@0-1(waist_roll@0(waist_yaw(__base__(|left_hip_pitch(right_hip_pitch(|right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll))))))|)|) | left_shoulder_pitch@1(neck_yaw(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch))))))
+// schedule  waist_pitch@0-1(__base__@1(|left_hip_pitch(right_hip_pitch(waist_yaw(|waist_roll) | right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll)))))) | left_shoulder_pitch@0(neck_yaw(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
-// b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
-// joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
-// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. How to read on:
+// Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
+// link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
+// accelerations come back. Spatial vectors are [angular; linear], in link frames turned so that every
+// joint axis is z.
+// Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura joins them: Phi =
+// (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent link's side) and
+// chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
+//
+// How to read on:
 //   1. interface   what a program that links this file calls
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint: its memory, kinematics, assembly, disassembly
+//   4. joints      for each joint its memory, then what is done with it, step by step
 //   5. processes   who does what, in order
 //   6. program     states in, accelerations out; check; time
 
@@ -88,6 +93,12 @@ void humanoid_p2_close(humanoid_p2_solver* solver);
 #include <Eigen/Geometry>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
+// A counted loop that is to be unrolled whole, so that indices computed in it become constants.
+#if defined(__clang__)
+#define ADAGEN_FOR(k, first, last) _Pragma("clang loop unroll(full)") for (int k = first; k < last; ++k)
+#else
+#define ADAGEN_FOR(k, first, last) _Pragma("GCC unroll 16") for (int k = first; k < last; ++k)
+#endif
 
 namespace {
 
@@ -726,50 +737,111 @@ class Release {
 // frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
 // sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
 
-[[maybe_unused]] Mat3 cross_from_left(const Vec3& r, const Mat3& m) {
-  Mat3 result;
-  for (int k = 0; k < 3; ++k) result.col(k) = r.cross(m.col(k));
+// A spatial inertia [[A, B], [B^T, C]]: A and C symmetric, their upper triangles row by row; B row
+// by row. 21 numbers, and half the work of a 6x6 matrix.
+struct Inertia {
+  std::array<Real, 6> A, C;
+  std::array<Real, 9> B;
+
+  static constexpr int symmetric(int i, int k) {
+    return i <= k ? i * (5 - i) / 2 + k : symmetric(k, i);
+  }
+
+  constexpr Real operator()(int i, int k) const {
+    if (i < 3 && k < 3) return A[symmetric(i, k)];
+    if (i >= 3 && k >= 3) return C[symmetric(i - 3, k - 3)];
+    return i < 3 ? B[3 * i + k - 3] : B[3 * k + i - 3];
+  }
+
+  // Sets the entries (i, k) and (k, i), which are one.
+  constexpr void set(int i, int k, Real value) {
+    if (i < 3 && k < 3)
+      A[symmetric(i, k)] = value;
+    else if (i >= 3 && k >= 3)
+      C[symmetric(i - 3, k - 3)] = value;
+    else if (i < 3)
+      B[3 * i + k - 3] = value;
+    else
+      B[3 * k + i - 3] = value;
+  }
+
+  Inertia& operator+=(const Inertia& other) {
+    ADAGEN_FOR (k, 0, 6) A[k] += other.A[k], C[k] += other.C[k];
+    ADAGEN_FOR (k, 0, 9) B[k] += other.B[k];
+    return *this;
+  }
+};
+
+// T^T m T for a symmetric m, T being E or, transposed, E^T; both row by row.
+template <bool transposed>
+std::array<Real, 6> rotated(const Mat3& E, const std::array<Real, 6>& m) {
+  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
+  std::array<Real, 9> half;  // m T
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      half[3 * i + k] = m[Inertia::symmetric(i, 0)] * T(0, k) +
+                        m[Inertia::symmetric(i, 1)] * T(1, k) +
+                        m[Inertia::symmetric(i, 2)] * T(2, k);
+  std::array<Real, 6> result;
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, i, 3)
+      result[Inertia::symmetric(i, k)] =
+          T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
   return result;
 }
 
-// m rx
-[[maybe_unused]] Mat3 cross_from_right(const Mat3& m, const Vec3& r) {
-  Mat3 result;
-  for (int k = 0; k < 3; ++k) result.row(k) = m.row(k).transpose().cross(r).transpose();
+template <bool transposed>
+std::array<Real, 9> rotated(const Mat3& E, const std::array<Real, 9>& m) {
+  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
+  std::array<Real, 9> half, result;
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      half[3 * i + k] = m[3 * i] * T(0, k) + m[3 * i + 1] * T(1, k) + m[3 * i + 2] * T(2, k);
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      result[3 * i + k] = T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
   return result;
+}
+
+// The inertia m told at a point whose origin is at -r from the one it is told at:
+// B + rx C, and A + rx (B + rx C)^T - B rx.
+inline void shift(const Vec3& r, Inertia& m) {
+  const auto& C = m.C;
+  auto& A = m.A;
+  const std::array<Real, 9> B = m.B;
+  auto& S = m.B;
+  const auto c = [&C](int i, int k) { return C[Inertia::symmetric(i, k)]; };
+  ADAGEN_FOR (k, 0, 3) {
+    S[k] += r[1] * c(2, k) - r[2] * c(1, k);
+    S[3 + k] += r[2] * c(0, k) - r[0] * c(2, k);
+    S[6 + k] += r[0] * c(1, k) - r[1] * c(0, k);
+  }
+  A[0] += r[1] * S[2] - r[2] * S[1] - (B[1] * r[2] - B[2] * r[1]);
+  A[1] += r[1] * S[5] - r[2] * S[4] - (B[2] * r[0] - B[0] * r[2]);
+  A[2] += r[1] * S[8] - r[2] * S[7] - (B[0] * r[1] - B[1] * r[0]);
+  A[3] += r[2] * S[3] - r[0] * S[5] - (B[5] * r[0] - B[3] * r[2]);
+  A[4] += r[2] * S[6] - r[0] * S[8] - (B[3] * r[1] - B[4] * r[0]);
+  A[5] += r[0] * S[7] - r[1] * S[6] - (B[6] * r[1] - B[7] * r[0]);
 }
 
 // target += X^T m X: an inertia in the child's frame, felt in the parent's.
-ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Mat6& m, Mat6& target) {
-  const Mat3 A = X.E.transpose() * m.topLeftCorner<3, 3>() * X.E;
-  const Mat3 B = X.E.transpose() * m.topRightCorner<3, 3>() * X.E;
-  const Mat3 C = X.E.transpose() * m.bottomRightCorner<3, 3>() * X.E;
-  const Mat3 shifted = B + cross_from_left(X.r, C);
-  target.topLeftCorner<3, 3>() +=
-      A + cross_from_left(X.r, shifted.transpose()) - cross_from_right(B, X.r);
-  target.topRightCorner<3, 3>() += shifted;
-  target.bottomLeftCorner<3, 3>() += shifted.transpose();
-  target.bottomRightCorner<3, 3>() += C;
+ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Inertia& m, Inertia& target) {
+  Inertia turned{rotated<false>(X.E, m.A), rotated<false>(X.E, m.C), rotated<false>(X.E, m.B)};
+  shift(X.r, turned);
+  target += turned;
 }
 
 // X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
-ADAGEN_NOINLINE Mat6 in_child(const Transform& X, const Mat6& m) {
-  const Mat3 B = m.topRightCorner<3, 3>(), C = m.bottomRightCorner<3, 3>();
-  const Mat3 shifted = B - cross_from_left(X.r, C);
-  const Mat3 A = m.topLeftCorner<3, 3>() - cross_from_left(X.r, shifted.transpose()) +
-                 cross_from_right(B, X.r);
-  Mat6 result;
-  result.topLeftCorner<3, 3>() = X.E * A * X.E.transpose();
-  result.topRightCorner<3, 3>() = X.E * shifted * X.E.transpose();
-  result.bottomLeftCorner<3, 3>() = result.topRightCorner<3, 3>().transpose();
-  result.bottomRightCorner<3, 3>() = X.E * C * X.E.transpose();
-  return result;
+ADAGEN_NOINLINE Inertia in_child(const Transform& X, const Inertia& m) {
+  Inertia moved = m;
+  shift(-X.r, moved);
+  return {rotated<true>(X.E, moved.A), rotated<true>(X.E, moved.C), rotated<true>(X.E, moved.B)};
 }
 
 // X^-T f: a wrench on the parent, felt in the child's frame.
 [[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
   Columns6 result;
-  for (int k = 0; k < kColumns; ++k) {
+  ADAGEN_FOR (k, 0, kColumns) {
     const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
     result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
     result.col(k).template tail<3>() = X.E * force;
@@ -782,7 +854,7 @@ template <int columns>
 Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
                                                  const Eigen::Matrix<Real, 6, columns>& m) {
   Eigen::Matrix<Real, 6, columns> result;
-  for (int k = 0; k < columns; ++k) {
+  ADAGEN_FOR (k, 0, columns) {
     const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
     result.col(k).template head<3>() = angular;
     result.col(k).template tail<3>() =
@@ -805,28 +877,31 @@ std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kC
 }
 
 // Spatial inertia of a link at its origin.
-Mat6 spatial_inertia(const LinkConstants& link) {
-  const Vec3 c(link.com[0], link.com[1], link.com[2]);
-  const Mat3 cx = cross_from_left(c, Mat3::Identity());
-  Mat6 result;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) result(i, k) = link.tensor[3 * i + k];
-  result.topLeftCorner<3, 3>() -= link.mass * cx * cx;
-  result.topRightCorner<3, 3>() = link.mass * cx;
-  result.bottomLeftCorner<3, 3>() = -link.mass * cx;
-  result.bottomRightCorner<3, 3>() = link.mass * Mat3::Identity();
-  return result;
+Inertia spatial_inertia(const LinkConstants& link) {
+  const Real x = link.com[0], y = link.com[1], z = link.com[2], m = link.mass;
+  const Real* const t = link.tensor;
+  return {{t[0] + m * (y * y + z * z), t[1] - m * x * y, t[2] - m * x * z,
+           t[4] + m * (x * x + z * z), t[5] - m * y * z, t[8] + m * (x * x + y * y)},
+          {m, 0, 0, m, 0, m},
+          {0, -m * z, m * y, m * z, 0, -m * x, -m * y, m * x, 0}};
 }
 
 // I^A and p^A of a link start as its own inertia and v x* I v.
-ADAGEN_NOINLINE void start_link(const Mat6& inertia, const Vec6& velocity, Mat6& IA, Columns6& pA) {
+ADAGEN_NOINLINE void start_link(const Inertia& inertia, const Vec6& velocity, Inertia& IA,
+                                Columns6& pA) {
   IA = inertia;
-  const Vec6 momentum = inertia * velocity;
-  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
-  const Vec3 angular = momentum.head<3>(), linear = momentum.tail<3>();
-  pA.setZero();
-  pA.col(0).template head<3>() = omega.cross(angular) + v.cross(linear);
-  pA.col(0).template tail<3>() = omega.cross(linear);
+  const auto& A = inertia.A;
+  const Vec3 w = velocity.head<3>(), v = velocity.tail<3>();
+  const Real mass = inertia.C[0];
+  const Vec3 mc(inertia.B[7], inertia.B[2], inertia.B[3]);  // mass times centre of mass
+  const Vec3 angular =
+      Vec3(A[0] * w[0] + A[1] * w[1] + A[2] * w[2], A[1] * w[0] + A[3] * w[1] + A[4] * w[2],
+           A[2] * w[0] + A[4] * w[1] + A[5] * w[2]) +
+      mc.cross(v);
+  const Vec3 linear = mass * v + w.cross(mc);
+  if constexpr (kColumns > 1) pA.setZero();
+  pA.col(0).template head<3>() = w.cross(angular) + v.cross(linear);
+  pA.col(0).template tail<3>() = w.cross(linear);
 }
 
 template <class Kind>
@@ -854,17 +929,17 @@ struct Articulated {
 // hands on to its near side, by exact projection: nothing along S but the torque. Returns false
 // where D cannot be factorized.
 template <class Kind>
-ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I, const Columns6& p,
-                                Mat6& handed, Columns6& force) {
+ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia& I,
+                                const Columns6& p, Inertia& handed, Columns6& force) {
   constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
   constexpr auto& free = Kind::Free::row;
   [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
   bool good = true;
-  for (int k = 0; k < n; ++k) {
-    for (int l = 0; l < n; ++l) i.D[k][l] = I(free[k], free[l]);
+  ADAGEN_FOR (k, 0, n) {
+    ADAGEN_FOR (l, 0, n) i.D[k][l] = I(free[k], free[l]);
     i.E[k] = {};
-    for (int l = 0; l < m; ++l) i.E[k][constrained[l]] = I(free[k], constrained[l]);
-    for (int c = 0; c < kColumns; ++c) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
+    ADAGEN_FOR (l, 0, m) i.E[k][constrained[l]] = I(free[k], constrained[l]);
+    ADAGEN_FOR (c, 0, kColumns) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
   }
   if constexpr (n == 1) {
     good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
@@ -875,26 +950,25 @@ ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I,
   i.solve(i.E);
   auto moved = i.u;
   i.solve(moved);
-  handed.setZero();
-  force.setZero();
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (l, 0, 6) handed.set(free[k], l, 0);
   if constexpr (m > 0) {
-    for (int r = 0; r < m; ++r)
-      for (int s = 0; s < m; ++s) {
+    ADAGEN_FOR (r, 0, m)
+      ADAGEN_FOR (s, r, m) {
         Real x = I(constrained[r], constrained[s]);
-        for (int k = 0; k < n; ++k) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
-        handed(constrained[r], constrained[s]) = x;
+        ADAGEN_FOR (k, 0, n) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
+        handed.set(constrained[r], constrained[s], x);
       }
-    for (int c = 0; c < kColumns; ++c)
-      for (int r = 0; r < m; ++r) {
+    ADAGEN_FOR (c, 0, kColumns)
+      ADAGEN_FOR (r, 0, m) {
         Real x = p(constrained[r], c);
-        for (int k = 0; k < n; ++k) x += I(constrained[r], free[k]) * moved[k][c];
-        for (int s = 0; s < m; ++s)
-          x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
+        ADAGEN_FOR (k, 0, n) x += I(constrained[r], free[k]) * moved[k][c];
+        ADAGEN_FOR (s, 0, m) x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
         force(constrained[r], c) = x;
       }
   }
-  for (int k = 0; k < n; ++k)
-    for (int c = 0; c < kColumns; ++c) force(free[k], c) = sigma * i.tau[k][c];
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (c, 0, kColumns) force(free[k], c) = sigma * i.tau[k][c];
   return good;
 }
 
@@ -905,23 +979,23 @@ std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated
   a += i.c;
   auto moved = i.u;
   i.solve(moved);
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) {
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) {
       const int row = Kind::Free::row[k];
       Real x = moved[k][c];
       for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
       moved[k][c] = x - a(row, c);
     }
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) a(Kind::Free::row[k], c) += moved[k][c];
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) a(Kind::Free::row[k], c) += moved[k][c];
   return moved;
 }
 
 // K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
 template <class Kind>
 ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
-  for (int k = 0; k < kFree<Kind>; ++k) m.row(Kind::Free::row[k]).setZero();
-  for (int k = 0; k < kFree<Kind>; ++k)
+  ADAGEN_FOR (k, 0, (kFree<Kind>)) m.row(Kind::Free::row[k]).setZero();
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
     for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
 }
 
@@ -933,17 +1007,17 @@ ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
   m.transposeInPlace();
   share(i, m);
   std::array<std::array<Real, n>, n> inverse{};
-  for (int k = 0; k < n; ++k) inverse[k][k] = 1;
+  ADAGEN_FOR (k, 0, n) inverse[k][k] = 1;
   i.solve(inverse);
-  for (int k = 0; k < n; ++k)
-    for (int l = 0; l < n; ++l) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (l, 0, n) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
 }
 
 // A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
 template <class Kind>
 void deliver(Articulated<Kind>& i, Columns6& load) {
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) {
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) {
       Real& along = load(Kind::Free::row[k], c);
       i.u[k][c] += along;
       for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
@@ -952,18 +1026,18 @@ void deliver(Articulated<Kind>& i, Columns6& load) {
 }
 
 // Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
-ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns6& b) {
+ADAGEN_NOINLINE bool invert(const Inertia& I, const Columns6& p, Mat6& Phi, Columns6& b) {
   std::array<std::array<Real, 6>, 6> L, x{};
-  for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
     x[i][i] = 1;
   }
   const bool good = factorize(L);
   forward_substitute(L, x);
-  for (int i = 0; i < 6; ++i)
-    for (int k = i; k < 6; ++k) {
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, i, 6) {
       Real sum = 0;
-      for (int row = 0; row < 6; ++row) sum += x[row][i] * x[row][k];
+      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
       Phi(i, k) = Phi(k, i) = sum;
     }
   b.noalias() = -Phi * p;
@@ -971,26 +1045,26 @@ ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns
 }
 
 // a with I^A a = -p^A: nothing else acts on the link.
-ADAGEN_NOINLINE bool solve_root(const Mat6& I, const Columns6& p, Columns6& a) {
+ADAGEN_NOINLINE bool solve_root(const Inertia& I, const Columns6& p, Columns6& a) {
   std::array<std::array<Real, 6>, 6> L;
   std::array<std::array<Real, kColumns>, 6> x;
-  for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
-    for (int c = 0; c < kColumns; ++c) x[i][c] = -p(i, c);
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
+    ADAGEN_FOR (c, 0, kColumns) x[i][c] = -p(i, c);
   }
   const bool good = factorize(L);
   forward_substitute(L, x);
   backward_substitute(L, x);
-  for (int i = 0; i < 6; ++i)
-    for (int c = 0; c < kColumns; ++c) a(i, c) = x[i][c];
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (c, 0, kColumns) a(i, c) = x[i][c];
   return good;
 }
 
 constexpr std::array<MessageInfo, 4> kMessages{ {
-    {1, 0, 42},  // 0: assembled: chain of "left_shoulder_pitch"
-    {0, 1, 6},  // 1: forces on: chain of "left_shoulder_pitch"
+    {1, 0, 42},  // 0: assembled: chain of "__base__"
+    {0, 1, 6},  // 1: forces on: chain of "__base__"
     {0, 1, 61},  // 2: state
-    {1, 0, 14},  // 3: accelerations
+    {1, 0, 20},  // 3: accelerations
 } };
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
@@ -1224,15 +1298,18 @@ struct Workspace;
 struct Joint_base {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "pelvis"
-  Mat6 IA;  // articulated-body inertia of link "pelvis"
+  Inertia IA;  // articulated-body inertia of link "pelvis"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
+  Mat6 Phi_abdomen;  // of the chain it completes
+  Columns6 b_abdomen;
+  Columns6 F_on_abdomen;  // outer wrench on that chain
 };
 
 struct Joint_left_hip_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_hip"
-  Mat6 IA;  // articulated-body inertia of link "left_hip"
+  Inertia IA;  // articulated-body inertia of link "left_hip"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1241,7 +1318,7 @@ struct Joint_left_hip_pitch {
 struct Joint_left_hip_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_groin"
-  Mat6 IA;  // articulated-body inertia of link "left_groin"
+  Inertia IA;  // articulated-body inertia of link "left_groin"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1250,7 +1327,7 @@ struct Joint_left_hip_roll {
 struct Joint_left_hip_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_thigh"
-  Mat6 IA;  // articulated-body inertia of link "left_thigh"
+  Inertia IA;  // articulated-body inertia of link "left_thigh"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1259,7 +1336,7 @@ struct Joint_left_hip_yaw {
 struct Joint_left_knee {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_shank"
-  Mat6 IA;  // articulated-body inertia of link "left_shank"
+  Inertia IA;  // articulated-body inertia of link "left_shank"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1268,7 +1345,7 @@ struct Joint_left_knee {
 struct Joint_left_ankle_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_ankle"
-  Mat6 IA;  // articulated-body inertia of link "left_ankle"
+  Inertia IA;  // articulated-body inertia of link "left_ankle"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1277,7 +1354,7 @@ struct Joint_left_ankle_pitch {
 struct Joint_left_ankle_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_foot"
-  Mat6 IA;  // articulated-body inertia of link "left_foot"
+  Inertia IA;  // articulated-body inertia of link "left_foot"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1286,7 +1363,7 @@ struct Joint_left_ankle_roll {
 struct Joint_right_hip_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_hip"
-  Mat6 IA;  // articulated-body inertia of link "right_hip"
+  Inertia IA;  // articulated-body inertia of link "right_hip"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1295,7 +1372,7 @@ struct Joint_right_hip_pitch {
 struct Joint_right_hip_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_groin"
-  Mat6 IA;  // articulated-body inertia of link "right_groin"
+  Inertia IA;  // articulated-body inertia of link "right_groin"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1304,7 +1381,7 @@ struct Joint_right_hip_roll {
 struct Joint_right_hip_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_thigh"
-  Mat6 IA;  // articulated-body inertia of link "right_thigh"
+  Inertia IA;  // articulated-body inertia of link "right_thigh"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1313,7 +1390,7 @@ struct Joint_right_hip_yaw {
 struct Joint_right_knee {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_shank"
-  Mat6 IA;  // articulated-body inertia of link "right_shank"
+  Inertia IA;  // articulated-body inertia of link "right_shank"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1322,7 +1399,7 @@ struct Joint_right_knee {
 struct Joint_right_ankle_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_ankle"
-  Mat6 IA;  // articulated-body inertia of link "right_ankle"
+  Inertia IA;  // articulated-body inertia of link "right_ankle"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1331,7 +1408,7 @@ struct Joint_right_ankle_pitch {
 struct Joint_right_ankle_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_foot"
-  Mat6 IA;  // articulated-body inertia of link "right_foot"
+  Inertia IA;  // articulated-body inertia of link "right_foot"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1340,7 +1417,7 @@ struct Joint_right_ankle_roll {
 struct Joint_waist_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "waist_link"
-  Mat6 IA;  // articulated-body inertia of link "waist_link"
+  Inertia IA;  // articulated-body inertia of link "waist_link"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1349,30 +1426,27 @@ struct Joint_waist_yaw {
 struct Joint_waist_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "abdomen"
-  Mat6 IA;  // articulated-body inertia of link "abdomen"
+  Inertia IA;  // articulated-body inertia of link "abdomen"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
-  Mat6 Phi_abdomen;  // of the chain it completes
-  Columns6 b_abdomen;
   Columns6 load;  // what handle forces add
-  Columns6 F_on_abdomen;  // outer wrench on that chain
 };
 
 struct Joint_waist_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "torso"
-  Joined<Revolute> joined;
-  Mat6 IA;  // articulated-body inertia of link "torso"
+  Inertia IA;  // articulated-body inertia of link "torso"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
+  Joined<Revolute> joined;
   Columns6 load;  // what handle forces add
 };
 
 struct Joint_left_shoulder_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_shoulder"
-  Mat6 IA;  // articulated-body inertia of link "left_shoulder"
+  Inertia IA;  // articulated-body inertia of link "left_shoulder"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1384,7 +1458,7 @@ struct Joint_left_shoulder_pitch {
 struct Joint_left_shoulder_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_shoulder_cap"
-  Mat6 IA;  // articulated-body inertia of link "left_shoulder_cap"
+  Inertia IA;  // articulated-body inertia of link "left_shoulder_cap"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1393,7 +1467,7 @@ struct Joint_left_shoulder_roll {
 struct Joint_left_shoulder_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_upper_arm"
-  Mat6 IA;  // articulated-body inertia of link "left_upper_arm"
+  Inertia IA;  // articulated-body inertia of link "left_upper_arm"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1402,7 +1476,7 @@ struct Joint_left_shoulder_yaw {
 struct Joint_left_elbow {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_forearm"
-  Mat6 IA;  // articulated-body inertia of link "left_forearm"
+  Inertia IA;  // articulated-body inertia of link "left_forearm"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1411,7 +1485,7 @@ struct Joint_left_elbow {
 struct Joint_left_wrist_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_wrist"
-  Mat6 IA;  // articulated-body inertia of link "left_wrist"
+  Inertia IA;  // articulated-body inertia of link "left_wrist"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1420,7 +1494,7 @@ struct Joint_left_wrist_roll {
 struct Joint_left_wrist_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "left_hand"
-  Mat6 IA;  // articulated-body inertia of link "left_hand"
+  Inertia IA;  // articulated-body inertia of link "left_hand"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1429,7 +1503,7 @@ struct Joint_left_wrist_pitch {
 struct Joint_neck_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "neck"
-  Mat6 IA;  // articulated-body inertia of link "neck"
+  Inertia IA;  // articulated-body inertia of link "neck"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1438,7 +1512,7 @@ struct Joint_neck_yaw {
 struct Joint_neck_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "head"
-  Mat6 IA;  // articulated-body inertia of link "head"
+  Inertia IA;  // articulated-body inertia of link "head"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1447,7 +1521,7 @@ struct Joint_neck_pitch {
 struct Joint_right_shoulder_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_shoulder"
-  Mat6 IA;  // articulated-body inertia of link "right_shoulder"
+  Inertia IA;  // articulated-body inertia of link "right_shoulder"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1456,7 +1530,7 @@ struct Joint_right_shoulder_pitch {
 struct Joint_right_shoulder_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_shoulder_cap"
-  Mat6 IA;  // articulated-body inertia of link "right_shoulder_cap"
+  Inertia IA;  // articulated-body inertia of link "right_shoulder_cap"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1465,7 +1539,7 @@ struct Joint_right_shoulder_roll {
 struct Joint_right_shoulder_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_upper_arm"
-  Mat6 IA;  // articulated-body inertia of link "right_upper_arm"
+  Inertia IA;  // articulated-body inertia of link "right_upper_arm"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1474,7 +1548,7 @@ struct Joint_right_shoulder_yaw {
 struct Joint_right_elbow {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_forearm"
-  Mat6 IA;  // articulated-body inertia of link "right_forearm"
+  Inertia IA;  // articulated-body inertia of link "right_forearm"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1483,7 +1557,7 @@ struct Joint_right_elbow {
 struct Joint_right_wrist_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_wrist"
-  Mat6 IA;  // articulated-body inertia of link "right_wrist"
+  Inertia IA;  // articulated-body inertia of link "right_wrist"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1492,7 +1566,7 @@ struct Joint_right_wrist_roll {
 struct Joint_right_wrist_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "right_hand"
-  Mat6 IA;  // articulated-body inertia of link "right_hand"
+  Inertia IA;  // articulated-body inertia of link "right_hand"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1652,36 +1726,36 @@ void store_coupled(Workspace& w, int joint, int v,
   store_acceleration(w, joint, v, sum);
 }
 
-const Mat6 kInertia_pelvis = spatial_inertia(kLinks[1]);
-const Mat6 kInertia_left_hip = spatial_inertia(kLinks[2]);
-const Mat6 kInertia_left_groin = spatial_inertia(kLinks[3]);
-const Mat6 kInertia_left_thigh = spatial_inertia(kLinks[4]);
-const Mat6 kInertia_left_shank = spatial_inertia(kLinks[5]);
-const Mat6 kInertia_left_ankle = spatial_inertia(kLinks[6]);
-const Mat6 kInertia_left_foot = spatial_inertia(kLinks[7]);
-const Mat6 kInertia_right_hip = spatial_inertia(kLinks[8]);
-const Mat6 kInertia_right_groin = spatial_inertia(kLinks[9]);
-const Mat6 kInertia_right_thigh = spatial_inertia(kLinks[10]);
-const Mat6 kInertia_right_shank = spatial_inertia(kLinks[11]);
-const Mat6 kInertia_right_ankle = spatial_inertia(kLinks[12]);
-const Mat6 kInertia_right_foot = spatial_inertia(kLinks[13]);
-const Mat6 kInertia_waist_link = spatial_inertia(kLinks[14]);
-const Mat6 kInertia_abdomen = spatial_inertia(kLinks[15]);
-const Mat6 kInertia_torso = spatial_inertia(kLinks[16]);
-const Mat6 kInertia_left_shoulder = spatial_inertia(kLinks[17]);
-const Mat6 kInertia_left_shoulder_cap = spatial_inertia(kLinks[18]);
-const Mat6 kInertia_left_upper_arm = spatial_inertia(kLinks[19]);
-const Mat6 kInertia_left_forearm = spatial_inertia(kLinks[20]);
-const Mat6 kInertia_left_wrist = spatial_inertia(kLinks[21]);
-const Mat6 kInertia_left_hand = spatial_inertia(kLinks[22]);
-const Mat6 kInertia_neck = spatial_inertia(kLinks[23]);
-const Mat6 kInertia_head = spatial_inertia(kLinks[24]);
-const Mat6 kInertia_right_shoulder = spatial_inertia(kLinks[25]);
-const Mat6 kInertia_right_shoulder_cap = spatial_inertia(kLinks[26]);
-const Mat6 kInertia_right_upper_arm = spatial_inertia(kLinks[27]);
-const Mat6 kInertia_right_forearm = spatial_inertia(kLinks[28]);
-const Mat6 kInertia_right_wrist = spatial_inertia(kLinks[29]);
-const Mat6 kInertia_right_hand = spatial_inertia(kLinks[30]);
+const Inertia kInertia_pelvis = spatial_inertia(kLinks[1]);
+const Inertia kInertia_left_hip = spatial_inertia(kLinks[2]);
+const Inertia kInertia_left_groin = spatial_inertia(kLinks[3]);
+const Inertia kInertia_left_thigh = spatial_inertia(kLinks[4]);
+const Inertia kInertia_left_shank = spatial_inertia(kLinks[5]);
+const Inertia kInertia_left_ankle = spatial_inertia(kLinks[6]);
+const Inertia kInertia_left_foot = spatial_inertia(kLinks[7]);
+const Inertia kInertia_right_hip = spatial_inertia(kLinks[8]);
+const Inertia kInertia_right_groin = spatial_inertia(kLinks[9]);
+const Inertia kInertia_right_thigh = spatial_inertia(kLinks[10]);
+const Inertia kInertia_right_shank = spatial_inertia(kLinks[11]);
+const Inertia kInertia_right_ankle = spatial_inertia(kLinks[12]);
+const Inertia kInertia_right_foot = spatial_inertia(kLinks[13]);
+const Inertia kInertia_waist_link = spatial_inertia(kLinks[14]);
+const Inertia kInertia_abdomen = spatial_inertia(kLinks[15]);
+const Inertia kInertia_torso = spatial_inertia(kLinks[16]);
+const Inertia kInertia_left_shoulder = spatial_inertia(kLinks[17]);
+const Inertia kInertia_left_shoulder_cap = spatial_inertia(kLinks[18]);
+const Inertia kInertia_left_upper_arm = spatial_inertia(kLinks[19]);
+const Inertia kInertia_left_forearm = spatial_inertia(kLinks[20]);
+const Inertia kInertia_left_wrist = spatial_inertia(kLinks[21]);
+const Inertia kInertia_left_hand = spatial_inertia(kLinks[22]);
+const Inertia kInertia_neck = spatial_inertia(kLinks[23]);
+const Inertia kInertia_head = spatial_inertia(kLinks[24]);
+const Inertia kInertia_right_shoulder = spatial_inertia(kLinks[25]);
+const Inertia kInertia_right_shoulder_cap = spatial_inertia(kLinks[26]);
+const Inertia kInertia_right_upper_arm = spatial_inertia(kLinks[27]);
+const Inertia kInertia_right_forearm = spatial_inertia(kLinks[28]);
+const Inertia kInertia_right_wrist = spatial_inertia(kLinks[29]);
+const Inertia kInertia_right_hand = spatial_inertia(kLinks[30]);
 
 // =================================================================================================
 // Joint 0 "__base__": floating, between links "__world__" and "pelvis"
@@ -1737,9 +1811,9 @@ void articulate_left_hip_pitch(Workspace& w) {
   auto& i = w.j_left_hip_pitch;
   load_torque(w, 1, 6, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_hip_pitch.IA, w.j_left_hip_pitch.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 1);
   add_in_parent(i.X, handed, w.j_base.IA);
   w.j_base.pA += i.X.transposed_times(force);
@@ -1749,7 +1823,7 @@ void accelerate_left_hip_pitch(Workspace& w) {
   auto& i = w.j_left_hip_pitch;
   Columns6 a = i.X * w.j_base.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_hip_pitch.a = a;
+  i.a = a;
   store_acceleration(w, 1, 6, qdd);
 }
 
@@ -1774,9 +1848,9 @@ void articulate_left_hip_roll(Workspace& w) {
   auto& i = w.j_left_hip_roll;
   load_torque(w, 2, 7, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 7);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_hip_roll.IA, w.j_left_hip_roll.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 2);
   add_in_parent(i.X, handed, w.j_left_hip_pitch.IA);
   w.j_left_hip_pitch.pA += i.X.transposed_times(force);
@@ -1786,7 +1860,7 @@ void accelerate_left_hip_roll(Workspace& w) {
   auto& i = w.j_left_hip_roll;
   Columns6 a = i.X * w.j_left_hip_pitch.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_hip_roll.a = a;
+  i.a = a;
   store_acceleration(w, 2, 7, qdd);
 }
 
@@ -1811,9 +1885,9 @@ void articulate_left_hip_yaw(Workspace& w) {
   auto& i = w.j_left_hip_yaw;
   load_torque(w, 3, 8, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 8);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_hip_yaw.IA, w.j_left_hip_yaw.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 3);
   add_in_parent(i.X, handed, w.j_left_hip_roll.IA);
   w.j_left_hip_roll.pA += i.X.transposed_times(force);
@@ -1823,7 +1897,7 @@ void accelerate_left_hip_yaw(Workspace& w) {
   auto& i = w.j_left_hip_yaw;
   Columns6 a = i.X * w.j_left_hip_roll.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_hip_yaw.a = a;
+  i.a = a;
   store_acceleration(w, 3, 8, qdd);
 }
 
@@ -1848,9 +1922,9 @@ void articulate_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
   load_torque(w, 4, 9, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 9);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_knee.IA, w.j_left_knee.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 4);
   add_in_parent(i.X, handed, w.j_left_hip_yaw.IA);
   w.j_left_hip_yaw.pA += i.X.transposed_times(force);
@@ -1860,7 +1934,7 @@ void accelerate_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
   Columns6 a = i.X * w.j_left_hip_yaw.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_knee.a = a;
+  i.a = a;
   store_acceleration(w, 4, 9, qdd);
 }
 
@@ -1885,9 +1959,9 @@ void articulate_left_ankle_pitch(Workspace& w) {
   auto& i = w.j_left_ankle_pitch;
   load_torque(w, 5, 10, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 10);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_ankle_pitch.IA, w.j_left_ankle_pitch.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 5);
   add_in_parent(i.X, handed, w.j_left_knee.IA);
   w.j_left_knee.pA += i.X.transposed_times(force);
@@ -1897,7 +1971,7 @@ void accelerate_left_ankle_pitch(Workspace& w) {
   auto& i = w.j_left_ankle_pitch;
   Columns6 a = i.X * w.j_left_knee.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_ankle_pitch.a = a;
+  i.a = a;
   store_acceleration(w, 5, 10, qdd);
 }
 
@@ -1922,9 +1996,9 @@ void articulate_left_ankle_roll(Workspace& w) {
   auto& i = w.j_left_ankle_roll;
   load_torque(w, 6, 11, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 11);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_ankle_roll.IA, w.j_left_ankle_roll.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 6);
   add_in_parent(i.X, handed, w.j_left_ankle_pitch.IA);
   w.j_left_ankle_pitch.pA += i.X.transposed_times(force);
@@ -1934,7 +2008,7 @@ void accelerate_left_ankle_roll(Workspace& w) {
   auto& i = w.j_left_ankle_roll;
   Columns6 a = i.X * w.j_left_ankle_pitch.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_ankle_roll.a = a;
+  i.a = a;
   store_acceleration(w, 6, 11, qdd);
 }
 
@@ -1959,9 +2033,9 @@ void articulate_right_hip_pitch(Workspace& w) {
   auto& i = w.j_right_hip_pitch;
   load_torque(w, 7, 12, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 12);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_hip_pitch.IA, w.j_right_hip_pitch.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 7);
   add_in_parent(i.X, handed, w.j_base.IA);
   w.j_base.pA += i.X.transposed_times(force);
@@ -1971,7 +2045,7 @@ void accelerate_right_hip_pitch(Workspace& w) {
   auto& i = w.j_right_hip_pitch;
   Columns6 a = i.X * w.j_base.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_hip_pitch.a = a;
+  i.a = a;
   store_acceleration(w, 7, 12, qdd);
 }
 
@@ -1996,9 +2070,9 @@ void articulate_right_hip_roll(Workspace& w) {
   auto& i = w.j_right_hip_roll;
   load_torque(w, 8, 13, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 13);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_hip_roll.IA, w.j_right_hip_roll.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 8);
   add_in_parent(i.X, handed, w.j_right_hip_pitch.IA);
   w.j_right_hip_pitch.pA += i.X.transposed_times(force);
@@ -2008,7 +2082,7 @@ void accelerate_right_hip_roll(Workspace& w) {
   auto& i = w.j_right_hip_roll;
   Columns6 a = i.X * w.j_right_hip_pitch.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_hip_roll.a = a;
+  i.a = a;
   store_acceleration(w, 8, 13, qdd);
 }
 
@@ -2033,9 +2107,9 @@ void articulate_right_hip_yaw(Workspace& w) {
   auto& i = w.j_right_hip_yaw;
   load_torque(w, 9, 14, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 14);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_hip_yaw.IA, w.j_right_hip_yaw.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 9);
   add_in_parent(i.X, handed, w.j_right_hip_roll.IA);
   w.j_right_hip_roll.pA += i.X.transposed_times(force);
@@ -2045,7 +2119,7 @@ void accelerate_right_hip_yaw(Workspace& w) {
   auto& i = w.j_right_hip_yaw;
   Columns6 a = i.X * w.j_right_hip_roll.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_hip_yaw.a = a;
+  i.a = a;
   store_acceleration(w, 9, 14, qdd);
 }
 
@@ -2070,9 +2144,9 @@ void articulate_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
   load_torque(w, 10, 15, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 15);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_knee.IA, w.j_right_knee.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 10);
   add_in_parent(i.X, handed, w.j_right_hip_yaw.IA);
   w.j_right_hip_yaw.pA += i.X.transposed_times(force);
@@ -2082,7 +2156,7 @@ void accelerate_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
   Columns6 a = i.X * w.j_right_hip_yaw.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_knee.a = a;
+  i.a = a;
   store_acceleration(w, 10, 15, qdd);
 }
 
@@ -2107,9 +2181,9 @@ void articulate_right_ankle_pitch(Workspace& w) {
   auto& i = w.j_right_ankle_pitch;
   load_torque(w, 11, 16, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 16);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_ankle_pitch.IA, w.j_right_ankle_pitch.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 11);
   add_in_parent(i.X, handed, w.j_right_knee.IA);
   w.j_right_knee.pA += i.X.transposed_times(force);
@@ -2119,7 +2193,7 @@ void accelerate_right_ankle_pitch(Workspace& w) {
   auto& i = w.j_right_ankle_pitch;
   Columns6 a = i.X * w.j_right_knee.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_ankle_pitch.a = a;
+  i.a = a;
   store_acceleration(w, 11, 16, qdd);
 }
 
@@ -2144,9 +2218,9 @@ void articulate_right_ankle_roll(Workspace& w) {
   auto& i = w.j_right_ankle_roll;
   load_torque(w, 12, 17, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 17);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_ankle_roll.IA, w.j_right_ankle_roll.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 12);
   add_in_parent(i.X, handed, w.j_right_ankle_pitch.IA);
   w.j_right_ankle_pitch.pA += i.X.transposed_times(force);
@@ -2156,7 +2230,7 @@ void accelerate_right_ankle_roll(Workspace& w) {
   auto& i = w.j_right_ankle_roll;
   Columns6 a = i.X * w.j_right_ankle_pitch.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_ankle_roll.a = a;
+  i.a = a;
   store_acceleration(w, 12, 17, qdd);
 }
 
@@ -2182,19 +2256,19 @@ void articulate_waist_yaw(Workspace& w) {
   load_torque(w, 13, 18, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 18);
   i.body.c = -i.body.c;
-  const Mat6 IA = in_child(i.X, w.j_base.IA);
+  const Inertia IA = in_child(i.X, w.j_base.IA);
   const Columns6 pA = wrench_in_child(i.X, w.j_base.pA);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
   if (!articulate(i.body, -1, IA, pA, handed, force))
     fail(w, kFactorization, 13);
-  w.j_waist_yaw.IA += handed;
-  w.j_waist_yaw.pA += force;
+  i.IA += handed;
+  i.pA += force;
 }
 
 void accelerate_waist_yaw(Workspace& w) {
   auto& i = w.j_waist_yaw;
-  Columns6 a = w.j_waist_yaw.a;
+  Columns6 a = i.a;
   const auto qdd = accelerate(i.body, a);
   w.j_base.a = motion_in_parent(i.X, a);
   store_acceleration(w, 13, 18, negated(qdd));
@@ -2222,19 +2296,19 @@ void articulate_waist_roll(Workspace& w) {
   load_torque(w, 14, 19, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 19);
   i.body.c = -i.body.c;
-  const Mat6 IA = in_child(i.X, w.j_waist_yaw.IA);
+  const Inertia IA = in_child(i.X, w.j_waist_yaw.IA);
   const Columns6 pA = wrench_in_child(i.X, w.j_waist_yaw.pA);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
   if (!articulate(i.body, -1, IA, pA, handed, force))
     fail(w, kFactorization, 14);
-  w.j_waist_roll.IA += handed;
-  w.j_waist_roll.pA += force;
+  i.IA += handed;
+  i.pA += force;
 }
 
 void accelerate_waist_roll(Workspace& w) {
   auto& i = w.j_waist_roll;
-  Columns6 a = w.j_waist_roll.a;
+  Columns6 a = i.a;
   const auto qdd = accelerate(i.body, a);
   w.j_waist_yaw.a = motion_in_parent(i.X, a);
   store_acceleration(w, 14, 19, negated(qdd));
@@ -2257,14 +2331,14 @@ void kinematics_waist_pitch(Workspace& w) {
   i.v = i.X * w.j_waist_roll.v + joint_velocity<Revolute>(w.v + 20);
 }
 
-// A: the chain of "waist_roll"; B: the chain of "left_shoulder_pitch"; C feels the joint at no link
+// A: the chain of "__base__"; B: the chain of "left_shoulder_pitch"; C feels the joint at no link
 void assemble_waist_pitch(Workspace& w) {
   auto& i = w.j_waist_pitch;
   load_torque(w, 15, 20, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_waist_roll.Phi_abdomen;
+  const Mat6 X_Phi_A = i.X * w.j_base.Phi_abdomen;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 20);
-  if (!join(i.joined, Phi_A, w.j_left_shoulder_pitch.Phi_torso, i.X * w.j_waist_roll.b_abdomen, w.j_left_shoulder_pitch.b_torso, c))
+  if (!join(i.joined, Phi_A, w.j_left_shoulder_pitch.Phi_torso, i.X * w.j_base.b_abdomen, w.j_left_shoulder_pitch.b_torso, c))
     fail(w, kFactorization, 15);
 }
 
@@ -2273,7 +2347,7 @@ void disassemble_waist_pitch(Workspace& w) {
   Release<Revolute> release(i.joined);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 15, 20, release.qdd());  // Eq. (9)
-  w.j_waist_roll.F_on_abdomen = -i.X.transposed_times(f);
+  w.j_base.F_on_abdomen = -i.X.transposed_times(f);
   w.j_left_shoulder_pitch.F_on_torso = f;
 }
 
@@ -2298,9 +2372,9 @@ void articulate_left_shoulder_pitch(Workspace& w) {
   auto& i = w.j_left_shoulder_pitch;
   load_torque(w, 16, 21, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 21);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_shoulder_pitch.IA, w.j_left_shoulder_pitch.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 16);
   add_in_parent(i.X, handed, w.j_waist_pitch.IA);
   w.j_waist_pitch.pA += i.X.transposed_times(force);
@@ -2310,7 +2384,7 @@ void accelerate_left_shoulder_pitch(Workspace& w) {
   auto& i = w.j_left_shoulder_pitch;
   Columns6 a = i.X * w.j_waist_pitch.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_shoulder_pitch.a = a;
+  i.a = a;
   store_acceleration(w, 16, 21, qdd);
 }
 
@@ -2335,9 +2409,9 @@ void articulate_left_shoulder_roll(Workspace& w) {
   auto& i = w.j_left_shoulder_roll;
   load_torque(w, 17, 22, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 22);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_shoulder_roll.IA, w.j_left_shoulder_roll.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 17);
   add_in_parent(i.X, handed, w.j_left_shoulder_pitch.IA);
   w.j_left_shoulder_pitch.pA += i.X.transposed_times(force);
@@ -2347,7 +2421,7 @@ void accelerate_left_shoulder_roll(Workspace& w) {
   auto& i = w.j_left_shoulder_roll;
   Columns6 a = i.X * w.j_left_shoulder_pitch.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_shoulder_roll.a = a;
+  i.a = a;
   store_acceleration(w, 17, 22, qdd);
 }
 
@@ -2372,9 +2446,9 @@ void articulate_left_shoulder_yaw(Workspace& w) {
   auto& i = w.j_left_shoulder_yaw;
   load_torque(w, 18, 23, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 23);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_shoulder_yaw.IA, w.j_left_shoulder_yaw.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 18);
   add_in_parent(i.X, handed, w.j_left_shoulder_roll.IA);
   w.j_left_shoulder_roll.pA += i.X.transposed_times(force);
@@ -2384,7 +2458,7 @@ void accelerate_left_shoulder_yaw(Workspace& w) {
   auto& i = w.j_left_shoulder_yaw;
   Columns6 a = i.X * w.j_left_shoulder_roll.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_shoulder_yaw.a = a;
+  i.a = a;
   store_acceleration(w, 18, 23, qdd);
 }
 
@@ -2409,9 +2483,9 @@ void articulate_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
   load_torque(w, 19, 24, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 24);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_elbow.IA, w.j_left_elbow.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 19);
   add_in_parent(i.X, handed, w.j_left_shoulder_yaw.IA);
   w.j_left_shoulder_yaw.pA += i.X.transposed_times(force);
@@ -2421,7 +2495,7 @@ void accelerate_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
   Columns6 a = i.X * w.j_left_shoulder_yaw.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_elbow.a = a;
+  i.a = a;
   store_acceleration(w, 19, 24, qdd);
 }
 
@@ -2446,9 +2520,9 @@ void articulate_left_wrist_roll(Workspace& w) {
   auto& i = w.j_left_wrist_roll;
   load_torque(w, 20, 25, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 25);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_wrist_roll.IA, w.j_left_wrist_roll.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 20);
   add_in_parent(i.X, handed, w.j_left_elbow.IA);
   w.j_left_elbow.pA += i.X.transposed_times(force);
@@ -2458,7 +2532,7 @@ void accelerate_left_wrist_roll(Workspace& w) {
   auto& i = w.j_left_wrist_roll;
   Columns6 a = i.X * w.j_left_elbow.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_wrist_roll.a = a;
+  i.a = a;
   store_acceleration(w, 20, 25, qdd);
 }
 
@@ -2483,9 +2557,9 @@ void articulate_left_wrist_pitch(Workspace& w) {
   auto& i = w.j_left_wrist_pitch;
   load_torque(w, 21, 26, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 26);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_left_wrist_pitch.IA, w.j_left_wrist_pitch.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 21);
   add_in_parent(i.X, handed, w.j_left_wrist_roll.IA);
   w.j_left_wrist_roll.pA += i.X.transposed_times(force);
@@ -2495,7 +2569,7 @@ void accelerate_left_wrist_pitch(Workspace& w) {
   auto& i = w.j_left_wrist_pitch;
   Columns6 a = i.X * w.j_left_wrist_roll.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_left_wrist_pitch.a = a;
+  i.a = a;
   store_acceleration(w, 21, 26, qdd);
 }
 
@@ -2520,9 +2594,9 @@ void articulate_neck_yaw(Workspace& w) {
   auto& i = w.j_neck_yaw;
   load_torque(w, 22, 27, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 27);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_neck_yaw.IA, w.j_neck_yaw.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 22);
   add_in_parent(i.X, handed, w.j_waist_pitch.IA);
   w.j_waist_pitch.pA += i.X.transposed_times(force);
@@ -2532,7 +2606,7 @@ void accelerate_neck_yaw(Workspace& w) {
   auto& i = w.j_neck_yaw;
   Columns6 a = i.X * w.j_waist_pitch.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_neck_yaw.a = a;
+  i.a = a;
   store_acceleration(w, 22, 27, qdd);
 }
 
@@ -2557,9 +2631,9 @@ void articulate_neck_pitch(Workspace& w) {
   auto& i = w.j_neck_pitch;
   load_torque(w, 23, 28, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 28);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_neck_pitch.IA, w.j_neck_pitch.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 23);
   add_in_parent(i.X, handed, w.j_neck_yaw.IA);
   w.j_neck_yaw.pA += i.X.transposed_times(force);
@@ -2569,7 +2643,7 @@ void accelerate_neck_pitch(Workspace& w) {
   auto& i = w.j_neck_pitch;
   Columns6 a = i.X * w.j_neck_yaw.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_neck_pitch.a = a;
+  i.a = a;
   store_acceleration(w, 23, 28, qdd);
 }
 
@@ -2594,9 +2668,9 @@ void articulate_right_shoulder_pitch(Workspace& w) {
   auto& i = w.j_right_shoulder_pitch;
   load_torque(w, 24, 29, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 29);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_shoulder_pitch.IA, w.j_right_shoulder_pitch.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 24);
   add_in_parent(i.X, handed, w.j_waist_pitch.IA);
   w.j_waist_pitch.pA += i.X.transposed_times(force);
@@ -2606,7 +2680,7 @@ void accelerate_right_shoulder_pitch(Workspace& w) {
   auto& i = w.j_right_shoulder_pitch;
   Columns6 a = i.X * w.j_waist_pitch.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_shoulder_pitch.a = a;
+  i.a = a;
   store_acceleration(w, 24, 29, qdd);
 }
 
@@ -2631,9 +2705,9 @@ void articulate_right_shoulder_roll(Workspace& w) {
   auto& i = w.j_right_shoulder_roll;
   load_torque(w, 25, 30, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 30);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_shoulder_roll.IA, w.j_right_shoulder_roll.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 25);
   add_in_parent(i.X, handed, w.j_right_shoulder_pitch.IA);
   w.j_right_shoulder_pitch.pA += i.X.transposed_times(force);
@@ -2643,7 +2717,7 @@ void accelerate_right_shoulder_roll(Workspace& w) {
   auto& i = w.j_right_shoulder_roll;
   Columns6 a = i.X * w.j_right_shoulder_pitch.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_shoulder_roll.a = a;
+  i.a = a;
   store_acceleration(w, 25, 30, qdd);
 }
 
@@ -2668,9 +2742,9 @@ void articulate_right_shoulder_yaw(Workspace& w) {
   auto& i = w.j_right_shoulder_yaw;
   load_torque(w, 26, 31, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 31);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_shoulder_yaw.IA, w.j_right_shoulder_yaw.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 26);
   add_in_parent(i.X, handed, w.j_right_shoulder_roll.IA);
   w.j_right_shoulder_roll.pA += i.X.transposed_times(force);
@@ -2680,7 +2754,7 @@ void accelerate_right_shoulder_yaw(Workspace& w) {
   auto& i = w.j_right_shoulder_yaw;
   Columns6 a = i.X * w.j_right_shoulder_roll.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_shoulder_yaw.a = a;
+  i.a = a;
   store_acceleration(w, 26, 31, qdd);
 }
 
@@ -2705,9 +2779,9 @@ void articulate_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
   load_torque(w, 27, 32, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 32);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_elbow.IA, w.j_right_elbow.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 27);
   add_in_parent(i.X, handed, w.j_right_shoulder_yaw.IA);
   w.j_right_shoulder_yaw.pA += i.X.transposed_times(force);
@@ -2717,7 +2791,7 @@ void accelerate_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
   Columns6 a = i.X * w.j_right_shoulder_yaw.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_elbow.a = a;
+  i.a = a;
   store_acceleration(w, 27, 32, qdd);
 }
 
@@ -2742,9 +2816,9 @@ void articulate_right_wrist_roll(Workspace& w) {
   auto& i = w.j_right_wrist_roll;
   load_torque(w, 28, 33, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 33);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_wrist_roll.IA, w.j_right_wrist_roll.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 28);
   add_in_parent(i.X, handed, w.j_right_elbow.IA);
   w.j_right_elbow.pA += i.X.transposed_times(force);
@@ -2754,7 +2828,7 @@ void accelerate_right_wrist_roll(Workspace& w) {
   auto& i = w.j_right_wrist_roll;
   Columns6 a = i.X * w.j_right_elbow.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_wrist_roll.a = a;
+  i.a = a;
   store_acceleration(w, 28, 33, qdd);
 }
 
@@ -2779,9 +2853,9 @@ void articulate_right_wrist_pitch(Workspace& w) {
   auto& i = w.j_right_wrist_pitch;
   load_torque(w, 29, 34, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 34);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_right_wrist_pitch.IA, w.j_right_wrist_pitch.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 29);
   add_in_parent(i.X, handed, w.j_right_wrist_roll.IA);
   w.j_right_wrist_roll.pA += i.X.transposed_times(force);
@@ -2791,104 +2865,15 @@ void accelerate_right_wrist_pitch(Workspace& w) {
   auto& i = w.j_right_wrist_pitch;
   Columns6 a = i.X * w.j_right_wrist_roll.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_right_wrist_pitch.a = a;
+  i.a = a;
   store_acceleration(w, 29, 34, qdd);
 }
 
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 16 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
+// Process 0: 15 of 30 joints: "waist_pitch", "left_shoulder_pitch", "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", ...; kinematics of 3 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  stamp(0);
-  kinematics_base(w);
-  kinematics_left_hip_pitch(w);
-  kinematics_left_hip_roll(w);
-  kinematics_left_hip_yaw(w);
-  kinematics_left_knee(w);
-  kinematics_left_ankle_pitch(w);
-  kinematics_left_ankle_roll(w);
-  kinematics_right_hip_pitch(w);
-  kinematics_right_hip_roll(w);
-  kinematics_right_hip_yaw(w);
-  kinematics_right_knee(w);
-  kinematics_right_ankle_pitch(w);
-  kinematics_right_ankle_roll(w);
-  kinematics_waist_yaw(w);
-  kinematics_waist_roll(w);
-  kinematics_waist_pitch(w);
-  stamp(1);
-  start_link(kInertia_abdomen, w.j_waist_roll.v, w.j_waist_roll.IA, w.j_waist_roll.pA);
-  start_link(kInertia_waist_link, w.j_waist_yaw.v, w.j_waist_yaw.IA, w.j_waist_yaw.pA);
-  start_link(kInertia_pelvis, w.j_base.v, w.j_base.IA, w.j_base.pA);
-  start_link(kInertia_left_hip, w.j_left_hip_pitch.v, w.j_left_hip_pitch.IA, w.j_left_hip_pitch.pA);
-  start_link(kInertia_right_hip, w.j_right_hip_pitch.v, w.j_right_hip_pitch.IA, w.j_right_hip_pitch.pA);
-  start_link(kInertia_left_groin, w.j_left_hip_roll.v, w.j_left_hip_roll.IA, w.j_left_hip_roll.pA);
-  start_link(kInertia_left_thigh, w.j_left_hip_yaw.v, w.j_left_hip_yaw.IA, w.j_left_hip_yaw.pA);
-  start_link(kInertia_left_shank, w.j_left_knee.v, w.j_left_knee.IA, w.j_left_knee.pA);
-  start_link(kInertia_left_ankle, w.j_left_ankle_pitch.v, w.j_left_ankle_pitch.IA, w.j_left_ankle_pitch.pA);
-  start_link(kInertia_left_foot, w.j_left_ankle_roll.v, w.j_left_ankle_roll.IA, w.j_left_ankle_roll.pA);
-  start_link(kInertia_right_groin, w.j_right_hip_roll.v, w.j_right_hip_roll.IA, w.j_right_hip_roll.pA);
-  start_link(kInertia_right_thigh, w.j_right_hip_yaw.v, w.j_right_hip_yaw.IA, w.j_right_hip_yaw.pA);
-  start_link(kInertia_right_shank, w.j_right_knee.v, w.j_right_knee.IA, w.j_right_knee.pA);
-  start_link(kInertia_right_ankle, w.j_right_ankle_pitch.v, w.j_right_ankle_pitch.IA, w.j_right_ankle_pitch.pA);
-  start_link(kInertia_right_foot, w.j_right_ankle_roll.v, w.j_right_ankle_roll.IA, w.j_right_ankle_roll.pA);
-  free_base_base(w);
-  articulate_right_ankle_roll(w);
-  articulate_right_ankle_pitch(w);
-  articulate_right_knee(w);
-  articulate_right_hip_yaw(w);
-  articulate_right_hip_roll(w);
-  articulate_left_ankle_roll(w);
-  articulate_left_ankle_pitch(w);
-  articulate_left_knee(w);
-  articulate_left_hip_yaw(w);
-  articulate_left_hip_roll(w);
-  articulate_right_hip_pitch(w);
-  articulate_left_hip_pitch(w);
-  articulate_waist_yaw(w);
-  articulate_waist_roll(w);
-  if (!invert(w.j_waist_roll.IA, w.j_waist_roll.pA, w.j_waist_roll.Phi_abdomen, w.j_waist_roll.b_abdomen))
-    fail(w, kFactorization, 14);
-  stamp(2);
-  {  // from process 1: assembled: chain of "left_shoulder_pitch"
-    const Real* from = channel.receive(0, w.status);
-    from = get(from, w.j_left_shoulder_pitch.Phi_torso);
-    from = get(from, w.j_left_shoulder_pitch.b_torso);
-  }
-  stamp(3);
-  assemble_waist_pitch(w);
-  stamp(4);
-  disassemble_waist_pitch(w);
-  stamp(5);
-  {  // to process 1: forces on: chain of "left_shoulder_pitch"
-    Real* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_left_shoulder_pitch.F_on_torso);
-    channel.send(1, w.status);
-  }
-  stamp(6);
-  w.j_waist_roll.load = w.j_waist_roll.F_on_abdomen;
-  w.j_waist_roll.a = w.j_waist_roll.b_abdomen + w.j_waist_roll.Phi_abdomen * w.j_waist_roll.load;
-  accelerate_waist_roll(w);
-  accelerate_waist_yaw(w);
-  accelerate_left_hip_pitch(w);
-  accelerate_right_hip_pitch(w);
-  accelerate_left_hip_roll(w);
-  accelerate_left_hip_yaw(w);
-  accelerate_left_knee(w);
-  accelerate_left_ankle_pitch(w);
-  accelerate_left_ankle_roll(w);
-  accelerate_right_hip_roll(w);
-  accelerate_right_hip_yaw(w);
-  accelerate_right_knee(w);
-  accelerate_right_ankle_pitch(w);
-  accelerate_right_ankle_roll(w);
-  free_acceleration_base(w);
-  stamp(7);
-}
-
-// Process 1: 14 of 30 joints: "left_shoulder_pitch", "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", "left_wrist_pitch", ...; kinematics of 4 more on the way to the ground
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_base(w);
   kinematics_waist_yaw(w);
@@ -2941,18 +2926,22 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   if (!invert(w.j_waist_pitch.IA, w.j_waist_pitch.pA, w.j_left_shoulder_pitch.Phi_torso, w.j_left_shoulder_pitch.b_torso))
     fail(w, kFactorization, 15);
   stamp(2);
-  {  // to process 0: assembled: chain of "left_shoulder_pitch"
-    Real* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_left_shoulder_pitch.Phi_torso);
-    to = put(to, w.j_left_shoulder_pitch.b_torso);
-    channel.send(0, w.status);
+  {  // from process 1: assembled: chain of "__base__"
+    const Real* from = channel.receive(0, w.status);
+    from = get(from, w.j_base.Phi_abdomen);
+    from = get(from, w.j_base.b_abdomen);
   }
   stamp(3);
-  {  // from process 0: forces on: chain of "left_shoulder_pitch"
-    const Real* from = channel.receive(1, w.status);
-    from = get(from, w.j_left_shoulder_pitch.F_on_torso);
-  }
+  assemble_waist_pitch(w);
   stamp(4);
+  disassemble_waist_pitch(w);
+  stamp(5);
+  {  // to process 1: forces on: chain of "__base__"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.j_base.F_on_abdomen);
+    channel.send(1, w.status);
+  }
+  stamp(6);
   w.j_waist_pitch.load = w.j_left_shoulder_pitch.F_on_torso;
   w.j_waist_pitch.a = w.j_left_shoulder_pitch.b_torso + w.j_left_shoulder_pitch.Phi_torso * w.j_waist_pitch.load;
   accelerate_left_shoulder_pitch(w);
@@ -2969,21 +2958,105 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   accelerate_right_elbow(w);
   accelerate_right_wrist_roll(w);
   accelerate_right_wrist_pitch(w);
+  stamp(7);
+}
+
+// Process 1: 15 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
+void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
+  kinematics_base(w);
+  kinematics_left_hip_pitch(w);
+  kinematics_left_hip_roll(w);
+  kinematics_left_hip_yaw(w);
+  kinematics_left_knee(w);
+  kinematics_left_ankle_pitch(w);
+  kinematics_left_ankle_roll(w);
+  kinematics_right_hip_pitch(w);
+  kinematics_right_hip_roll(w);
+  kinematics_right_hip_yaw(w);
+  kinematics_right_knee(w);
+  kinematics_right_ankle_pitch(w);
+  kinematics_right_ankle_roll(w);
+  kinematics_waist_yaw(w);
+  kinematics_waist_roll(w);
+  stamp(1);
+  start_link(kInertia_abdomen, w.j_waist_roll.v, w.j_waist_roll.IA, w.j_waist_roll.pA);
+  start_link(kInertia_waist_link, w.j_waist_yaw.v, w.j_waist_yaw.IA, w.j_waist_yaw.pA);
+  start_link(kInertia_pelvis, w.j_base.v, w.j_base.IA, w.j_base.pA);
+  start_link(kInertia_left_hip, w.j_left_hip_pitch.v, w.j_left_hip_pitch.IA, w.j_left_hip_pitch.pA);
+  start_link(kInertia_right_hip, w.j_right_hip_pitch.v, w.j_right_hip_pitch.IA, w.j_right_hip_pitch.pA);
+  start_link(kInertia_left_groin, w.j_left_hip_roll.v, w.j_left_hip_roll.IA, w.j_left_hip_roll.pA);
+  start_link(kInertia_left_thigh, w.j_left_hip_yaw.v, w.j_left_hip_yaw.IA, w.j_left_hip_yaw.pA);
+  start_link(kInertia_left_shank, w.j_left_knee.v, w.j_left_knee.IA, w.j_left_knee.pA);
+  start_link(kInertia_left_ankle, w.j_left_ankle_pitch.v, w.j_left_ankle_pitch.IA, w.j_left_ankle_pitch.pA);
+  start_link(kInertia_left_foot, w.j_left_ankle_roll.v, w.j_left_ankle_roll.IA, w.j_left_ankle_roll.pA);
+  start_link(kInertia_right_groin, w.j_right_hip_roll.v, w.j_right_hip_roll.IA, w.j_right_hip_roll.pA);
+  start_link(kInertia_right_thigh, w.j_right_hip_yaw.v, w.j_right_hip_yaw.IA, w.j_right_hip_yaw.pA);
+  start_link(kInertia_right_shank, w.j_right_knee.v, w.j_right_knee.IA, w.j_right_knee.pA);
+  start_link(kInertia_right_ankle, w.j_right_ankle_pitch.v, w.j_right_ankle_pitch.IA, w.j_right_ankle_pitch.pA);
+  start_link(kInertia_right_foot, w.j_right_ankle_roll.v, w.j_right_ankle_roll.IA, w.j_right_ankle_roll.pA);
+  free_base_base(w);
+  articulate_right_ankle_roll(w);
+  articulate_right_ankle_pitch(w);
+  articulate_right_knee(w);
+  articulate_right_hip_yaw(w);
+  articulate_right_hip_roll(w);
+  articulate_left_ankle_roll(w);
+  articulate_left_ankle_pitch(w);
+  articulate_left_knee(w);
+  articulate_left_hip_yaw(w);
+  articulate_left_hip_roll(w);
+  articulate_right_hip_pitch(w);
+  articulate_left_hip_pitch(w);
+  articulate_waist_yaw(w);
+  articulate_waist_roll(w);
+  if (!invert(w.j_waist_roll.IA, w.j_waist_roll.pA, w.j_base.Phi_abdomen, w.j_base.b_abdomen))
+    fail(w, kFactorization, 14);
+  stamp(2);
+  {  // to process 0: assembled: chain of "__base__"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.j_base.Phi_abdomen);
+    to = put(to, w.j_base.b_abdomen);
+    channel.send(0, w.status);
+  }
+  stamp(3);
+  {  // from process 0: forces on: chain of "__base__"
+    const Real* from = channel.receive(1, w.status);
+    from = get(from, w.j_base.F_on_abdomen);
+  }
+  stamp(4);
+  w.j_waist_roll.load = w.j_base.F_on_abdomen;
+  w.j_waist_roll.a = w.j_base.b_abdomen + w.j_base.Phi_abdomen * w.j_waist_roll.load;
+  accelerate_waist_roll(w);
+  accelerate_waist_yaw(w);
+  accelerate_left_hip_pitch(w);
+  accelerate_right_hip_pitch(w);
+  accelerate_left_hip_roll(w);
+  accelerate_left_hip_yaw(w);
+  accelerate_left_knee(w);
+  accelerate_left_ankle_pitch(w);
+  accelerate_left_ankle_roll(w);
+  accelerate_right_hip_roll(w);
+  accelerate_right_hip_yaw(w);
+  accelerate_right_knee(w);
+  accelerate_right_ankle_pitch(w);
+  accelerate_right_ankle_roll(w);
+  free_acceleration_base(w);
   stamp(5);
 }
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
 
 // What each process reads of q and v, and the velocity entries whose tau and qdd are its own.
-constexpr std::array<int, 22> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21};
-constexpr std::array<int, 21> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
-constexpr std::array<int, 21> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
-constexpr std::array<int, 24> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35};
-constexpr std::array<int, 23> kReadV_1{0, 1, 2, 3, 4, 5, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
-constexpr std::array<int, 14> kOwn_1{21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 24> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35};
+constexpr std::array<int, 23> kReadV_0{0, 1, 2, 3, 4, 5, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 15> kOwn_0{20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 21> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
+constexpr std::array<int, 20> kReadV_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
+constexpr std::array<int, 20> kOwn_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {22, kReadQ_0.data(), 21, kReadV_0.data(), 21, kOwn_0.data()},
-    {24, kReadQ_1.data(), 23, kReadV_1.data(), 14, kOwn_1.data()},
+    {24, kReadQ_0.data(), 23, kReadV_0.data(), 15, kOwn_0.data()},
+    {21, kReadQ_1.data(), 20, kReadV_1.data(), 20, kOwn_1.data()},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -3749,20 +3822,20 @@ class Watch {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<Stage, 7> kStages_0{ {
-    {"kinematics", 15, -1},
-    {"assembly", 14, -1},
+    {"kinematics", 29, -1},
+    {"assembly", 16, -1},
     {"receive", -1, 0},
     {"assembly", 15, -1},
     {"disassembly", 15, -1},
     {"send", -1, 1},
-    {"disassembly", 14, -1},
+    {"disassembly", 16, -1},
 } };
 constexpr std::array<Stage, 5> kStages_1{ {
-    {"kinematics", 29, -1},
-    {"assembly", 16, -1},
+    {"kinematics", 14, -1},
+    {"assembly", 14, -1},
     {"send", -1, 0},
     {"receive", -1, 1},
-    {"disassembly", 16, -1},
+    {"disassembly", 14, -1},
 } };
 constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data()};
 constexpr std::array<int, kProcesses> kStageCount{7, 5};

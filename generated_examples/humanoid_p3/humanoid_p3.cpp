@@ -2,17 +2,19 @@
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // options   form ada, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// schedule  __base__@0-2(|waist_yaw(left_hip_pitch@0(right_hip_pitch(|right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll))))) | waist_roll@1-2(|waist_pitch(|left_shoulder_pitch(neck_yaw@1(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll@2(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch)))))))))
+// schedule  waist_yaw@0-2(__base__@0(|left_hip_pitch(right_hip_pitch(|right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll)))))) | waist_roll@1-2(|waist_pitch(|left_shoulder_pitch(neck_yaw@1(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll@2(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch))))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
 // b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
 // joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
-// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. How to read on:
+// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
+//
+// How to read on:
 //   1. interface   what a program that links this file calls
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint: its memory, kinematics, assembly, disassembly
+//   4. joints      for each joint its memory, then what is done with it, step by step
 //   5. processes   who does what, in order
 //   6. program     states in, accelerations out; check; time
 
@@ -88,6 +90,12 @@ void humanoid_p3_close(humanoid_p3_solver* solver);
 #include <Eigen/Geometry>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
+// A counted loop that is to be unrolled whole, so that indices computed in it become constants.
+#if defined(__clang__)
+#define ADAGEN_FOR(k, first, last) _Pragma("clang loop unroll(full)") for (int k = first; k < last; ++k)
+#else
+#define ADAGEN_FOR(k, first, last) _Pragma("GCC unroll 16") for (int k = first; k < last; ++k)
+#endif
 
 namespace {
 
@@ -965,7 +973,11 @@ struct Joint_base {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "pelvis"
   Columns6 b;  // bias of the bare link "pelvis"
+  Mat6 Phi_pelvis;  // of the chain it completes
+  Columns6 b_pelvis;
   Joined<Floating> joined;
+  Coupled<Floating> at_pelvis;
+  Columns6 F_on_pelvis;  // outer wrench on that chain
 };
 
 struct Joint_left_hip_pitch {
@@ -1103,12 +1115,8 @@ struct Joint_right_ankle_roll {
 struct Joint_waist_yaw {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "waist_link"
-  Mat6 Phi_pelvis;  // of the chain it completes
-  Columns6 b_pelvis;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_pelvis;
   Columns6 b;  // bias of the bare link "waist_link"
-  Columns6 F_on_pelvis;  // outer wrench on that chain
 };
 
 struct Joint_waist_roll {
@@ -1486,21 +1494,25 @@ void kinematics_base(Workspace& w) {
   i.v = joint_velocity<Floating>(w.v + 0);
 }
 
-// A: the ground "__world__"; B: the chain of "waist_yaw"; C feels the joint at no link
+// A: the ground "__world__"; B: the chain of "left_hip_pitch"; C feels the joint at "pelvis"
 void assemble_base(Workspace& w) {
   auto& i = w.j_base;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
-  if (!join(i.joined, kZero, w.j_waist_yaw.Phi_pelvis, i.X * kGround, w.j_waist_yaw.b_pelvis, c))
+  if (!join(i.joined, kZero, w.j_left_hip_pitch.Phi_pelvis, i.X * kGround, w.j_left_hip_pitch.b_pelvis, c))
     fail(w, kFactorization, 0);
+  couple(i.joined, w.j_left_hip_pitch.Phi_pelvis, i.at_pelvis);
+  i.Phi_pelvis = w.j_left_hip_pitch.Phi_pelvis - product(i.at_pelvis, i.at_pelvis);  // Eq. (4)
+  i.b_pelvis = w.j_left_hip_pitch.b_pelvis + bias_change(i.joined, i.at_pelvis);  // Eq. (7)
 }
 
 void disassemble_base(Workspace& w) {
   auto& i = w.j_base;
   Release<Floating> release(i.joined);
+  release.feel_B(i.at_pelvis, w.j_base.F_on_pelvis);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 0, 0, release.qdd());  // Eq. (9)
-  w.j_waist_yaw.F_on_pelvis = f;
+  w.j_left_hip_pitch.F_on_pelvis = w.j_base.F_on_pelvis + f;
 }
 
 // =================================================================================================
@@ -1999,27 +2011,23 @@ void kinematics_waist_yaw(Workspace& w) {
   i.v = i.X * w.j_base.v + joint_velocity<Revolute>(w.v + 18);
 }
 
-// A: the chain of "left_hip_pitch"; B: the chain of "waist_roll"; C feels the joint at "pelvis"
+// A: the chain of "__base__"; B: the chain of "waist_roll"; C feels the joint at no link
 void assemble_waist_yaw(Workspace& w) {
   auto& i = w.j_waist_yaw;
   load_torque(w, 13, 18, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_left_hip_pitch.Phi_pelvis;
+  const Mat6 X_Phi_A = i.X * w.j_base.Phi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 18);
-  if (!join(i.joined, Phi_A, w.j_waist_roll.Phi_waist_link, i.X * w.j_left_hip_pitch.b_pelvis, w.j_waist_roll.b_waist_link, c))
+  if (!join(i.joined, Phi_A, w.j_waist_roll.Phi_waist_link, i.X * w.j_base.b_pelvis, w.j_waist_roll.b_waist_link, c))
     fail(w, kFactorization, 13);
-  couple(i.joined, X_Phi_A, i.at_pelvis);
-  i.Phi_pelvis = w.j_left_hip_pitch.Phi_pelvis - product(i.at_pelvis, i.at_pelvis);  // Eq. (3)
-  i.b_pelvis = w.j_left_hip_pitch.b_pelvis - bias_change(i.joined, i.at_pelvis);  // Eq. (6)
 }
 
 void disassemble_waist_yaw(Workspace& w) {
   auto& i = w.j_waist_yaw;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_pelvis, w.j_waist_yaw.F_on_pelvis);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 13, 18, release.qdd());  // Eq. (9)
-  w.j_left_hip_pitch.F_on_pelvis = w.j_waist_yaw.F_on_pelvis - i.X.transposed_times(f);
+  w.j_base.F_on_pelvis = -i.X.transposed_times(f);
   w.j_waist_roll.F_on_waist_link = f;
 }
 
@@ -2708,6 +2716,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   link_bias(kLinks[2], w.j_left_hip_pitch.v, w.j_left_hip_pitch.b);
   assemble_left_hip_roll(w);
   assemble_left_hip_pitch(w);
+  assemble_base(w);
   stamp(2);
   {  // from process 1: assembled: chain of "waist_roll"
     const Real* from = channel.receive(1, w.status);
@@ -2716,9 +2725,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   }
   stamp(3);
   assemble_waist_yaw(w);
-  assemble_base(w);
   stamp(4);
-  disassemble_base(w);
   disassemble_waist_yaw(w);
   stamp(5);
   {  // to process 1: forces on: chain of "waist_roll"
@@ -2727,6 +2734,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(2, w.status);
   }
   stamp(6);
+  disassemble_base(w);
   disassemble_left_hip_pitch(w);
   disassemble_right_hip_pitch(w);
   disassemble_right_hip_roll(w);
@@ -3650,12 +3658,12 @@ class Watch {
 // The stages of each process's work, for --trace.
 constexpr std::array<Stage, 7> kStages_0{ {
     {"kinematics", 13, -1},
-    {"assembly", 1, -1},
-    {"receive", -1, 1},
     {"assembly", 0, -1},
-    {"disassembly", 0, -1},
+    {"receive", -1, 1},
+    {"assembly", 13, -1},
+    {"disassembly", 13, -1},
     {"send", -1, 2},
-    {"disassembly", 1, -1},
+    {"disassembly", 0, -1},
 } };
 constexpr std::array<Stage, 9> kStages_1{ {
     {"kinematics", 29, -1},

@@ -5,14 +5,16 @@
 // schedule  drive@0(|laser_spin(lift(|shoulder(|wrist(|loose)))|))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
-// b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
-// joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
-// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. How to read on:
+// Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
+// link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
+// accelerations come back. Spatial vectors are [angular; linear], in link frames turned so that every
+// joint axis is z.
+//
+// How to read on:
 //   1. interface   what a program that links this file calls
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint: its memory, kinematics, assembly, disassembly
+//   4. joints      for each joint its memory, then what is done with it, step by step
 //   5. processes   who does what, in order
 //   6. program     states in, accelerations out; check; time
 
@@ -88,6 +90,12 @@ void mobile_p1_close(mobile_p1_solver* solver);
 #include <Eigen/Geometry>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
+// A counted loop that is to be unrolled whole, so that indices computed in it become constants.
+#if defined(__clang__)
+#define ADAGEN_FOR(k, first, last) _Pragma("clang loop unroll(full)") for (int k = first; k < last; ++k)
+#else
+#define ADAGEN_FOR(k, first, last) _Pragma("GCC unroll 16") for (int k = first; k < last; ++k)
+#endif
 
 namespace {
 
@@ -582,50 +590,111 @@ class Release {
 // frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
 // sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
 
-[[maybe_unused]] Mat3 cross_from_left(const Vec3& r, const Mat3& m) {
-  Mat3 result;
-  for (int k = 0; k < 3; ++k) result.col(k) = r.cross(m.col(k));
+// A spatial inertia [[A, B], [B^T, C]]: A and C symmetric, their upper triangles row by row; B row
+// by row. 21 numbers, and half the work of a 6x6 matrix.
+struct Inertia {
+  std::array<Real, 6> A, C;
+  std::array<Real, 9> B;
+
+  static constexpr int symmetric(int i, int k) {
+    return i <= k ? i * (5 - i) / 2 + k : symmetric(k, i);
+  }
+
+  constexpr Real operator()(int i, int k) const {
+    if (i < 3 && k < 3) return A[symmetric(i, k)];
+    if (i >= 3 && k >= 3) return C[symmetric(i - 3, k - 3)];
+    return i < 3 ? B[3 * i + k - 3] : B[3 * k + i - 3];
+  }
+
+  // Sets the entries (i, k) and (k, i), which are one.
+  constexpr void set(int i, int k, Real value) {
+    if (i < 3 && k < 3)
+      A[symmetric(i, k)] = value;
+    else if (i >= 3 && k >= 3)
+      C[symmetric(i - 3, k - 3)] = value;
+    else if (i < 3)
+      B[3 * i + k - 3] = value;
+    else
+      B[3 * k + i - 3] = value;
+  }
+
+  Inertia& operator+=(const Inertia& other) {
+    ADAGEN_FOR (k, 0, 6) A[k] += other.A[k], C[k] += other.C[k];
+    ADAGEN_FOR (k, 0, 9) B[k] += other.B[k];
+    return *this;
+  }
+};
+
+// T^T m T for a symmetric m, T being E or, transposed, E^T; both row by row.
+template <bool transposed>
+std::array<Real, 6> rotated(const Mat3& E, const std::array<Real, 6>& m) {
+  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
+  std::array<Real, 9> half;  // m T
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      half[3 * i + k] = m[Inertia::symmetric(i, 0)] * T(0, k) +
+                        m[Inertia::symmetric(i, 1)] * T(1, k) +
+                        m[Inertia::symmetric(i, 2)] * T(2, k);
+  std::array<Real, 6> result;
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, i, 3)
+      result[Inertia::symmetric(i, k)] =
+          T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
   return result;
 }
 
-// m rx
-[[maybe_unused]] Mat3 cross_from_right(const Mat3& m, const Vec3& r) {
-  Mat3 result;
-  for (int k = 0; k < 3; ++k) result.row(k) = m.row(k).transpose().cross(r).transpose();
+template <bool transposed>
+std::array<Real, 9> rotated(const Mat3& E, const std::array<Real, 9>& m) {
+  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
+  std::array<Real, 9> half, result;
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      half[3 * i + k] = m[3 * i] * T(0, k) + m[3 * i + 1] * T(1, k) + m[3 * i + 2] * T(2, k);
+  ADAGEN_FOR (i, 0, 3)
+    ADAGEN_FOR (k, 0, 3)
+      result[3 * i + k] = T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
   return result;
+}
+
+// The inertia m told at a point whose origin is at -r from the one it is told at:
+// B + rx C, and A + rx (B + rx C)^T - B rx.
+inline void shift(const Vec3& r, Inertia& m) {
+  const auto& C = m.C;
+  auto& A = m.A;
+  const std::array<Real, 9> B = m.B;
+  auto& S = m.B;
+  const auto c = [&C](int i, int k) { return C[Inertia::symmetric(i, k)]; };
+  ADAGEN_FOR (k, 0, 3) {
+    S[k] += r[1] * c(2, k) - r[2] * c(1, k);
+    S[3 + k] += r[2] * c(0, k) - r[0] * c(2, k);
+    S[6 + k] += r[0] * c(1, k) - r[1] * c(0, k);
+  }
+  A[0] += r[1] * S[2] - r[2] * S[1] - (B[1] * r[2] - B[2] * r[1]);
+  A[1] += r[1] * S[5] - r[2] * S[4] - (B[2] * r[0] - B[0] * r[2]);
+  A[2] += r[1] * S[8] - r[2] * S[7] - (B[0] * r[1] - B[1] * r[0]);
+  A[3] += r[2] * S[3] - r[0] * S[5] - (B[5] * r[0] - B[3] * r[2]);
+  A[4] += r[2] * S[6] - r[0] * S[8] - (B[3] * r[1] - B[4] * r[0]);
+  A[5] += r[0] * S[7] - r[1] * S[6] - (B[6] * r[1] - B[7] * r[0]);
 }
 
 // target += X^T m X: an inertia in the child's frame, felt in the parent's.
-ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Mat6& m, Mat6& target) {
-  const Mat3 A = X.E.transpose() * m.topLeftCorner<3, 3>() * X.E;
-  const Mat3 B = X.E.transpose() * m.topRightCorner<3, 3>() * X.E;
-  const Mat3 C = X.E.transpose() * m.bottomRightCorner<3, 3>() * X.E;
-  const Mat3 shifted = B + cross_from_left(X.r, C);
-  target.topLeftCorner<3, 3>() +=
-      A + cross_from_left(X.r, shifted.transpose()) - cross_from_right(B, X.r);
-  target.topRightCorner<3, 3>() += shifted;
-  target.bottomLeftCorner<3, 3>() += shifted.transpose();
-  target.bottomRightCorner<3, 3>() += C;
+ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Inertia& m, Inertia& target) {
+  Inertia turned{rotated<false>(X.E, m.A), rotated<false>(X.E, m.C), rotated<false>(X.E, m.B)};
+  shift(X.r, turned);
+  target += turned;
 }
 
 // X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
-ADAGEN_NOINLINE Mat6 in_child(const Transform& X, const Mat6& m) {
-  const Mat3 B = m.topRightCorner<3, 3>(), C = m.bottomRightCorner<3, 3>();
-  const Mat3 shifted = B - cross_from_left(X.r, C);
-  const Mat3 A = m.topLeftCorner<3, 3>() - cross_from_left(X.r, shifted.transpose()) +
-                 cross_from_right(B, X.r);
-  Mat6 result;
-  result.topLeftCorner<3, 3>() = X.E * A * X.E.transpose();
-  result.topRightCorner<3, 3>() = X.E * shifted * X.E.transpose();
-  result.bottomLeftCorner<3, 3>() = result.topRightCorner<3, 3>().transpose();
-  result.bottomRightCorner<3, 3>() = X.E * C * X.E.transpose();
-  return result;
+ADAGEN_NOINLINE Inertia in_child(const Transform& X, const Inertia& m) {
+  Inertia moved = m;
+  shift(-X.r, moved);
+  return {rotated<true>(X.E, moved.A), rotated<true>(X.E, moved.C), rotated<true>(X.E, moved.B)};
 }
 
 // X^-T f: a wrench on the parent, felt in the child's frame.
 [[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
   Columns6 result;
-  for (int k = 0; k < kColumns; ++k) {
+  ADAGEN_FOR (k, 0, kColumns) {
     const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
     result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
     result.col(k).template tail<3>() = X.E * force;
@@ -638,7 +707,7 @@ template <int columns>
 Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
                                                  const Eigen::Matrix<Real, 6, columns>& m) {
   Eigen::Matrix<Real, 6, columns> result;
-  for (int k = 0; k < columns; ++k) {
+  ADAGEN_FOR (k, 0, columns) {
     const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
     result.col(k).template head<3>() = angular;
     result.col(k).template tail<3>() =
@@ -661,28 +730,31 @@ std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kC
 }
 
 // Spatial inertia of a link at its origin.
-Mat6 spatial_inertia(const LinkConstants& link) {
-  const Vec3 c(link.com[0], link.com[1], link.com[2]);
-  const Mat3 cx = cross_from_left(c, Mat3::Identity());
-  Mat6 result;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) result(i, k) = link.tensor[3 * i + k];
-  result.topLeftCorner<3, 3>() -= link.mass * cx * cx;
-  result.topRightCorner<3, 3>() = link.mass * cx;
-  result.bottomLeftCorner<3, 3>() = -link.mass * cx;
-  result.bottomRightCorner<3, 3>() = link.mass * Mat3::Identity();
-  return result;
+Inertia spatial_inertia(const LinkConstants& link) {
+  const Real x = link.com[0], y = link.com[1], z = link.com[2], m = link.mass;
+  const Real* const t = link.tensor;
+  return {{t[0] + m * (y * y + z * z), t[1] - m * x * y, t[2] - m * x * z,
+           t[4] + m * (x * x + z * z), t[5] - m * y * z, t[8] + m * (x * x + y * y)},
+          {m, 0, 0, m, 0, m},
+          {0, -m * z, m * y, m * z, 0, -m * x, -m * y, m * x, 0}};
 }
 
 // I^A and p^A of a link start as its own inertia and v x* I v.
-ADAGEN_NOINLINE void start_link(const Mat6& inertia, const Vec6& velocity, Mat6& IA, Columns6& pA) {
+ADAGEN_NOINLINE void start_link(const Inertia& inertia, const Vec6& velocity, Inertia& IA,
+                                Columns6& pA) {
   IA = inertia;
-  const Vec6 momentum = inertia * velocity;
-  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
-  const Vec3 angular = momentum.head<3>(), linear = momentum.tail<3>();
-  pA.setZero();
-  pA.col(0).template head<3>() = omega.cross(angular) + v.cross(linear);
-  pA.col(0).template tail<3>() = omega.cross(linear);
+  const auto& A = inertia.A;
+  const Vec3 w = velocity.head<3>(), v = velocity.tail<3>();
+  const Real mass = inertia.C[0];
+  const Vec3 mc(inertia.B[7], inertia.B[2], inertia.B[3]);  // mass times centre of mass
+  const Vec3 angular =
+      Vec3(A[0] * w[0] + A[1] * w[1] + A[2] * w[2], A[1] * w[0] + A[3] * w[1] + A[4] * w[2],
+           A[2] * w[0] + A[4] * w[1] + A[5] * w[2]) +
+      mc.cross(v);
+  const Vec3 linear = mass * v + w.cross(mc);
+  if constexpr (kColumns > 1) pA.setZero();
+  pA.col(0).template head<3>() = w.cross(angular) + v.cross(linear);
+  pA.col(0).template tail<3>() = w.cross(linear);
 }
 
 template <class Kind>
@@ -710,17 +782,17 @@ struct Articulated {
 // hands on to its near side, by exact projection: nothing along S but the torque. Returns false
 // where D cannot be factorized.
 template <class Kind>
-ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I, const Columns6& p,
-                                Mat6& handed, Columns6& force) {
+ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia& I,
+                                const Columns6& p, Inertia& handed, Columns6& force) {
   constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
   constexpr auto& free = Kind::Free::row;
   [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
   bool good = true;
-  for (int k = 0; k < n; ++k) {
-    for (int l = 0; l < n; ++l) i.D[k][l] = I(free[k], free[l]);
+  ADAGEN_FOR (k, 0, n) {
+    ADAGEN_FOR (l, 0, n) i.D[k][l] = I(free[k], free[l]);
     i.E[k] = {};
-    for (int l = 0; l < m; ++l) i.E[k][constrained[l]] = I(free[k], constrained[l]);
-    for (int c = 0; c < kColumns; ++c) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
+    ADAGEN_FOR (l, 0, m) i.E[k][constrained[l]] = I(free[k], constrained[l]);
+    ADAGEN_FOR (c, 0, kColumns) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
   }
   if constexpr (n == 1) {
     good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
@@ -731,26 +803,25 @@ ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Mat6& I,
   i.solve(i.E);
   auto moved = i.u;
   i.solve(moved);
-  handed.setZero();
-  force.setZero();
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (l, 0, 6) handed.set(free[k], l, 0);
   if constexpr (m > 0) {
-    for (int r = 0; r < m; ++r)
-      for (int s = 0; s < m; ++s) {
+    ADAGEN_FOR (r, 0, m)
+      ADAGEN_FOR (s, r, m) {
         Real x = I(constrained[r], constrained[s]);
-        for (int k = 0; k < n; ++k) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
-        handed(constrained[r], constrained[s]) = x;
+        ADAGEN_FOR (k, 0, n) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
+        handed.set(constrained[r], constrained[s], x);
       }
-    for (int c = 0; c < kColumns; ++c)
-      for (int r = 0; r < m; ++r) {
+    ADAGEN_FOR (c, 0, kColumns)
+      ADAGEN_FOR (r, 0, m) {
         Real x = p(constrained[r], c);
-        for (int k = 0; k < n; ++k) x += I(constrained[r], free[k]) * moved[k][c];
-        for (int s = 0; s < m; ++s)
-          x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
+        ADAGEN_FOR (k, 0, n) x += I(constrained[r], free[k]) * moved[k][c];
+        ADAGEN_FOR (s, 0, m) x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
         force(constrained[r], c) = x;
       }
   }
-  for (int k = 0; k < n; ++k)
-    for (int c = 0; c < kColumns; ++c) force(free[k], c) = sigma * i.tau[k][c];
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (c, 0, kColumns) force(free[k], c) = sigma * i.tau[k][c];
   return good;
 }
 
@@ -761,23 +832,23 @@ std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated
   a += i.c;
   auto moved = i.u;
   i.solve(moved);
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) {
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) {
       const int row = Kind::Free::row[k];
       Real x = moved[k][c];
       for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
       moved[k][c] = x - a(row, c);
     }
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) a(Kind::Free::row[k], c) += moved[k][c];
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) a(Kind::Free::row[k], c) += moved[k][c];
   return moved;
 }
 
 // K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
 template <class Kind>
 ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
-  for (int k = 0; k < kFree<Kind>; ++k) m.row(Kind::Free::row[k]).setZero();
-  for (int k = 0; k < kFree<Kind>; ++k)
+  ADAGEN_FOR (k, 0, (kFree<Kind>)) m.row(Kind::Free::row[k]).setZero();
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
     for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
 }
 
@@ -789,17 +860,17 @@ ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
   m.transposeInPlace();
   share(i, m);
   std::array<std::array<Real, n>, n> inverse{};
-  for (int k = 0; k < n; ++k) inverse[k][k] = 1;
+  ADAGEN_FOR (k, 0, n) inverse[k][k] = 1;
   i.solve(inverse);
-  for (int k = 0; k < n; ++k)
-    for (int l = 0; l < n; ++l) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
+  ADAGEN_FOR (k, 0, n)
+    ADAGEN_FOR (l, 0, n) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
 }
 
 // A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
 template <class Kind>
 void deliver(Articulated<Kind>& i, Columns6& load) {
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) {
+  ADAGEN_FOR (k, 0, (kFree<Kind>))
+    ADAGEN_FOR (c, 0, kColumns) {
       Real& along = load(Kind::Free::row[k], c);
       i.u[k][c] += along;
       for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
@@ -808,18 +879,18 @@ void deliver(Articulated<Kind>& i, Columns6& load) {
 }
 
 // Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
-ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns6& b) {
+ADAGEN_NOINLINE bool invert(const Inertia& I, const Columns6& p, Mat6& Phi, Columns6& b) {
   std::array<std::array<Real, 6>, 6> L, x{};
-  for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
     x[i][i] = 1;
   }
   const bool good = factorize(L);
   forward_substitute(L, x);
-  for (int i = 0; i < 6; ++i)
-    for (int k = i; k < 6; ++k) {
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, i, 6) {
       Real sum = 0;
-      for (int row = 0; row < 6; ++row) sum += x[row][i] * x[row][k];
+      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
       Phi(i, k) = Phi(k, i) = sum;
     }
   b.noalias() = -Phi * p;
@@ -827,18 +898,18 @@ ADAGEN_NOINLINE bool invert(const Mat6& I, const Columns6& p, Mat6& Phi, Columns
 }
 
 // a with I^A a = -p^A: nothing else acts on the link.
-ADAGEN_NOINLINE bool solve_root(const Mat6& I, const Columns6& p, Columns6& a) {
+ADAGEN_NOINLINE bool solve_root(const Inertia& I, const Columns6& p, Columns6& a) {
   std::array<std::array<Real, 6>, 6> L;
   std::array<std::array<Real, kColumns>, 6> x;
-  for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < 6; ++k) L[i][k] = I(i, k);
-    for (int c = 0; c < kColumns; ++c) x[i][c] = -p(i, c);
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
+    ADAGEN_FOR (c, 0, kColumns) x[i][c] = -p(i, c);
   }
   const bool good = factorize(L);
   forward_substitute(L, x);
   backward_substitute(L, x);
-  for (int i = 0; i < 6; ++i)
-    for (int c = 0; c < kColumns; ++c) a(i, c) = x[i][c];
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (c, 0, kColumns) a(i, c) = x[i][c];
   return good;
 }
 
@@ -1076,7 +1147,7 @@ struct Workspace;
 struct Joint_drive {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "cart"
-  Mat6 IA;  // articulated-body inertia of link "cart"
+  Inertia IA;  // articulated-body inertia of link "cart"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Planar> body;
@@ -1085,7 +1156,7 @@ struct Joint_drive {
 struct Joint_laser_spin {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "laser"
-  Mat6 IA;  // articulated-body inertia of link "laser"
+  Inertia IA;  // articulated-body inertia of link "laser"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1094,7 +1165,7 @@ struct Joint_laser_spin {
 struct Joint_lift {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "carriage"
-  Mat6 IA;  // articulated-body inertia of link "carriage"
+  Inertia IA;  // articulated-body inertia of link "carriage"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Prismatic> body;
@@ -1103,7 +1174,7 @@ struct Joint_lift {
 struct Joint_shoulder {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "boom"
-  Mat6 IA;  // articulated-body inertia of link "boom"
+  Inertia IA;  // articulated-body inertia of link "boom"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1112,7 +1183,7 @@ struct Joint_shoulder {
 struct Joint_wrist {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "bowl"
-  Mat6 IA;  // articulated-body inertia of link "bowl"
+  Inertia IA;  // articulated-body inertia of link "bowl"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
@@ -1121,7 +1192,7 @@ struct Joint_wrist {
 struct Joint_loose {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "load"
-  Mat6 IA;  // articulated-body inertia of link "load"
+  Inertia IA;  // articulated-body inertia of link "load"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Floating> body;
@@ -1257,12 +1328,12 @@ void store_coupled(Workspace& w, int joint, int v,
   store_acceleration(w, joint, v, sum);
 }
 
-const Mat6 kInertia_cart = spatial_inertia(kLinks[1]);
-const Mat6 kInertia_laser = spatial_inertia(kLinks[2]);
-const Mat6 kInertia_carriage = spatial_inertia(kLinks[3]);
-const Mat6 kInertia_boom = spatial_inertia(kLinks[4]);
-const Mat6 kInertia_bowl = spatial_inertia(kLinks[5]);
-const Mat6 kInertia_load = spatial_inertia(kLinks[6]);
+const Inertia kInertia_cart = spatial_inertia(kLinks[1]);
+const Inertia kInertia_laser = spatial_inertia(kLinks[2]);
+const Inertia kInertia_carriage = spatial_inertia(kLinks[3]);
+const Inertia kInertia_boom = spatial_inertia(kLinks[4]);
+const Inertia kInertia_bowl = spatial_inertia(kLinks[5]);
+const Inertia kInertia_load = spatial_inertia(kLinks[6]);
 
 // =================================================================================================
 // Joint 0 "drive": planar, between links "floor" and "cart"
@@ -1285,9 +1356,9 @@ void articulate_drive(Workspace& w) {
   auto& i = w.j_drive;
   load_torque(w, 0, 0, i.body.tau);
   i.body.c = Columns6::Zero();
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_drive.IA, w.j_drive.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 0);
 }
 
@@ -1295,7 +1366,7 @@ void accelerate_drive(Workspace& w) {
   auto& i = w.j_drive;
   Columns6 a = i.X * kGround;
   const auto qdd = accelerate(i.body, a);
-  w.j_drive.a = a;
+  i.a = a;
   store_acceleration(w, 0, 0, qdd);
 }
 
@@ -1320,9 +1391,9 @@ void articulate_laser_spin(Workspace& w) {
   auto& i = w.j_laser_spin;
   load_torque(w, 1, 3, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 3);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_laser_spin.IA, w.j_laser_spin.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 1);
   add_in_parent(i.X, handed, w.j_drive.IA);
   w.j_drive.pA += i.X.transposed_times(force);
@@ -1332,7 +1403,7 @@ void accelerate_laser_spin(Workspace& w) {
   auto& i = w.j_laser_spin;
   Columns6 a = i.X * w.j_drive.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_laser_spin.a = a;
+  i.a = a;
   store_acceleration(w, 1, 3, qdd);
 }
 
@@ -1356,9 +1427,9 @@ void articulate_lift(Workspace& w) {
   auto& i = w.j_lift;
   load_torque(w, 2, 4, i.body.tau);
   i.body.c = velocity_product<Prismatic>(i.v, w.v + 4);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_lift.IA, w.j_lift.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 2);
   add_in_parent(i.X, handed, w.j_drive.IA);
   w.j_drive.pA += i.X.transposed_times(force);
@@ -1368,7 +1439,7 @@ void accelerate_lift(Workspace& w) {
   auto& i = w.j_lift;
   Columns6 a = i.X * w.j_drive.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_lift.a = a;
+  i.a = a;
   store_acceleration(w, 2, 4, qdd);
 }
 
@@ -1393,9 +1464,9 @@ void articulate_shoulder(Workspace& w) {
   auto& i = w.j_shoulder;
   load_torque(w, 3, 5, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 5);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_shoulder.IA, w.j_shoulder.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 3);
   add_in_parent(i.X, handed, w.j_lift.IA);
   w.j_lift.pA += i.X.transposed_times(force);
@@ -1405,7 +1476,7 @@ void accelerate_shoulder(Workspace& w) {
   auto& i = w.j_shoulder;
   Columns6 a = i.X * w.j_lift.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_shoulder.a = a;
+  i.a = a;
   store_acceleration(w, 3, 5, qdd);
 }
 
@@ -1430,9 +1501,9 @@ void articulate_wrist(Workspace& w) {
   auto& i = w.j_wrist;
   load_torque(w, 4, 6, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_wrist.IA, w.j_wrist.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 4);
   add_in_parent(i.X, handed, w.j_shoulder.IA);
   w.j_shoulder.pA += i.X.transposed_times(force);
@@ -1442,7 +1513,7 @@ void accelerate_wrist(Workspace& w) {
   auto& i = w.j_wrist;
   Columns6 a = i.X * w.j_shoulder.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_wrist.a = a;
+  i.a = a;
   store_acceleration(w, 4, 6, qdd);
 }
 
@@ -1468,9 +1539,9 @@ void articulate_loose(Workspace& w) {
   auto& i = w.j_loose;
   load_torque(w, 5, 7, i.body.tau);
   i.body.c = velocity_product<Floating>(i.v, w.v + 7);
-  Mat6 handed;
+  Inertia handed;
   Columns6 force;
-  if (!articulate(i.body, 1, w.j_loose.IA, w.j_loose.pA, handed, force))
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 5);
   add_in_parent(i.X, handed, w.j_wrist.IA);
   w.j_wrist.pA += i.X.transposed_times(force);
@@ -1480,7 +1551,7 @@ void accelerate_loose(Workspace& w) {
   auto& i = w.j_loose;
   Columns6 a = i.X * w.j_wrist.a;
   const auto qdd = accelerate(i.body, a);
-  w.j_loose.a = a;
+  i.a = a;
   store_acceleration(w, 5, 7, qdd);
 }
 

@@ -8,11 +8,13 @@
 // The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
 // b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
 // joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
-// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. How to read on:
+// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
+//
+// How to read on:
 //   1. interface   what a program that links this file calls
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint: its memory, kinematics, assembly, disassembly
+//   4. joints      for each joint its memory, then what is done with it, step by step
 //   5. processes   who does what, in order
 //   6. program     states in, accelerations out; check; time
 
@@ -88,6 +90,12 @@ void mobile_p3_close(mobile_p3_solver* solver);
 #include <Eigen/Geometry>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
+// A counted loop that is to be unrolled whole, so that indices computed in it become constants.
+#if defined(__clang__)
+#define ADAGEN_FOR(k, first, last) _Pragma("clang loop unroll(full)") for (int k = first; k < last; ++k)
+#else
+#define ADAGEN_FOR(k, first, last) _Pragma("GCC unroll 16") for (int k = first; k < last; ++k)
+#endif
 
 namespace {
 
