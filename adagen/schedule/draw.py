@@ -156,7 +156,7 @@ def _gantt_legend(canvas: Canvas, x: float, y: float) -> None:
     canvas.text(x + 24, y, "assembly", 10, fill=MUTED)
     canvas.rect(x + 84, y - 9, 18, 11, first)
     canvas.rect(x + 84, y - 5.5, 18, 4, "#ffffff")
-    canvas.text(x + 108, y, "disassembly (half of Eq. 11 each)", 10, fill=MUTED)
+    canvas.text(x + 108, y, "disassembly (half of a cost each)", 10, fill=MUTED)
     canvas.rect(x + 296, y - 9, 18, 11, WAIT)
     canvas.text(x + 320, y, "waiting", 10, fill=MUTED)
     canvas.path([(x + 376, y - 4), (x + 394, y - 4)], INK)
