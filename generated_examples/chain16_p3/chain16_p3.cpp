@@ -2774,7 +2774,20 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
   }
 }
 
-// |ID(q, v, qdd) - tau| relative to the size of the torques that it balances.
+// How far slaved accelerations are from following their sources, relative to their size.
+double slip(const Real* qdd) {
+  double worst = 0;
+  for (const JointConstants& joint : kJoints) {
+    if (joint.source < 0) continue;
+    const double own = double(qdd[joint.v]);
+    const double due = joint.multiplier * double(qdd[kJoints[joint.source].v]);
+    worst = std::max(worst, std::abs(own - due) / std::max(1.0, std::abs(due)));
+  }
+  return worst;
+}
+
+// The larger of that and of |ID(q, v, qdd) - tau| relative to the size of the torques that it
+// balances.
 double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
   static std::array<double, kNv> needed, at_rest;
   static std::array<Real, kNv> zero{};
@@ -2792,7 +2805,7 @@ double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) 
     error += (needed[k] - given[k]) * (needed[k] - given[k]);
     size += given[k] * given[k] + at_rest[k] * at_rest[k];
   }
-  return size > 0 ? std::sqrt(error / size) : std::sqrt(error);
+  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(qdd));
 }
 
 }  // namespace check
