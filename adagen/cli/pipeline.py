@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import argparse
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, get_args
@@ -135,14 +136,26 @@ def draw(schedule: Schedule, model: Model) -> str:
     return schedule_svg(schedule, Topology.of(model), title)
 
 
+@contextmanager
+def _about(file: str) -> Iterator[None]:
+    """Name the robot's file in refusals of stages that know the robot, not where it came from."""
+    try:
+        yield
+    except InputError as error:
+        if error.file is None:
+            raise InputError(error.message, file) from None
+        raise
+
+
 def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Generated:
     """Return all that is emitted for a robot under the options; nothing is written.
 
     Raises:
         InputError: the robot cannot be treated in this form.
     """
-    schedule = schedule_model(model, options, stages)
-    with stages.stage("plan"), progress("planning"):
+    with _about(options.model):
+        schedule = schedule_model(model, options, stages)
+    with stages.stage("plan"), progress("planning"), _about(options.model):
         from adagen.plan import make_plan
 
         plan = make_plan(

@@ -145,6 +145,22 @@ class TestGenerate:
         (line,) = [row for row in said()[1].splitlines() if "errors of about" in row]
         assert line.startswith(f"{tmp_path / 'b.urdf'}: warning: ")
 
+    def test_a_link_that_form_ada_cannot_invert_is_refused_with_its_file(
+        self, tmp_path: Path, said: Said
+    ) -> None:
+        text = write_arm(tmp_path / "arm.urdf").read_text()
+        point = LINK.format(name="l2")
+        for number in ("0.02", "0.03", "0.01"):
+            point = point.replace(f'="{number}"', '="0"')
+        (tmp_path / "b.urdf").write_text(text.replace(LINK.format(name="l2"), point))
+        words = ["--procs", "2", "--form", "ada", "--out", str(tmp_path / "b")]
+        assert main([str(tmp_path / "b.urdf"), *words]) == 1
+        (line,) = [row for row in said()[1].splitlines() if "error:" in row]
+        assert line.startswith(f"{tmp_path / 'b.urdf'}: error: ")
+        assert "l2" in line
+        assert "form segment" in line
+        assert not (tmp_path / "b").exists()
+
     def test_the_stages_are_timed_for_who_asks(self, arm: Path, tmp_path: Path, said: Said) -> None:
         assert main([str(arm), "--procs", "2", "--out", str(tmp_path / "o"), "-v"]) == 0
         (line,) = [row for row in said()[1].splitlines() if row.startswith("stages: ")]
