@@ -11,15 +11,28 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from adagen.errors import InputError, UsageError
-from adagen.model import Inertia, Model
+from adagen.model import REVOLUTE, Inertia, Model
 from adagen.plan import FORMS, make_plan, plan_from_json, plan_to_json
 from adagen.plan.interpret import PlanError, interpret
 from adagen.plan.steps import Join, Receive, Send
 from adagen.plan.types import Plan
 from adagen.reference import exact_forward_dynamics, forward_dynamics
+from adagen.schedule import Node, Topology, find_schedule, load_profile
 from adagen.states import random_states
-from tests.models import binary, human_figure, random_tree, serial_chain, star, three_axis_chain
-from tests.schedules import random_schedule
+from tests.models import (
+    Part,
+    assemble,
+    binary,
+    human_figure,
+    random_tree,
+    rod,
+    serial_chain,
+    star,
+    three_axis_chain,
+)
+from tests.schedules import random_schedule, wrapped
+
+TIP, AXIS = np.array([0.3, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
 
 
 def worst(model: Model, plan: Plan, states: int = 2) -> float:
@@ -74,25 +87,35 @@ def test_against_sixty_digits() -> None:
     assert np.abs(interpret(plan, q, v, tau) - truth).max() < 1e-11 * np.abs(truth).max()
 
 
+def best(model: Model, processes: int) -> Plan:
+    """Return the plan of the best schedule in form ada."""
+    topology = Topology.of(model)
+    schedule = find_schedule(topology, processes, profile=load_profile("paper"))
+    return make_plan(model, schedule, form="ada")
+
+
 def test_a_hub_shares_one_block() -> None:
-    """All joints at one link share its block: a hub of 12 arms costs no 12 x 12 blocks."""
-    model = star(12, floating=True)
-    plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(3)), form="ada")
+    """All joints at one link share its block: twelve arms on a hub are one handle, not twelve."""
+    plan = best(star(12, floating=True), 1)
     joins = [step for step in plan.processes[0].steps if isinstance(step, Join)]
-    hub = model.joints[0].name
-    assert hub == "__base__"
-    for join in joins:
-        assert len(join.couplings) <= 2 + sum(b.target.row != b.target.column for b in join.blocks)
+    assert len(joins) == 25
+    assert max(len(join.couplings) for join in joins) == 1
+    assert all(update.target.row == update.target.column for j in joins for update in j.blocks)
 
 
 def test_trees_that_meet_in_the_ground_exchange_nothing() -> None:
-    rng = np.random.default_rng(8)
-    model = star(2)  # fixed base: two arms on the ground
-    plan = make_plan(model, random_schedule(model, 2, rng))
-    owners = {p for p, process in enumerate(plan.processes) if process.owns}
-    if len(owners) == 2 and not plan.messages:
-        assert worst(model, plan) < 1e-9
-    assert all(message.biases or message.forces for message in plan.messages)
+    """Process 1 has an arm of its own on the ground: its chain has no handle to tell of."""
+    chains = [Part(f"{arm}0", None, REVOLUTE, rod(1.0, TIP), axis=AXIS) for arm in "ab"]
+    chains += [Part(f"{arm}1", f"{arm}0", REVOLUTE, rod(1.0, TIP), TIP, axis=AXIS) for arm in "ab"]
+    model = assemble("two_arms", chains)
+    assert [joint.parent for joint in model.joints] == [0, 1, 0, 3]
+    other = Node(2, (1, 2), None, Node(3, (1, 2), None, None, 0.0, 1), 0.0, 1)
+    root = Node(0, (0, 2), other, Node(1, (0, 1), None, None, 0.0, 1), 0.0, 0)
+    for form in FORMS:
+        plan = make_plan(model, wrapped(root, model, 2), form=form)
+        assert [process.owns for process in plan.processes] == [(0, 1), (2, 3)]
+        assert plan.messages == ()
+        assert worst(model, plan) < 1e-12
 
 
 def test_every_message_is_sent_and_received_once() -> None:
