@@ -149,7 +149,11 @@ def add_schedule(parser: argparse.ArgumentParser) -> None:
 def add_emission(parser: argparse.ArgumentParser) -> None:
     """Add how the code is shaped."""
     parser.add_argument(
-        "--shape", choices=("auto",), default="auto", help="shape of the code (default: auto)"
+        "--shape",
+        choices=("auto", "joints"),
+        default="auto",
+        help="shape of the code: a function for each joint and step (joints), or what is fastest "
+        "for the robot (auto, default)",
     )
     parser.add_argument(
         "--channel",

@@ -179,7 +179,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
         from adagen.emit import emit
 
         name = Path(options.model).stem if options.name is None else options.name
-        files = emit(plan, name=name, svg=draw(schedule, model))
+        files = emit(plan, name=name, svg=draw(schedule, model), shape=options.shape)
     return Generated(schedule, plan, files)
 
 

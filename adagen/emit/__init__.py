@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from adagen import __version__
-from adagen.emit.joints import joint_rows
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
+from adagen.emit.shapes import SHAPES, chosen_shape
 from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words
 from adagen.model.kinds import KINDS
@@ -49,20 +49,23 @@ def stem_of(plan: Plan, name: str | None = None) -> str:
     return f"{file_stem(plan.name if name is None else name)}_p{len(plan.processes)}"
 
 
-def emit(plan: Plan, *, name: str | None = None, svg: str | None = None) -> dict[str, str]:
+def emit(
+    plan: Plan, *, name: str | None = None, svg: str | None = None, shape: str = "auto"
+) -> dict[str, str]:
     """Return the emitted files, file name to text.
 
     Args:
         plan: the plan; nothing else is looked at.
         name: what to call the files (made safe here); the robot's name if not given.
         svg: a drawing of the schedule to put beside them.
+        shape: shape of the code, one of ``adagen.emit.shapes.SHAPES``, or "auto".
 
     Returns:
         NAME_pP.cpp, NAME_pP.plan.json, Makefile and, if given, NAME_pP.svg.
     """
     stem = stem_of(plan, name)
     files = {
-        f"{stem}.cpp": source(plan, stem),
+        f"{stem}.cpp": source(plan, stem, shape),
         f"{stem}.plan.json": plan_to_json(plan),
         "Makefile": render("Makefile.j2", stem=stem, process_count=len(plan.processes)),
     }
@@ -71,9 +74,14 @@ def emit(plan: Plan, *, name: str | None = None, svg: str | None = None) -> dict
     return files
 
 
-def source(plan: Plan, stem: str) -> str:
-    """Return the C++ source of a plan; ``stem`` begins the names of its C functions."""
+def source(plan: Plan, stem: str, shape: str = "auto") -> str:
+    """Return the C++ source of a plan; ``stem`` begins the names of its C functions.
+
+    Raises:
+        UsageError: the plan cannot be emitted in this shape.
+    """
     words = Words(plan)
+    shape = chosen_shape(plan, shape)
     steps = [step for process in plan.processes for step in process.steps]
     bare = {step.link for step in steps if isinstance(step, LinkBias)}
     started = {step.link for step in steps if isinstance(step, StartLink)}
@@ -85,8 +93,7 @@ def source(plan: Plan, stem: str) -> str:
         robot=quoted(plan.name),
         source_hash=plan.source_hash or "not given",
         form=plan.form,
-        segments=bool(started),
-        shape="kernels",
+        shape=shape,
         scalar=plan.scalar,
         channel=plan.channel,
         base="floating" if plan.floating else "fixed",
@@ -113,14 +120,12 @@ def source(plan: Plan, stem: str) -> str:
             }
             for k, link in enumerate(plan.links)
         ],
-        joints=[
-            {**constants, **rows}
-            for constants, rows in zip(_joint_constants(words), joint_rows(words), strict=True)
-        ],
+        joints=_joint_constants(words),
         processes=process_rows(words),
         run_list=", ".join(f"run_{p}" for p in range(len(plan.processes))),
         messages=plan.messages,
         channel_messages=_channel_messages(words),
+        **SHAPES[shape].values(words),
     )
 
 

@@ -30,7 +30,6 @@ def process_rows(words: Words) -> list[dict[str, object]]:
     return [
         {
             "summary": _summary(words, process),
-            "lines": stamped_lines(process, partial(_lines, words, process)),
             "stages": stage_rows(process),
             "tables": _tables(words, p, process),
             "info": ", ".join(
@@ -39,6 +38,13 @@ def process_rows(words: Words) -> list[dict[str, object]]:
             ),
         }
         for p, process in enumerate(words.plan.processes)
+    ]
+
+
+def step_rows(words: Words) -> list[list[str]]:
+    """Return for each process its steps as lines, one joint and step after the other."""
+    return [
+        stamped_lines(process, partial(_lines, words, process)) for process in words.plan.processes
     ]
 
 

@@ -1,7 +1,7 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
-// options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// options   form segment, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // schedule  elbow_pitch@0-1(base_yaw@1(|shoulder_pitch(|upper_arm_roll)) | forearm_roll@0(|wrist_pitch(|flange_roll(|left_finger_slide(right_finger_slide|)))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //

@@ -1,7 +1,7 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
-// options   form ada, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // schedule  forearm_roll@0-1(elbow_pitch@0(upper_arm_roll(shoulder_pitch(base_yaw|)|)|) | wrist_pitch@1(|flange_roll(|left_finger_slide(right_finger_slide|))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //

@@ -1,7 +1,7 @@
 // Forward dynamics of "chain16" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
-// options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// options   form segment, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // schedule  joint09@0-2(joint05@0-1(joint01@1(|joint02(|joint03(|joint04))) | joint06@0(|joint07(|joint08))) | joint10@2(|joint11(|joint12(|joint13(|joint14(|joint15(|joint16)))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //

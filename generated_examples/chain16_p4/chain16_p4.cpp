@@ -1,7 +1,7 @@
 // Forward dynamics of "chain16" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
-// options   form ada, shape kernels, scalar double, channel message, fixed base, gravity 0.0, 0.0, -9.81
+// options   form ada, shape joints, scalar double, channel message, fixed base, gravity 0.0, 0.0, -9.81
 // schedule  joint08@0-3(joint07@0-1(joint04(joint03@0(joint02(joint01|)|) | joint05@1(|joint06))|) | joint12@2-3(joint09@2(|joint10(|joint11)) | joint13@3(|joint14(|joint15(|joint16)))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //

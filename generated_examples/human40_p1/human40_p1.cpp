@@ -1,7 +1,7 @@
 // Forward dynamics of "human40" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
-// options   form ada, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // schedule  root@0(|left_hip(right_hip(spine(|left_shoulder(neck(right_shoulder(|right_elbow(|right_wrist))|) | left_elbow(|left_wrist))) | right_knee(|right_ankle)) | left_knee(|left_ankle)))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
