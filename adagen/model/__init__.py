@@ -2,7 +2,8 @@
 
 from adagen.model.frames import canonical
 from adagen.model.kinds import FLOATING, KINDS, PLANAR, PRISMATIC, REVOLUTE, SPHERICAL, JointKind
-from adagen.model.model import Inertia, Joint, Link, Mimic, Model
+from adagen.model.model import Frame, Inertia, Joint, Link, Mimic, Model, Passive
+from adagen.model.rigid import Part, Pose, lump
 
 __all__ = [
     "FLOATING",
@@ -11,11 +12,16 @@ __all__ = [
     "PRISMATIC",
     "REVOLUTE",
     "SPHERICAL",
+    "Frame",
     "Inertia",
     "Joint",
     "JointKind",
     "Link",
     "Mimic",
     "Model",
+    "Part",
+    "Passive",
+    "Pose",
     "canonical",
+    "lump",
 ]

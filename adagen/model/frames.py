@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from adagen.exact import exact, identity, rotated_inertia, rotation_taking_z_to, rounded
-from adagen.model.model import Inertia, Model
+from adagen.exact import Exact, exact, identity, rotated_inertia, rotation_taking_z_to, rounded
+from adagen.model.model import Frame, Inertia, Model
 
 
 def canonical(model: Model) -> Model:
@@ -38,7 +38,15 @@ def canonical(model: Model) -> Model:
         )
         links.append(
             replace(
-                model.links[j + 1], inertia=Inertia(inertia.mass, rounded(com), rounded(tensor))
+                model.links[j + 1],
+                inertia=Inertia(inertia.mass, rounded(com), rounded(tensor)),
+                frames=tuple(_turned(frame, own) for frame in model.links[j + 1].frames),
             )
         )
     return replace(model, links=tuple(links), joints=tuple(joints))
+
+
+def _turned(frame: Frame, turn: Exact) -> Frame:
+    """Return a frame told in link axes that are turned."""
+    rotation, translation = exact(frame.rotation), exact(frame.translation)
+    return Frame(frame.name, rounded(turn.T.dot(rotation)), rounded(turn.T.dot(translation)))

@@ -35,18 +35,38 @@ class Inertia:
 
 
 @dataclass(frozen=True, eq=False)
+class Frame:
+    """Where the frame of a link is that is fixed to another one.
+
+    Attributes:
+        name: the fixed link's name.
+        rotation: its axes in the other link's frame, shape (3, 3).
+        translation: its origin in the other link's frame, shape (3,), m.
+    """
+
+    name: str
+    rotation: Array
+    translation: Array
+
+
+@dataclass(frozen=True, eq=False)
 class Link:
     """A rigid link.
 
     Attributes:
         name: its name in the robot description.
         inertia: of the link and all that is fixed to it.
-        merged: names of the links that fixed joints hold to it.
+        frames: of the links that fixed (or locked) joints hold to it.
     """
 
     name: str
     inertia: Inertia
-    merged: tuple[str, ...] = ()
+    frames: tuple[Frame, ...] = ()
+
+    @property
+    def merged(self) -> tuple[str, ...]:
+        """Names of the links that are fixed to it."""
+        return tuple(frame.name for frame in self.frames)
 
 
 @dataclass(frozen=True)
@@ -56,6 +76,35 @@ class Mimic:
     source: int
     multiplier: float
     offset: float
+
+
+@dataclass(frozen=True)
+class Passive:
+    """What a joint does by itself, for each of its degrees of freedom.
+
+    The torque that moves the links is tau - damping qd - stiffness (q - rest)
+    - friction tanh(qd / friction_speed) - rotor_inertia qdd.
+
+    Attributes:
+        damping: N m s/rad (N s/m for a prismatic joint).
+        friction: N m (N), what it comes to at speeds well above ``friction_speed``.
+        friction_speed: rad/s (m/s), over which friction changes its sign; more than 0.
+        stiffness: of a spring, N m/rad (N/m).
+        rest: where the spring has no torque, rad (m).
+        rotor_inertia: of the drive as felt at the joint, kg m^2 (kg).
+    """
+
+    damping: float = 0.0
+    friction: float = 0.0
+    friction_speed: float = 0.01
+    stiffness: float = 0.0
+    rest: float = 0.0
+    rotor_inertia: float = 0.0
+
+    @property
+    def loads(self) -> bool:
+        """Whether it changes the torque at a given state."""
+        return bool(self.damping or self.friction or self.stiffness)
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +121,8 @@ class Joint:
             normal of a planar one, (0, 0, 1) otherwise. At q = 0 the child link's frame is the
             joint frame.
         mimic: set where the joint is slaved to another one.
+        passive: damping, friction, spring and rotor inertia.
+        prescribed: whether its acceleration is known in advance: an input in place of its torque.
     """
 
     name: str
@@ -81,6 +132,8 @@ class Joint:
     translation: Array
     axis: Array
     mimic: Mimic | None = None
+    passive: Passive = Passive()
+    prescribed: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,19 +8,21 @@ from dataclasses import dataclass, field
 import numpy as np
 from flint import arb
 
-from adagen.exact import Exact, exact, identity, rotated_inertia, rotation_from_rpy, rounded
+from adagen.exact import exact, rotated_inertia, rotation_from_rpy, rounded
 from adagen.model import (
     FLOATING,
     PLANAR,
     PRISMATIC,
     REVOLUTE,
     SPHERICAL,
-    Inertia,
     Joint,
     JointKind,
     Link,
     Mimic,
     Model,
+    Part,
+    Pose,
+    lump,
 )
 from adagen.urdf.description import WITH_AXIS, Description, Inertial, JointElement, Origin, Triple
 from adagen.urdf.tree import Tree
@@ -42,20 +44,6 @@ KIND_OF: dict[str, JointKind] = {
 }
 
 
-@dataclass(frozen=True)
-class Pose:
-    """A frame in another one: x = rotation x' + translation, exact."""
-
-    rotation: Exact
-    translation: Exact
-
-    def then(self, origin: Origin) -> Pose:
-        """Return the pose of a frame that is at ``origin`` in this one."""
-        shift = self.rotation.dot(exact(origin.xyz)) + self.translation
-        turn = self.rotation.dot(rotation_from_rpy(origin.rpy))
-        return Pose(_middle(turn), _middle(shift))
-
-
 @dataclass
 class Body:
     """A link that moves on its own, while the links fixed to it are being gathered.
@@ -65,7 +53,7 @@ class Body:
         joint: that moves it; None for the ground or under a floating base.
         parent: index of its parent body.
         pose: of the joint frame in the parent's frame.
-        merged: names of the links fixed to it.
+        merged: names of the links fixed to it, and where their frames are in the body's.
         parts: mass, centre of mass and tensor about it in the body's frame, of each massive link.
     """
 
@@ -73,14 +61,14 @@ class Body:
     joint: JointElement | None
     parent: int
     pose: Pose
-    merged: list[str] = field(default_factory=list)
-    parts: list[tuple[arb, Exact, Exact]] = field(default_factory=list)
+    merged: list[tuple[str, Pose]] = field(default_factory=list)
+    parts: list[Part] = field(default_factory=list)
 
     def add(self, inertial: Inertial | None, pose: Pose) -> None:
         """Add the mass of a link whose frame is at ``pose``."""
         if inertial is None or not (inertial.mass or any(inertial.moments)):
             return
-        frame = pose.then(inertial.origin)
+        frame = _at(pose, inertial.origin)
         xx, xy, xz, yy, yz, zz = inertial.moments
         tensor = exact([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
         self.parts.append(
@@ -88,60 +76,31 @@ class Body:
         )
 
 
-def _middle(values: Exact) -> Exact:
-    """Drop the error bounds: along a chain of fixed joints they grow far faster than the errors."""
-    result = np.empty(values.shape, dtype=object)
-    for index, value in np.ndenumerate(values):
-        result[index] = value.mid()
-    return result
+def _at(pose: Pose, origin: Origin) -> Pose:
+    """Return the pose of a frame that is at ``origin`` in the frame at ``pose``."""
+    return pose.then(rotation_from_rpy(origin.rpy), exact(origin.xyz))
 
 
 def gather(description: Description, tree: Tree, floating: bool) -> list[Body]:
     """Return the bodies in depth-first order, the ground first (the world if floating)."""
     inertials = {link.name: link.inertial for link in description.links}
-    home = Pose(identity(3), exact([0.0, 0.0, 0.0]))
+    home = Pose.home()
     bodies = [Body(WORLD, None, 0, home)] if floating else []
     bodies.append(Body(tree.root, None, 0, home))
     at = {tree.root: (len(bodies) - 1, home)}
     bodies[-1].add(inertials[tree.root], home)
     for joint in tree.depth_first():
         index, pose = at[joint.parent]
-        frame = pose.then(joint.origin)
+        frame = _at(pose, joint.origin)
         if joint.type == "fixed":
             at[joint.child] = (index, frame)
-            bodies[index].merged.append(joint.child)
+            bodies[index].merged.append((joint.child, frame))
             bodies[index].add(inertials[joint.child], frame)
         else:
             at[joint.child] = (len(bodies), home)
             bodies.append(Body(joint.child, joint, index, frame))
             bodies[-1].add(inertials[joint.child], home)
     return bodies
-
-
-def lump(parts: Sequence[tuple[arb, Exact, Exact]]) -> Inertia:
-    """Return the inertia of several rigidly joined masses, all in the same frame.
-
-    A part is (mass, centre of mass, tensor about that centre of mass). Sums are exact and rounded
-    once. The centre of mass of a body without mass is the origin.
-    """
-    if not parts:
-        return Inertia.zero()
-    massive = [part for part in parts if part[0] != 0]
-    mass = sum((m for m, _, _ in parts), arb(0))
-    if len(massive) == 1:  # one part alone keeps its numbers, and its zeros, to the bit
-        com = massive[0][1]
-    elif massive:
-        com = sum((m * c for m, c, _ in massive), exact([0.0, 0.0, 0.0])) / mass
-    else:
-        com = exact([0.0, 0.0, 0.0])
-    tensor = exact(np.zeros((3, 3)))
-    for m, c, about_c in parts:
-        tensor = tensor + about_c
-        if len(massive) > 1 and m != 0:
-            d = c - com
-            tensor = tensor + m * (identity(3) * d.dot(d) - np.outer(d, d))
-    tensor = (tensor + tensor.T) / 2
-    return Inertia(float(mass), rounded(com), rounded(tensor))
 
 
 def unit(axis: Triple) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
@@ -185,5 +144,8 @@ def build(
                 mimic,
             )
         )
-    links = tuple(Link(body.name, lump(body.parts), tuple(body.merged)) for body in bodies)
+    links = tuple(
+        Link(body.name, lump(body.parts), tuple(pose.frame(name) for name, pose in body.merged))
+        for body in bodies
+    )
     return Model(name, links, tuple(joints), floating=floating)
