@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -53,10 +54,20 @@ def interpret(plan: Plan, q: Array, v: Array, tau: Array) -> Array:
 
 def execute(plan: Plan, q: Array, v: Array, tau: Array) -> tuple[Array, list[dict[Any, Any]]]:
     """Do what ``interpret`` does; return every process's memory as well."""
-    q, v = _with_slaved(plan, q, v)
+    q, v = with_slaved(plan, q, v)
     qdd = np.full(v.shape, np.nan)
     mail: dict[int, dict[Any, Array]] = {}
     machines = [Machine(plan, mail, q, v, tau, qdd) for _ in plan.processes]
+    run_machines(plan, machines)
+    return qdd, [machine.memory for machine in machines]
+
+
+def run_machines(plan: Plan, machines: Sequence[Machine]) -> None:
+    """Let each process do its steps, as far as messages have come, until all are done.
+
+    Raises:
+        PlanError: a process waits for a message that never comes.
+    """
     positions = [0] * len(machines)
     moved = True
     while moved:
@@ -68,10 +79,10 @@ def execute(plan: Plan, q: Array, v: Array, tau: Array) -> tuple[Array, list[dic
     for p, process in enumerate(plan.processes):
         if positions[p] < len(process.steps):
             raise PlanError(f"process {p} waits for ever at {process.steps[positions[p]]}")
-    return qdd, [machine.memory for machine in machines]
 
 
-def _with_slaved(plan: Plan, q: Array, v: Array) -> tuple[Array, Array]:
+def with_slaved(plan: Plan, q: Array, v: Array) -> tuple[Array, Array]:
+    """Return q and v with the entries of slaved joints taken from their sources."""
     q, v = np.array(q, dtype=float), np.array(v, dtype=float)
     for j in plan.slaved:
         joint = plan.joints[j]
@@ -254,6 +265,7 @@ class Machine:
         f = np.zeros((6, self.columns))
         f[constrained] = n
         f[free] = tau
+        self.memory["force", step.joint] = f
         for update in step.updates:
             acting = 0.0 if update.source is None else self.memory[update.source]
             x = self.memory["X", step.joint]

@@ -1,0 +1,228 @@
+"""Iterative refinement of a plan's answer in numpy: the residual of every link, then a correction.
+
+The unknowns are the accelerations and the joint forces together. From the joints' accelerations
+follow the links', a_l = X a_parent + S qdd + c, and with the joint forces f what is left over at
+each link, rho_l = f_l - sum X_c^T f_c - I_l a_l - v_l x* I_l v_l. The plan is carried out once
+more, with the same factors, for links that rho alone acts on: no velocities, no gravity, no
+torques. What it answers is added to both, and its size is the error that the answer had.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.model.kinds import KINDS
+from adagen.plan.interpret import Machine, placement, run_machines, with_slaved
+from adagen.plan.interpret_segment import SegmentMachine
+from adagen.plan.steps import Accelerate, Bias, FreeAcceleration, Step
+from adagen.plan.types import Plan
+
+Array = NDArray[Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Refined:
+    """A refined answer.
+
+    Attributes:
+        qdd: accelerations, shape (nv,).
+        corrections: for each step of refinement the size of what it changed, relative to the
+            answer, in the energy norm sqrt(e^T H e / t^T H t): the error before that step.
+    """
+
+    qdd: NDArray[np.float64]
+    corrections: tuple[float, ...]
+
+
+def interpret_refined(
+    plan: Plan, q: Any, v: Any, tau: Any, steps: int, wide: Any = np.longdouble
+) -> Refined:
+    """Return the accelerations that a plan computes, refined.
+
+    Args:
+        plan: the plan.
+        q: configuration, shape (nq,).
+        v: velocity, shape (nv,).
+        tau: joint torques and forces, shape (nv,).
+        steps: of refinement.
+        wide: numpy's type for residuals and sums; the plan itself is carried out in double.
+
+    Raises:
+        FloatingPointError: a factorization failed; the message names the joint.
+    """
+    q, v = with_slaved(plan, q, v)
+    chain = _Links(plan, q, v, wide)
+    answer = _solve(plan, q, v, np.asarray(tau, dtype=float), None)
+    qdd, forces = chain.follow(answer[0].astype(wide)), answer[1].astype(wide)
+    sizes = []
+    for _ in range(steps):
+        rho = chain.residual(qdd, forces).astype(float)
+        step, step_forces = _solve(plan, q, v, np.zeros(len(v)), rho)
+        sizes.append(chain.energy(step) / max(chain.energy(qdd), np.finfo(float).tiny))
+        qdd, forces = chain.follow(qdd + step), forces + step_forces
+    return Refined(qdd.astype(float), tuple(float(np.sqrt(size)) for size in sizes))
+
+
+def _solve(plan: Plan, q: Array, v: Array, tau: Array, rho: Array | None) -> tuple[Array, Array]:
+    """Return accelerations, shape (nv,), and joint forces in the child links' frames, (N, 6)."""
+    qdd = np.full(len(v), np.nan)
+    mail: dict[int, dict[Any, Array]] = {}
+    machines = [_ForceMachine(plan, mail, q, v, tau, qdd, rho) for _ in plan.processes]
+    run_machines(plan, machines)
+    forces = np.zeros((len(plan.joints), 6))
+    for machine in machines:
+        for name, force in machine.memory.items():
+            if isinstance(name, tuple) and name[0] == "force":
+                torques = machine.memory["torques"] if plan.slaved else np.zeros(0)
+                forces[name[1]] = force[:, 0] + force[:, 1:] @ torques
+    return qdd, forces
+
+
+class _ForceMachine(Machine):
+    """Keeps joint forces; with ``rho``, shape (N + 1, 6), solves for what these wrenches do."""
+
+    def __init__(
+        self,
+        plan: Plan,
+        mail: dict[int, dict[Any, Array]],
+        q: Array,
+        v: Array,
+        tau: Array,
+        qdd: Array,
+        rho: Array | None,
+    ) -> None:
+        super().__init__(plan, mail, q, v, tau, qdd)
+        self.rho = rho
+        self.segments = _ForceSegments(self)
+
+    def ground(self) -> Array:
+        return super().ground() if self.rho is None else np.zeros((6, self.columns))
+
+    def velocity_product(self, j: int) -> Array:
+        return super().velocity_product(j) if self.rho is None else np.zeros((6, self.columns))
+
+    def _link_bias(self, number: int) -> None:
+        super()._link_bias(number)
+        if self.rho is not None:
+            phi = np.array(self.plan.links[number].phi)
+            self.memory[Bias(None, number)] = self.column(phi @ self.rho[number])
+
+
+class _ForceSegments(SegmentMachine):
+    """The same inside segments: f = I^A a + p^A - load on the far link."""
+
+    machine: _ForceMachine
+
+    def step(self, step: Step) -> None:
+        super().step(step)
+        if isinstance(step, Accelerate):
+            self._force(step)
+        elif isinstance(step, FreeAcceleration):
+            self._keep(step.joint, np.zeros((6, self.machine.columns)))
+
+    def _start(self, number: int) -> None:
+        super()._start(number)
+        if self.machine.rho is not None:
+            self.memory["pA", number] = self.machine.column(-self.machine.rho[number])
+
+    def _force(self, step: Accelerate) -> None:
+        _, far, _ = self._ends(step)
+        force = self.memory["IA", far] @ self.memory["a", far] + self.memory["pA", far]
+        force = force - self.memory.get(("load", far), 0.0)
+        if step.reversed:
+            force = -np.linalg.inv(self.memory["X", step.joint]).T @ force
+        self._keep(step.joint, force)
+
+    def _keep(self, j: int, force: Array) -> None:
+        """Keep a joint's force; along the joint it is the torque, to the bit."""
+        force[list(self._kind(j).free)] = self.machine.torques(j)
+        self.memory["force", j] = force
+
+
+class _Links:
+    """Motion of all links in wide arithmetic."""
+
+    def __init__(self, plan: Plan, q: Array, v: Array, wide: Any) -> None:
+        self.plan, self.wide = plan, wide
+        n = len(plan.joints)
+        self.turn = np.zeros((n, 3, 3), dtype=wide)  # parent to child coordinates
+        self.shift = np.zeros((n, 3), dtype=wide)
+        self.velocity = np.zeros((n + 1, 6), dtype=wide)
+        self.product = np.zeros((n, 6), dtype=wide)  # c
+        for j, joint in enumerate(plan.joints):
+            kind = KINDS[joint.kind]
+            state = q[joint.q : joint.q + kind.nq].astype(wide)
+            if joint.mimic is not None:
+                source, multiplier, offset = joint.mimic
+                state = wide(multiplier) * q[[plan.joints[source].q]].astype(wide) + wide(offset)
+            turn, shift = placement(kind, state)
+            base = np.array(joint.rotation, dtype=wide)
+            self.turn[j] = (base @ turn).T
+            self.shift[j] = np.array(joint.translation, dtype=wide) + base @ shift
+            motion = self._along(j, v.astype(wide))
+            self.velocity[j + 1] = self._carried(j, self.velocity[joint.parent]) + motion
+            self.product[j] = _cross_motion(self.velocity[j + 1], motion)
+
+    def follow(self, qdd: Array) -> Array:
+        """Return accelerations with those of slaved joints taken from their sources."""
+        qdd = qdd.copy()
+        for j in self.plan.slaved:
+            joint = self.plan.joints[j]
+            assert joint.mimic is not None
+            qdd[joint.v] = self.wide(joint.mimic[1]) * qdd[self.plan.joints[joint.mimic[0]].v]
+        return qdd
+
+    def residual(self, qdd: Array, forces: Array) -> Array:
+        """Return what is left over at each link, shape (N + 1, 6); the ground's row is zero."""
+        n = len(self.plan.joints)
+        a, rho = np.zeros((n + 1, 6), dtype=self.wide), np.zeros((n + 1, 6), dtype=self.wide)
+        a[0, 3:] = -np.array(self.plan.gravity, dtype=self.wide)
+        for j, joint in enumerate(self.plan.joints):
+            a[j + 1] = self._carried(j, a[joint.parent]) + self._along(j, qdd) + self.product[j]
+            v = self.velocity[j + 1]
+            momentum = self._inertia(j + 1, v)
+            rho[j + 1] += forces[j] - self._inertia(j + 1, a[j + 1]) - _cross_force(v, momentum)
+            moment, force = self.turn[j].T @ forces[j][:3], self.turn[j].T @ forces[j][3:]
+            rho[joint.parent] -= np.concatenate([moment + np.cross(self.shift[j], force), force])
+        rho[0] = 0
+        return rho
+
+    def energy(self, qdd: Array) -> Any:
+        """Return qdd^T H qdd from the links' motions."""
+        w, energy = np.zeros((len(self.plan.joints) + 1, 6), dtype=self.wide), self.wide(0)
+        for j, joint in enumerate(self.plan.joints):
+            w[j + 1] = self._carried(j, w[joint.parent]) + self._along(j, qdd)
+            energy += w[j + 1] @ self._inertia(j + 1, w[j + 1])
+        return energy
+
+    def _along(self, j: int, rates: Array) -> Array:
+        joint, kind = self.plan.joints[j], KINDS[self.plan.joints[j].kind]
+        motion = np.zeros(6, dtype=self.wide)
+        motion[list(kind.free)] = rates[joint.v : joint.v + kind.nv]
+        return motion
+
+    def _carried(self, j: int, motion: Array) -> Array:
+        linear = motion[3:] - np.cross(self.shift[j], motion[:3])
+        return np.concatenate([self.turn[j] @ motion[:3], self.turn[j] @ linear])
+
+    def _inertia(self, number: int, motion: Array) -> Array:
+        """Return I m of a link: its mass at the centre of mass, and its tensor about it."""
+        link = self.plan.links[number]
+        c = np.array(link.com, dtype=self.wide)
+        force = self.wide(link.mass) * (motion[3:] + np.cross(motion[:3], c))
+        moment = np.array(link.tensor, dtype=self.wide) @ motion[:3] + np.cross(c, force)
+        return np.concatenate([moment, force])
+
+
+def _cross_motion(v: Array, m: Array) -> Array:
+    linear = np.cross(v[:3], m[3:]) + np.cross(v[3:], m[:3])
+    return np.concatenate([np.cross(v[:3], m[:3]), linear])
+
+
+def _cross_force(v: Array, f: Array) -> Array:
+    moment = np.cross(v[:3], f[:3]) + np.cross(v[3:], f[3:])
+    return np.concatenate([moment, np.cross(v[:3], f[3:])])

@@ -1,0 +1,71 @@
+"""Iterative refinement of plans in numpy: what it reaches, and what its size says."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from adagen.model import Inertia, Model
+from adagen.plan import make_plan
+from adagen.plan.interpret_refine import interpret_refined
+from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
+from adagen.states import random_states
+from tests.models import human_figure, random_tree, serial_chain, three_axis_chain
+from tests.schedules import random_schedule
+
+
+def errors(model: Model, form: str, processes: int, steps: int) -> list[tuple[float, ...]]:
+    """Return for two states the errors after 0, 1, ... steps, then the corrections' sizes."""
+    rng = np.random.default_rng(processes)
+    plan = make_plan(model, random_schedule(model, processes, rng), form=form)
+    sample = random_states(model, 2, seed=3)
+    rows = []
+    for state in zip(sample.q, sample.v, sample.tau, strict=True):
+        truth = exact_forward_dynamics(model, *state).value
+        inertia = joint_space_inertia(model, state[0])
+        answers = [interpret_refined(plan, *state, k) for k in range(steps + 1)]
+        found = [energy_norm_error(inertia, a.qdd - truth, truth) for a in answers]
+        rows.append((*found, *answers[-1].corrections))
+    return rows
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.integers(2, 8), st.integers(1, 4), st.integers(0, 2**32 - 1))
+def test_a_correction_is_as_large_as_the_error(joints: int, processes: int, seed: int) -> None:
+    model = random_tree(np.random.default_rng(seed), joints, mimics=seed % 2)
+    for form in ("ada", "segment"):
+        for raw, once, size in errors(model, form, processes, 1):
+            assert once < 1e-13
+            assert raw < 1e-14 or size / 3 < raw < 3 * size
+
+
+@pytest.mark.parametrize("form", ["ada", "segment"])
+@pytest.mark.parametrize(
+    "model", [serial_chain(12), human_figure()], ids=lambda model: str(model.name)
+)
+def test_axes_along_coordinates_are_solved_to_the_last_bit(model: Model, form: str) -> None:
+    """Their frames hold no rounded constant, so that nothing but the answer itself is rounded."""
+    for raw, once, size in errors(model, form, 2, 1):
+        assert once < 4e-16
+        assert size / 3 < raw < 3 * size
+
+
+def test_a_light_link_takes_two_steps_in_form_ada() -> None:
+    model = serial_chain(20, radius=0.05)
+    heavy = model.links[10].inertia
+    light = Inertia(heavy.mass * 1e-8, heavy.com, heavy.tensor * 1e-8)
+    links = (*model.links[:10], replace(model.links[10], inertia=light), *model.links[11:])
+    for raw, once, twice, size, second in errors(replace(model, links=links), "ada", 1, 2):
+        assert raw > 1e-9
+        assert twice < 1e-15 < once < 1e-3 * raw
+        assert size / 3 < raw < 3 * size
+        assert second / 3 < once < 3 * second
+
+
+def test_massless_links_are_no_obstacle_inside_a_segment() -> None:
+    for _, once, _ in errors(three_axis_chain(3), "segment", 1, 1):
+        assert once < 1e-15
