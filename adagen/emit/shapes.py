@@ -1,5 +1,7 @@
 """Code shapes: how the steps of a plan become functions.
 
+* ``kernels``: loops over runs of joints in axes that all links of a base share, several links at
+  once where nothing is carried along. It takes plans of form segment.
 * ``joints``: joint-local frames, a function for each joint and step, one call after the other. It
   takes every plan.
 """
@@ -9,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from adagen.emit import kernels
 from adagen.emit.joints import joint_rows
 from adagen.emit.processes import step_rows
 from adagen.emit.words import Words
@@ -42,7 +45,11 @@ def _joints(words: Words) -> dict[str, object]:
     }
 
 
-SHAPES: dict[str, Shape] = {"joints": Shape(lambda plan: None, _joints)}
+SHAPES: dict[str, Shape] = {
+    "kernels": Shape(kernels.why_not, kernels.values),
+    "joints": Shape(lambda _plan: None, _joints),
+}
+"""By name; where none is asked for, the first that takes a plan."""
 
 
 def chosen_shape(plan: Plan, shape: str = "auto") -> str:

@@ -1,0 +1,304 @@
+"""Code shape `kernels`: a plan's steps as loops over runs of joints, in axes that all links share.
+
+A run is a sequence of joints each on the link of the one before. What needs no recursion (sines and
+cosines, inertias and bias forces of bare links) is done for as many joints at once as registers
+hold; what does is carried along a run in registers (templates/runtime/kernels/).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import groupby
+
+from adagen.emit.stages import stamped_groups
+from adagen.emit.words import Words
+from adagen.plan import Plan
+from adagen.plan.steps import (
+    Accelerate,
+    Articulate,
+    FreeAcceleration,
+    FreeBase,
+    Kinematics,
+    SolveRoot,
+    StartLink,
+    Step,
+)
+from adagen.plan.types import PlanJoint, PlanLink, Process
+
+RUNTIME = (
+    "status.hpp",
+    "kernels/lanes.hpp",
+    "kernels/algebra.hpp",
+)
+
+_TAKEN = (
+    Kinematics
+    | StartLink
+    | FreeBase
+    | Articulate
+    | SolveRoot
+    | Accelerate
+    | FreeAcceleration
+)
+
+
+def why_not(plan: Plan) -> str | None:
+    """Return why a plan cannot be emitted in this shape; None where it can."""
+    if plan.form != "segment":
+        return f"it is for form segment, not {plan.form}"
+    if plan.slaved:
+        return f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another'
+    for joint in plan.joints:
+        if joint.kind == "floating" and joint.parent > 0:
+            return f'joint "{joint.name}" floats on a link that moves'
+    for process in plan.processes:
+        for step in process.steps:
+            if not isinstance(step, _TAKEN):
+                return f"it has no {type(step).__name__} between processes"
+    return None
+
+
+@dataclass(frozen=True)
+class Run:
+    """Joints ``first`` .. ``last``, each on the link of the one before, passed in one direction."""
+
+    first: int
+    last: int
+    reversed: bool = False
+
+
+def values(words: Words) -> dict[str, object]:
+    """Return what kernels.cpp.j2 is told."""
+    plan = words.plan
+    return {
+        "runtime": list(RUNTIME),
+        "value": "Real",
+        "inertias": [_inertia(words, link) for link in plan.links[1:]],
+        "roles": [_roles(plan, process) for process in plan.processes],
+        "steps": [_lines(words, p, process) for p, process in enumerate(plan.processes)],
+    }
+
+
+def pseudo_inertia(link: PlanLink) -> tuple[Fraction, ...]:
+    """Return sum of m x x^T about the link's origin, upper triangle row by row, exactly.
+
+    With the rotational inertia I about the centre of mass c: J = tr(I) / 2 - I + m c c^T.
+    """
+    mass, c = Fraction(link.mass), [Fraction(x) for x in link.com]
+    half = sum((Fraction(link.tensor[k][k]) for k in range(3)), Fraction(0)) / 2
+    return tuple(
+        (half if i == k else 0) - Fraction(link.tensor[i][k]) + mass * c[i] * c[k]
+        for i in range(3)
+        for k in range(i, 3)
+    )
+
+
+def _inertia(words: Words, link: PlanLink) -> dict[str, str]:
+    number, numbers = words.printer.number, words.printer.numbers
+    mass = Fraction(link.mass)
+    return {
+        "mass": number(link.mass),
+        "moments": numbers(float(mass * Fraction(x)) for x in link.com),
+        "tensor": numbers(float(x) for x in pseudo_inertia(link)),
+    }
+
+
+def runs(joints: Sequence[PlanJoint], order: Iterable[int]) -> list[Run]:
+    """Return the runs of joints passed outwards in an order."""
+    found: list[Run] = []
+    for j in order:
+        if found and found[-1].last == j - 1 and joints[j].parent == j:
+            found[-1] = Run(found[-1].first, j)
+        else:
+            found.append(Run(j, j))
+    return found
+
+
+def swept(joints: Sequence[PlanJoint], steps: Sequence[Articulate | Accelerate]) -> list[Run]:
+    """Return the runs of a sweep, in its order; a sweep is either inwards or outwards."""
+    found: list[Run] = []
+    for step in steps:
+        j = step.joint
+        if found and found[-1].reversed == step.reversed:
+            first, last = found[-1].first, found[-1].last
+            if j == last + 1 and joints[j].parent == j:
+                found[-1] = Run(first, j, step.reversed)
+                continue
+            if j == first - 1 and joints[first].parent == first:
+                found[-1] = Run(j, last, step.reversed)
+                continue
+        found.append(Run(j, j, step.reversed))
+    return found
+
+
+def _ends(joints: Sequence[PlanJoint], run: Run) -> tuple[int, int]:
+    """The near and the far link of a run."""
+    parent, child = joints[run.first].parent, run.last + 1
+    return (child, parent) if run.reversed else (parent, child)
+
+
+def _of(process: Process, *kinds: type[Step]) -> list[Step]:
+    return [step for step in process.steps if isinstance(step, kinds)]
+
+
+def _roles(plan: Plan, process: Process) -> list[dict[str, bool]]:
+    """What a process does at each link: see LinkRole in templates/kernels.cpp.j2."""
+    inward = [s for s in process.steps if isinstance(s, Articulate)]
+    outward = [s for s in process.steps if isinstance(s, Accelerate)]
+    gathers = {_ends(plan.joints, run)[0] for run in swept(plan.joints, inward)}
+    gathers |= {s.joint + 1 for s in process.steps if isinstance(s, FreeBase)}
+    parts = {_ends(plan.joints, run)[0] for run in swept(plan.joints, outward)}
+    parts |= {s.joint + 1 for s in process.steps if isinstance(s, FreeAcceleration)}
+    own = {s.link for s in process.steps if isinstance(s, StartLink)}
+    return [
+        {"gathers": k in gathers, "adds_own": k in own, "parts": k in parts}
+        for k in range(len(plan.links))
+    ]
+
+
+def _lines(words: Words, p: int, process: Process) -> list[str]:
+    writer = _Writer(words, p, process)
+    return [
+        *writer.checks(),
+        *stamped_groups(process, writer.lines),
+        *writer.results(),
+    ]
+
+
+class _Writer:
+    """Turns the steps of one process into lines."""
+
+    def __init__(self, words: Words, p: int, process: Process) -> None:
+        self.words, self.p, self.process = words, p, process
+        self.joints = words.plan.joints
+        self.started: set[int] = set()  # links whose body holds something
+
+    def checks(self) -> list[str]:
+        """Refuse a state that is not finite."""
+        reads, owns = self.process.reads, self.process.owns
+        return [
+            *self._finite("w.q", "q", reads, "kNotFinite"),
+            *self._finite("w.v", "v", reads, "kNotFinite"),
+            *self._finite("w.tau", "v", owns, "kNotFinite"),
+        ]
+
+    def results(self) -> list[str]:
+        """Give the accelerations, if all went well."""
+        owned = self._ranges("v", self.process.owns)
+        return [
+            *self._finite("w.answer.data()", "v", self.process.owns, "kOverflow"),
+            *(f"give(w, {first}, {count});" for first, count in owned),
+        ]
+
+    def _finite(self, array: str, place: str, joints: Iterable[int], failure: str) -> list[str]:
+        return [
+            f"require_finite(w, {array}, {first}, {count}, &JointConstants::{place}, {failure});"
+            for first, count in self._ranges(place, joints)
+        ]
+
+    def _ranges(self, name: str, joints: Iterable[int]) -> list[tuple[int, int]]:
+        """Ranges (start, count) of q or v that joints have, those that touch made one."""
+        found: list[tuple[int, int]] = []
+        for j in joints:
+            kind = self.words.kind(j)
+            start, count = (
+                (self.joints[j].q, kind.nq) if name == "q" else (self.joints[j].v, kind.nv)
+            )
+            if found and sum(found[-1]) == start:
+                start, count = found[-1][0], found[-1][1] + count
+                found.pop()
+            found.append((start, count))
+        return found
+
+    def lines(self, steps: Sequence[Step]) -> list[str]:
+        """Return the lines of the steps of a stage."""
+        lines: list[str] = []
+        for kind, group in groupby(steps, type):
+            lines += getattr(self, f"_{kind.__name__}")(list(group))
+        return lines
+
+    def _Kinematics(self, steps: list[Kinematics]) -> list[str]:  # noqa: N802
+        joints = [step.joint for step in steps]
+        lines = self._angles(joints)
+        turning = [j for j in joints if self.joints[j].kind not in ("spherical", "floating")]
+        lines += [f"turn<{a}, {b}>(w);" for a, b in self._blocks(turning)]
+        lines += [f"orient<{j}>(w);" for j in joints if self.joints[j].kind == "spherical"]
+        floating = [j for j in joints if self.joints[j].kind == "floating"]
+        lines += [f"free_base_frame<{j}>(w);" for j in floating]
+        for run in runs(self.joints, [j for j in joints if j not in floating]):
+            lines.append(f"outward<{run.first}, {run.last}>(w);{self._names(run)}")
+        return lines
+
+    def _angles(self, joints: list[int]) -> list[str]:
+        """Copy the angles of joints that turn, as many at once as lie side by side."""
+        copies: list[tuple[int, int, int]] = []  # joint, place in q, count
+        for j in joints:
+            kind = self.joints[j].kind
+            if kind not in ("revolute", "planar"):
+                continue
+            q = self.joints[j].q + (2 if kind == "planar" else 0)
+            if copies and copies[-1][0] + copies[-1][2] == j and sum(copies[-1][1:]) == q:
+                j, q, count = copies[-1][0], copies[-1][1], copies[-1][2] + 1
+                copies.pop()
+            else:
+                count = 1
+            copies.append((j, q, count))
+        return [
+            f"std::copy_n(w.q + {q}, {n}, w.angle.data() + {j});" for j, q, n in copies
+        ]
+
+    def _blocks(self, joints: Iterable[int]) -> list[tuple[str, str]]:
+        """Ranges of blocks that hold joints, as expressions."""
+        ranges: list[list[int]] = []
+        for j in sorted(joints):
+            if ranges and j - ranges[-1][1] < _WIDEST:
+                ranges[-1][1] = j
+            else:
+                ranges.append([j, j])
+        return [(f"block({a})", f"block({b}) + 1") for a, b in ranges]
+
+    def _StartLink(self, steps: list[StartLink]) -> list[str]:  # noqa: N802
+        return [
+            f"set_up_links<{a}, {b}>(w);" for a, b in self._blocks(s.link - 1 for s in steps)
+        ]
+
+    def _FreeBase(self, steps: list[FreeBase]) -> list[str]:  # noqa: N802
+        self.started.update(step.joint + 1 for step in steps)
+        return [f"free_base<{step.joint}>(w);" for step in steps]
+
+    def _Articulate(self, steps: list[Articulate]) -> list[str]:  # noqa: N802
+        lines = []
+        for run in swept(self.joints, steps):
+            near = _ends(self.joints, run)[0]
+            starts = "false" if near in self.started else "true"
+            self.started.add(near)
+            verb = "inward_reversed" if run.reversed else "inward"
+            call = f"{verb}<{self.p}, {run.first}, {run.last}, {starts}>(w);"
+            lines.append(call + self._names(run))
+        return lines
+
+    def _SolveRoot(self, steps: list[SolveRoot]) -> list[str]:  # noqa: N802
+        return [f"solve_root<{self.p}, {step.link}>(w);" for step in steps]
+
+    def _Accelerate(self, steps: list[Accelerate]) -> list[str]:  # noqa: N802
+        lines = []
+        for run in swept(self.joints, steps):
+            verb = "accelerate_reversed" if run.reversed else "accelerate"
+            call = f"{verb}<{self.p}, {run.first}, {run.last}>(w);"
+            lines.append(call + self._names(run))
+        return lines
+
+    def _FreeAcceleration(self, steps: list[FreeAcceleration]) -> list[str]:  # noqa: N802
+        return [f"free_acceleration<{step.joint}>(w);" for step in steps]
+
+    def _names(self, run: Run) -> str:
+        """Which joints a run is of, as a comment."""
+        first, last = self.words.quoted_joint(run.first), self.words.quoted_joint(run.last)
+        if run.first == run.last:
+            return f"  // {first}"
+        return f"  // {first} .. {last}"
+
+
+_WIDEST = 16  # joints in the widest block: two apart by less may share one

@@ -1,0 +1,88 @@
+// Outwards again: the joints' accelerations.
+
+ADAGEN_INLINE Value freedom(const Value* e, const Motion<Value>& a) {
+  return e[6] - (((e[0] * a.angular.x + e[1] * a.angular.y) + e[2] * a.angular.z) +
+                 ((e[3] * a.linear.x + e[4] * a.linear.y) + e[5] * a.linear.z));
+}
+
+// A joint's acceleration from the near link's, told at the joint's origin, which becomes the far
+// link's there; sigma is -1 where the joint is reversed.
+template <bool reversed>
+ADAGEN_INLINE void move(Workspace& w, int j, Motion<Value>& a) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  const Value* R = w.of(j, kAxes);
+  Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+  switch (joint.kind) {
+    case JointKind::kRevolute: {
+      const Value x = freedom(e, a);
+      qdd[0] = reversed ? -x : x;
+      a.angular += axis_at(R) * x;
+      break;
+    }
+    case JointKind::kPrismatic: {
+      const Value x = freedom(e, a);
+      qdd[0] = reversed ? -x : x;
+      a.linear += axis_at(R) * x;
+      break;
+    }
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) {
+        const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+        const Vector<Value> far = Vector<Value>{e[9], e[10], e[11]} - K * a.linear;
+        const Vector<Value> x = transposed_times(matrix_at(R), far - a.angular);
+        qdd[0] = reversed ? -x.x : x.x, qdd[1] = reversed ? -x.y : x.y;
+        qdd[2] = reversed ? -x.z : x.z;
+        a.angular = far;
+      }
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar) {
+        const Value spin = freedom(e + 14, a);
+        a.angular += axis_at(R) * spin;
+        const Value y = freedom(e + 7, a);
+        a.linear += Vector<Value>{R[kPerBlock], R[4 * kPerBlock], R[7 * kPerBlock]} * y;
+        const Value x = freedom(e, a);
+        a.linear += Vector<Value>{R[0], R[3 * kPerBlock], R[6 * kPerBlock]} * x;
+        qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
+      }
+      break;
+    case JointKind::kFloating:
+      break;  // see free_acceleration
+  }
+}
+
+// Joints first .. last outwards; what moves along with a link is kept where other paths start.
+template <int p, int first, int last>
+void accelerate(Workspace& w) {
+  Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  for (int j = first; j <= last; ++j) {
+    carry(a, w.joints[static_cast<std::size_t>(j)].r);
+    move<false>(w, j, a);
+    if (kRoles[p][static_cast<std::size_t>(j + 1)].parts)
+      w.motions[static_cast<std::size_t>(j + 1)] = a;
+  }
+}
+
+template <int p, int first, int last>
+void accelerate_reversed(Workspace& w) {
+  Motion<Value> a = w.motions[last + 1];
+  for (int j = last; j >= first; --j) {
+    move<true>(w, j, a);
+    carry(a, -w.joints[static_cast<std::size_t>(j)].r);
+    const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  }
+}
+
+// A floating base's joint acceleration, [linear; angular] in its own axes.
+template <int j>
+void free_acceleration(Workspace& w) {
+  const Motion<Value>& a = w.motions[j + 1];
+  const Value* v = w.v + kJoints[j].v;
+  const Vector<Value> omega{v[3], v[4], v[5]}, linear{v[0], v[1], v[2]};
+  const Vector<Value> x = a.linear - cross(omega, linear);
+  Value* qdd = &w.answer[kJoints[j].v];
+  qdd[0] = x.x, qdd[1] = x.y, qdd[2] = x.z;
+  qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
+}

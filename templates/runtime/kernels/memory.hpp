@@ -1,0 +1,133 @@
+// The memory of a process. What is set up for many links at once lies in blocks, side by side.
+constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
+constexpr int kBlockCount = (kJointCount + kPerBlock - 1) / kPerBlock;
+
+// What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
+enum Entry : int {
+  kTurn = 0,          // rotation from the child's to the parent link's axes, row by row
+  kAxes = 9,          // the link's orientation R, row by row: its z is the joint's axis
+  kOmega = 18,        // angular velocity
+  kAlpha = 21,        // angular acceleration and
+  kAcceleration = 24, // acceleration of its origin less gravity, were all joint accelerations zero
+  kRotational = 27,   // A of the bare link
+  kMoments = 33,      // mass times centre of mass: B of the bare link is its cross product
+  kTorque = 36,       // bias force n
+  kForce = 39,        // and f of the bare link
+  kEntries = 42
+};
+
+struct alignas(64) Block {
+  Value entries[kEntries][kPerBlock];
+};
+
+// What is kept of a joint from the inward to the outward sweep.
+template <int n>
+struct Eliminated {
+  Vector<Value> r;  // from the parent link's origin to the child link's
+  Value e[n];       // of a joint with one freedom: U / D (6), u / D; of others see kinds.hpp
+};
+constexpr bool any_of(JointKind kind) {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == kind) return true;
+  return false;
+}
+constexpr bool kAnyRevolute = any_of(JointKind::kRevolute), kAnyPrismatic = any_of(JointKind::kPrismatic),
+               kAnySpherical = any_of(JointKind::kSpherical), kAnyPlanar = any_of(JointKind::kPlanar);
+using Memory = Eliminated<kAnyPlanar ? 21 : kAnySpherical ? 12 : 7>;
+
+// A link's orientation and how it moves, were all joint accelerations zero.
+struct Frame {
+  Matrix<Value> R;
+  Vector<Value> omega, alpha, a;
+};
+
+struct Workspace {
+  const Value* q = nullptr;
+  const Value* v = nullptr;
+  const Value* tau = nullptr;
+  Value* qdd = nullptr;
+  int status = kFine;
+  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
+  std::array<Block, kBlockCount> blocks{};
+  std::array<Memory, kJointCount> joints{};
+  std::array<Body<Value>, kLinkCount> bodies{};    // what hangs on a link, where paths meet
+  std::array<Motion<Value>, kLinkCount> motions{}; // accelerations beyond those of a Frame
+  std::array<Value, kNv> answer{};
+
+  Workspace() {
+    for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
+      for (int k = 0; k < 9; ++k)
+        of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
+  }
+
+  Value* of(int joint, Entry entry) {
+    return &blocks[static_cast<std::size_t>(joint / kPerBlock)].entries[entry][joint % kPerBlock];
+  }
+};
+
+ADAGEN_INLINE Vector<Value> vector_at(const Value* x) {
+  return {x[0], x[kPerBlock], x[2 * kPerBlock]};
+}
+ADAGEN_INLINE void put_at(Value* x, const Vector<Value>& a) {
+  x[0] = a.x, x[kPerBlock] = a.y, x[2 * kPerBlock] = a.z;
+}
+ADAGEN_INLINE Matrix<Value> matrix_at(const Value* x) {
+  return {vector_at(x), vector_at(x + 3 * kPerBlock), vector_at(x + 6 * kPerBlock)};
+}
+ADAGEN_INLINE void put_at(Value* x, const Matrix<Value>& m) {
+  put_at(x, m.x), put_at(x + 3 * kPerBlock, m.y), put_at(x + 6 * kPerBlock, m.z);
+}
+ADAGEN_INLINE Vector<Value> axis_at(const Value* R) {
+  return {R[2 * kPerBlock], R[5 * kPerBlock], R[8 * kPerBlock]};
+}
+
+inline void fail(Workspace& w, Failure kind, int joint) {
+  Channel::fail(w.status, failure(kind, joint));
+}
+
+ADAGEN_INLINE Lanes wide(const Value* x) {
+  Lanes result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+
+// x - x is zero for finite x only.
+ADAGEN_INLINE bool finite(const Value* x, int count) {
+  Lanes sum{};
+  Value rest{};
+  int k = 0;
+  for (; k + kPerBlock <= count; k += kPerBlock) sum += wide(x + k) - wide(x + k);
+  for (; k < count; ++k) rest += x[k] - x[k];
+  return all_zero(sum) && all_zero(rest);
+}
+
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite;
+// place says where a joint's entries start.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::*place, Failure kind) {
+  if (__builtin_expect(finite(x + first, count), 1)) return;
+  while (finite(x + first, 1)) ++first;
+  int joint = 0;
+  for (int j = 0; j < kJointCount; ++j)
+    if (kJoints[static_cast<std::size_t>(j)].*place <= first) joint = j;
+  fail(w, kind, joint);
+}
+
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!all_positive(squared - std::numeric_limits<Real>::min()) ||
+      !all_positive(std::numeric_limits<Real>::max() - squared))
+    fail(w, kZeroQuaternion, joint);
+}
+
+// Accelerations are given only where all went well.
+inline void give(Workspace& w, int first, int count) {
+  if (w.status == kFine) std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
+}
+
+constexpr int block(int joint) { return joint / kPerBlock; }
+constexpr bool is_identity(const Real (&R)[9]) {
+  for (int k = 0; k < 9; ++k)
+    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
+  return true;
+}
