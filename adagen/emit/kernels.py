@@ -50,9 +50,6 @@ def why_not(plan: Plan) -> str | None:
         return f"it is for form segment, not {plan.form}"
     if plan.slaved:
         return f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another'
-    for joint in plan.joints:
-        if joint.kind == "floating" and joint.parent > 0:
-            return f'joint "{joint.name}" floats on a link that moves'
     for process in plan.processes:
         for step in process.steps:
             if not isinstance(step, _TAKEN):
@@ -224,12 +221,16 @@ class _Writer:
         lines = self._angles(joints)
         turning = [j for j in joints if self.joints[j].kind not in ("spherical", "floating")]
         lines += [f"turn<{a}, {b}>(w);" for a, b in self._blocks(turning)]
-        lines += [f"orient<{j}>(w);" for j in joints if self.joints[j].kind == "spherical"]
-        floating = [j for j in joints if self.joints[j].kind == "floating"]
-        lines += [f"free_base_frame<{j}>(w);" for j in floating]
-        for run in runs(self.joints, [j for j in joints if j not in floating]):
+        bases = [j for j in joints if self._is_base(j)]
+        oriented = [j for j in joints if self.words.kind(j).quaternion is not None]
+        lines += [f"orient<{j}>(w);" for j in oriented if j not in bases]
+        lines += [f"free_base_frame<{j}>(w);" for j in bases]
+        for run in runs(self.joints, [j for j in joints if j not in bases]):
             lines.append(f"outward<{run.first}, {run.last}>(w);{self._names(run)}")
         return lines
+
+    def _is_base(self, j: int) -> bool:
+        return self.joints[j].kind == "floating" and self.joints[j].parent == 0
 
     def _angles(self, joints: list[int]) -> list[str]:
         """Copy the angles of joints that turn, as many at once as lie side by side."""

@@ -48,7 +48,16 @@ ADAGEN_INLINE void move(Workspace& w, int j, Motion<Value>& a) {
       }
       break;
     case JointKind::kFloating:
-      break;  // see free_acceleration
+      if constexpr (kAnyFloating) {
+        const Matrix<Value> axes = matrix_at(R);
+        const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+        const Vector<Value> slide = transposed_times(axes, far.linear - a.linear);
+        const Vector<Value> spin = transposed_times(axes, far.angular - a.angular);
+        const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
+        ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
+        a = far;
+      }
+      break;
   }
 }
 

@@ -72,6 +72,54 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Body<Value>& X, cons
   if constexpr (!reversed) shift(X, r);
 }
 
+// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), by L D L^T. Whether that
+// could be done.
+ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
+  Value L[6][6] = {{X.A.xx},
+                   {X.A.xy, X.A.yy},
+                   {X.A.xz, X.A.yz, X.A.zz},
+                   {X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx},
+                   {X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy},
+                   {X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz}};
+  Value x[6] = {-X.n.x, -X.n.y, -X.n.z, -X.f.x, -X.f.y, -X.f.z}, inverse[6];
+  bool fine = true;
+  ADAGEN_FOR (c, 0, 6) {
+    fine &= all_positive(L[c][c]);
+    inverse[c] = 1 / L[c][c];
+    ADAGEN_FOR (i, c + 1, 6) {
+      const Value l = L[i][c] * inverse[c];
+      ADAGEN_FOR (k, c + 1, i + 1) L[i][k] -= l * L[k][c];
+      x[i] -= l * x[c];
+    }
+  }
+  ADAGEN_FOR (c, 0, 6) {
+    const int i = 5 - c;
+    x[i] *= inverse[i];
+    ADAGEN_FOR (k, i + 1, 6) x[i] -= L[k][i] * inverse[i] * x[k];
+  }
+  a = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
+  return fine;
+}
+
+// A joint with all freedoms hands on its force alone; e gets the acceleration of the body beyond.
+template <bool reversed>
+ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
+                            const Value* tau, Value* e) {
+  if constexpr (reversed) shift(X, -r);
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
+  Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) n = -n, f = -f;
+  X.n += -n, X.f += -f;
+  Motion<Value> a;
+  if (!solve_free(X, a)) fail(w, kFactorization, j);
+  e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
+  e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
+  X = {};
+  X.n = n, X.f = f;
+  if constexpr (!reversed) shift(X, r);
+}
+
 template <bool reversed>
 ADAGEN_INLINE void step_inward(Workspace& w, int j, Body<Value>& X) {
   const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
@@ -102,7 +150,8 @@ ADAGEN_INLINE void step_inward(Workspace& w, int j, Body<Value>& X) {
       }
       break;
     case JointKind::kFloating:
-      break;  // nothing is handed on through it
+      if constexpr (kAnyFloating) set_free<reversed>(w, j, X, memory.r, tau, memory.e);
+      break;
   }
 }
 
@@ -164,30 +213,8 @@ ADAGEN_INLINE Body<Value> whole(Workspace& w) {
   return X;
 }
 
-// Acceleration of a root that nothing holds: (A, B; B^T, C) a = -(n; f), by L D L^T.
+// Acceleration of a root that nothing holds.
 template <int p, int link>
 void solve_root(Workspace& w) {
-  const Body<Value> X = whole<p, link>(w);
-  Value L[6][6] = {{X.A.xx}, {X.A.xy, X.A.yy}, {X.A.xz, X.A.yz, X.A.zz},
-                   {X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx},
-                   {X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy},
-                   {X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz}};
-  Value x[6] = {-X.n.x, -X.n.y, -X.n.z, -X.f.x, -X.f.y, -X.f.z}, inverse[6];
-  bool fine = true;
-  ADAGEN_FOR (c, 0, 6) {
-    fine &= all_positive(L[c][c]);
-    inverse[c] = 1 / L[c][c];
-    ADAGEN_FOR (i, c + 1, 6) {
-      const Value l = L[i][c] * inverse[c];
-      ADAGEN_FOR (k, c + 1, i + 1) L[i][k] -= l * L[k][c];
-      x[i] -= l * x[c];
-    }
-  }
-  ADAGEN_FOR (c, 0, 6) {
-    const int i = 5 - c;
-    ADAGEN_FOR (k, i + 1, 6) x[i] -= L[k][i] * x[k];
-    x[i] *= inverse[i];
-  }
-  if (!fine) fail(w, kFactorization, link - 1);
-  w.motions[link] = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
+  if (!solve_free(whole<p, link>(w), w.motions[link])) fail(w, kFactorization, link - 1);
 }

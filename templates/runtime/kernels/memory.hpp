@@ -24,15 +24,17 @@ struct alignas(64) Block {
 template <int n>
 struct Eliminated {
   Vector<Value> r;  // from the parent link's origin to the child link's
-  Value e[n];       // of a joint with one freedom: U / D (6), u / D; of others see kinds.hpp
+  Value e[n];       // of a joint with one freedom: U / D (6), u / D; of others see inward.hpp
 };
+// Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
 constexpr bool any_of(JointKind kind) {
   for (const JointConstants& joint : kJoints)
-    if (joint.kind == kind) return true;
+    if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
   return false;
 }
-constexpr bool kAnyRevolute = any_of(JointKind::kRevolute), kAnyPrismatic = any_of(JointKind::kPrismatic),
-               kAnySpherical = any_of(JointKind::kSpherical), kAnyPlanar = any_of(JointKind::kPlanar);
+constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
+constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
+constexpr bool kAnyFloating = any_of(JointKind::kFloating);
 using Memory = Eliminated<kAnyPlanar ? 21 : kAnySpherical ? 12 : 7>;
 
 // A link's orientation and how it moves, were all joint accelerations zero.

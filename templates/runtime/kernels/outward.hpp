@@ -51,7 +51,7 @@ ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
 template <int j>
 void orient(Workspace& w) {
   constexpr const JointConstants& joint = kJoints[j];
-  const Value* q = w.q + joint.q;
+  const Value* q = w.q + joint.q + joint.nq - 4;
   Matrix<Value> turn;
   require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
   if constexpr (!is_identity(joint.rotation)) {
@@ -80,6 +80,14 @@ ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
     at.a += cross(omega, cross(omega, r));
     at.a += cross(at.alpha, r);
   };
+  const auto slide_and_spin = [&](const Vector<Value>& q, const Vector<Value>& slide,
+                                  const Vector<Value>& spin) {
+    const Matrix<Real> P = placement(joint);
+    r += at.R * Vector<Value>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
+    ride_along();
+    at.a += cross(omega + omega + spin, slide);
+    at.alpha += turn_with(spin);
+  };
   switch (joint.kind) {
     case JointKind::kRevolute:
       ride_along();
@@ -94,20 +102,20 @@ ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
       ride_along();
       at.alpha += turn_with(R * Vector<Value>{v[0], v[1], v[2]});
       break;
-    case JointKind::kPlanar: {
-      const Value* q = w.q + joint.q;
-      const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
-      const Matrix<Real> P = placement(joint);
-      r += at.R * Vector<Value>{P.x.x * q[0] + P.x.y * q[1], P.y.x * q[0] + P.y.y * q[1],
-                                P.z.x * q[0] + P.z.y * q[1]};
-      ride_along();
-      const Vector<Value> slide = x * v[0] + y * v[1], spin = axis * v[2];
-      at.a += cross(omega + omega + spin, slide);
-      at.alpha += turn_with(spin);
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar) {
+        const Value* q = w.q + joint.q;
+        const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
+        slide_and_spin(Vector<Value>{q[0], q[1], Value{}}, x * v[0] + y * v[1], axis * v[2]);
+      }
       break;
-    }
     case JointKind::kFloating:
-      break;  // stands on the ground: see free_base_frame
+      if constexpr (kAnyFloating) {
+        const Value* q = w.q + joint.q;
+        slide_and_spin(Vector<Value>{q[0], q[1], q[2]}, R * Vector<Value>{v[0], v[1], v[2]},
+                       R * Vector<Value>{v[3], v[4], v[5]});
+      }
+      break;
   }
   at.R = R;
   w.joints[static_cast<std::size_t>(j)].r = r;
