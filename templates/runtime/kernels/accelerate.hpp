@@ -1,31 +1,18 @@
 // Outwards again: the joints' accelerations.
 
 ADAGEN_INLINE Value freedom(const Value* e, const Motion<Value>& a) {
-  return e[6] - (((e[0] * a.angular.x + e[1] * a.angular.y) + e[2] * a.angular.z) +
-                 ((e[3] * a.linear.x + e[4] * a.linear.y) + e[5] * a.linear.z));
+  return (e[6] - (e[0] * a.angular.x + e[1] * a.angular.y)) -
+         ((e[2] * a.angular.z + e[3] * a.linear.x) + (e[4] * a.linear.y + e[5] * a.linear.z));
 }
 
-// A joint's acceleration from the near link's, told at the joint's origin, which becomes the far
-// link's there; sigma is -1 where the joint is reversed.
+// The same for joints with several freedoms, told at the joint's origin throughout.
 template <bool reversed>
-ADAGEN_INLINE void move(Workspace& w, int j, Motion<Value>& a) {
+ADAGEN_INLINE void move_at_joint(Workspace& w, int j, Motion<Value>& a) {
   const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-  const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
-  const Value* R = w.of(j, kAxes);
-  Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+  [[maybe_unused]] const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  [[maybe_unused]] const Value* R = w.of(j, kAxes);
+  [[maybe_unused]] Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
   switch (joint.kind) {
-    case JointKind::kRevolute: {
-      const Value x = freedom(e, a);
-      qdd[0] = reversed ? -x : x;
-      a.angular += axis_at(R) * x;
-      break;
-    }
-    case JointKind::kPrismatic: {
-      const Value x = freedom(e, a);
-      qdd[0] = reversed ? -x : x;
-      a.linear += axis_at(R) * x;
-      break;
-    }
     case JointKind::kSpherical:
       if constexpr (kAnySpherical) {
         const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
@@ -58,6 +45,41 @@ ADAGEN_INLINE void move(Workspace& w, int j, Motion<Value>& a) {
         a = far;
       }
       break;
+    default:
+      break;
+  }
+}
+
+// A joint's acceleration from the near link's, which becomes the far link's; each is told at its
+// own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
+template <bool reversed>
+ADAGEN_INLINE void move(Workspace& w, int j, Motion<Value>& a) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  const Value* R = w.of(j, kAxes);
+  Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+  switch (joint.kind) {
+    case JointKind::kRevolute: {
+      const Vector<Value> axis = axis_at(R);
+      const Value x = freedom(e, a);
+      qdd[0] = reversed ? -x : x;
+      carry(a, reversed ? -r : r);
+      a.angular += axis * x;
+      if constexpr (reversed) a.linear += cross(r, axis) * x;
+      break;
+    }
+    case JointKind::kPrismatic: {
+      const Value x = freedom(e, a);
+      qdd[0] = reversed ? -x : x;
+      carry(a, reversed ? -r : r);
+      a.linear += axis_at(R) * x;
+      break;
+    }
+    default:
+      if constexpr (!reversed) carry(a, r);
+      move_at_joint<reversed>(w, j, a);
+      if constexpr (reversed) carry(a, -r);
   }
 }
 
@@ -66,7 +88,6 @@ template <int p, int first, int last>
 void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
   for (int j = first; j <= last; ++j) {
-    carry(a, w.joints[static_cast<std::size_t>(j)].r);
     move<false>(w, j, a);
     if (kRoles[p][static_cast<std::size_t>(j + 1)].parts)
       w.motions[static_cast<std::size_t>(j + 1)] = a;
@@ -78,7 +99,6 @@ void accelerate_reversed(Workspace& w) {
   Motion<Value> a = w.motions[last + 1];
   for (int j = last; j >= first; --j) {
     move<true>(w, j, a);
-    carry(a, -w.joints[static_cast<std::size_t>(j)].r);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
     if (kRoles[p][far].parts) w.motions[far] = a;
   }

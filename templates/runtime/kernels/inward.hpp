@@ -15,28 +15,27 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Body<Value>& X) {
   X.f += vector_at(w.of(j, kForce));
 }
 
-// Takes one freedom out of the body, before or after it is shifted by r: e gets U / D and u / D.
-// Outwards, a joint has the acceleration u / D - (U / D) a.
+// Takes one freedom out of the body, which is shifted by r before the subtraction, so that the
+// division has time. e gets U / D and u / D, told at the near link's origin: outwards the joint has
+// the acceleration u / D - (U / D) a, a being the near link's.
 template <bool along, bool reversed>
 ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<Value>& s,
                              const Vector<Value>& r, const Value& tau, Value* e) {
   if constexpr (reversed) shift(X, -r);
-  const Vector<Value> n = along ? X.B * s : X.A * s;
+  Vector<Value> n = along ? X.B * s : X.A * s;
   const Vector<Value> f = along ? X.C * s : transposed_times(X.B, s);
   const Value D = dot(s, along ? f : n);
   const Value inverse = 1 / D;
   const Value u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
   if (__builtin_expect(!all_positive(D), 0)) fail(w, kFactorization, j);
-  const Vector<Value> e_f = f * inverse;
-  Vector<Value> at = n, e_n = n * inverse;
-  e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
   if constexpr (!reversed) {
     shift(X, r);
-    at += cross(r, f);
-    e_n = at * inverse;
+    n += cross(r, f);
   }
-  subtract(X, at, f, e_n, e_f);
-  X.n += at * u;
+  const Vector<Value> e_n = n * inverse, e_f = f * inverse;
+  e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
+  subtract(X, n, f, e_n, e_f);
+  X.n += n * u;
   X.f += f * u;
 }
 
