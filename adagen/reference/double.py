@@ -11,6 +11,7 @@ from adagen.errors import InputError
 from adagen.model import Model
 from adagen.reference.coupling import checked, coupled, coupling, free_rows, row_names
 from adagen.reference.inertia import cholesky_solve, inertia_matrix
+from adagen.reference.motion import momenta
 from adagen.reference.newton_euler import energies, joint_torques
 from adagen.reference.numbers import DOUBLE
 
@@ -108,6 +109,26 @@ def potential_energy(model: Model, q: Any) -> float:
     """Return the potential energy in gravity (J), zero with all masses at the ground's origin."""
     q = checked(model, "q", q, model.nq)
     return float(energies(DOUBLE, model, *coupled(DOUBLE, model, q, np.zeros(model.nv)))[1])
+
+
+def momentum(model: Model, q: Any, v: Any) -> tuple[Array, Array]:
+    """Return linear momentum (kg m/s) and angular momentum about the centre of mass (kg m^2/s).
+
+    Args:
+        model: the robot.
+        q: configuration, shape (nq,).
+        v: velocity, shape (nv,).
+
+    Returns:
+        Two vectors of shape (3,) in ground coordinates. Those of a robot on a floating base whose
+        base has no torque: the first changes by gravity alone, the second not at all.
+
+    Raises:
+        InputError: as `inverse_dynamics`.
+    """
+    q, v = checked(model, "q", q, model.nq), checked(model, "v", v, model.nv)
+    linear, angular = momenta(DOUBLE, model, *coupled(DOUBLE, model, q, v))
+    return np.asarray(linear), np.asarray(angular)
 
 
 def residual(model: Model, q: Any, v: Any, tau: Any, qdd: Any) -> float:
