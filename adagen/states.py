@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -51,12 +51,15 @@ class States:
         return len(self.q)
 
 
-def read_states(path: Path | str, model: Model) -> States:
+def read_states(
+    path: Path | str, model: Model, why_missing: Callable[[str], str | None] | None = None
+) -> States:
     """Read a states file.
 
     Args:
         path: the file.
         model: whose joints it must give, all of them; slaved ones may be left out.
+        why_missing: says why the model lacks a joint of the robot, if it knows.
 
     Raises:
         InputError: the file cannot be read, is not JSON, or says anything that is not a state of
@@ -67,7 +70,7 @@ def read_states(path: Path | str, model: Model) -> States:
         _gravity(document)
         joints = as_object(document.get("joints"), "'joints'")
         _check_floating(document.get("floating"), model)
-        _check_names(joints, model)
+        _check_names(joints, model, why_missing=why_missing)
         count = _count(joints)
         size = {"q": model.nq, "v": model.nv, "tau": model.nv}
         states = States(*(np.zeros((count, size[name])) for name in FIELDS))
@@ -194,11 +197,20 @@ def _check_floating(said: Any, model: Model) -> None:
         raise Refusal("the states are of a fixed base: leave --floating out, or set 'floating'")
 
 
-def _check_names(joints: dict[str, Any], model: Model, *, every: bool = False) -> None:
+def _check_names(
+    joints: dict[str, Any],
+    model: Model,
+    *,
+    every: bool = False,
+    why_missing: Callable[[str], str | None] | None = None,
+) -> None:
     """Refuse joints that the model lacks, and the lack of joints that it has."""
     names = {joint.name for joint in model.joints}
     for name in joints:
         if name not in names:
+            reason = None if why_missing is None else why_missing(name)
+            if reason is not None:
+                raise Refusal(f"joint '{name}' has no state: {reason}; leave it out")
             hint = nearest(name, (joint.name for joint in model.joints))
             if name == BASE:
                 hint = ": the robot's base is fixed; add --floating, or leave it out"

@@ -64,6 +64,12 @@ def add_model(parser: argparse.ArgumentParser, *, gravity: bool = True) -> None:
     parser.add_argument(
         "--mimic", action="store_true", help="slave mimic joints instead of leaving them free"
     )
+    parser.add_argument(
+        "--scene",
+        metavar="FILE",
+        help="what is asked of the robot (TOML, docs/scenes.md): base, locked joints, damping, "
+        "forces, ...; only the model that this needs is treated",
+    )
     if gravity:
         parser.add_argument(
             "--gravity",

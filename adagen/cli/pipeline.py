@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from adagen.model import Model
     from adagen.plan import Plan
     from adagen.schedule import CostProfile, Schedule, Topology
+    from adagen.urdf import Reading
 
 
 @dataclass(frozen=True)
@@ -47,9 +48,13 @@ def read_model(
     """Return the robot that the options name, with warnings on stderr.
 
     Raises:
-        InputError: the robot description is refused.
+        InputError: the robot description or the scene is refused.
     """
     with stages.stage("read"), progress(f"reading {Path(options.model).name}"):
+        if options.scene is not None:
+            from adagen.cli.scenes import read_in_scene
+
+            return read_in_scene(options, gravity)
         from adagen.urdf import read_robot
 
         reading = read_robot(
@@ -58,12 +63,17 @@ def read_model(
             mimic=options.mimic,
             gravity=gravity,
         )
+    tell(reading, options)
+    return reading.model
+
+
+def tell(reading: Reading, options: argparse.Namespace) -> None:
+    """Pass on what the reader has to say."""
     for warning in reading.warnings:
         warn(warning)
     if options.verbose:
         for ignored in reading.ignored:
             note(f"note: {ignored}")
-    return reading.model
 
 
 def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) -> Schedule:
@@ -173,6 +183,11 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             f"{options.model}: warning: {idle} of {len(plan.processes)} processes will have"
             f" nothing to do; say --procs {few}"
         )
+    if options.verbose and options.scene is not None:
+        from adagen.cli.scenes import tell_savings
+
+        with stages.stage("compare"):
+            tell_savings(plan, schedule, options)
     with stages.stage("assess"):
         _warn_of_lost_digits(plan, options.model)
     with stages.stage("emit"), progress("emitting"):

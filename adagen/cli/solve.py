@@ -68,7 +68,9 @@ def _solve(options: argparse.Namespace, stages: Stages) -> int:
     gravity = states_gravity(options.states)
     model = pipeline.read_model(options, stages, None if gravity is None else gravity.tolist())
     with stages.stage("states"):
-        states = read_states(options.states, model)  # refused before anything is built
+        reduction = getattr(options, "reduction", None)  # refused before anything is built
+        missing = None if reduction is None else reduction.why_missing
+        states = read_states(options.states, model, missing)
     made = pipeline.generate(model, options, stages)
     with stages.stage("build"):
         name, source = made.source

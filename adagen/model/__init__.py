@@ -2,7 +2,7 @@
 
 from adagen.model.frames import canonical
 from adagen.model.kinds import FLOATING, KINDS, PLANAR, PRISMATIC, REVOLUTE, SPHERICAL, JointKind
-from adagen.model.model import Frame, Inertia, Joint, Link, Mimic, Model, Passive
+from adagen.model.model import Frame, Inertia, Joint, Link, Mimic, Model, Passive, Wrench
 from adagen.model.rigid import Part, Pose, lump
 
 __all__ = [
@@ -22,6 +22,7 @@ __all__ = [
     "Part",
     "Passive",
     "Pose",
+    "Wrench",
     "canonical",
     "lump",
 ]

@@ -43,7 +43,10 @@ def canonical(model: Model) -> Model:
                 frames=tuple(_turned(frame, own) for frame in model.links[j + 1].frames),
             )
         )
-    return replace(model, links=tuple(links), joints=tuple(joints))
+    wrenches = tuple(
+        replace(wrench, frame=_turned(wrench.frame, turn[wrench.link])) for wrench in model.wrenches
+    )
+    return replace(model, links=tuple(links), joints=tuple(joints), wrenches=wrenches)
 
 
 def _turned(frame: Frame, turn: Exact) -> Frame:

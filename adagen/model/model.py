@@ -137,6 +137,19 @@ class Joint:
 
 
 @dataclass(frozen=True, eq=False)
+class Wrench:
+    """An outer force and moment that is an input: [force; moment] at a link's origin in its axes.
+
+    Attributes:
+        link: index of the link that feels it.
+        frame: the named link's frame in that link's (another one where it is lumped).
+    """
+
+    link: int
+    frame: Frame
+
+
+@dataclass(frozen=True, eq=False)
 class Model:
     """A robot: joint j joins links[joints[j].parent] to links[j + 1]; links[0] is the ground.
 
@@ -148,6 +161,7 @@ class Model:
         joints: N joints.
         gravity: acceleration of free fall in ground coordinates, shape (3,), m/s^2.
         floating: whether joint 0 is the floating base ``__base__`` that the user asked for.
+        wrenches: outer forces that are inputs; they follow the joints' torques in tau.
     """
 
     name: str
@@ -155,6 +169,7 @@ class Model:
     joints: tuple[Joint, ...]
     gravity: Array = field(default_factory=lambda: np.array([0.0, 0.0, -9.81]))
     floating: bool = False
+    wrenches: tuple[Wrench, ...] = ()
 
     @cached_property
     def nq(self) -> int:
@@ -165,6 +180,11 @@ class Model:
     def nv(self) -> int:
         """Degrees of freedom (a slaved joint counts its own)."""
         return sum(joint.kind.nv for joint in self.joints)
+
+    @property
+    def ntau(self) -> int:
+        """Numbers in tau: one for each degree of freedom, then six for each outer force."""
+        return self.nv + 6 * len(self.wrenches)
 
     @cached_property
     def q_start(self) -> tuple[int, ...]:

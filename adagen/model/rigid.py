@@ -38,9 +38,13 @@ class Pose:
 
     def part(self, inertia: Inertia) -> Part:
         """Return the masses of a body whose frame is at this pose."""
-        com = self.rotation.dot(exact(inertia.com)) + self.translation
-        tensor = rotated_inertia(self.rotation, exact(inertia.tensor))
-        return arb(inertia.mass), _middle(com), _middle(tensor)
+        return self.moved((arb(inertia.mass), exact(inertia.com), exact(inertia.tensor)))
+
+    def moved(self, part: Part) -> Part:
+        """Return masses told in the frame at this pose as told in the outer frame."""
+        mass, com, tensor = part
+        com = self.rotation.dot(com) + self.translation
+        return mass, _middle(com), _middle(rotated_inertia(self.rotation, tensor))
 
 
 def _middle(values: Exact) -> Exact:

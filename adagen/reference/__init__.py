@@ -12,6 +12,7 @@ from adagen.reference.double import (
     inverse_dynamics,
     joint_space_inertia,
     kinetic_energy,
+    momentum,
     potential_energy,
     residual,
 )
@@ -26,6 +27,7 @@ __all__ = [
     "inverse_dynamics",
     "joint_space_inertia",
     "kinetic_energy",
+    "momentum",
     "potential_energy",
     "residual",
 ]

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from adagen.errors import InputError
 from adagen.exact import exact, rounded
 from adagen.model import Model
-from adagen.reference.coupling import checked, coupled, coupling, free_rows
+from adagen.reference.coupling import checked, coupled, coupling, free_rows, prescribed
 from adagen.reference.inertia import inertia_matrix
 from adagen.reference.newton_euler import joint_torques
 from adagen.reference.numbers import BALLS, Numeric
@@ -79,7 +79,7 @@ def exact_forward_dynamics(model: Model, q: Any, v: Any, tau: Any, digits: int =
         model: the robot, its doubles taken as exact (as in `exact_inverse_dynamics`).
         q: configuration, shape (nq,).
         v: velocity, shape (nv,).
-        tau: torques, shape (nv,).
+        tau: torques and outer forces, shape (ntau,).
         digits: decimal digits relative to the largest entry.
 
     Raises:
@@ -89,15 +89,17 @@ def exact_forward_dynamics(model: Model, q: Any, v: Any, tau: Any, digits: int =
     state = (
         checked(model, "q", q, model.nq),
         checked(model, "v", v, model.nv),
-        checked(model, "tau", tau, model.nv),
+        checked(model, "tau", tau, model.ntau),
     )
 
     def attempt() -> Numeric:
         at, speed = coupled(BALLS, model, exact(state[0]), exact(state[1]))
-        shares, still = coupling(BALLS, model), BALLS.zeros(model.nv)
-        held = joint_torques(BALLS, model, at, speed, still)
-        needed = shares.T.dot(exact(state[2]) - held)
-        result: Numeric = shares.dot(_solve(inertia_matrix(BALLS, model, at), shares, needed))
+        given = exact(state[2])
+        shares, known = coupling(BALLS, model), prescribed(BALLS, model, given)
+        held = joint_torques(BALLS, model, at, speed, known, given)
+        needed = shares.T.dot(given[: model.nv] - held)
+        moved = inertia_matrix(BALLS, model, at)
+        result: Numeric = shares.dot(_solve(moved, shares, needed)) + known
         return result
 
     return _to_digits(attempt, digits)

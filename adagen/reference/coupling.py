@@ -73,9 +73,10 @@ def coupled(
 
 
 def coupling(numbers: Numbers, model: Model) -> Numeric:
-    """Return G, shape (nv, nr), with v = G v_r, v_r the velocities of joints that are not slaved.
+    """Return G, shape (nv, nr), with v = G v_r, v_r the velocities of free joints.
 
-    The problem with slaved joints is then (G^T H G) qdd_r = G^T (tau - bias), qdd = G qdd_r.
+    The problem with slaved joints is then (G^T H G) qdd_r = G^T (tau - bias), qdd = G qdd_r; with
+    prescribed accelerations the bias holds them too, and qdd = G qdd_r + what is prescribed.
     """
     matrix = numbers.array(np.eye(model.nv))
     for j, source, chain in followers(model):
@@ -89,9 +90,28 @@ def coupling(numbers: Numbers, model: Model) -> Numeric:
 
 
 def free_rows(model: Model) -> list[int]:
-    """Return the degrees of freedom that are not slaved, ascending; the columns of G."""
+    """Return the degrees of freedom neither slaved nor prescribed, ascending; the columns of G."""
     slaved = {model.v_start[j] for j, joint in enumerate(model.joints) if joint.mimic}
-    return [k for k in range(model.nv) if k not in slaved]
+    known = set(prescribed_rows(model))
+    return [k for k in range(model.nv) if k not in slaved and k not in known]
+
+
+def prescribed_rows(model: Model) -> list[int]:
+    """Return the degrees of freedom whose acceleration is given in tau, ascending."""
+    return [
+        model.v_start[j] + k
+        for j, joint in enumerate(model.joints)
+        if joint.prescribed
+        for k in range(joint.kind.nv)
+    ]
+
+
+def prescribed(numbers: Numbers, model: Model, tau: Numeric) -> Numeric:
+    """Return the accelerations, shape (nv,), that tau prescribes; zero elsewhere."""
+    result = numbers.zeros(model.nv)
+    rows = prescribed_rows(model)
+    result[rows] = tau[rows]
+    return result
 
 
 def row_names(model: Model) -> list[str]:

@@ -9,15 +9,24 @@ from numpy.typing import NDArray
 
 from adagen.errors import InputError
 from adagen.model import Model
-from adagen.reference.coupling import checked, coupled, coupling, free_rows, row_names
+from adagen.reference.coupling import (
+    checked,
+    coupled,
+    coupling,
+    free_rows,
+    prescribed,
+    prescribed_rows,
+    row_names,
+)
 from adagen.reference.inertia import cholesky_solve, inertia_matrix
+from adagen.reference.motion import momenta
 from adagen.reference.newton_euler import energies, joint_torques
 from adagen.reference.numbers import DOUBLE
 
 Array = NDArray[np.float64]
 
 
-def inverse_dynamics(model: Model, q: Any, v: Any, a: Any) -> Array:
+def inverse_dynamics(model: Model, q: Any, v: Any, a: Any, tau: Any = None) -> Array:
     """Return the joint torques that give the accelerations a, by recursive Newton-Euler.
 
     Args:
@@ -25,19 +34,22 @@ def inverse_dynamics(model: Model, q: Any, v: Any, a: Any) -> Array:
         q: configuration, shape (nq,); quaternions (x, y, z, w) of any length.
         v: velocity, shape (nv,).
         a: time derivative of v's components, shape (nv,).
+        tau: shape (ntau,), where outer forces are looked up; none act where it is left out.
 
     Returns:
         Torques and forces, shape (nv,), N m and N. A slaved joint's entries in q, v and a are
         taken from the joint that it follows; its own torque is 0, its share being in the other's.
+        So is that of a joint with a prescribed acceleration, which nobody asks for.
 
     Raises:
         InputError: a number is not finite, or a quaternion is zero.
     """
     q, v = checked(model, "q", q, model.nq), checked(model, "v", v, model.nv)
     q, v, a = coupled(DOUBLE, model, q, v, checked(model, "a", a, model.nv))
-    tau = joint_torques(DOUBLE, model, q, v, a)
+    outer = None if tau is None else checked(model, "tau", tau, model.ntau)
+    needed = joint_torques(DOUBLE, model, q, v, a, outer)
     result = np.zeros(model.nv)
-    result[free_rows(model)] = coupling(DOUBLE, model).T.dot(tau)
+    result[free_rows(model)] = coupling(DOUBLE, model).T.dot(needed)
     return result
 
 
@@ -74,8 +86,8 @@ def forward_dynamics(model: Model, q: Any, v: Any, tau: Any) -> Array:
         model: the robot.
         q: configuration, shape (nq,).
         v: velocity, shape (nv,).
-        tau: torques and forces of the joints, shape (nv,); a slaved joint's counts through its
-            multiplier.
+        tau: torques and forces of the joints, then outer forces, shape (ntau,); a slaved joint's
+            counts through its multiplier, a prescribed joint's entries are its acceleration.
 
     Returns:
         Time derivative of v's components, shape (nv,); a slaved joint's entry follows from its
@@ -85,14 +97,15 @@ def forward_dynamics(model: Model, q: Any, v: Any, tau: Any) -> Array:
         InputError: a number is not finite, a quaternion is zero, or the joint-space inertia is
             singular.
     """
-    tau = checked(model, "tau", tau, model.nv)
+    tau = checked(model, "tau", tau, model.ntau)
     moved = joint_space_inertia(model, q)
     shares = coupling(DOUBLE, model)
     free = free_rows(model)
-    needed = shares.T.dot(tau) - bias(model, q, v)[free]
+    known = prescribed(DOUBLE, model, tau)
+    needed = shares.T.dot(tau[: model.nv]) - inverse_dynamics(model, q, v, known, tau)[free]
     names = row_names(model)
     reduced = shares.T.dot(moved).dot(shares)
-    result = shares.dot(cholesky_solve(reduced, needed, [names[row] for row in free]))
+    result = shares.dot(cholesky_solve(reduced, needed, [names[row] for row in free])) + known
     if not np.isfinite(result).all():
         raise InputError("the accelerations overflow; the state or the robot is out of range")
     return np.asarray(result)
@@ -110,6 +123,26 @@ def potential_energy(model: Model, q: Any) -> float:
     return float(energies(DOUBLE, model, *coupled(DOUBLE, model, q, np.zeros(model.nv)))[1])
 
 
+def momentum(model: Model, q: Any, v: Any) -> tuple[Array, Array]:
+    """Return linear momentum (kg m/s) and angular momentum about the centre of mass (kg m^2/s).
+
+    Args:
+        model: the robot.
+        q: configuration, shape (nq,).
+        v: velocity, shape (nv,).
+
+    Returns:
+        Two vectors of shape (3,) in ground coordinates. Those of a robot on a floating base whose
+        base has no torque: the first changes by gravity alone, the second not at all.
+
+    Raises:
+        InputError: as `inverse_dynamics`.
+    """
+    q, v = checked(model, "q", q, model.nq), checked(model, "v", v, model.nv)
+    linear, angular = momenta(DOUBLE, model, *coupled(DOUBLE, model, q, v))
+    return np.asarray(linear), np.asarray(angular)
+
+
 def residual(model: Model, q: Any, v: Any, tau: Any, qdd: Any) -> float:
     """Return how far the accelerations are from the torques, relative to the torques at work.
 
@@ -122,19 +155,22 @@ def residual(model: Model, q: Any, v: Any, tau: Any, qdd: Any) -> float:
         model: the robot.
         q: configuration, shape (nq,).
         v: velocity, shape (nv,).
-        tau: torques, shape (nv,).
+        tau: torques and outer forces, shape (ntau,).
         qdd: accelerations to be judged, shape (nv,).
 
     Returns:
-        At most 2; infinity where qdd is not finite; 0 where everything is zero.
+        At most 2; infinity where qdd is not finite or not as prescribed; 0 where everything is
+        zero.
     """
     if not np.isfinite(np.asarray(qdd, dtype=np.float64)).all():
         return np.inf
-    tau = checked(model, "tau", tau, model.nv)
-    free = free_rows(model)
-    given = coupling(DOUBLE, model).T.dot(tau)
-    needed = inverse_dynamics(model, q, v, qdd)[free]
-    held = bias(model, q, v)[free]
+    tau = checked(model, "tau", tau, model.ntau)
+    free, rows = free_rows(model), prescribed_rows(model)
+    if not np.array_equal(np.asarray(qdd)[rows], tau[rows]):
+        return np.inf
+    given = coupling(DOUBLE, model).T.dot(tau[: model.nv])
+    needed = inverse_dynamics(model, q, v, qdd, tau)[free]
+    held = inverse_dynamics(model, q, v, prescribed(DOUBLE, model, tau), tau)[free]
     scale = max(float(np.linalg.norm(x)) for x in (given, needed, held))
     return float(np.linalg.norm(needed - given)) / scale if scale > 0 else 0.0
 

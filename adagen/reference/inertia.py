@@ -77,6 +77,8 @@ def inertia_matrix(numbers: Numbers, model: Model, q: Numeric) -> Numeric:
         moment = np.hstack([group[2] for group in groups])
         block = place.angular.T.dot(moment) + place.linear.T.dot(force)
         block[:, : len(own)] = (block[:, : len(own)] + block[:, : len(own)].T) / 2
+        rotor = numbers.array(np.eye(len(own)) * joint.passive.rotor_inertia)
+        block[:, : len(own)] = block[:, : len(own)] + rotor
         result[np.ix_(own, columns)] = block
         result[np.ix_(columns, own)] = block.T
         if joint.parent:

@@ -10,6 +10,7 @@ import numpy as np
 from adagen.model import Model
 from adagen.reference.kinematics import Body, Placement, bodies, placements
 from adagen.reference.numbers import Numbers, Numeric, cross
+from adagen.reference.passive import passive_torques, pushes
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,7 +28,14 @@ class Motion:
     pull: Numeric
 
 
-def joint_torques(numbers: Numbers, model: Model, q: Numeric, v: Numeric, a: Numeric) -> Numeric:
+def joint_torques(
+    numbers: Numbers,
+    model: Model,
+    q: Numeric,
+    v: Numeric,
+    a: Numeric,
+    tau: Numeric | None = None,
+) -> Numeric:
     """Return the joint torques, shape (nv,), that give the accelerations a.
 
     Args:
@@ -36,6 +44,7 @@ def joint_torques(numbers: Numbers, model: Model, q: Numeric, v: Numeric, a: Num
         q: configuration, shape (nq,).
         v: velocity, shape (nv,).
         a: time derivative of the components of v, shape (nv,).
+        tau: where outer forces are looked up, shape (ntau,); None where there are none.
     """
     placed = placements(numbers, model, q)
     motions = _motions(numbers, model, placed, v, a)
@@ -44,17 +53,19 @@ def joint_torques(numbers: Numbers, model: Model, q: Numeric, v: Numeric, a: Num
         force, moment = _needed(body, motion)
         forces.append(force)
         moments.append(moment)
-    tau = numbers.zeros(model.nv)
+    for j, force, moment in [] if tau is None else pushes(numbers, model, tau):
+        forces[j], moments[j] = forces[j] - force, moments[j] - moment
+    result = numbers.zeros(model.nv)
     for j in reversed(range(len(placed))):
         place, parent, start = placed[j], model.joints[j].parent, model.v_start[j]
         own = place.angular.T.dot(moments[j]) + place.linear.T.dot(forces[j])
-        tau[start : start + len(own)] = own
+        result[start : start + len(own)] = own
         if parent:
             force = place.rotation.dot(forces[j])
             moment = place.rotation.dot(moments[j]) + cross(place.position, force)
             forces[parent - 1] = forces[parent - 1] + force
             moments[parent - 1] = moments[parent - 1] + moment
-    return tau
+    return result + passive_torques(numbers, model, q, v, a)
 
 
 def _motions(
@@ -85,7 +96,9 @@ def _needed(body: Body, motion: Motion) -> tuple[Numeric, Numeric]:
 
 
 def energies(numbers: Numbers, model: Model, q: Numeric, v: Numeric) -> tuple[Any, Any]:
-    """Return kinetic and potential energy (J), the latter zero with all masses at the origin.
+    """Return kinetic and potential energy (J), rotors and springs included.
+
+    The potential energy is zero with all masses at the origin and all springs at rest.
 
     Args:
         numbers: the kind of number that q and v hold.
@@ -99,12 +112,13 @@ def energies(numbers: Numbers, model: Model, q: Numeric, v: Numeric) -> tuple[An
     kinetic = potential = still[0]
     every = zip(
         model.joints,
+        model.q_start,
         model.v_start,
         placements(numbers, model, q),
         bodies(numbers, model),
         strict=True,
     )
-    for joint, start, place, body in every:
+    for joint, start_q, start, place, body in every:
         axes, origin, spin, speed = poses[joint.parent]
         own, back = v[start : start + joint.kind.nv], place.rotation.T
         speed = back.dot(speed + cross(spin, place.position)) + place.linear.dot(own)
@@ -115,4 +129,11 @@ def energies(numbers: Numbers, model: Model, q: Numeric, v: Numeric) -> tuple[An
         twice = body.mass * middle.dot(middle) + spin.dot(body.tensor.dot(spin))
         kinetic = kinetic + twice / 2
         potential = potential - body.mass * down.dot(origin + axes.dot(body.com))
+        rotor, stiffness, rest = numbers.array(
+            [joint.passive.rotor_inertia, joint.passive.stiffness, joint.passive.rest]
+        )
+        kinetic = kinetic + rotor * own.dot(own) / 2
+        if joint.passive.stiffness:
+            stretch = q[start_q] - rest
+            potential = potential + stiffness * stretch * stretch / 2
     return kinetic, potential

@@ -27,12 +27,14 @@ class Numbers:
         array: turns floats of any shape into an array of these numbers, without rounding.
         sincos: sine and cosine of one number (rad).
         sqrt: square root of one number.
+        tanh: hyperbolic tangent of one number.
         turn: rotation, shape (3, 3), whose third column is a given axis.
     """
 
     array: Callable[[Any], Numeric]
     sincos: Callable[[Any], tuple[Any, Any]]
     sqrt: Callable[[Any], Any]
+    tanh: Callable[[Any], Any]
     turn: Callable[[Any], Numeric]
 
     def zeros(self, *shape: int) -> Numeric:
@@ -44,12 +46,14 @@ DOUBLE = Numbers(
     array=lambda values: np.asarray(values, dtype=np.float64),
     sincos=lambda x: (math.sin(x), math.cos(x)),
     sqrt=math.sqrt,
+    tanh=math.tanh,
     turn=lambda axis: rounded(rotation_taking_z_to(axis)),
 )
 BALLS = Numbers(
     array=exact,
     sincos=lambda x: x.sin_cos(),
     sqrt=lambda x: x.sqrt(),
+    tanh=lambda x: x.tanh(),
     turn=rotation_taking_z_to,
 )
 

@@ -88,14 +88,17 @@ class _Recursion:
         self.worst = Mobility(0, 1.0, (0,))
         for j in range(n - 1, -1, -1):
             joint = model.joints[j]
-            ratio, direction = self._pivots(joint, articulated[j + 1], composite[j + 1])
-            if ratio < self.worst.ratio:
-                moving = self._moving(j, direction) if ratio < SINGULAR else (j,)
-                self.worst = Mobility(j, ratio, moving)
-                if ratio < SINGULAR:
-                    return
+            if not joint.prescribed:
+                ratio, direction = self._pivots(joint, articulated[j + 1], composite[j + 1])
+                if ratio < self.worst.ratio:
+                    moving = self._moving(j, direction) if ratio < SINGULAR else (j,)
+                    self.worst = Mobility(j, ratio, moving)
+                    if ratio < SINGULAR:
+                        return
             self.motion[j] = x = motion_transform(joint, j, configuration)
-            below = self._projected(j, articulated[j + 1])
+            below = (
+                articulated[j + 1] if joint.prescribed else self._projected(j, articulated[j + 1])
+            )
             articulated[joint.parent] += (x.transpose() * below * x).mid()
             composite[joint.parent] += (x.transpose() * composite[j + 1] * x).mid()
 
@@ -109,13 +112,13 @@ class _Recursion:
         D = L diag(pivots) L^T; the direction d solves L^T d = unit vector, so that d^T D d is the
         pivot.
         """
-        free = joint.kind.free
+        free, rotor = joint.kind.free, arb(joint.passive.rotor_inertia)
         n = len(free)
-        d = [[articulated[r, c] for c in free] for r in free]
+        d = [[articulated[r, c] + (rotor if r == c else 0) for c in free] for r in free]
         lower = [[arb(int(i == k)) for k in range(n)] for i in range(n)]
         worst, at = 2.0, 0
         for k in range(n):
-            scale = composite[free[k], free[k]]
+            scale = composite[free[k], free[k]] + rotor
             usable = scale > 0 and abs(float(d[k][k])) > TINY
             ratio = float(d[k][k] / scale) if usable else 0.0
             if ratio < worst:
@@ -133,13 +136,15 @@ class _Recursion:
 
     def _projected(self, j: int, articulated: Any) -> Any:
         """Return what the parent feels of a link's articulated inertia; remember D^-1 U^T."""
-        kind = self.model.joints[j].kind
+        kind, rotor = self.model.joints[j].kind, self.model.joints[j].passive.rotor_inertia
         free, n = kind.free, kind.nv
         u = arb_mat(6, n, [articulated[r, c] for r in range(6) for c in free])
         d = arb_mat(n, n, [articulated[r, c] for r in free for c in free])
+        for k in range(n):
+            d[k, k] += arb(rotor)
         self.gain[j] = d.solve(u.transpose()).mid()
         below = (articulated - u * self.gain[j]).mid()
-        for row in free:
+        for row in () if rotor else free:
             for k in range(6):
                 below[row, k] = below[k, row] = arb(0)
         return (below + below.transpose()) / 2
@@ -155,6 +160,9 @@ class _Recursion:
             if joint.parent not in acceleration:
                 continue
             a = (self.motion[c] * acceleration[joint.parent]).mid()
+            if joint.prescribed:
+                acceleration[c + 1] = a
+                continue
             qdd = -(self.gain[c] * a).mid()
             if any(abs(float(qdd[i, 0])) > AT_REST for i in range(joint.kind.nv)):
                 moving.append(c)

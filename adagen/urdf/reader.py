@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,6 +16,7 @@ from adagen.urdf.bodies import BASE, build, gather
 from adagen.urdf.checks import Lines, check_model
 from adagen.urdf.description import Description, describe
 from adagen.urdf.document import parse
+from adagen.urdf.effects import read_effects, with_effects
 from adagen.urdf.mimics import resolve
 from adagen.urdf.notes import Notes
 from adagen.urdf.numbers import LARGEST
@@ -33,11 +34,15 @@ class Reading:
         model: the robot.
         warnings: one line each, ``file:line: warning: ...``.
         ignored: what the file says that the model does not hold, one line each.
+        file: path of the file.
+        lines: where the file tells of what.
     """
 
     model: Model
     warnings: tuple[str, ...]
     ignored: tuple[str, ...]
+    file: str
+    lines: Lines
 
 
 def read_robot(
@@ -46,6 +51,8 @@ def read_robot(
     floating: bool = False,
     mimic: bool = False,
     gravity: Sequence[float] | None = None,
+    effects: Collection[str] = (),
+    check: bool = True,
 ) -> Reading:
     """Read a URDF, strictly.
 
@@ -56,6 +63,9 @@ def read_robot(
             warning each.
         gravity: acceleration of free fall in ground coordinates, three numbers, m/s^2;
             (0, 0, -9.81) by default.
+        effects: what of joints' <dynamics> is modelled: "damping", "friction".
+        check: refuse a robot whose forward dynamics has no answer; if not, ``check_reduced`` has to
+            judge what is made of it.
 
     Returns:
         The model, in which fixed joints are lumped, axes are normalised and every number is
@@ -73,13 +83,35 @@ def read_robot(
     mimics = resolve(description, mimic, notes)
     warn_limits(root, notes)
     warn_inertias(description, notes)
-    remark_ignored(root, notes)
+    remark_ignored(root, notes, effects)
+    passive = read_effects(root, effects, notes)
     description = agreed(root, description, notes)
     model = build(description.name, gather(description, tree, floating), mimics, floating)
+    model = with_effects(model, passive)
     if gravity is not None:
         model = model.with_gravity(_gravity(gravity))
-    check_model(model, _lines(description), notes)
-    return Reading(model, tuple(notes.warnings), tuple(notes.ignored))
+    lines = _lines(description)
+    if check:
+        check_model(model, lines, notes)
+    return Reading(model, tuple(notes.warnings), tuple(notes.ignored), notes.file, lines)
+
+
+def check_reduced(reading: Reading, model: Model) -> tuple[str, ...]:
+    """Refuse what was made of a robot that was read, if its forward dynamics has no answer.
+
+    Args:
+        reading: the robot.
+        model: what was made of it.
+
+    Returns:
+        Warnings, one line each.
+
+    Raises:
+        InputError: as ``read_robot``.
+    """
+    notes = Notes(reading.file)
+    check_model(model, reading.lines, notes)
+    return tuple(notes.warnings)
 
 
 def _lines(description: Description) -> Lines:

@@ -73,6 +73,8 @@ def inertia_matrix(model: Model, configuration: int) -> Any:
             at = model.joints[i]
         x = motion[j]
         composite[joint.parent] += (x.transpose() * composite[j + 1] * x).mid()
+        for row in range(model.v_start[j], model.v_start[j] + joint.kind.nv):
+            result[row, row] += arb(joint.passive.rotor_inertia)
     return result
 
 
@@ -87,11 +89,11 @@ def _columns(matrix: Any, which: tuple[int, ...]) -> Any:
 
 
 def _independent(model: Model) -> list[tuple[int, int]]:
-    """Return (joint, row in v) of each independent degree of freedom."""
+    """Return (joint, row in v) of each degree of freedom that is neither slaved nor prescribed."""
     return [
         (j, model.v_start[j] + k)
         for j, joint in enumerate(model.joints)
-        if joint.mimic is None
+        if joint.mimic is None and not joint.prescribed
         for k in range(joint.kind.nv)
     ]
 

@@ -260,12 +260,13 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 } };
 
 // Slaved joints follow their sources; what was given for them is ignored.
-inline void slave([[maybe_unused]] Real* q, [[maybe_unused]] Real* v) {
+template <class Number>
+void slave([[maybe_unused]] Number* q, [[maybe_unused]] Number* v) {
   for (const JointConstants& joint : kJoints) {
     if (joint.source < 0) continue;
     const JointConstants& source = kJoints[static_cast<std::size_t>(joint.source)];
-    q[joint.q] = static_cast<Real>(joint.multiplier * double(q[source.q]) + joint.offset);
-    v[joint.v] = static_cast<Real>(joint.multiplier * double(v[source.v]));
+    q[joint.q] = static_cast<Number>(joint.multiplier * double(q[source.q]) + joint.offset);
+    v[joint.v] = static_cast<Number>(joint.multiplier * double(v[source.v]));
   }
 }
 
@@ -368,6 +369,7 @@ enum Failure : int {
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
+  kEnded = 6,           // no failure: process 0 has no more to evaluate
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -409,6 +411,8 @@ std::string describe(int status) {
              "factorization failed: the inertias beside it differ too much for the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
+    case kEnded:
+      return "the evaluations are over";
     case kNoAnswer:
       return "process " + std::to_string(place) + " did not answer within the time limit";
   }
@@ -2152,6 +2156,12 @@ class Solver {
     return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
   }
 
+  // At process 0: the others' next solve_at_root returns kEnded, and so does this.
+  int end_at_root() {
+    if constexpr (kProcesses == 1) return kFine;
+    return solve_as_root(q_.data(), v_.data(), tau_.data(), qdd_.data(), failure(kEnded, 0));
+  }
+
  private:
   int solve_for_root() {
     const int rank = channel.rank();
@@ -2171,8 +2181,7 @@ class Solver {
     return finish(w.status);
   }
 
-  int solve_as_root(const Real* q, const Real* v, const Real* tau, Real* qdd) {
-    int status = kFine;
+  int solve_as_root(const Real* q, const Real* v, const Real* tau, Real* qdd, int status = kFine) {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;
@@ -2757,6 +2766,412 @@ bool write_result(const std::string& path, const std::vector<Real>& qdd, int cou
 
 constexpr ChannelMode kChannelMode = ChannelMode::kMessage;
 
+// Configurations as points of a manifold. Near an anchor q0 a configuration has local coordinates
+// x, as many as velocities: a rotation vector in the child's frame where there is a quaternion,
+// the change of q itself elsewhere (of a floating or planar joint's position: in its joint frame).
+namespace manifold {
+
+using State = std::vector<double>;
+
+// a x b.
+inline void cross(const double* a, const double* b, double* result) {
+  for (int k = 0; k < 3; ++k)
+    result[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+// The joint's own rotation takes v, in the child's frame, to the joint frame: v + 2 p x (w v + p x
+// v) for a quaternion (p, w) of any length.
+inline void rotate(const double* quaternion, const double* v, double* result) {
+  double squared = 0, inner[3], outer[3];
+  for (int k = 0; k < 4; ++k) squared += quaternion[k] * quaternion[k];
+  cross(quaternion, v, inner);
+  for (int k = 0; k < 3; ++k) inner[k] += quaternion[3] * v[k];
+  cross(quaternion, inner, outer);
+  for (int k = 0; k < 3; ++k) result[k] = v[k] + 2 / squared * outer[k];
+}
+
+// Quaternions p times (x, w).
+inline void multiply(const double* p, const double* x, double w, double* result) {
+  double twisted[3];
+  cross(p, x, twisted);
+  for (int k = 0; k < 3; ++k) result[k] = p[3] * x[k] + w * p[k] + twisted[k];
+  result[3] = p[3] * w - (p[0] * x[0] + p[1] * x[1] + p[2] * x[2]);
+}
+
+inline double length(const double* x, int count) {
+  double squared = 0;
+  for (int k = 0; k < count; ++k) squared += x[k] * x[k];
+  return std::sqrt(squared);
+}
+
+constexpr bool turns_freely(const JointConstants& joint) { return joint.nq >= 4; }
+
+inline void normalise(State& q) {
+  for (const JointConstants& joint : kJoints) {
+    if (!turns_freely(joint)) continue;
+    double* const quaternion = &q[static_cast<std::size_t>(joint.q + joint.nq - 4)];
+    const double size = length(quaternion, 4);
+    if (!(size > 0)) continue;  // the solver refuses it by name
+    for (int k = 0; k < 4; ++k) quaternion[k] /= size;
+  }
+}
+
+// Velocity of the origin of a floating or planar joint's child, told in the joint frame; its row
+// count.
+inline int position_rate(const JointConstants& joint, const double* q, const double* v,
+                         double* rate) {
+  if (joint.kind == JointKind::kFloating) {
+    rotate(q + 3, v, rate);
+    return 3;
+  }
+  if (joint.kind != JointKind::kPlanar) return 0;
+  const double c = std::cos(q[2]), s = std::sin(q[2]);
+  rate[0] = c * v[0] - s * v[1];
+  rate[1] = s * v[0] + c * v[1];
+  return 2;
+}
+
+// q' as numbers: quaternions by half their product with the angular velocity.
+inline void rate(const State& q, const State& v, State& result) {
+  for (const JointConstants& joint : kJoints) {
+    const double* const own = &q[static_cast<std::size_t>(joint.q)];
+    const double* const speed = &v[static_cast<std::size_t>(joint.v)];
+    double* const to = &result[static_cast<std::size_t>(joint.q)];
+    const int done = position_rate(joint, own, speed, to);
+    if (turns_freely(joint)) {
+      const double half[3] = {speed[done] / 2, speed[done + 1] / 2, speed[done + 2] / 2};
+      multiply(own + done, half, 0, to + done);
+    } else {
+      std::copy(speed + done, speed + joint.nv, to + done);
+    }
+  }
+}
+
+// x' at local coordinates x, where the configuration is q: for rotations the inverse of the
+// exponential's derivative, v + x x v / 2 + c x x (x x v), c = (1 - a cot a) / (2 a)^2 at a =
+// |x|/2.
+inline void local_rate(const State& q, const State& x, const State& v, State& result) {
+  for (const JointConstants& joint : kJoints) {
+    const double* const speed = &v[static_cast<std::size_t>(joint.v)];
+    double* const to = &result[static_cast<std::size_t>(joint.v)];
+    const int done = position_rate(joint, &q[static_cast<std::size_t>(joint.q)], speed, to);
+    std::copy(speed + done, speed + joint.nv, to + done);
+    if (!turns_freely(joint)) continue;
+    const double* const turn = &x[static_cast<std::size_t>(joint.v + done)];
+    const double half = length(turn, 3) / 2;
+    const double c = half < 1e-3 ? 1.0 / 12 + half * half / 180
+                                 : (1 - half / std::tan(half)) / (4 * half * half);
+    double once[3], twice[3];
+    cross(turn, speed + done, once);
+    cross(turn, once, twice);
+    for (int k = 0; k < 3; ++k) to[done + k] += once[k] / 2 + c * twice[k];
+  }
+}
+
+// The configuration with local coordinates x about the anchor.
+inline void advance(const State& anchor, const State& x, State& q) {
+  for (const JointConstants& joint : kJoints) {
+    const double* const from = &anchor[static_cast<std::size_t>(joint.q)];
+    const double* const by = &x[static_cast<std::size_t>(joint.v)];
+    double* const to = &q[static_cast<std::size_t>(joint.q)];
+    const int plain = turns_freely(joint) ? joint.nq - 4 : joint.nq;
+    for (int k = 0; k < plain; ++k) to[k] = from[k] + by[k];
+    if (!turns_freely(joint)) continue;
+    const double* const turn = by + plain;
+    const double half = length(turn, 3) / 2;
+    const double part = half < 1e-3 ? 0.5 - half * half / 12 : std::sin(half) / (2 * half);
+    const double vector[3] = {part * turn[0], part * turn[1], part * turn[2]};
+    multiply(from + plain, vector, std::cos(half), to + plain);
+  }
+}
+
+}  // namespace manifold
+
+// Fixed-step integrators of q' = G(q) v, v' = a(q, v). All but RK4 and the explicit Euler method
+// move quaternions by the exponential map, so that these keep their length.
+enum class Integrator { kEuler, kSemiImplicit, kRk4, kRkmk4 };
+
+struct IntegratorInfo {
+  const char* name;
+  Integrator kind;
+  int evaluations;  // for a step
+};
+
+constexpr std::array<IntegratorInfo, 4> kIntegrators{{
+    {"euler", Integrator::kEuler, 1},
+    {"semi-implicit", Integrator::kSemiImplicit, 1},
+    {"rk4", Integrator::kRk4, 4},
+    {"rkmk4", Integrator::kRkmk4, 4},
+}};
+
+class Stepper {
+ public:
+  using State = manifold::State;
+
+  Stepper() {
+    for (State* x : {&middle_q_, &q_rate_, &q_sum_}) x->resize(kNq);
+    for (State* x : {&middle_v_, &a_, &v_sum_, &x_, &x_rate_, &x_sum_}) x->resize(kNv);
+  }
+
+  // One step of length h from (q, v) to (q, v). accelerate(q, v, a) evaluates and returns a status;
+  // where that is a failure, the state stays as it was.
+  template <class Accelerate>
+  int step(Integrator kind, double h, State& q, State& v, Accelerate accelerate) {
+    switch (kind) {
+      case Integrator::kRk4:
+        return runge_kutta(h, q, v, accelerate);
+      case Integrator::kRkmk4:
+        return munthe_kaas(h, q, v, accelerate);
+      default:
+        return euler(kind == Integrator::kSemiImplicit, h, q, v, accelerate);
+    }
+  }
+
+ private:
+  static constexpr std::array<double, 4> kNode{0, 0.5, 0.5, 1}, kWeight{1, 2, 2, 1};
+
+  // y + h dy
+  static void move(const State& y, double h, const State& dy, State& result) {
+    for (std::size_t k = 0; k < y.size(); ++k) result[k] = y[k] + h * dy[k];
+  }
+
+  template <class Accelerate>
+  int euler(bool semi_implicit, double h, State& q, State& v, Accelerate accelerate) {
+    if (const int failed = accelerate(q, v, a_)) return failed;
+    manifold::rate(q, v, q_rate_);
+    move(v, h, a_, v);
+    if (semi_implicit) {
+      std::fill(x_.begin(), x_.end(), 0.0);
+      manifold::local_rate(q, x_, v, x_rate_);
+      move(x_, h, x_rate_, x_);
+      manifold::advance(q, x_, middle_q_);
+      q.swap(middle_q_);
+    } else {
+      move(q, h, q_rate_, q);
+    }
+    manifold::normalise(q);
+    return kFine;
+  }
+
+  // The classical method on q as numbers; quaternions are normalised after the step.
+  template <class Accelerate>
+  int runge_kutta(double h, State& q, State& v, Accelerate accelerate) {
+    middle_q_ = q;
+    middle_v_ = v;
+    std::fill(q_sum_.begin(), q_sum_.end(), 0.0);
+    std::fill(v_sum_.begin(), v_sum_.end(), 0.0);
+    for (std::size_t k = 0; k < kNode.size(); ++k) {
+      if (k > 0) {
+        move(q, kNode[k] * h, q_rate_, middle_q_);
+        move(v, kNode[k] * h, a_, middle_v_);
+      }
+      if (const int failed = accelerate(middle_q_, middle_v_, a_)) return failed;
+      manifold::rate(middle_q_, middle_v_, q_rate_);
+      move(q_sum_, kWeight[k] / 6, q_rate_, q_sum_);
+      move(v_sum_, kWeight[k] / 6, a_, v_sum_);
+    }
+    move(q, h, q_sum_, q);
+    move(v, h, v_sum_, v);
+    manifold::normalise(q);
+    return kFine;
+  }
+
+  // Runge-Kutta-Munthe-Kaas: the same method on local coordinates about the step's start.
+  template <class Accelerate>
+  int munthe_kaas(double h, State& q, State& v, Accelerate accelerate) {
+    middle_q_ = q;
+    middle_v_ = v;
+    for (State* x : {&x_, &x_sum_, &v_sum_}) std::fill(x->begin(), x->end(), 0.0);
+    for (std::size_t k = 0; k < kNode.size(); ++k) {
+      if (k > 0) {
+        for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = kNode[k] * h * x_rate_[i];
+        manifold::advance(q, x_, middle_q_);
+        move(v, kNode[k] * h, a_, middle_v_);
+      }
+      if (const int failed = accelerate(middle_q_, middle_v_, a_)) return failed;
+      manifold::local_rate(middle_q_, x_, middle_v_, x_rate_);
+      move(x_sum_, h * kWeight[k] / 6, x_rate_, x_sum_);
+      move(v_sum_, h * kWeight[k] / 6, a_, v_sum_);
+    }
+    manifold::advance(q, x_sum_, middle_q_);
+    q.swap(middle_q_);
+    move(v, 1, v_sum_, v);
+    manifold::normalise(q);
+    return kFine;
+  }
+
+  State middle_q_, middle_v_, q_rate_, a_, q_sum_, v_sum_, x_, x_rate_, x_sum_;
+};
+
+// Where --trajectory goes: times, configurations and velocities as CSV, a line each, or as .npz
+// (numpy: time (T), q (T, nq), v (T, nv), and the joints' names).
+class Trajectory {
+ public:
+  static constexpr double kMostBytes = 4e9;  // a member of a zip file without 64-bit extensions
+
+  static bool is_npz(const std::string& path) { return ends_with(path, ".npz"); }
+  static bool is_known(const std::string& path) { return is_npz(path) || ends_with(path, ".csv"); }
+
+  // False where the file cannot be written.
+  bool open(const std::string& path) {
+    path_ = path;
+    if (path.empty()) return true;
+    file_.reset(std::fopen(path.c_str(), "wb"));
+    if (file_ == nullptr) return false;
+    if (!is_npz(path)) write_names();
+    return true;
+  }
+
+  void record(double time, const std::vector<double>& q, const std::vector<double>& v) {
+    if (file_ == nullptr) return;
+    if (is_npz(path_)) {
+      times_.push_back(time);
+      q_.insert(q_.end(), q.begin(), q.end());
+      v_.insert(v_.end(), v.begin(), v.end());
+      return;
+    }
+    std::fprintf(file_.get(), "%.17g", time);
+    for (const std::vector<double>* values : {&q, &v})
+      for (const double x : *values) std::fprintf(file_.get(), ",%.17g", x);
+    std::fputc('\n', file_.get());
+  }
+
+  // False where writing has failed.
+  bool close() {
+    if (file_ == nullptr) return true;
+    if (is_npz(path_)) write_archive();
+    const bool good = std::ferror(file_.get()) == 0;
+    return std::fclose(file_.release()) == 0 && good;
+  }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  struct Member {
+    std::string name;
+    std::uint32_t check, size, offset;
+  };
+
+  static bool ends_with(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() &&
+           text.compare(text.size() - end.size(), end.size(), end) == 0;
+  }
+
+  // "time", then a name for each number: JOINT.q, or JOINT.q0 and so on where there are several.
+  void write_names() {
+    std::fputs("time", file_.get());
+    for (const char field : {'q', 'v'})
+      for (const JointConstants& joint : kJoints) {
+        std::string name;
+        for (const char* c = joint.name; *c != '\0'; ++c)
+          name += *c == '"' ? "\"\"" : std::string(1, *c);
+        const int count = field == 'q' ? joint.nq : joint.nv;
+        for (int k = 0; k < count; ++k)
+          std::fprintf(file_.get(), ",\"%s.%c%s\"", name.c_str(), field,
+                       count > 1 ? std::to_string(k).c_str() : "");
+      }
+    std::fputc('\n', file_.get());
+  }
+
+  void write_archive() {
+    std::vector<Member> members;
+    const auto rows = std::to_string(times_.size());
+    const auto add = [&](const char* name, const std::string& type, const std::string& shape,
+                         const void* data, std::size_t bytes) {
+      members.push_back(write_member(name, npy_head(type, shape), data, bytes));
+    };
+    add("time.npy", "<f8", "(" + rows + ",)", times_.data(), 8 * times_.size());
+    add("q.npy", "<f8", "(" + rows + ", " + std::to_string(kNq) + ")", q_.data(), 8 * q_.size());
+    add("v.npy", "<f8", "(" + rows + ", " + std::to_string(kNv) + ")", v_.data(), 8 * v_.size());
+    std::size_t longest = 1;
+    for (const JointConstants& joint : kJoints)
+      longest = std::max(longest, std::strlen(joint.name));
+    std::string names;  // UTF-8, padded with zeros
+    for (const JointConstants& joint : kJoints) {
+      names += joint.name;
+      names.resize((names.size() / longest + (names.size() % longest > 0)) * longest);
+    }
+    add("joints.npy", "|S" + std::to_string(longest), "(" + std::to_string(kJointCount) + ",)",
+        names.data(), names.size());
+    write_directory(members);
+  }
+
+  static std::string npy_head(const std::string& type, const std::string& shape) {
+    std::string text =
+        "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }";
+    text.resize((10 + text.size() + 1 + 63) / 64 * 64 - 11, ' ');
+    text += '\n';
+    return std::string("\x93NUMPY\x01\x00", 8) + low_bytes(text.size(), 2) + text;
+  }
+
+  static std::string low_bytes(std::uint64_t value, int count) {
+    std::string result;
+    for (int k = 0; k < count; ++k) result += static_cast<char>(value >> 8 * k & 0xFF);
+    return result;
+  }
+
+  static std::uint32_t crc32(std::uint32_t before, const void* data, std::size_t bytes) {
+    static const std::vector<std::uint32_t> table = [] {
+      std::vector<std::uint32_t> rows(256);
+      for (std::uint32_t k = 0; k < 256; ++k) {
+        std::uint32_t x = k;
+        for (int bit = 0; bit < 8; ++bit) x = x >> 1 ^ (x & 1 ? 0xEDB88320u : 0u);
+        rows[k] = x;
+      }
+      return rows;
+    }();
+    std::uint32_t x = ~before;
+    const auto* const at = static_cast<const unsigned char*>(data);
+    for (std::size_t k = 0; k < bytes; ++k) x = table[(x ^ at[k]) & 0xFF] ^ x >> 8;
+    return ~x;
+  }
+
+  // Method 0 (stored), 1 January 1980.
+  static std::string zip_fields(const Member& member) {
+    return low_bytes(20, 2) + low_bytes(0, 4) + low_bytes(0, 2) + low_bytes(0x21, 2) +
+           low_bytes(member.check, 4) + low_bytes(member.size, 4) + low_bytes(member.size, 4) +
+           low_bytes(member.name.size(), 2) + low_bytes(0, 2);
+  }
+
+  Member write_member(const char* name, const std::string& head, const void* data,
+                      std::size_t bytes) {
+    const Member member{name, crc32(crc32(0, head.data(), head.size()), data, bytes),
+                        static_cast<std::uint32_t>(head.size() + bytes), written_};
+    put(std::string("PK\x03\x04", 4) + zip_fields(member) + member.name + head);
+    if (bytes > 0) std::fwrite(data, 1, bytes, file_.get());
+    written_ += static_cast<std::uint32_t>(bytes);
+    return member;
+  }
+
+  void write_directory(const std::vector<Member>& members) {
+    const std::uint32_t start = written_;
+    for (const Member& member : members)
+      put(std::string("PK\x01\x02", 4) + low_bytes(20, 2) + zip_fields(member) + low_bytes(0, 10) +
+          low_bytes(member.offset, 4) + member.name);
+    const std::uint32_t size = written_ - start;
+    put(std::string("PK\x05\x06", 4) + low_bytes(0, 4) + low_bytes(members.size(), 2) +
+        low_bytes(members.size(), 2) + low_bytes(size, 4) + low_bytes(start, 4) + low_bytes(0, 2));
+  }
+
+  void put(const std::string& bytes) {
+    std::fwrite(bytes.data(), 1, bytes.size(), file_.get());
+    written_ += static_cast<std::uint32_t>(bytes.size());
+  }
+
+  std::string path_;
+  std::unique_ptr<std::FILE, Close> file_;
+  std::vector<double> times_, q_, v_;
+  std::uint32_t written_ = 0;
+};
+
+struct SimulationOptions {
+  double seconds = 0, step = 1e-3;  // no simulation where seconds are 0
+  const IntegratorInfo* integrator = &kIntegrators[2];
+  long long every = 1;  // steps between the rows of the trajectory
+  std::string trajectory;
+};
+
 // What the program is asked to do.
 struct Options {
   std::string states, result, trace;
@@ -2765,6 +3180,7 @@ struct Options {
   std::uint64_t seed = 1;
   double time_limit = 30, tolerance = kTolerance;
   ChannelMode channel = kChannelMode;
+  SimulationOptions simulation;
 };
 
 enum ExitStatus : int { kDone = 0, kInputAtFault = 1, kUsage = 2, kFault = 3 };
@@ -2775,6 +3191,13 @@ const char* const kUsageText =
     "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
     "  --check           residual of an independent inverse dynamics, for the given or random "
     "states\n"
+    "  --simulate S      integrate for S seconds from the one given state (or a random one), under "
+    "its\n"
+    "                    torques\n"
+    "  --step H          length of a step in seconds (0.001)\n"
+    "  --integrator NAME euler, semi-implicit, rk4 or rkmk4 (rk4)\n"
+    "  --trajectory FILE where the motion goes: FILE.csv or FILE.npz\n"
+    "  --every N         keep every Nth step of it (1), and the last\n"
     "  --trace FILE      when each process did what, as JSON (medians over random states)\n"
     "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
     "  --repeat N        evaluations of each random state when timing (200)\n"
@@ -2785,13 +3208,60 @@ const char* const kUsageText =
     "  --no-pin          leave the processes to the system's scheduler when timing\n"
     "  --json            report as JSON on standard output\n"
     "  --help            this text\n"
-    "Without --states, --check, --time or --trace it checks and times. Exit status: 0 done, 1 "
+    "Without --states, --check, --time, --trace or --simulate it checks and times. Exit status: 0 "
+    "done, 1 "
     "input at "
     "fault\n"
     "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
 
+constexpr std::array<const char*, 5> kSimulationWords{"--simulate", "--step", "--integrator",
+                                                      "--trajectory", "--every"};
+
+// Takes one option of a simulation; number is not a number where the value is none of 0 or more.
+// Returns an empty string, or what is wrong.
+std::string parse_simulation(const std::string& word, const std::string& value, double number,
+                             SimulationOptions& options) {
+  if (word == "--integrator") {
+    std::string names;
+    for (const IntegratorInfo& info : kIntegrators) {
+      if (value == info.name) return options.integrator = &info, "";
+      names += (names.empty() ? "" : ", ") + std::string(info.name);
+    }
+    return "--integrator takes one of " + names;
+  }
+  if (word == "--trajectory") {
+    options.trajectory = value;
+    return Trajectory::is_known(value) ? "" : "--trajectory takes FILE.csv or FILE.npz";
+  }
+  if (word == "--every") {
+    options.every = number <= 1e12 ? static_cast<long long>(number) : 0;
+    const bool whole = options.every >= 1 && number == std::floor(number);
+    return whole ? "" : "--every takes a whole number from 1 to 1e12";
+  }
+  if (!(number > 0)) return word + " takes a number of seconds above 0";
+  (word == "--step" ? options.step : options.seconds) = number;
+  return "";
+}
+
+// Returns what is wrong with what was asked for together, and settles what was left open.
+std::string settle(bool simulation_words, Options& options) {
+  const bool others = options.check || options.time || !options.trace.empty();
+  if (options.simulation.seconds > 0) {
+    if (others || !options.result.empty())
+      return "--simulate goes alone: without --check, --time, --trace and --result";
+    return "";
+  }
+  if (simulation_words) return "--step, --integrator, --trajectory and --every need --simulate";
+  if (!options.result.empty() && options.states.empty()) return "--result needs --states";
+  if (options.json && options.result.empty() && !options.states.empty())
+    return "--json needs --result FILE where there are --states: both would go to standard output";
+  if (options.states.empty() && !others) options.check = options.time = true;
+  return "";
+}
+
 // Returns an empty string, or what is wrong.
 std::string parse(int count, char** words, Options& options) {
+  bool simulation_words = false;
   for (int k = 1; k < count; ++k) {
     const std::string word = words[k];
     const auto flag = [&word](const char* name) { return word == name; };
@@ -2808,13 +3278,21 @@ std::string parse(int count, char** words, Options& options) {
     else {
       const char* const known[] = {"--states", "--result",    "--trace",   "--repeat",
                                    "--seed",   "--tolerance", "--channel", "--timeout"};
-      if (std::none_of(std::begin(known), std::end(known), flag)) return "unknown option " + word;
+      const bool of_simulation =
+          std::any_of(kSimulationWords.begin(), kSimulationWords.end(), flag);
+      if (!of_simulation && std::none_of(std::begin(known), std::end(known), flag))
+        return "unknown option " + word;
       if (k + 1 == count) return word + " needs a value";
       const std::string value = words[++k];
       char* end = nullptr;
       const double number = std::strtod(value.c_str(), &end);
       const bool numeric = !value.empty() && *end == '\0' && std::isfinite(number) && number >= 0;
-      if (flag("--states"))
+      if (of_simulation) {
+        simulation_words = true;
+        const std::string wrong =
+            parse_simulation(word, value, numeric ? number : std::nan(""), options.simulation);
+        if (!wrong.empty()) return wrong;
+      } else if (flag("--states"))
         options.states = value;
       else if (flag("--result"))
         options.result = value;
@@ -2847,12 +3325,7 @@ std::string parse(int count, char** words, Options& options) {
         options.time_limit = number;
     }
   }
-  if (!options.result.empty() && options.states.empty()) return "--result needs --states";
-  if (options.json && options.result.empty() && !options.states.empty())
-    return "--json needs --result FILE where there are --states: both would go to standard output";
-  if (options.states.empty() && !options.check && !options.time && options.trace.empty())
-    options.check = options.time = true;
-  return "";
+  return settle(simulation_words, options);
 }
 
 // Bounds the waits that the channel does not: MPI's own collective calls wait for ever for a
@@ -3050,7 +3523,7 @@ class Trace {
   std::vector<double> starts_, lengths_, lasts_;
 };
 
-// The program around the solver: solves given states, checks, times, reports.
+// What the parts of the program share: the solver, the states at work, and how a failure is told.
 
 // Random states, the same on every machine (splitmix64).
 States random_states(int count, std::uint64_t seed) {
@@ -3128,6 +3601,49 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   return status;
 }
 
+struct Session {
+  Options options;
+  int rank;
+  Watch watch;
+  Solver solver;
+  States states;
+  std::vector<Real> qdd;  // one acceleration after the other
+  bool pinned = false;
+
+  Session(Options given, int own_rank) : options(std::move(given)), rank(own_rank) {}
+
+  MPI_Comm comm() const { return solver.channel.comm(); }
+  const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
+  const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
+  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNv; }
+  Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
+
+  void use(States given) {
+    states = std::move(given);
+    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Real(0));
+  }
+
+  int complain(int status, const std::string& what, const std::string& file = "") const {
+    const std::string place = file.empty() ? "" : file + ": ";
+    if (rank == 0) std::fprintf(stderr, "%serror: %s\n", place.c_str(), what.c_str());
+    return status;
+  }
+
+  // A process that waited in vain cannot be waited for: the whole run ends.
+  void give_up_if_broken(int failed) const {
+    if (failure_kind(failed) != kNoAnswer) return;
+    std::fprintf(stderr, "error: process %d: %s\n", rank, describe(failed).c_str());
+    std::fflush(stderr);
+    MPI_Abort(MPI_COMM_WORLD, kFault);
+  }
+
+  const char* channel_name() const {
+    if (kProcesses == 1) return "none";
+    return solver.channel.windowed() ? "window" : "message";
+  }
+};
+
+// How long an evaluation takes (--time), and where the time goes (--trace).
 struct Statistics {
   double median = 0, least = 0, percentile99 = 0;
 };
@@ -3141,121 +3657,122 @@ Statistics statistics(std::vector<double> ns) {
   return {at(0.5), ns.front(), at(0.99)};
 }
 
-class Program {
+class Timing {
  public:
-  Program(Options options, int rank) : options_(std::move(options)), rank_(rank) {}
+  explicit Timing(Session& session) : session_(session) {}
 
-  int run() {
-    watch_.start(rank_, options_.time_limit);
-    const std::string wrong =
-        solver_.channel.open(MPI_COMM_WORLD, options_.channel, options_.time_limit);
-    if (!wrong.empty()) return complain(kFault, wrong);
-    int status = kDone;
-    if (!options_.states.empty()) {
-      status = load(options_.states, solver_.channel.comm(), rank_, states_);
-      if (status == kDone) status = solve_all();
-      if (status == kDone && rank_ == 0) {
-        const std::string path = options_.result.empty() ? "/dev/stdout" : options_.result;
-        if (!write_result(path, qdd_, states_.count))
-          status = complain(kFault, "cannot write the result", path);
+  int time_all() {
+    session_.use(random_states(kRandomStates, session_.options.seed));
+    session_.pinned = pin();
+    std::vector<double> in_place, at_root;
+    int failed = kFine;
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine;
+         ++pass) {  // the first one warms up
+      session_.watch.again();
+      for (int s = 0; s < session_.states.count; ++s) {
+        Real* const qdd = session_.acceleration(s);
+        const Clock::time_point start = start_together();
+        const int first = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s), qdd);
+        const double in_place_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+        if (kProcesses > 1) MPI_Barrier(session_.comm());
+        const Clock::time_point start_root = Clock::now();
+        const int second =
+            session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s), qdd);
+        const double root_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
+        session_.give_up_if_broken(first);
+        session_.give_up_if_broken(second);
+        if (failed == kFine) failed = first != kFine ? first : second;
+        if (pass < 0) continue;
+        in_place.push_back(in_place_ns);
+        at_root.push_back(root_ns);
       }
-      MPI_Bcast(&status, 1, MPI_INT, 0, solver_.channel.comm());
-    } else if (options_.check) {
-      states_ = random_states(kRandomStates, options_.seed);
-      status = solve_all();
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
     }
-    watch_.again();
-    if (status == kDone && options_.check) status = check_all();
-    if (status != kFault && status != kUsage && options_.time) {
-      const int timed = time_all();
-      if (status == kDone) status = timed;
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+    // An evaluation is over when its last process is done.
+    MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
+                  MPI_MAX, session_.comm());
+    in_place_ = statistics(std::move(in_place));
+    at_root_ = statistics(std::move(at_root));
+    timed_ = true;
+    return kDone;
+  }
+
+  // The same evaluations with time stamps between the stages of each process.
+  int trace_all() {
+    session_.use(random_states(kRandomStates, session_.options.seed));
+    session_.pinned = session_.pinned || pin();
+    Trace trace(session_.rank);
+    int failed = kFine;
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
+      session_.watch.again();
+      for (int s = 0; s < session_.states.count; ++s) {
+        start_together();
+        trace.begin();
+        const int found = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s),
+                                                session_.acceleration(s));
+        session_.give_up_if_broken(found);
+        trace.end(session_.comm(), pass >= 0);
+        if (failed == kFine) failed = found;
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
     }
-    if (status != kFault && status != kUsage && !options_.trace.empty()) {
-      const int traced = trace_all();
-      if (status == kDone) status = traced;
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+    const std::string text = trace.text(session_.comm(), session_.channel_name(), session_.pinned);
+    int status = kDone;
+    if (session_.rank == 0) {
+      std::ofstream file(session_.options.trace, std::ios::binary);
+      if (!(file << text << std::flush))
+        status = session_.complain(kFault, "cannot write the trace", session_.options.trace);
     }
-    if (rank_ == 0 && status != kFault) report();
-    watch_.again();
-    solver_.channel.close();
+    MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
     return status;
+  }
+
+  // Nothing where nothing was timed.
+  std::string json() const {
+    if (!timed_) return "";
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  ", \"time\": {\"evaluations\": %d, \"pinned\": %s, "
+                  "\"in_place\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}, "
+                  "\"through_root\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}}",
+                  session_.options.repeat * kRandomStates, session_.pinned ? "true" : "false",
+                  in_place_.median, in_place_.least, in_place_.percentile99, at_root_.median,
+                  at_root_.least, at_root_.percentile99);
+    return text;
+  }
+
+  void print(std::FILE* out) const {
+    if (!timed_) return;
+    std::fprintf(out,
+                 "time   %d process%s%s, ns per evaluation: median, minimum, 99th percentile\n",
+                 kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "");
+    std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
+                 in_place_.median, in_place_.least, in_place_.percentile99);
+    std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n", at_root_.median,
+                 at_root_.least, at_root_.percentile99);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  int complain(int status, const std::string& what, const std::string& file = "") const {
-    const std::string place = file.empty() ? "" : file + ": ";
-    if (rank_ == 0) std::fprintf(stderr, "%serror: %s\n", place.c_str(), what.c_str());
-    return status;
-  }
-
-  const Real* q(int s) const { return states_.q.data() + static_cast<long>(s) * kNq; }
-  const Real* v(int s) const { return states_.v.data() + static_cast<long>(s) * kNv; }
-  const Real* tau(int s) const { return states_.tau.data() + static_cast<long>(s) * kNv; }
-
-  // A process that waited in vain cannot be waited for: the whole run ends.
-  void give_up_if_broken(int failed) const {
-    if (failure_kind(failed) != kNoAnswer) return;
-    std::fprintf(stderr, "error: process %d: %s\n", rank_, describe(failed).c_str());
-    std::fflush(stderr);
-    MPI_Abort(MPI_COMM_WORLD, kFault);
-  }
-
-  // Accelerations of all states, in place, then gathered at process 0.
-  int solve_all() {
-    qdd_.assign(static_cast<std::size_t>(states_.count) * kNv, Real(0));
-    int failed = kFine, at = 0;
-    for (int s = 0; s < states_.count && failed == kFine; ++s) {
-      watch_.again();
-      failed = solver_.solve(q(s), v(s), tau(s), qdd_.data() + static_cast<long>(s) * kNv);
-      give_up_if_broken(failed);
-      // Processes that share no joint's motion do not hear of each other's failures by themselves.
-      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, solver_.channel.comm());
-      at = s;
-    }
-    if (failed != kFine)
-      return complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
-                      options_.states);
-    solved_ = states_.count;
-    // Each process wrote its own joints and left the others zero.
-    void* const all = qdd_.data();
-    const int size = static_cast<int>(qdd_.size());
-    if (rank_ == 0)
-      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiReal, MPI_SUM, 0, solver_.channel.comm());
-    else
-      MPI_Reduce(all, nullptr, size, kMpiReal, MPI_SUM, 0, solver_.channel.comm());
-    return kDone;
-  }
-
-  int check_all() {
-    int status = kDone;
-    if (rank_ == 0) {
-      std::vector<double> residuals;
-      for (int s = 0; s < states_.count; ++s)
-        residuals.push_back(
-            check::residual(q(s), v(s), tau(s), qdd_.data() + static_cast<long>(s) * kNv));
-      std::sort(residuals.begin(), residuals.end());
-      residual_median_ = residuals[residuals.size() / 2];
-      residual_max_ = residuals.back();
-      checked_ = true;
-      if (!(residual_max_ <= options_.tolerance)) status = kInputAtFault;
-    }
-    MPI_Bcast(&status, 1, MPI_INT, 0, solver_.channel.comm());
-    return status;
-  }
-
   // Each process on a core of its own, where there are enough of them.
-  bool pin() const {
+  bool pin() {
     int pinned = 0;
 #if defined(__linux__)
     MPI_Comm node;
     int place = 0, count = 1;
-    MPI_Comm_split_type(solver_.channel.comm(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+    MPI_Comm_split_type(session_.comm(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
     MPI_Comm_rank(node, &place);
     MPI_Comm_size(node, &count);
     MPI_Comm_free(&node);
     cpu_set_t allowed, one;
-    if (options_.pin && sched_getaffinity(0, sizeof allowed, &allowed) == 0 &&
+    if (session_.options.pin && sched_getaffinity(0, sizeof allowed, &allowed) == 0 &&
         CPU_COUNT(&allowed) >= count) {
       int cpu = 0;
       for (int k = -1; cpu < CPU_SETSIZE; ++cpu)
@@ -3265,7 +3782,7 @@ class Program {
       pinned = sched_setaffinity(0, sizeof one, &one) == 0;
     }
 #endif
-    MPI_Allreduce(MPI_IN_PLACE, &pinned, 1, MPI_INT, MPI_MIN, solver_.channel.comm());
+    MPI_Allreduce(MPI_IN_PLACE, &pinned, 1, MPI_INT, MPI_MIN, session_.comm());
     return pinned != 0;
   }
 
@@ -3273,9 +3790,9 @@ class Program {
   Clock::time_point start_together() const {
     if (kProcesses == 1) return Clock::now();
     Clock::rep start = 0;
-    if (rank_ == 0)
+    if (session_.rank == 0)
       start = (Clock::now() + std::chrono::microseconds(5)).time_since_epoch().count();
-    MPI_Bcast(&start, static_cast<int>(sizeof start), MPI_BYTE, 0, solver_.channel.comm());
+    MPI_Bcast(&start, static_cast<int>(sizeof start), MPI_BYTE, 0, session_.comm());
     const Clock::time_point at{Clock::duration(start)};
     const Clock::time_point latest = Clock::now() + std::chrono::microseconds(50);
     Clock::time_point now;
@@ -3283,133 +3800,316 @@ class Program {
     return now;
   }
 
-  int time_all() {
-    states_ = random_states(kRandomStates, options_.seed);
-    qdd_.assign(static_cast<std::size_t>(states_.count) * kNv, Real(0));
-    pinned_ = pin();
-    std::vector<double> in_place, at_root;
-    int failed = kFine;
-    for (int pass = -1; pass < options_.repeat && failed == kFine;
-         ++pass) {  // the first one warms up
-      watch_.again();
-      for (int s = 0; s < states_.count; ++s) {
-        Real* const qdd = qdd_.data() + static_cast<long>(s) * kNv;
-        const Clock::time_point start = start_together();
-        const int first = solver_.solve(q(s), v(s), tau(s), qdd);
-        const double in_place_ns =
-            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-        if (kProcesses > 1) MPI_Barrier(solver_.channel.comm());
-        const Clock::time_point start_root = Clock::now();
-        const int second = solver_.solve_at_root(q(s), v(s), tau(s), qdd);
-        const double root_ns =
-            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
-        give_up_if_broken(first);
-        give_up_if_broken(second);
-        if (failed == kFine) failed = first != kFine ? first : second;
-        if (pass < 0) continue;
-        in_place.push_back(in_place_ns);
-        at_root.push_back(root_ns);
-      }
-      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, solver_.channel.comm());
-    }
-    if (failed != kFine) return complain(kInputAtFault, "random state: " + describe(failed));
-    // An evaluation is over when its last process is done.
-    MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
-                  MPI_MAX, solver_.channel.comm());
-    in_place_ = statistics(std::move(in_place));
-    at_root_ = statistics(std::move(at_root));
-    timed_ = true;
-    return kDone;
-  }
+  Session& session_;
+  bool timed_ = false;
+  Statistics in_place_, at_root_;
+};
 
-  // The same evaluations with time stamps between the stages of each process.
-  int trace_all() {
-    states_ = random_states(kRandomStates, options_.seed);
-    qdd_.assign(static_cast<std::size_t>(states_.count) * kNv, Real(0));
-    pinned_ = pinned_ || pin();
-    Trace trace(rank_);
-    int failed = kFine;
-    for (int pass = -1; pass < options_.repeat && failed == kFine; ++pass) {
-      watch_.again();
-      for (int s = 0; s < states_.count; ++s) {
-        start_together();
-        trace.begin();
-        const int found =
-            solver_.solve(q(s), v(s), tau(s), qdd_.data() + static_cast<long>(s) * kNv);
-        give_up_if_broken(found);
-        trace.end(solver_.channel.comm(), pass >= 0);
-        if (failed == kFine) failed = found;
-      }
-      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, solver_.channel.comm());
-    }
-    if (failed != kFine) return complain(kInputAtFault, "random state: " + describe(failed));
-    const std::string text = trace.text(solver_.channel.comm(), channel_name(), pinned_);
-    int status = kDone;
-    if (rank_ == 0) {
-      std::ofstream file(options_.trace, std::ios::binary);
-      if (!(file << text << std::flush))
-        status = complain(kFault, "cannot write the trace", options_.trace);
-    }
-    MPI_Bcast(&status, 1, MPI_INT, 0, solver_.channel.comm());
+// --simulate: process 0 integrates, all processes evaluate. The torques of the initial state act
+// all the time.
+class Simulation {
+ public:
+  explicit Simulation(Session& session) : on_(session) {}
+
+  // Collective.
+  int run() {
+    int status = start();
+    MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
+    if (status != kDone) return status;
+    status = on_.rank == 0 ? integrate() : serve();
+    MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
     return status;
   }
 
-  const char* channel_name() const {
-    if (kProcesses == 1) return "none";
-    return solver_.channel.windowed() ? "window" : "message";
+  // Nothing where nothing was simulated.
+  std::string json() const {
+    if (!done_) return "";
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  ", \"simulation\": {\"integrator\": \"%s\", \"step\": %.17g, \"seconds\": %.17g, "
+                  "\"steps\": %lld, \"evaluations\": %lld, \"wall_s\": %.9g}",
+                  asked().integrator->name, asked().step, asked().seconds, steps_, evaluations_,
+                  wall_);
+    return text;
+  }
+
+  void print() const {
+    if (!done_) return;
+    std::printf(
+        "simulation  %s: %g s in %lld steps of %g s, %lld evaluations, %.3g s of wall time\n",
+        asked().integrator->name, asked().seconds, steps_, asked().step, evaluations_, wall_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr const char* kSmaller = "; take a smaller --step";
+
+  const SimulationOptions& asked() const { return on_.options.simulation; }
+
+  // The initial state and the file to write; process 0's status counts.
+  int start() {
+    if (on_.options.states.empty()) {
+      on_.use(random_states(1, on_.options.seed));
+    } else {
+      const int status = load(on_.options.states, on_.comm(), on_.rank, on_.states);
+      if (status != kDone) return status;
+      if (on_.states.count != 1)
+        return on_.complain(
+            kInputAtFault, std::to_string(on_.states.count) + " states; a simulation starts at one",
+            on_.options.states);
+    }
+    const double steps = std::ceil(asked().seconds / asked().step * (1 - 1e-12));
+    if (steps > 1e12) return on_.complain(kUsage, "--simulate: more than 1e12 steps");
+    steps_ = std::max(1LL, static_cast<long long>(steps));
+    if (on_.rank != 0) return kDone;
+    const std::string& path = asked().trajectory;
+    const double rows = static_cast<double>(steps_) / static_cast<double>(asked().every) + 2;
+    if (Trajectory::is_npz(path) && rows * 8 * std::max(kNq, kNv) > Trajectory::kMostBytes)
+      return on_.complain(kUsage,
+                          "the trajectory has too many rows for .npz; say --every N or .csv");
+    if (!trajectory_.open(path)) return on_.complain(kFault, "cannot write the trajectory", path);
+    return kDone;
+  }
+
+  // Evaluates for process 0 until that says that it is over.
+  int serve() {
+    if (kProcess[static_cast<std::size_t>(on_.rank)].v_count == 0) return kDone;
+    for (int status = kFine; failure_kind(status) != kEnded;) {
+      status = on_.solver.solve_at_root(nullptr, nullptr, nullptr, nullptr);
+      on_.give_up_if_broken(status);
+      tick();
+    }
+    return kDone;
+  }
+
+  int integrate() {
+    q_.assign(on_.q(0), on_.q(0) + kNq);
+    v_.assign(on_.v(0), on_.v(0) + kNv);
+    const Clock::time_point began = next_ = Clock::now();
+    next_shown_ = began + std::chrono::seconds(1);
+    std::string wrong = follow();
+    wall_ = std::chrono::duration<double>(Clock::now() - began).count();
+    if (told_) std::fputc('\n', stderr);
+    on_.give_up_if_broken(on_.solver.end_at_root());
+    if (!trajectory_.close())
+      return on_.complain(kFault, "cannot write the trajectory", asked().trajectory);
+    if (!wrong.empty()) return on_.complain(kInputAtFault, wrong, on_.options.states);
+    done_ = true;
+    return kDone;
+  }
+
+  // Takes all steps; returns an empty string, or what stopped it.
+  std::string follow() {
+    Stepper stepper;
+    manifold::normalise(q_);
+    trajectory_.record(0, q_, v_);
+    for (long long k = 0; k < steps_; ++k) {
+      const double time = static_cast<double>(k) * asked().step;
+      const double next = k + 1 < steps_ ? time + asked().step : asked().seconds;
+      const int failed = stepper.step(
+          asked().integrator->kind, next - time, q_, v_,
+          [this](const auto& q, const auto& v, auto& a) { return accelerate(q, v, a); });
+      on_.give_up_if_broken(failed);
+      if (failed != kFine) return describe(failed) + at(time) + (k > 0 ? kSmaller : "");
+      slave(q_.data(), v_.data());
+      const int joint = not_finite();
+      if (joint >= 0)
+        return "joint " + quoted(kJoints[joint].name) + ": its state is not finite" + at(next) +
+               kSmaller;
+      if ((k + 1) % asked().every == 0 || k + 1 == steps_) trajectory_.record(next, q_, v_);
+      show(next);
+    }
+    return "";
+  }
+
+  static std::string at(double time) {
+    char text[40];
+    std::snprintf(text, sizeof text, ", at t = %.9g s", time);
+    return text;
+  }
+
+  int accelerate(const manifold::State& q, const manifold::State& v, manifold::State& a) {
+    std::copy(q.begin(), q.end(), real_q_.begin());
+    std::copy(v.begin(), v.end(), real_v_.begin());
+    const int status =
+        on_.solver.solve_at_root(real_q_.data(), real_v_.data(), on_.tau(0), real_a_.data());
+    std::copy(real_a_.begin(), real_a_.end(), a.begin());
+    ++evaluations_;
+    return status;
+  }
+
+  // The first joint whose state is not finite, or -1.
+  int not_finite() const {
+    const auto good = [](double x) { return std::isfinite(x); };
+    for (int j = 0; j < kJointCount; ++j) {
+      const auto q = q_.begin() + kJoints[j].q, v = v_.begin() + kJoints[j].v;
+      if (!std::all_of(q, q + kJoints[j].nq, good) || !std::all_of(v, v + kJoints[j].nv, good))
+        return j;
+    }
+    return -1;
+  }
+
+  // True about every tenth of a second; the watch hears of progress then.
+  bool tick() {
+    const Clock::time_point now = Clock::now();
+    if (now < next_) return false;
+    next_ = now + std::chrono::milliseconds(100);
+    on_.watch.again();
+    return true;
+  }
+
+  // Progress on stderr, on runs over a second: a bar that moves on a terminal, else a line every
+  // ten seconds.
+  void show(double time) {
+    if (!tick() || next_ < next_shown_) return;
+#if defined(__unix__) || defined(__APPLE__)
+    const bool moves = isatty(STDERR_FILENO) != 0;
+#else
+    const bool moves = false;
+#endif
+    next_shown_ = next_ + std::chrono::seconds(moves ? 0 : 10);
+    const double part = time / asked().seconds;
+    std::string bar(30, ' ');
+    std::fill_n(bar.begin(), static_cast<int>(30 * part), '#');
+    std::fprintf(stderr, "%ssimulating [%s] %3.0f %%, %.4g of %g s%s", moves ? "\r" : "",
+                 bar.c_str(), 100 * part, time, asked().seconds, moves ? "" : "\n");
+    told_ = moves;
+  }
+
+  Session& on_;
+  Trajectory trajectory_;
+  manifold::State q_, v_;
+  std::array<Real, kNq> real_q_{};
+  std::array<Real, kNv> real_v_{}, real_a_{};
+  bool done_ = false, told_ = false;
+  long long steps_ = 0, evaluations_ = 0;
+  double wall_ = 0;
+  Clock::time_point next_{}, next_shown_{};
+};
+
+// The program around the solver: solves given states, checks, times, simulates, reports.
+
+class Program {
+ public:
+  Program(Options options, int rank) : session_(std::move(options), rank) {}
+
+  int run() {
+    const Options& options = session_.options;
+    session_.watch.start(session_.rank, options.time_limit);
+    const std::string wrong =
+        session_.solver.channel.open(MPI_COMM_WORLD, options.channel, options.time_limit);
+    if (!wrong.empty()) return session_.complain(kFault, wrong);
+    int status = options.simulation.seconds > 0 ? simulation_.run() : answer();
+    const auto also = [&status](bool asked, auto task) {
+      if (!asked || status == kFault || status == kUsage) return;
+      const int found = task();
+      if (status == kDone) status = found;
+    };
+    also(options.time, [this] { return timing_.time_all(); });
+    also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (session_.rank == 0 && status != kFault) report();
+    session_.watch.again();
+    session_.solver.channel.close();
+    return status;
+  }
+
+ private:
+  // Solves the given states, or random ones to be checked.
+  int answer() {
+    const Options& options = session_.options;
+    int status = kDone;
+    if (!options.states.empty()) {
+      status = load(options.states, session_.comm(), session_.rank, session_.states);
+      if (status == kDone) status = solve_all();
+      if (status == kDone && session_.rank == 0) {
+        const std::string path = options.result.empty() ? "/dev/stdout" : options.result;
+        if (!write_result(path, session_.qdd, session_.states.count))
+          status = session_.complain(kFault, "cannot write the result", path);
+      }
+      MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
+    } else if (options.check) {
+      session_.states = random_states(kRandomStates, options.seed);
+      status = solve_all();
+    }
+    session_.watch.again();
+    if (status == kDone && options.check) status = check_all();
+    return status;
+  }
+
+  // Accelerations of all states, in place, then gathered at process 0.
+  int solve_all() {
+    Session& on = session_;
+    on.use(std::move(on.states));
+    int failed = kFine, at = 0;
+    for (int s = 0; s < on.states.count && failed == kFine; ++s) {
+      on.watch.again();
+      failed = on.solver.solve(on.q(s), on.v(s), on.tau(s), on.acceleration(s));
+      on.give_up_if_broken(failed);
+      // Processes that share no joint's motion do not hear of each other's failures by themselves.
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
+      at = s;
+    }
+    if (failed != kFine)
+      return on.complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
+                         on.options.states);
+    solved_ = on.states.count;
+    // Each process wrote its own joints and left the others zero.
+    void* const all = on.qdd.data();
+    const int size = static_cast<int>(on.qdd.size());
+    if (on.rank == 0)
+      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiReal, MPI_SUM, 0, on.comm());
+    else
+      MPI_Reduce(all, nullptr, size, kMpiReal, MPI_SUM, 0, on.comm());
+    return kDone;
+  }
+
+  int check_all() {
+    Session& on = session_;
+    int status = kDone;
+    if (on.rank == 0) {
+      std::vector<double> residuals;
+      for (int s = 0; s < on.states.count; ++s)
+        residuals.push_back(check::residual(on.q(s), on.v(s), on.tau(s), on.acceleration(s)));
+      std::sort(residuals.begin(), residuals.end());
+      residual_median_ = residuals[residuals.size() / 2];
+      residual_max_ = residuals.back();
+      checked_ = true;
+      if (!(residual_max_ <= on.options.tolerance)) status = kInputAtFault;
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
+    return status;
   }
 
   void report() const {
-    const auto times = [](const Statistics& t, const char* format) {
-      std::printf(format, t.median, t.least, t.percentile99);
-    };
-    if (options_.json) {
+    const Options& options = session_.options;
+    const bool right = residual_max_ <= options.tolerance;
+    if (options.json) {
       std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"", quoted(kRobot).c_str(),
-                  kProcesses, channel_name());
-      if (!options_.states.empty()) std::printf(", \"solved\": %d", solved_);
+                  kProcesses, session_.channel_name());
+      if (!options.states.empty() && options.simulation.seconds == 0)
+        std::printf(", \"solved\": %d", solved_);
       if (checked_)
         std::printf(
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
-            residual_median_, residual_max_, options_.tolerance,
-            residual_max_ <= options_.tolerance ? "true" : "false");
-      if (timed_) {
-        std::printf(", \"time\": {\"evaluations\": %d, \"pinned\": %s",
-                    options_.repeat * kRandomStates, pinned_ ? "true" : "false");
-        times(in_place_,
-              ", \"in_place\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}");
-        times(at_root_,
-              ", \"through_root\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}}");
-      }
-      std::printf("}\n");
+            residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
+      std::printf("%s%s}\n", timing_.json().c_str(), simulation_.json().c_str());
       return;
     }
-    std::FILE* const out = options_.states.empty() || !options_.result.empty() ? stdout : stderr;
+    std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
     if (checked_)
       std::fprintf(out, "check  residual of inverse dynamics: median %.1e, largest %.1e: %s\n",
-                   residual_median_, residual_max_,
-                   residual_max_ <= options_.tolerance ? "right" : "WRONG");
-    if (timed_) {
-      std::fprintf(out,
-                   "time   %d process%s%s, ns per evaluation: median, minimum, 99th percentile\n",
-                   kProcesses, kProcesses == 1 ? "" : "es", pinned_ ? ", pinned" : "");
-      std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
-                   in_place_.median, in_place_.least, in_place_.percentile99);
-      std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n",
-                   at_root_.median, at_root_.least, at_root_.percentile99);
-    }
+                   residual_median_, residual_max_, right ? "right" : "WRONG");
+    timing_.print(out);
+    simulation_.print();
   }
 
-  Options options_;
-  int rank_;
-  Watch watch_;
-  Solver solver_;
-  States states_;
-  std::vector<Real> qdd_;
-  bool checked_ = false, timed_ = false, pinned_ = false;
+  Session session_;
+  Timing timing_{session_};
+  Simulation simulation_{session_};
+  bool checked_ = false;
   int solved_ = 0;
   double residual_median_ = 0, residual_max_ = 0;
-  Statistics in_place_, at_root_;
 };
 
 }  // namespace

@@ -1,3 +1,10 @@
+struct SimulationOptions {
+  double seconds = 0, step = 1e-3;  // no simulation where seconds are 0
+  const IntegratorInfo* integrator = &kIntegrators[2];
+  long long every = 1;  // steps between the rows of the trajectory
+  std::string trajectory;
+};
+
 // What the program is asked to do.
 struct Options {
   std::string states, result, trace;
@@ -6,6 +13,7 @@ struct Options {
   std::uint64_t seed = 1;
   double time_limit = 30, tolerance = kTolerance;
   ChannelMode channel = kChannelMode;
+  SimulationOptions simulation;
 };
 
 enum ExitStatus : int { kDone = 0, kInputAtFault = 1, kUsage = 2, kFault = 3 };
@@ -16,6 +24,13 @@ const char* const kUsageText =
     "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
     "  --check           residual of an independent inverse dynamics, for the given or random "
     "states\n"
+    "  --simulate S      integrate for S seconds from the one given state (or a random one), under "
+    "its\n"
+    "                    torques\n"
+    "  --step H          length of a step in seconds (0.001)\n"
+    "  --integrator NAME euler, semi-implicit, rk4 or rkmk4 (rk4)\n"
+    "  --trajectory FILE where the motion goes: FILE.csv or FILE.npz\n"
+    "  --every N         keep every Nth step of it (1), and the last\n"
     "  --trace FILE      when each process did what, as JSON (medians over random states)\n"
     "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
     "  --repeat N        evaluations of each random state when timing (200)\n"
@@ -26,13 +41,60 @@ const char* const kUsageText =
     "  --no-pin          leave the processes to the system's scheduler when timing\n"
     "  --json            report as JSON on standard output\n"
     "  --help            this text\n"
-    "Without --states, --check, --time or --trace it checks and times. Exit status: 0 done, 1 "
+    "Without --states, --check, --time, --trace or --simulate it checks and times. Exit status: 0 "
+    "done, 1 "
     "input at "
     "fault\n"
     "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
 
+constexpr std::array<const char*, 5> kSimulationWords{"--simulate", "--step", "--integrator",
+                                                      "--trajectory", "--every"};
+
+// Takes one option of a simulation; number is not a number where the value is none of 0 or more.
+// Returns an empty string, or what is wrong.
+std::string parse_simulation(const std::string& word, const std::string& value, double number,
+                             SimulationOptions& options) {
+  if (word == "--integrator") {
+    std::string names;
+    for (const IntegratorInfo& info : kIntegrators) {
+      if (value == info.name) return options.integrator = &info, "";
+      names += (names.empty() ? "" : ", ") + std::string(info.name);
+    }
+    return "--integrator takes one of " + names;
+  }
+  if (word == "--trajectory") {
+    options.trajectory = value;
+    return Trajectory::is_known(value) ? "" : "--trajectory takes FILE.csv or FILE.npz";
+  }
+  if (word == "--every") {
+    options.every = number <= 1e12 ? static_cast<long long>(number) : 0;
+    const bool whole = options.every >= 1 && number == std::floor(number);
+    return whole ? "" : "--every takes a whole number from 1 to 1e12";
+  }
+  if (!(number > 0)) return word + " takes a number of seconds above 0";
+  (word == "--step" ? options.step : options.seconds) = number;
+  return "";
+}
+
+// Returns what is wrong with what was asked for together, and settles what was left open.
+std::string settle(bool simulation_words, Options& options) {
+  const bool others = options.check || options.time || !options.trace.empty();
+  if (options.simulation.seconds > 0) {
+    if (others || !options.result.empty())
+      return "--simulate goes alone: without --check, --time, --trace and --result";
+    return "";
+  }
+  if (simulation_words) return "--step, --integrator, --trajectory and --every need --simulate";
+  if (!options.result.empty() && options.states.empty()) return "--result needs --states";
+  if (options.json && options.result.empty() && !options.states.empty())
+    return "--json needs --result FILE where there are --states: both would go to standard output";
+  if (options.states.empty() && !others) options.check = options.time = true;
+  return "";
+}
+
 // Returns an empty string, or what is wrong.
 std::string parse(int count, char** words, Options& options) {
+  bool simulation_words = false;
   for (int k = 1; k < count; ++k) {
     const std::string word = words[k];
     const auto flag = [&word](const char* name) { return word == name; };
@@ -49,13 +111,21 @@ std::string parse(int count, char** words, Options& options) {
     else {
       const char* const known[] = {"--states", "--result",    "--trace",   "--repeat",
                                    "--seed",   "--tolerance", "--channel", "--timeout"};
-      if (std::none_of(std::begin(known), std::end(known), flag)) return "unknown option " + word;
+      const bool of_simulation =
+          std::any_of(kSimulationWords.begin(), kSimulationWords.end(), flag);
+      if (!of_simulation && std::none_of(std::begin(known), std::end(known), flag))
+        return "unknown option " + word;
       if (k + 1 == count) return word + " needs a value";
       const std::string value = words[++k];
       char* end = nullptr;
       const double number = std::strtod(value.c_str(), &end);
       const bool numeric = !value.empty() && *end == '\0' && std::isfinite(number) && number >= 0;
-      if (flag("--states"))
+      if (of_simulation) {
+        simulation_words = true;
+        const std::string wrong =
+            parse_simulation(word, value, numeric ? number : std::nan(""), options.simulation);
+        if (!wrong.empty()) return wrong;
+      } else if (flag("--states"))
         options.states = value;
       else if (flag("--result"))
         options.result = value;
@@ -88,10 +158,5 @@ std::string parse(int count, char** words, Options& options) {
         options.time_limit = number;
     }
   }
-  if (!options.result.empty() && options.states.empty()) return "--result needs --states";
-  if (options.json && options.result.empty() && !options.states.empty())
-    return "--json needs --result FILE where there are --states: both would go to standard output";
-  if (options.states.empty() && !options.check && !options.time && options.trace.empty())
-    options.check = options.time = true;
-  return "";
+  return settle(simulation_words, options);
 }

@@ -21,6 +21,12 @@ class Solver {
     return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
   }
 
+  // At process 0: the others' next solve_at_root returns kEnded, and so does this.
+  int end_at_root() {
+    if constexpr (kProcesses == 1) return kFine;
+    return solve_as_root(q_.data(), v_.data(), tau_.data(), qdd_.data(), failure(kEnded, 0));
+  }
+
  private:
   int solve_for_root() {
     const int rank = channel.rank();
@@ -40,8 +46,7 @@ class Solver {
     return finish(w.status);
   }
 
-  int solve_as_root(const Real* q, const Real* v, const Real* tau, Real* qdd) {
-    int status = kFine;
+  int solve_as_root(const Real* q, const Real* v, const Real* tau, Real* qdd, int status = kFine) {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;

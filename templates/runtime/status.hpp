@@ -7,6 +7,7 @@ enum Failure : int {
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
+  kEnded = 6,           // no failure: process 0 has no more to evaluate
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -48,6 +49,8 @@ std::string describe(int status) {
              "factorization failed: the inertias beside it differ too much for the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
+    case kEnded:
+      return "the evaluations are over";
     case kNoAnswer:
       return "process " + std::to_string(place) + " did not answer within the time limit";
   }

@@ -1,0 +1,116 @@
+"""A robot read as a scene wants it, and what the scene saved."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from adagen.cli.console import note, warn
+from adagen.errors import InputError, UsageError
+from adagen.scene import Reduction, apply_scene, read_scene
+from adagen.scene.report import Cost, removed, saved
+from adagen.scene.types import Scene
+
+if TYPE_CHECKING:
+    from adagen.model import Model
+    from adagen.plan import Plan
+    from adagen.schedule import CostProfile, Schedule
+
+
+def read_in_scene(options: argparse.Namespace, gravity: Sequence[float] | None) -> Model:
+    """Return the robot of the options, reduced to what their scene needs.
+
+    The reduction is kept as ``options.reduction`` for what is said later.
+
+    Raises:
+        InputError: the robot description or the scene is refused.
+        UsageError: the command line contradicts the scene.
+    """
+    from adagen.cli.pipeline import tell
+    from adagen.urdf import check_reduced, read_robot
+
+    scene = read_scene(options.scene)
+    _check_agreement(scene, options, gravity)
+    reading = read_robot(
+        options.model,
+        floating=options.floating or scene.floating,
+        mimic=options.mimic or bool(scene.mimic),
+        gravity=gravity,
+        effects=scene.from_urdf,
+        check=False,
+    )
+    tell(reading, options)
+    reduction = apply_scene(reading.model, scene)
+    _refuse_unsolved(scene, reduction.model)
+    for warning in check_reduced(reading, reduction.model):
+        warn(warning)
+    if options.verbose:
+        for line in removed(reduction):
+            note(line)
+    options.reduction = reduction
+    return reduction.model
+
+
+def _refuse_unsolved(scene: Scene, model: Model) -> None:
+    """Refuse what solvers do not take yet."""
+    for joint in model.joints:
+        if joint.passive.loads or joint.passive.rotor_inertia or joint.prescribed:
+            message = f"joint '{joint.name}': solvers take no such effect yet"
+            raise scene.error(message, "joints", joint.name)
+    if model.wrenches:
+        raise scene.error("solvers take no outer forces yet", "forces")
+
+
+def _check_agreement(
+    scene: Scene, options: argparse.Namespace, gravity: Sequence[float] | None
+) -> None:
+    if scene.base is not None and options.floating:
+        raise UsageError("the scene says how the base is held: leave out --floating")
+    if scene.mimic is False and options.mimic:
+        raise UsageError("the scene leaves mimic joints free: leave out --mimic")
+    if scene.gravity is not None and gravity is not None and tuple(gravity) != scene.gravity:
+        given = ", ".join(f"{x:g}" for x in gravity)
+        message = f"another gravity is given beside the scene, [{given}]: keep one"
+        raise scene.error(message, "gravity")
+
+
+def tell_savings(plan: Plan, schedule: Schedule, options: argparse.Namespace) -> None:
+    """Print what is left of the robot and what that saves."""
+    from adagen.schedule import load_profile
+
+    profile = load_profile(options.profile)
+    reduction: Reduction = options.reduction
+    after = _cost(reduction.model, plan, schedule, profile)
+    note(saved(reduction, _whole(reduction, options, profile), after))
+
+
+def _whole(reduction: Reduction, options: argparse.Namespace, profile: CostProfile) -> Cost | None:
+    """Return what the whole robot takes on as many processes; None where it has no answer."""
+    from adagen.plan import make_plan
+    from adagen.predict import best_schedule
+    from adagen.urdf.mobility import weakest
+
+    full = reduction.full
+    if not full.joints or (weakest(full).singular and not any(j.mimic for j in full.joints)):
+        return None
+    if options.form == "ada":
+        profile = profile.joins_only()
+    try:
+        schedule = best_schedule(full, options.procs, profile, options.form, options.scalar)
+        plan = make_plan(full, schedule, form=options.form, scalar=options.scalar)
+    except InputError:
+        return None
+    return _cost(full, plan, schedule, profile)
+
+
+def _cost(model: Model, plan: Plan, schedule: Schedule, profile: CostProfile) -> Cost:
+    from adagen.plan.operations import operations
+    from adagen.predict import predicted_time
+
+    time = schedule.makespan
+    if profile.steps is not None:
+        time = predicted_time(model, schedule, profile, plan.form)
+    return Cost(operations(plan), float(np.round(time, 6)))

@@ -1,0 +1,216 @@
+"""The scene stage: from a robot and a scene to just the robot that the scene needs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from flint import arb
+
+from adagen.exact import exact, rounded
+from adagen.model import FLOATING, KINDS, Joint, Model, Part, Passive, Pose, Wrench
+from adagen.scene.lock import lock, select
+from adagen.scene.names import Names
+from adagen.scene.prune import influential
+from adagen.scene.types import Scene
+
+BASE = "__base__"
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """A robot reduced to what a scene needs.
+
+    Attributes:
+        model: the smaller robot.
+        full: the robot that it was made from.
+        locked: joints that were locked, by name, with their configurations.
+        dropped: joints that were left out because nothing wanted depends on them.
+    """
+
+    model: Model
+    full: Model
+    locked: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    dropped: tuple[str, ...] = ()
+
+    def why_missing(self, joint: str) -> str | None:
+        """Return in words why a joint of the robot is not in the smaller one; None if it is."""
+        if joint in self.locked:
+            return "the scene locks it"
+        if joint in self.dropped:
+            return "nothing that the scene wants depends on it"
+        return None
+
+
+def apply_scene(model: Model, scene: Scene) -> Reduction:
+    """Return the robot that a scene needs, and what was left out.
+
+    Args:
+        model: the robot, read with a joint ``__base__`` where ``scene.floating`` says so, and with
+            mimic joints slaved where it says so.
+        scene: what is wanted of it.
+
+    Raises:
+        InputError: the scene names what the robot does not have, gives a joint what its kind cannot
+            have, or leaves nothing to solve; with the line of the scene file.
+    """
+    if scene.floating and not model.floating:
+        raise ValueError("the robot has to be read on a floating base for this scene")
+    names = Names(model, scene)
+    robot = _with_base(model, scene)
+    robot = _with_effects(robot, scene, names)
+    if scene.gravity is not None:
+        robot = robot.with_gravity(np.array(scene.gravity) + 0.0)
+    masses = _masses(scene, names)
+    values = _locked(robot, scene, names)
+    robot = lock(robot, values, masses)
+    locked = {model.joints[j].name: tuple(map(float, q)) for j, q in values.items()}
+    if not robot.joints:
+        raise scene.error(
+            "the scene leaves no joint that can move",
+            "lock_all_but" if scene.lock_all_but is not None else "lock",
+        )
+    _check_forces(robot, scene)
+    dropped: tuple[str, ...] = ()
+    if scene.accelerations is not None:
+        robot, dropped = _pruned(robot, scene, locked)
+    robot = _with_forces(robot, scene)
+    if all(joint.prescribed for joint in robot.joints):
+        raise scene.error("nothing to solve: every joint's acceleration is prescribed", "joints")
+    return Reduction(robot, model, locked, dropped)
+
+
+def _with_base(model: Model, scene: Scene) -> Model:
+    """Restrict what the base joint lets the root link do."""
+    if scene.base is None or scene.base.kind in ("fixed", "floating"):
+        return model
+    axis = exact(scene.base.axis)
+    base = replace(
+        model.joints[0],
+        kind=KINDS[scene.base.kind],
+        axis=rounded(axis / axis.dot(axis).sqrt()),
+    )
+    return replace(model, joints=(base, *model.joints[1:]), floating=False)
+
+
+def _with_effects(model: Model, scene: Scene, names: Names) -> Model:
+    """Give joints their damping, friction, springs and rotor inertias, and prescribe motions."""
+    joints = []
+    for joint in model.joints:
+        said = scene.joints.get(joint.name)
+        effects = {} if joint.kind.nv > 1 else _defaults(scene)
+        own = dict(said.effects) if said is not None else {}
+        names.check_effects(joint, own)
+        passive = replace(joint.passive, **{**effects, **own})
+        prescribed = said is not None and said.prescribed
+        if prescribed:
+            names.check_prescribed(joint)
+            passive = Passive()  # they change its torque, which nobody asks for
+        joints.append(replace(joint, passive=passive, prescribed=prescribed))
+    return replace(model, joints=tuple(joints))
+
+
+def _defaults(scene: Scene) -> dict[str, float]:
+    """Return what the scene gives every joint of one degree of freedom; the URDF's it has."""
+    found = {"damping": scene.damping, "friction": scene.friction}
+    numbers = {key: value for key, value in found.items() if isinstance(value, float) and value}
+    if scene.friction_speed is not None:
+        numbers["friction_speed"] = scene.friction_speed
+    return numbers
+
+
+def _masses(scene: Scene, names: Names) -> dict[int, list[Part]]:
+    result: dict[int, list[Part]] = {}
+    for k, point in enumerate(scene.point_masses):
+        number, frame = names.link(point.link, "point_masses", k, "link")
+        if number == 0:
+            raise scene.error(
+                f"link '{point.link}' is fixed to the ground: a mass there has no effect",
+                "point_masses", k, "link",
+            )  # fmt: skip
+        position = exact(point.position)
+        if frame is not None:
+            position = exact(frame.rotation).dot(position) + exact(frame.translation)
+        part = (arb(point.mass), position, exact(np.zeros((3, 3))))
+        result.setdefault(number, []).append(part)
+    return result
+
+
+def _locked(model: Model, scene: Scene, names: Names) -> dict[int, list[arb]]:
+    """Return the configuration of every joint that is locked, slaved ones with their source."""
+    values: dict[int, list[arb]] = {}
+    if scene.lock_all_but is not None:
+        free = {names.joint(name, "lock_all_but", k) for k, name in enumerate(scene.lock_all_but)}
+        names.check_free(free)
+        for j, joint in enumerate(model.joints):
+            if j not in free and joint.mimic is None and joint.name != BASE:
+                values[j] = [arb(x) for x in _neutral(joint)]
+    for name, given in scene.lock.items():
+        j = names.joint(name, "lock", name)
+        names.check_locked(model.joints[j], given)
+        values[j] = [arb(x) for x in given]
+    for j, joint in enumerate(model.joints):
+        if joint.mimic is not None and joint.mimic.source in values:
+            source = values[joint.mimic.source][0]
+            values[j] = [source * arb(joint.mimic.multiplier) + arb(joint.mimic.offset)]
+    for name in scene.joints:
+        if names.joints[name] in values:
+            message = f"joint '{name}' is locked: nothing else can be said of it"
+            raise scene.error(message, "joints", name)
+    return values
+
+
+def _neutral(joint: Joint) -> list[float]:
+    result = [0.0] * joint.kind.nq
+    if joint.kind.quaternion is not None:
+        result[-1] = 1.0
+    return result
+
+
+def _check_forces(model: Model, scene: Scene) -> None:
+    """Refuse forces on what is held by the ground."""
+    names = Names(model, scene, checked=True)
+    for k, name in enumerate(scene.forces):
+        if names.link(name, "forces", k)[0] == 0:
+            message = f"link '{name}' is fixed to the ground: a force there has no effect"
+            raise scene.error(message, "forces", k)
+
+
+def _with_forces(model: Model, scene: Scene) -> Model:
+    names = Names(model, scene, checked=True)
+    here = Pose.home().frame
+    wrenches = []
+    for k, name in enumerate(scene.forces):
+        number, frame = names.link(name, "forces", k)
+        wrenches.append(Wrench(number, here(name) if frame is None else frame))
+    return replace(model, wrenches=tuple(wrenches))
+
+
+def _pruned(
+    model: Model, scene: Scene, locked: Mapping[str, object]
+) -> tuple[Model, tuple[str, ...]]:
+    """Leave out the limbs in which nothing is wanted."""
+    names = Names(model, scene, checked=True)
+    wanted = set()
+    for k, name in enumerate(scene.accelerations or ()):
+        if name in locked:
+            message = f"joint '{name}' is locked: it has no acceleration to want"
+            raise scene.error(message, "accelerations", k)
+        wanted.add(names.joint(name, "accelerations", k))
+    kept = {names.link(name, "keep", k)[0] for k, name in enumerate(scene.keep)}
+    if not wanted:
+        raise scene.error(
+            "'accelerations' names no joint: leave it out to get all", "accelerations"
+        )
+    stay = influential(model, wanted, kept)
+    smaller = select(model, stay)
+    dropped = tuple(j.name for k, j in enumerate(model.joints) if k not in set(stay))
+    still = {link.name for link in smaller.links} | {
+        name for link in smaller.links for name in link.merged
+    }
+    for k, name in enumerate(scene.forces):
+        if name not in still:
+            message = f"a force on link '{name}' cannot influence what is wanted: leave it out"
+            raise scene.error(message, "forces", k)
+    return replace(smaller, floating=model.floating and smaller.joints[0].kind is FLOATING), dropped

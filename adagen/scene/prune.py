@@ -1,0 +1,47 @@
+"""Parts that cannot influence the accelerations that are wanted.
+
+Links whose motion is known, the ground and what hangs on it by prescribed joints only, hold limbs
+that do not feel each other: each limb's accelerations follow from its own torques and the known
+motion of its root. A limb in which nothing is wanted can therefore be left out, exactly. Inside a
+limb everything influences everything, through forces, and nothing can be left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from adagen.model import Model
+
+
+def influential(model: Model, wanted: Collection[int], kept: Collection[int]) -> list[int]:
+    """Return the joints that have to stay, ascending.
+
+    Args:
+        model: the robot; a limb with a slaved joint stays with the limb of its source.
+        wanted: joints whose accelerations are wanted.
+        kept: links whose motion is wanted.
+    """
+    known = {0}  # links of known motion
+    limb: dict[int, int] = {}  # the first joint of each other joint's limb
+    for j, joint in enumerate(model.joints):
+        if joint.parent in known and joint.prescribed:
+            known.add(j + 1)
+        else:
+            limb[j] = j if joint.parent in known else limb[joint.parent - 1]
+    stay = {limb[j] for j in {*wanted, *(link - 1 for link in kept)} if j in limb}
+    grown = True
+    while grown:  # slaved joints tie limbs together
+        ties = [
+            {limb[j], limb[joint.mimic.source]}
+            for j, joint in enumerate(model.joints)
+            if joint.mimic is not None
+        ]
+        more = {one for tie in ties if tie & stay for one in tie} - stay
+        stay |= more
+        grown = bool(more)
+    result = {j for j, first in limb.items() if first in stay}
+    for j in [*stay, *(link - 1 for link in kept if link > 0)]:
+        while j >= 0:  # prescribed joints on the way to the ground
+            result.add(j)
+            j = model.joints[j].parent - 1
+    return sorted(result)

@@ -1,0 +1,205 @@
+"""From a scene file to a Scene: every key known, every value of its type, each slip by its line."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from adagen.errors import InputError
+from adagen.jsonfile import nearest
+from adagen.scene.source import Source, read_toml
+from adagen.scene.types import EFFECTS, URDF, Base, JointScene, PointMass, Scene
+
+LARGEST = 1e40
+"""SI units; products of numbers up to this stay far below overflow, as in a URDF."""
+
+_KINDS = ("fixed", "floating", "planar", "prismatic", "revolute", "spherical")
+_AXIAL = ("planar", "prismatic", "revolute")
+_SIGNED = ("rest",)
+_Path = tuple[str | int, ...]
+
+
+def read_scene(path: Path | str) -> Scene:
+    """Read a scene file (docs/scenes.md), strictly.
+
+    Raises:
+        InputError: it cannot be read, is not TOML, has an unknown key or a value that is none;
+            the message gives file and line, and the nearest name that would be known.
+    """
+    source, document = read_toml(path)
+    reader = _Reader(source)
+    reader.known(document, _FIELDS, "key")
+    return Scene(
+        source, **{key: _FIELDS[key](reader, value, (key,)) for key, value in document.items()}
+    )
+
+
+class _Reader:
+    """Reads values of the types that scenes have."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+
+    def fail(self, message: str, path: _Path) -> InputError:
+        return self.source.error(message, *path)
+
+    def known(
+        self, table: Mapping[str, Any], keys: Iterable[str], what: str, *path: str | int
+    ) -> None:
+        for key in table:
+            if key not in keys:
+                names = ", ".join(sorted(keys))
+                hint = nearest(key, keys) or f"; known: {names}"
+                raise self.fail(f"unknown {what} '{key}'{hint}", (*path, key))
+
+    def table(self, value: Any, path: _Path) -> dict[str, Any]:
+        if not isinstance(value, dict):
+            raise self.fail(f"'{path[-1]}' is not a table", path)
+        return value
+
+    def number(self, value: Any, path: _Path, *, signed: bool = True) -> float:
+        what = _told(path)
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            raise self.fail(f"{what}: {value!r:.40} is not a number", path)
+        if not abs(value) <= LARGEST:
+            raise self.fail(f"{what}: {value!r:.40} is not a finite number to compute with", path)
+        if value < 0 and not signed:
+            raise self.fail(f"{what}: {value!r:.40} is negative", path)
+        return float(value)
+
+    def boolean(self, value: Any, path: _Path) -> bool:
+        if not isinstance(value, bool):
+            raise self.fail(f"{_told(path)}: {value!r:.40} is neither true nor false", path)
+        return value
+
+    def numbers(self, value: Any, path: _Path, count: int | None = None) -> tuple[float, ...]:
+        if not isinstance(value, list) or (count is not None and len(value) != count):
+            need = "a list of numbers" if count is None else f"{count} numbers in a list"
+            raise self.fail(f"{_told(path)} needs {need}", path)
+        return tuple(self.number(x, path) for x in value)
+
+    def three(self, value: Any, path: _Path) -> tuple[float, float, float]:
+        x, y, z = self.numbers(value, path, 3)
+        return x, y, z
+
+    def text(self, value: Any, path: _Path) -> str:
+        if not isinstance(value, str) or not value:
+            raise self.fail(f"{_told(path)}: {value!r:.40} is not a name", path)
+        return value
+
+    def names(self, value: Any, path: _Path) -> tuple[str, ...]:
+        if not isinstance(value, list):
+            raise self.fail(f"{_told(path)} needs a list of names", path)
+        found = tuple(self.text(name, path) for name in value)
+        for name in found:
+            if found.count(name) > 1:
+                raise self.fail(f"{_told(path)} names '{name}' twice; keep one", path)
+        return found
+
+    def base(self, value: Any, path: _Path) -> Base:
+        if isinstance(value, str):
+            kind, table = value, {}
+        else:
+            table = self.table(value, path)
+            self.known(table, ("kind", "axis"), "key", *path)
+            if "kind" not in table:
+                raise self.fail("base needs a kind, one of " + ", ".join(_KINDS), path)
+            kind = self.text(table["kind"], (*path, "kind"))
+        if kind not in _KINDS:
+            hint = nearest(kind, _KINDS) or f"; known: {', '.join(_KINDS)}"
+            raise self.fail(f"unknown base '{kind}'{hint}", path)
+        if "axis" not in table:
+            if kind in ("prismatic", "revolute"):
+                raise self.fail(f"a {kind} base needs an axis, three numbers", path)
+            return Base(kind)
+        if kind not in _AXIAL:
+            raise self.fail(f"a {kind} base has no axis: leave it out", (*path, "axis"))
+        axis = self.three(table["axis"], (*path, "axis"))
+        if math.hypot(*axis) < 1e-6:
+            raise self.fail("the axis has length zero: give it a direction", (*path, "axis"))
+        return Base(kind, axis)
+
+    def lock(self, value: Any, path: _Path) -> dict[str, tuple[float, ...]]:
+        result = {}
+        for name, at in self.table(value, path).items():
+            place = (*path, name)
+            result[name] = (
+                self.numbers(at, place) if isinstance(at, list) else (self.number(at, place),)
+            )
+        return result
+
+    def effect(self, value: Any, path: _Path) -> float | str:
+        if value == URDF:
+            return URDF
+        if isinstance(value, str):
+            raise self.fail(f"{_told(path)}: '{value:.40}' is neither a number nor '{URDF}'", path)
+        return self.number(value, path, signed=False)
+
+    def speed(self, value: Any, path: _Path) -> float:
+        speed = self.number(value, path)
+        if not speed > 1e-40:
+            raise self.fail(f"{_told(path)}: must be more than 0, not {value!r:.40}", path)
+        return speed
+
+    def joints(self, value: Any, path: _Path) -> dict[str, JointScene]:
+        result = {}
+        for name, said in self.table(value, path).items():
+            table = self.table(said, (*path, name))
+            self.known(table, (*EFFECTS, "prescribed"), f"key of joint '{name}'", *path, name)
+            prescribed = table.get("prescribed", False)
+            effects = {
+                key: self.speed(x, (*path, name, key))
+                if key == "friction_speed"
+                else self.number(x, (*path, name, key), signed=key in _SIGNED)
+                for key, x in table.items()
+                if key != "prescribed"
+            }
+            if "rest" in effects and "stiffness" not in effects:
+                raise self.fail(
+                    f"joint '{name}' has a rest but no stiffness", (*path, name, "rest")
+                )
+            result[name] = JointScene(
+                effects, self.boolean(prescribed, (*path, name, "prescribed"))
+            )
+        return result
+
+    def point_masses(self, value: Any, path: _Path) -> tuple[PointMass, ...]:
+        if not isinstance(value, list):
+            raise self.fail("write [[point_masses]], a table for each mass", path)
+        result = []
+        for k, said in enumerate(value):
+            place = (*path, k)
+            table = self.table(said, place)
+            self.known(table, ("link", "mass", "position"), "key of a point mass", *place)
+            for key in ("link", "mass"):
+                if key not in table:
+                    raise self.fail(f"this point mass has no {key}", place)
+            mass = self.number(table["mass"], (*place, "mass"), signed=False)
+            if mass == 0.0:
+                raise self.fail("this point mass has no mass: leave it out", (*place, "mass"))
+            position = self.three(table.get("position", [0, 0, 0]), (*place, "position"))
+            result.append(PointMass(self.text(table["link"], (*place, "link")), mass, position))
+        return tuple(result)
+
+
+def _told(path: _Path) -> str:
+    return ".".join(str(key) for key in path if isinstance(key, str))
+
+
+_FIELDS: dict[str, Callable[[_Reader, Any, _Path], Any]] = {
+    "gravity": _Reader.three,
+    "base": _Reader.base,
+    "mimic": _Reader.boolean,
+    "lock": _Reader.lock,
+    "lock_all_but": _Reader.names,
+    "keep": _Reader.names,
+    "accelerations": _Reader.names,
+    "forces": _Reader.names,
+    "damping": _Reader.effect,
+    "friction": _Reader.effect,
+    "friction_speed": _Reader.speed,
+    "joints": _Reader.joints,
+    "point_masses": _Reader.point_masses,
+}

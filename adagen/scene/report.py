@@ -1,0 +1,70 @@
+"""What a scene removed from a robot and what that saves, in lines for people."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from adagen.scene.apply import Reduction
+
+_NAMED = 6
+
+
+@dataclass(frozen=True)
+class Cost:
+    """What an evaluation takes: operations counted from its plan, and predicted time in us."""
+
+    operations: int
+    time: float
+
+
+def removed(reduction: Reduction) -> list[str]:
+    """Return lines on what was removed."""
+    lines = []
+    if reduction.locked:
+        locked = [f'"{name}" at {_told(q)}' for name, q in reduction.locked.items()]
+        lines.append(f"scene: {len(locked)} joints locked: {_listed(locked)}")
+    if reduction.dropped:
+        names = [f'"{name}"' for name in reduction.dropped]
+        lines.append(
+            f"scene: {len(names)} joints left out, on which nothing wanted depends: "
+            f"{_listed(names)}"
+        )
+    if not reduction.model.gravity.any():
+        lines.append("scene: no gravity")
+    return lines
+
+
+def saved(reduction: Reduction, before: Cost | None, after: Cost) -> str:
+    """Return a line on what is left and what that saves.
+
+    Args:
+        reduction: the reduction.
+        before: what the whole robot takes on as many processes, if it can be solved.
+        after: what is left takes.
+    """
+    full, model = reduction.full, reduction.model
+    text = (
+        f"scene: {len(model.joints)} of {len(full.joints)} joints and {model.nv} of {full.nv} "
+        f"degrees of freedom left; {after.operations} operations, {after.time:.2f} us predicted"
+    )
+    if before is None:
+        return f"{text}; the whole robot has no forward dynamics"
+    share = 1.0 - after.operations / before.operations
+    faster = 1.0 - after.time / before.time
+    return (
+        f"{text}; the whole robot: {before.operations} operations, {before.time:.2f} us: "
+        f"{_change(share, 'fewer')} operations, {_change(faster, 'less')} time"
+    )
+
+
+def _change(share: float, less: str) -> str:
+    return f"{abs(share):.0%} {less if share >= 0 else 'more'}"
+
+
+def _told(q: tuple[float, ...]) -> str:
+    return f"{q[0]:g}" if len(q) == 1 else "[" + ", ".join(f"{x:g}" for x in q) + "]"
+
+
+def _listed(items: list[str]) -> str:
+    more = f" and {len(items) - _NAMED} more" if len(items) > _NAMED else ""
+    return ", ".join(items[:_NAMED]) + more

@@ -1,0 +1,119 @@
+"""A TOML file with its lines: ``tomllib`` tells values, not where they stand."""
+
+from __future__ import annotations
+
+import re
+import stat
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from adagen.errors import InputError
+
+LARGEST_FILE = 2**20
+"""Bytes; a scene that names ten thousand joints has half of it."""
+
+_AT = re.compile(r"\s*\(at (?:line (\d+), column \d+|end of document)\)$")
+
+
+@dataclass(frozen=True)
+class Source:
+    """A TOML document as text.
+
+    Attributes:
+        file: its path as the user gave it; None for a document that is no file's.
+        text: the whole of it.
+    """
+
+    file: str | None = None
+    text: str = ""
+
+    def error(self, message: str, *path: str | int) -> InputError:
+        """Return (not raise) a refusal, with the line at which ``path`` is said."""
+        return InputError(message, self.file, self.line(*path) if path else None)
+
+    def line(self, *path: str | int) -> int | None:
+        """Return the line, from 1, that starts what is at ``path`` (keys and places in lists).
+
+        It is the line after the longest beginning of the file that is a document without ``path``:
+        whatever TOML allows, its own parser decides.
+        """
+        lines = self.text.split("\n")
+        if not self._holds(lines, len(lines), path):
+            return None
+        low, high = 0, len(lines)  # the first `low` lines are a document without it, `high` with
+        while high - low > 1:
+            middle = (low + high) // 2
+            while middle > low and not self._complete(lines, middle):
+                middle -= 1
+            if middle == low:  # every shorter beginning ends inside a value: look above
+                middle = (low + high) // 2
+                while middle < high and not self._complete(lines, middle):
+                    middle += 1
+                if middle == high:
+                    break
+            if self._holds(lines, middle, path):
+                high = middle
+            else:
+                low = middle
+        while low < high - 1 and _blank(lines[low]):
+            low += 1
+        return low + 1
+
+    @staticmethod
+    def _complete(lines: list[str], count: int) -> bool:
+        try:
+            tomllib.loads("\n".join(lines[:count]))
+        except tomllib.TOMLDecodeError:
+            return False
+        return True
+
+    @staticmethod
+    def _holds(lines: list[str], count: int, path: tuple[str | int, ...]) -> bool:
+        at: Any = tomllib.loads("\n".join(lines[:count]))  # a dict or list: only they are asked
+        for key in path:
+            inside = key in at if isinstance(at, dict) else isinstance(key, int) and key < len(at)
+            if not inside:
+                return False
+            at = at[key]
+        return True
+
+
+def _blank(line: str) -> bool:
+    return not line.strip() or line.lstrip().startswith("#")
+
+
+def read_toml(path: Path | str) -> tuple[Source, dict[str, Any]]:
+    """Return the file as text and as what it says.
+
+    Raises:
+        InputError: it cannot be read or is not TOML.
+    """
+    file = str(path)
+    try:
+        if not stat.S_ISREG(Path(path).stat().st_mode):
+            raise InputError("is not a regular file: give a scene file (TOML)", file)
+        data = Path(path).read_bytes()
+    except (OSError, ValueError) as fault:
+        reason = fault.strerror if isinstance(fault, OSError) else str(fault)
+        raise InputError(f"cannot read it: {reason}", file) from None
+    if len(data) > LARGEST_FILE:
+        raise InputError(f"larger than {LARGEST_FILE // 2**20} MiB, the limit for a scene", file)
+    try:
+        text = data.decode("utf-8-sig").replace("\r\n", "\n")
+    except UnicodeDecodeError as fault:
+        line = data.count(b"\n", 0, fault.start) + 1
+        raise InputError(
+            f"not UTF-8 text (byte {fault.start}): save it as UTF-8", file, line
+        ) from None
+    try:
+        return Source(file, text), tomllib.loads(text)
+    except tomllib.TOMLDecodeError as fault:
+        said = str(fault)
+        place = _AT.search(said)
+        at = text.count("\n") + 1 if place is None or place[1] is None else int(place[1])
+        what = said if place is None else said[: place.start()]
+        raise InputError(f"not TOML: {what[:1].lower()}{what[1:]}", file, at) from None
+    except (RecursionError, ValueError):
+        raise InputError("not a scene: nested too deeply, or a number too long", file) from None

@@ -1,0 +1,119 @@
+// What the parts of the program share: the solver, the states at work, and how a failure is told.
+
+// Random states, the same on every machine (splitmix64).
+States random_states(int count, std::uint64_t seed) {
+  const auto uniform = [&seed] {
+    std::uint64_t z = (seed += 0x9E3779B97F4A7C15ULL);
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
+    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;  // in [-1, 1)
+  };
+  States states;
+  states.count = count;
+  const auto size = [count](int n) {
+    return static_cast<std::size_t>(count) * static_cast<std::size_t>(n);
+  };
+  states.q.resize(size(kNq));
+  states.v.resize(size(kNv));
+  states.tau.resize(size(kNv));
+  for (int s = 0; s < count; ++s) {
+    Real* q =
+        states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Real* v =
+        states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Real* tau = states.tau.data() + (v - states.v.data());
+    for (const JointConstants& joint : kJoints) {
+      const bool turns = joint.kind == JointKind::kRevolute;
+      for (int k = 0; k < joint.nq; ++k)
+        q[joint.q + k] = static_cast<Real>(turns ? 3.141592653589793 * uniform() : uniform());
+      if (joint.nq >= 4) {
+        double p[4], squared;
+        do {
+          squared = 0;
+          for (double& x : p) x = uniform(), squared += x * x;
+        } while (squared > 1 || squared < 0.01);
+        for (int k = 0; k < 4; ++k)
+          q[joint.q + joint.nq - 4 + k] = static_cast<Real>(p[k] / std::sqrt(squared));
+      }
+      for (int k = 0; k < joint.nv; ++k) {
+        v[joint.v + k] = static_cast<Real>(uniform());
+        tau[joint.v + k] = static_cast<Real>(uniform());
+      }
+    }
+    slave(q, v);
+  }
+  return states;
+}
+
+// The states file, read by process 0 and handed to all.
+int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
+  int status = kDone;
+  if (rank == 0) {
+    std::ifstream file(path, std::ios::binary);
+    file.peek();  // tells a folder from a file
+    std::ostringstream text;
+    if (!file.bad()) text << file.rdbuf();
+    std::string wrong;
+    if (!file.is_open() || file.bad())
+      wrong = " error: cannot read the states file";
+    else
+      wrong = StatesReader(text.str()).read(states);
+    if (!wrong.empty()) {
+      std::fprintf(stderr, "%s:%s\n", path.c_str(), wrong.c_str());
+      status = kInputAtFault;
+    }
+  }
+  MPI_Bcast(&status, 1, MPI_INT, 0, comm);
+  if (status != kDone) return status;
+  MPI_Bcast(&states.count, 1, MPI_INT, 0, comm);
+  const auto share = [&](std::vector<Real>& x, int n) {
+    x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
+    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiReal, 0, comm);
+  };
+  share(states.q, kNq);
+  share(states.v, kNv);
+  share(states.tau, kNv);
+  return status;
+}
+
+struct Session {
+  Options options;
+  int rank;
+  Watch watch;
+  Solver solver;
+  States states;
+  std::vector<Real> qdd;  // one acceleration after the other
+  bool pinned = false;
+
+  Session(Options given, int own_rank) : options(std::move(given)), rank(own_rank) {}
+
+  MPI_Comm comm() const { return solver.channel.comm(); }
+  const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
+  const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
+  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNv; }
+  Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
+
+  void use(States given) {
+    states = std::move(given);
+    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Real(0));
+  }
+
+  int complain(int status, const std::string& what, const std::string& file = "") const {
+    const std::string place = file.empty() ? "" : file + ": ";
+    if (rank == 0) std::fprintf(stderr, "%serror: %s\n", place.c_str(), what.c_str());
+    return status;
+  }
+
+  // A process that waited in vain cannot be waited for: the whole run ends.
+  void give_up_if_broken(int failed) const {
+    if (failure_kind(failed) != kNoAnswer) return;
+    std::fprintf(stderr, "error: process %d: %s\n", rank, describe(failed).c_str());
+    std::fflush(stderr);
+    MPI_Abort(MPI_COMM_WORLD, kFault);
+  }
+
+  const char* channel_name() const {
+    if (kProcesses == 1) return "none";
+    return solver.channel.windowed() ? "window" : "message";
+  }
+};

@@ -1,0 +1,111 @@
+"""``--scene FILE``: what is treated, what is said, and what is refused."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from adagen.cli.main import main
+
+MODELS = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
+HUMANOID = str(MODELS / "humanoid.urdf")
+LEGS = str(MODELS / "humanoid_legs.toml")
+
+
+def run(*words: str) -> int:
+    return main([str(word) for word in words])
+
+
+def scene(folder: Path, text: str) -> str:
+    path = folder / "scene.toml"
+    path.write_text(text, encoding="utf-8")
+    return str(path)
+
+
+def test_locked_joints_are_gone_and_what_that_saves_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(HUMANOID, "--procs", "1", "--scene", LEGS, "-v", "--out", str(tmp_path)) == 0
+    said = capsys.readouterr().err
+    assert 'scene: 14 joints locked: "neck_yaw" at 0, "neck_pitch" at 0.1' in said
+    assert "scene: 16 of 30 joints and 21 of 35 degrees of freedom left" in said
+    assert "fewer operations" in said
+    plan = json.loads((tmp_path / "humanoid_p1.plan.json").read_text())
+    assert len(plan["joints"]) == 16
+    assert plan["floating"] is True
+
+
+def test_without_v_nothing_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(HUMANOID, "--procs", "1", "--scene", LEGS, "--out", str(tmp_path)) == 0
+    assert "scene:" not in capsys.readouterr().err
+
+
+def test_the_schedule_is_that_of_what_is_left(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run("schedule", HUMANOID, "--procs", "2", "--scene", LEGS, "--json") == 0
+    tree = json.loads(capsys.readouterr().out)
+    names = set()
+    waiting = [tree["root"]]
+    while waiting:
+        node = waiting.pop()
+        names.add(node["joint"])
+        waiting += node["children"]
+    assert len(names) == 16
+    assert "left_elbow" not in names
+
+
+@pytest.mark.parametrize(
+    ("text", "words", "status", "reason"),
+    [
+        ('base = "floating"', ["--floating"], 2, "leave out --floating"),
+        ("mimic = false", ["--mimic"], 2, "leave out --mimic"),
+        ("gravity = [0,0,0]", ["--gravity", "0", "0", "-1"], 1, "scene.toml:1: error: another"),
+        ("gravty = 1", [], 1, "scene.toml:1: error: unknown key"),
+        ("[lock]\nleft_elbw = 0", [], 1, "scene.toml:2: error: 'left_elbw' is not a moving joint"),
+    ],
+)
+def test_contradictions_and_slips_are_refused(
+    text: str,
+    words: list[str],
+    status: int,
+    reason: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    given = scene(tmp_path, text)
+    assert run(HUMANOID, "--procs", "1", "--scene", given, *words) == status
+    said = capsys.readouterr().err
+    assert reason in said
+    assert "Traceback" not in said
+
+
+def test_states_of_locked_joints_are_refused_with_the_reason(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    states = tmp_path / "states.json"
+    one = {"q": [0.0], "v": [0.0], "tau": [0.0]}
+    states.write_text(json.dumps({"joints": {"left_elbow": one}}))
+    words = ["--procs", "1", "--scene", LEGS, "--states", str(states)]
+    assert run("solve", HUMANOID, *words) == 1
+    assert "joint 'left_elbow' has no state: the scene locks it" in capsys.readouterr().err
+
+
+def test_a_robot_that_only_the_scene_makes_solvable(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A massless leaf is refused, unless the scene locks it or gives it mass."""
+    from tests.urdf.texts import joint, link, robot
+
+    urdf = tmp_path / "r.urdf"
+    urdf.write_text(
+        robot(link("a"), link("b"), link("c", ""), joint("j1", "a", "b"), joint("j2", "b", "c"))
+    )
+    out = ["--procs", "1", "--out", str(tmp_path / "out")]
+    assert run(str(urdf), *out) == 1
+    assert 'joint "j2" moves no mass' in capsys.readouterr().err
+    assert run(str(urdf), *out, "--scene", scene(tmp_path, "[lock]\nj2 = 0"), "-v") == 0
+    assert "the whole robot has no forward dynamics" in capsys.readouterr().err
+    massive = '[[point_masses]]\nlink = "c"\nmass = 1\nposition = [0, 0, 1]'
+    assert run(str(urdf), *out, "--scene", scene(tmp_path, massive)) == 0
+    assert run(str(urdf), *out, "--scene", scene(tmp_path, "[lock]\nj1 = 0")) == 1
