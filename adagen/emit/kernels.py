@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import groupby
 
+from adagen.emit.processes import describe_message
 from adagen.emit.stages import stamped_groups
 from adagen.emit.words import Words
 from adagen.plan import Plan
@@ -21,7 +22,10 @@ from adagen.plan.steps import (
     FreeAcceleration,
     FreeBase,
     Kinematics,
+    Receive,
+    Send,
     SolveRoot,
+    StartEmpty,
     StartLink,
     Step,
 )
@@ -36,11 +40,14 @@ RUNTIME = (
 _TAKEN = (
     Kinematics
     | StartLink
+    | StartEmpty
     | FreeBase
     | Articulate
     | SolveRoot
     | Accelerate
     | FreeAcceleration
+    | Send
+    | Receive
 )
 
 
@@ -130,14 +137,15 @@ def swept(joints: Sequence[PlanJoint], steps: Sequence[Articulate | Accelerate])
     return found
 
 
+def core_links(plan: Plan) -> set[int]:
+    """Return the links at which several processes' inertias are gathered."""
+    return {link for message in plan.messages for link in message.inertias}
+
+
 def _ends(joints: Sequence[PlanJoint], run: Run) -> tuple[int, int]:
     """The near and the far link of a run."""
     parent, child = joints[run.first].parent, run.last + 1
     return (child, parent) if run.reversed else (parent, child)
-
-
-def _of(process: Process, *kinds: type[Step]) -> list[Step]:
-    return [step for step in process.steps if isinstance(step, kinds)]
 
 
 def _roles(plan: Plan, process: Process) -> list[dict[str, bool]]:
@@ -148,7 +156,8 @@ def _roles(plan: Plan, process: Process) -> list[dict[str, bool]]:
     gathers |= {s.joint + 1 for s in process.steps if isinstance(s, FreeBase)}
     parts = {_ends(plan.joints, run)[0] for run in swept(plan.joints, outward)}
     parts |= {s.joint + 1 for s in process.steps if isinstance(s, FreeAcceleration)}
-    own = {s.link for s in process.steps if isinstance(s, StartLink)}
+    own = {s.link for s in process.steps if isinstance(s, StartLink)} - core_links(plan)
+    gathers |= core_links(plan)
     return [
         {"gathers": k in gathers, "adds_own": k in own, "parts": k in parts}
         for k in range(len(plan.links))
@@ -170,6 +179,11 @@ class _Writer:
     def __init__(self, words: Words, p: int, process: Process) -> None:
         self.words, self.p, self.process = words, p, process
         self.joints = words.plan.joints
+        core = core_links(words.plan)
+        self.own_core = [
+            s.link for s in process.steps if isinstance(s, StartLink) and s.link in core
+        ]
+        self.placed: set[int] = set()  # links of the core whose own inertia has been added
         self.started: set[int] = set()  # links whose body holds something
 
     def checks(self) -> list[str]:
@@ -178,7 +192,7 @@ class _Writer:
         return [
             *self._finite("w.q", "q", reads, "kNotFinite"),
             *self._finite("w.v", "v", reads, "kNotFinite"),
-            *self._finite("w.tau", "v", owns, "kNotFinite"),
+            *self._finite("w.tau", "v", sorted((*owns, *self.process.shares)), "kNotFinite"),
         ]
 
     def results(self) -> list[str]:
@@ -265,6 +279,39 @@ class _Writer:
             f"set_up_links<{a}, {b}>(w);" for a, b in self._blocks(s.link - 1 for s in steps)
         ]
 
+    def _StartEmpty(self, steps: list[StartEmpty]) -> list[str]:  # noqa: N802, ARG002
+        return []  # what comes first takes its place
+
+    def _Send(self, steps: list[Send]) -> list[str]:  # noqa: N802
+        lines = []
+        for step in steps:
+            message = self.words.plan.messages[step.message]
+            lines += [
+                f"{{  // to process {message.target}: {describe_message(self.words, message)}",
+                f"  Real* to = channel.outgoing({step.message}, w.status);",
+                *(f"  to = put(to, w.bodies[{link}]);" for link in message.inertias),
+                f"  channel.send({step.message}, w.status);",
+                "}",
+            ]
+        return lines
+
+    def _Receive(self, steps: list[Receive]) -> list[str]:  # noqa: N802
+        lines = []
+        for step in steps:
+            message = self.words.plan.messages[step.message]
+            lines += [
+                f"{{  // from process {message.source}: {describe_message(self.words, message)}",
+                f"  const Real* from = channel.receive({step.message}, w.status);",
+                *(f"  from = {self._taken(link)};" for link in message.inertias),
+                "}",
+            ]
+        return lines
+
+    def _taken(self, link: int) -> str:
+        first = link not in self.started
+        self.started.add(link)
+        return f"{'get' if first else 'add'}(from, w.bodies[{link}])"
+
     def _FreeBase(self, steps: list[FreeBase]) -> list[str]:  # noqa: N802
         self.started.update(step.joint + 1 for step in steps)
         return [f"free_base<{step.joint}>(w);" for step in steps]
@@ -278,6 +325,11 @@ class _Writer:
             verb = "inward_reversed" if run.reversed else "inward"
             call = f"{verb}<{self.p}, {run.first}, {run.last}, {starts}>(w);"
             lines.append(call + self._names(run))
+        for link in [link for link in self.own_core if link not in self.placed]:
+            starts = "false" if link in self.started else "true"
+            self.started.add(link)
+            self.placed.add(link)
+            lines.append(f"place<{link}, {starts}>(w);  // {self.words.quoted_link(link)} itself")
         return lines
 
     def _SolveRoot(self, steps: list[SolveRoot]) -> list[str]:  # noqa: N802

@@ -53,9 +53,12 @@ def _summary(words: Words, process: Process) -> str:
         return "has nothing to do"
     names = [words.quoted_joint(j) for j in process.owns[:_NAMED]]
     more = ", ..." if len(process.owns) > _NAMED else ""
-    passing = len(process.reads) - len(process.owns)
+    shared = len(process.shares)
+    core = f"; {shared} more that every process computes for itself" if shared else ""
+    passing = len(process.reads) - len(process.owns) - shared
     path = f"; kinematics of {passing} more on the way to the ground" if passing else ""
-    return f"{len(process.owns)} of {len(words.plan.joints)} joints: {', '.join(names)}{more}{path}"
+    own = f"{len(process.owns)} of {len(words.plan.joints)} joints: {', '.join(names)}{more}"
+    return f"{own}{core}{path}"
 
 
 def _lines(words: Words, process: Process, step: Step) -> list[str]:
@@ -120,6 +123,9 @@ def describe_message(words: Words, message: Message) -> str:
     if message.joint is None:
         what = "accelerations" if message.sweep == "slaved" else "torques"
         return f"{what} of slaved joints"
+    if message.inertias:
+        links = ", ".join(words.quoted_link(link) for link in message.inertias)
+        return f"what hangs on {links}"
     what = "assembled" if message.sweep == "assembly" else "forces on"
     return f"{what}: chain of {words.quoted_joint(message.joint)}"
 
@@ -129,8 +135,9 @@ def message_size(words: Words, message: Message) -> int:
     columns = words.plan.right_hand_sides
     if message.sweep == "torques":
         return columns - 1
-    vectors = len(message.biases) + len(message.forces)
-    return 36 * len(message.blocks) + 6 * columns * vectors + columns * len(message.joints)
+    vectors = len(message.biases) + len(message.forces) + len(message.inertias)
+    matrices = 36 * len(message.blocks) + 21 * len(message.inertias)
+    return matrices + 6 * columns * vectors + columns * len(message.joints)
 
 
 def _send(words: Words, number: int) -> list[str]:
@@ -177,14 +184,17 @@ def _tables(words: Words, p: int, process: Process) -> list[dict[str, object]]:
     read = sorted(set(read))
     q = [joints[j].q + k for j in read for k in range(words.kind(j).nq)]
     v = [joints[j].v + k for j in read for k in range(words.kind(j).nv)]
-    own = [joints[j].v + k for j in process.owns for k in range(words.kind(j).nv)]
+    own, torques = (
+        [joints[j].v + k for j in sorted(own) for k in range(words.kind(j).nv)]
+        for own in (process.owns, (*process.owns, *process.shares))
+    )
     return [
         {"name": f"{name}_{p}", "count": len(entries), "entries": ", ".join(map(str, entries))}
-        for name, entries in (("kReadQ", q), ("kReadV", v), ("kOwn", own))
+        for name, entries in (("kReadQ", q), ("kReadV", v), ("kOwn", own), ("kTorque", torques))
     ]
 
 
 def table_sizes(words: Words, process: Process) -> tuple[int, int]:
     """Return the numbers that process 0 sends it of the state, and that it sends back."""
-    sizes = [int(str(table["count"])) for table in _tables(words, 0, process)]
-    return sum(sizes), sizes[2]
+    q, v, own, torques = (int(str(table["count"])) for table in _tables(words, 0, process))
+    return q + v + torques, own

@@ -33,6 +33,12 @@ class Shape:
     values: Callable[[Words], dict[str, object]]
 
 
+def _joints_why_not(plan: Plan) -> str | None:
+    if any(message.inertias for message in plan.messages):
+        return "the processes of this plan gather their inertias"
+    return None
+
+
 def _joints(words: Words) -> dict[str, object]:
     segments = any(
         isinstance(step, StartLink) for process in words.plan.processes for step in process.steps
@@ -47,7 +53,7 @@ def _joints(words: Words) -> dict[str, object]:
 
 SHAPES: dict[str, Shape] = {
     "kernels": Shape(kernels.why_not, kernels.values),
-    "joints": Shape(lambda _plan: None, _joints),
+    "joints": Shape(_joints_why_not, _joints),
 }
 """By name; where none is asked for, the first that takes a plan."""
 

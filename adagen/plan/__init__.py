@@ -6,25 +6,40 @@ from adagen.errors import UsageError
 from adagen.model import Model
 from adagen.plan.ada import AdaPlanner
 from adagen.plan.constants import joints_of, links_of
+from adagen.plan.gather import GatherPlanner
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
-from adagen.plan.types import Plan
+from adagen.plan.types import Plan, PlanJoint
 from adagen.schedule import Schedule, Topology, schedule_line
 
 FORMS: dict[str, type[AdaPlanner]] = {"segment": SegmentPlanner, "ada": AdaPlanner}
 SCALARS = ("double", "float")
 CHANNELS = ("auto", "window", "message")
+MEETINGS = ("auto", "join", "gather")
 
 __all__ = [
     "CHANNELS",
     "FORMS",
+    "MEETINGS",
     "SCALARS",
     "Plan",
     "make_plan",
     "plan_from_json",
     "plan_to_json",
+    "planner",
 ]
+
+
+def planner(
+    joints: tuple[PlanJoint, ...], schedule: Schedule, form: str, meeting: str = "auto"
+) -> AdaPlanner:
+    """Return what plans a form of the algorithm; arguments as those of ``make_plan``."""
+    if form == "segment" and meeting != "join":
+        gather = GatherPlanner(joints, schedule)
+        if meeting == "gather" or gather.suits():
+            return gather
+    return FORMS[form](joints, schedule)
 
 
 def make_plan(
@@ -35,6 +50,7 @@ def make_plan(
     scalar: str = "double",
     channel: str = "auto",
     source_hash: str = "",
+    meeting: str = "auto",
 ) -> Plan:
     """Return what each process of a schedule does.
 
@@ -45,6 +61,8 @@ def make_plan(
         scalar: "double" or "float".
         channel: how processes exchange, one of ``CHANNELS``.
         source_hash: hash of the robot description, for the emitted header.
+        meeting: how segments meet, one of ``MEETINGS``: joined at the cuts by Eq. (3)-(10), or
+            gathered at a small core, in one exchange; "auto" gathers where the core is small.
 
     Raises:
         InputError: a link's inertia cannot be inverted where the form needs it.
@@ -54,11 +72,12 @@ def make_plan(
         (form, tuple(FORMS), "form"),
         (scalar, SCALARS, "scalar"),
         (channel, CHANNELS, "channel"),
+        (meeting, MEETINGS, "meeting"),
     ):
         if word not in known:
             raise UsageError(f'unknown {what} "{word}"; known: {", ".join(known)}')
     joints = joints_of(model)
-    processes, messages = FORMS[form](joints, schedule).plan()
+    processes, messages = planner(joints, schedule, form, meeting).plan()
     bare = {step.link for p in processes for step in p.steps if isinstance(step, LinkBias)}
     return Plan(
         name=model.name,

@@ -138,7 +138,9 @@ class Machine:
                 items = self._contents(self.plan.messages[step.message])
                 self.mail[step.message] = {item: self.memory[item] for item in items}
             case Receive():
-                self.memory.update(self.mail.pop(step.message))
+                for name, value in self.mail.pop(step.message).items():
+                    found = name in self.gathered(step.message)
+                    self.memory[name] = self.memory[name] + value if found else value
             case SolveCoupling():
                 self._solve_coupling()
             case ApplyCoupling():
@@ -151,7 +153,13 @@ class Machine:
         if message.sweep == "torques":
             return ["torques"]
         accelerations = [("qdd", j) for j in message.joints]
-        return [*message.blocks, *message.biases, *message.forces, *accelerations]
+        inertias = [(what, link) for link in message.inertias for what in ("IA", "pA")]
+        return [*message.blocks, *message.biases, *message.forces, *accelerations, *inertias]
+
+    def gathered(self, message: int) -> set[Any]:
+        """What of a message is added to what the process has, instead of taking its place."""
+        links = self.plan.messages[message].inertias
+        return {(what, link) for link in links for what in ("IA", "pA")}
 
     def _kinematics(self, step: Kinematics) -> None:
         joint = self.plan.joints[step.joint]

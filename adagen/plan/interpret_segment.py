@@ -17,8 +17,11 @@ from adagen.plan.steps import (
     FreeBase,
     InvertRoot,
     Load,
+    LoadRoot,
     Propagate,
+    SolveMobility,
     SolveRoot,
+    StartEmpty,
     StartLink,
     Step,
 )
@@ -46,6 +49,9 @@ class SegmentMachine:
         match step:
             case StartLink():
                 self._start(step.link)
+            case StartEmpty():
+                self.memory["IA", step.link] = np.zeros((6, 6))
+                self.memory["pA", step.link] = np.zeros((6, self.machine.columns))
             case FreeBase():
                 free = list(self._kind(step.joint).free)
                 self.memory["pA", step.joint + 1][free] -= self.machine.torques(step.joint)
@@ -58,6 +64,15 @@ class SegmentMachine:
             case SolveRoot():
                 inertia, p = self.memory["IA", step.link], self.memory["pA", step.link]
                 self.memory["a", step.link] = np.linalg.solve(inertia, -p)
+            case SolveMobility():
+                inertia, p = self.memory["IA", step.link], self.memory["pA", step.link]
+                phi, b = self.memory[step.block], self.memory[step.bias]
+                self.memory["a", step.link] = np.linalg.solve(
+                    np.eye(6) + phi @ inertia, b - phi @ p
+                )
+            case LoadRoot():
+                inertia, p = self.memory["IA", step.link], self.memory["pA", step.link]
+                self.memory["load", step.link] = -(inertia @ self.memory["a", step.link] + p)
             case Propagate():
                 self._propagate(step)
             case Load():

@@ -35,7 +35,7 @@ from adagen.schedule import Node, Schedule, postorder, preorder
 
 
 @dataclass(frozen=True)
-class _Edge:
+class Edge:
     """A joint of a component, seen from its root."""
 
     joint: int
@@ -45,7 +45,7 @@ class _Edge:
 
 
 @dataclass
-class _Component:
+class Component:
     """Joints of a segment that move together: connected other than through the ground.
 
     Attributes:
@@ -56,16 +56,16 @@ class _Component:
     """
 
     root: int
-    edges: list[_Edge] = field(default_factory=list)
+    edges: list[Edge] = field(default_factory=list)
     handles: list[int] = field(default_factory=list)
-    path: list[_Edge] = field(default_factory=list)
+    path: list[Edge] = field(default_factory=list)
 
 
 @dataclass
 class _Segment:
     joint: int  # names it: the topmost joint of its schedule
     free: list[int]  # floating joints on the ground
-    components: list[_Component]
+    components: list[Component]
 
 
 class SegmentPlanner(AdaPlanner):
@@ -121,7 +121,7 @@ class SegmentPlanner(AdaPlanner):
             if j not in free:
                 at.setdefault(self.joints[j].parent, []).append(j)
                 at.setdefault(j + 1, []).append(j)
-        components: list[_Component] = []
+        components: list[Component] = []
         left = set(links)
         for start in (0, *sorted(links - {0})):
             if start not in left or (start == 0 and not at.get(0)):
@@ -129,7 +129,7 @@ class SegmentPlanner(AdaPlanner):
                 continue
             handles = sorted(h for h in self._reach(start, at) if h > 0 and self.open[h] > 0)
             root = start if start == 0 or not handles else handles[0]
-            component = _Component(root, self._outwards(root, at), handles)
+            component = Component(root, self._outwards(root, at), handles)
             left -= {root, *(edge.far for edge in component.edges)}
             component.path = self._path(component)
             components.append(component)
@@ -141,9 +141,9 @@ class SegmentPlanner(AdaPlanner):
     def _reach(self, start: int, at: dict[int, list[int]]) -> list[int]:
         return [start, *(edge.far for edge in self._outwards(start, at))]
 
-    def _outwards(self, root: int, at: dict[int, list[int]]) -> list[_Edge]:
+    def _outwards(self, root: int, at: dict[int, list[int]]) -> list[Edge]:
         """The joints of a component, each after those between it and the root."""
-        edges: list[_Edge] = []
+        edges: list[Edge] = []
         waiting = [(root, -1)]
         while waiting:
             near, came = waiting.pop()
@@ -151,24 +151,24 @@ class SegmentPlanner(AdaPlanner):
             for j in at.get(near, []):
                 if j != came:
                     down = self.joints[j].parent == near
-                    edge = _Edge(j, near, j + 1 if down else self.joints[j].parent, not down)
+                    edge = Edge(j, near, j + 1 if down else self.joints[j].parent, not down)
                     found.append(edge)
             edges.extend(found)
             waiting.extend((edge.far, edge.joint) for edge in reversed(found))
         return edges
 
     @staticmethod
-    def _path(component: _Component) -> list[_Edge]:
+    def _path(component: Component) -> list[Edge]:
         """Depth-first from the root, the edges that lead to a handle."""
         wanted = set(component.handles)
         for edge in reversed(component.edges):
             if edge.far in wanted:
                 wanted.add(edge.near)
-        below: dict[int, list[_Edge]] = {}
+        below: dict[int, list[Edge]] = {}
         for edge in component.edges:
             if edge.far in wanted:
                 below.setdefault(edge.near, []).append(edge)
-        path: list[_Edge] = []
+        path: list[Edge] = []
         stack = list(reversed(below.get(component.root, [])))
         while stack:
             edge = stack.pop()
@@ -176,7 +176,7 @@ class SegmentPlanner(AdaPlanner):
             stack.extend(reversed(below.get(edge.far, [])))
         return path
 
-    def _mobility(self, component: _Component, chain: Chain) -> None:
+    def _mobility(self, component: Component, chain: Chain) -> None:
         """Phi and b at the handles: at the root by inversion, elsewhere carried outwards."""
         name, steps = chain.joint, self.steps[chain.process]
         assert name is not None  # segments are named by a joint
@@ -228,7 +228,7 @@ class SegmentPlanner(AdaPlanner):
                     chain.blocks[g, h] = Block(name, g, h)
 
     @staticmethod
-    def _anchors(component: _Component) -> dict[int, int]:
+    def _anchors(component: Component) -> dict[int, int]:
         """Links where paths to handles part, and the place in the path of the last branch."""
         last: dict[int, int] = {}
         count: dict[int, int] = {}

@@ -34,8 +34,11 @@ def _processes(plan: Plan) -> str:
     parts = []
     for process in plan.processes:
         steps = _lines({"step": type(step).__name__, **_encode(step)} for step in process.steps)
-        reads, owns = _dump(list(process.reads)), _dump(list(process.owns))
-        parts.append(f'{{"reads": {reads}, "owns": {owns}, "steps": {steps}}}')
+        joints = ", ".join(
+            f'"{name}": {_dump(list(getattr(process, name)))}'
+            for name in ("reads", "owns", "shares")
+        )
+        parts.append(f'{{{joints}, "steps": {steps}}}')
     return ",\n".join(parts)
 
 

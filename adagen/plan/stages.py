@@ -19,16 +19,18 @@ from adagen.plan.steps import (
     Join,
     Kinematics,
     Load,
+    LoadRoot,
     Receive,
     Send,
     SolveCoupling,
+    SolveMobility,
     Step,
 )
 from adagen.plan.types import Process
 
 What = Literal["kinematics", "assembly", "disassembly", "slaved", "send", "receive"]
 
-_DOWN = (Disassemble, Load, Deliver, AccelerateRoot, Accelerate, FreeAcceleration)
+_DOWN = (Disassemble, SolveMobility, Load, LoadRoot, Deliver, AccelerateRoot, Accelerate, FreeAcceleration)
 
 
 @dataclass(frozen=True)

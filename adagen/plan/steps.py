@@ -169,6 +169,13 @@ class StartLink:
 
 
 @dataclass(frozen=True)
+class StartEmpty:
+    """I^A and p^A of a link start as zero: the link itself is another process's to add."""
+
+    link: int
+
+
+@dataclass(frozen=True)
 class FreeBase:
     """A floating joint on the ground only adds its torque to the link: nothing holds the link."""
 
@@ -201,6 +208,15 @@ class SolveRoot:
     """Acceleration of a segment's root that is no handle: I^A a = -p^A."""
 
     link: int
+
+
+@dataclass(frozen=True)
+class SolveMobility:
+    """Acceleration of a link whose one side shows its mobility: (1 + Phi I^A) a = b - Phi p^A."""
+
+    link: int
+    block: Block
+    bias: Bias
 
 
 @dataclass(frozen=True)
@@ -250,6 +266,13 @@ class Load:
 
 
 @dataclass(frozen=True)
+class LoadRoot:
+    """What I^A and p^A load a link with whose acceleration is known: -(I^A a + p^A)."""
+
+    link: int
+
+
+@dataclass(frozen=True)
 class Deliver:
     """The load on a joint's far link, through the joint, onto its near link: L^T."""
 
@@ -287,12 +310,15 @@ Step = (
     | Join
     | Disassemble
     | StartLink
+    | StartEmpty
     | FreeBase
     | Articulate
     | InvertRoot
     | SolveRoot
+    | SolveMobility
     | Propagate
     | Load
+    | LoadRoot
     | Deliver
     | AccelerateRoot
     | FreeAcceleration

@@ -25,6 +25,8 @@ class Message:
         biases: biases in it, 6 numbers for each right-hand side.
         forces: wrenches in it, likewise.
         joints: joints whose accelerations are in it, for every right-hand side.
+        inertias: links whose I^A and p^A, as far as the source knows them, are in it: 21 numbers,
+            and 6 for each right-hand side. The target adds them to its own.
     """
 
     source: int
@@ -35,6 +37,7 @@ class Message:
     biases: tuple[Bias, ...] = ()
     forces: tuple[Force, ...] = ()
     joints: tuple[int, ...] = ()
+    inertias: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -90,12 +93,14 @@ class Process:
     Attributes:
         steps: in order.
         reads: joints whose q and v it reads, ascending.
-        owns: joints whose torque it reads and whose acceleration it computes, ascending.
+        owns: joints whose torque it reads and whose acceleration it gives, ascending.
+        shares: further joints whose torque it reads and whose acceleration it computes for itself.
     """
 
     steps: tuple[Step, ...]
     reads: tuple[int, ...]
     owns: tuple[int, ...]
+    shares: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)

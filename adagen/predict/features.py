@@ -19,11 +19,14 @@ from adagen.plan.steps import (
     Kinematics,
     LinkBias,
     Load,
+    LoadRoot,
     Propagate,
     Receive,
     Send,
     SolveCoupling,
+    SolveMobility,
     SolveRoot,
+    StartEmpty,
     StartLink,
     Step,
 )
@@ -42,6 +45,8 @@ _PLAIN: dict[type, str] = {
     StartLink: "link.start",
     InvertRoot: "root.invert",
     SolveRoot: "root.solve",
+    SolveMobility: "root.solve",
+    LoadRoot: "deliver.load",
     AccelerateRoot: "root.accelerate",
     FreeBase: "free.base",
     FreeAcceleration: "free.acceleration",
@@ -58,7 +63,7 @@ def features(step: Step, joints: Sequence[PlanJoint]) -> Features:
         step: a step of a plan.
         joints: the plan's joints.
     """
-    if isinstance(step, Send | Receive):
+    if isinstance(step, Send | Receive | StartEmpty):
         return {}
     plain = _PLAIN.get(type(step))
     if plain is not None:

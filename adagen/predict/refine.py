@@ -12,9 +12,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from adagen.model import Model
-from adagen.plan import Plan, make_plan
+from adagen.plan import Plan, make_plan, planner
 from adagen.plan.constants import joints_of
-from adagen.plan.segment import SegmentPlanner
 from adagen.predict.simulate import predict
 from adagen.schedule import CostProfile, Node, Schedule, Topology
 from adagen.schedule.chains import WHOLE, Chain, Chains
@@ -93,7 +92,7 @@ class _Refinement:
                     return found
                 trials -= 1
                 schedule = self._schedule(cut)
-                processes, messages = SegmentPlanner(self.joints, schedule).plan()
+                processes, messages = planner(self.joints, schedule, "segment").plan()
                 plan = replace(self.plan, processes=processes, messages=messages)
                 time = predict(plan, self.profile).makespan
                 if time < (1 - _LEAST) * self.time:

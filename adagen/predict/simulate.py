@@ -18,8 +18,9 @@ def message_numbers(plan: Plan, message: Message) -> int:
     columns = plan.right_hand_sides
     if message.sweep == "torques":
         return columns - 1
-    vectors = len(message.biases) + len(message.forces)
-    return 36 * len(message.blocks) + 6 * columns * vectors + columns * len(message.joints)
+    vectors = len(message.biases) + len(message.forces) + len(message.inertias)
+    matrices = 36 * len(message.blocks) + 21 * len(message.inertias)
+    return matrices + 6 * columns * vectors + columns * len(message.joints)
 
 
 def predict(plan: Plan, profile: CostProfile) -> MachineTimeline:

@@ -29,6 +29,8 @@ struct ProcessInfo {
   const int* v_read;
   int v_count;
   const int* v;
+  int tau_count;
+  const int* tau;
 };
 
 // What goes from one process to another once in an evaluation.

@@ -36,7 +36,7 @@ class Solver {
     const Real* content = channel.receive(state_message(rank), status);
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
-    for (int k = 0; k < own.v_count; ++k) tau_[own.v[k]] = *content++;
+    for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     kRun[rank](w, channel);
@@ -53,7 +53,7 @@ class Solver {
       Real* content = channel.outgoing(state_message(p), status);
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
-      for (int k = 0; k < other.v_count; ++k) *content++ = tau[other.v[k]];
+      for (int k = 0; k < other.tau_count; ++k) *content++ = tau[other.tau[k]];
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());

@@ -194,6 +194,14 @@ void inward_reversed(Workspace& w) {
   leave<starts>(w, last + 1, X);
 }
 
+// Adds a link itself to what was found at it.
+template <int link, bool starts>
+void place(Workspace& w) {
+  Body<Value> X{};
+  add_bare_link(w, link, X);
+  leave<starts>(w, link, X);
+}
+
 // A floating joint on the ground only adds its torque to the link.
 template <int j>
 void free_base(Workspace& w) {
