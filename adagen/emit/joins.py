@@ -26,8 +26,12 @@ def parts(words: Words, join: Join, end: Disassemble) -> str:
     )
 
 
-def assembly(words: Words, join: Join) -> list[str]:
-    """Eq. (3)-(7): V_i and beta_i, then what C's handles feel."""
+def assembly(words: Words, join: Join, *, turned: bool = False) -> list[str]:
+    """Eq. (3)-(7): V_i and beta_i, then what C's handles feel.
+
+    With ``turned``, blocks at the child link are not in the joint's frame either: i.Y leads there.
+    """
+    own = "i.Y * " if turned else ""
     j = join.joint
     joint = words.plan.joints[j]
     lines = [
@@ -41,14 +45,19 @@ def assembly(words: Words, join: Join) -> list[str]:
         lines.append(f"const Mat6 X_Phi_A = i.X * {words.block(join.a)};")
         lines.append("const Mat6 Phi_A = from_right(X_Phi_A, i.X);")
         phi_a = "Phi_A"
+    if turned:
+        lines.append(f"const Mat6 Phi_B = from_right(i.Y * {words.block(join.b)}, i.Y);")
+    phi_b = "Phi_B" if turned else words.block(join.b)
     b_a = "kGround" if join.a_bias is None else words.bias(join.a_bias)
-    lines += velocity_product(words, j, "const Columns6 c")
+    if join.velocity_product:
+        lines += velocity_product(words, j, "const Columns6 c")
+    else:
+        lines.append("const Columns6 c = Columns6::Zero();")
     lines.append(
-        f"if (!join(i.joined, {phi_a}, {words.block(join.b)}, i.X * {b_a}, "
-        f"{words.bias(join.b_bias)}, c))"
+        f"if (!join(i.joined, {phi_a}, {phi_b}, i.X * {b_a}, {own}{words.bias(join.b_bias)}, c))"
     )
     lines.append(f"  fail(w, kFactorization, {j});")
-    lines.extend(_couple(words, join, coupling) for coupling in join.couplings)
+    lines.extend(_couple(words, join, coupling, turned) for coupling in join.couplings)
     lines.extend(_updates(words, join))
     return lines
 
@@ -83,7 +92,7 @@ def coupling_torques(words: Words, j: int, tau: str) -> list[str]:
     return lines
 
 
-def _couple(words: Words, join: Join, coupling: Coupling) -> str:
+def _couple(words: Words, join: Join, coupling: Coupling, turned: bool) -> str:
     source = words.block(coupling.source)
     if coupling.side == "A":
         if coupling.source == join.a:
@@ -92,6 +101,8 @@ def _couple(words: Words, join: Join, coupling: Coupling) -> str:
             phi = f"times_transposed(i.X, {source})"
         else:
             phi = f"i.X * {source}"
+    elif turned:
+        phi = f"times_transposed(i.Y, {source})" if coupling.transposed else f"i.Y * {source}"
     else:
         phi = f"{source}.transpose()" if coupling.transposed else source
     return f"couple(i.joined, {phi}, i.at_{words.links[coupling.handle]});"
@@ -120,8 +131,13 @@ def _updates(words: Words, join: Join) -> list[str]:
     return lines
 
 
-def disassembly(words: Words, join: Join, end: Disassemble) -> list[str]:
-    """Eq. (8)-(10): the joint's acceleration and force, and what the two parts get to feel."""
+def disassembly(
+    words: Words, join: Join, end: Disassemble, *, turned: bool = False
+) -> list[str]:
+    """Eq. (8)-(10): the joint's acceleration and force, and what the two parts get to feel.
+
+    With ``turned``, the part at the child link is not told in the joint's frame: see ``assembly``.
+    """
     j = join.joint
     lines = [f"auto& i = {words.memory(j)};", f"Release<{words.type_of(j)}> release(i.joined);"]
     for coupling, force in zip(join.couplings, end.forces, strict=True):
@@ -133,7 +149,10 @@ def disassembly(words: Words, join: Join, end: Disassemble) -> list[str]:
         lines.append("release.force();  // Eq. (8)")
     lines.append(f"{store(words, j, 'release.qdd()')}  // Eq. (9)")
     for update in end.updates:
-        change = "i.X.transposed_times(f)" if update.side == "A" else "f"
+        if update.side == "A":
+            change = "i.X.transposed_times(f)"
+        else:
+            change = "i.Y.transposed_times(f)" if turned else "f"
         if update.source is None:
             text = f"-{change}" if update.side == "A" else change
         else:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import groupby
 
+from adagen.emit import mobility
 from adagen.emit.processes import describe_message
 from adagen.emit.stages import stamped_groups
 from adagen.emit.words import Words
@@ -29,7 +30,7 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
-from adagen.plan.types import PlanJoint, PlanLink, Process
+from adagen.plan.types import Message, PlanJoint, PlanLink, Process
 
 RUNTIME = (
     "status.hpp",
@@ -48,6 +49,7 @@ _TAKEN = (
     | FreeAcceleration
     | Send
     | Receive
+    | mobility.STEPS
 )
 
 
@@ -61,7 +63,7 @@ def why_not(plan: Plan) -> str | None:
         for step in process.steps:
             if not isinstance(step, _TAKEN):
                 return f"it has no {type(step).__name__} between processes"
-    return None
+    return mobility.why_not(plan)
 
 
 @dataclass(frozen=True)
@@ -76,9 +78,15 @@ class Run:
 def values(words: Words) -> dict[str, object]:
     """Return what kernels.cpp.j2 is told."""
     plan = words.plan
+    cuts = mobility.has_cuts(plan)
     return {
-        "runtime": list(RUNTIME),
+        "runtime": [*RUNTIME, *(mobility.RUNTIME if cuts else ())],
         "value": "Real",
+        "cuts": cuts,
+        "cut_joints": [
+            {"type": f"Joint_{words.joints[j]}", "id": f"j_{words.joints[j]}", "members": lines}
+            for j, lines in mobility.members(words).items()
+        ],
         "inertias": [_inertia(words, link) for link in plan.links[1:]],
         "roles": [_roles(plan, process) for process in plan.processes],
         "steps": [_lines(words, p, process) for p, process in enumerate(plan.processes)],
@@ -156,6 +164,7 @@ def _roles(plan: Plan, process: Process) -> list[dict[str, bool]]:
     gathers |= {s.joint + 1 for s in process.steps if isinstance(s, FreeBase)}
     parts = {_ends(plan.joints, run)[0] for run in swept(plan.joints, outward)}
     parts |= {s.joint + 1 for s in process.steps if isinstance(s, FreeAcceleration)}
+    gathers |= {s.link for s in process.steps if isinstance(s, StartEmpty)}
     own = {s.link for s in process.steps if isinstance(s, StartLink)} - core_links(plan)
     gathers |= core_links(plan)
     return [
@@ -179,11 +188,7 @@ class _Writer:
     def __init__(self, words: Words, p: int, process: Process) -> None:
         self.words, self.p, self.process = words, p, process
         self.joints = words.plan.joints
-        core = core_links(words.plan)
-        self.own_core = [
-            s.link for s in process.steps if isinstance(s, StartLink) and s.link in core
-        ]
-        self.placed: set[int] = set()  # links of the core whose own inertia has been added
+        self.core = core_links(words.plan)
         self.started: set[int] = set()  # links whose body holds something
 
     def checks(self) -> list[str]:
@@ -227,7 +232,11 @@ class _Writer:
         """Return the lines of the steps of a stage."""
         lines: list[str] = []
         for kind, group in groupby(steps, type):
-            lines += getattr(self, f"_{kind.__name__}")(list(group))
+            if issubclass(kind, mobility.STEPS):
+                for step in group:
+                    lines += mobility.lines_of(self.words, self.p, step)
+            else:
+                lines += getattr(self, f"_{kind.__name__}")(list(group))
         return lines
 
     def _Kinematics(self, steps: list[Kinematics]) -> list[str]:  # noqa: N802
@@ -275,12 +284,24 @@ class _Writer:
         return [(f"block({a})", f"block({b}) + 1") for a, b in ranges]
 
     def _StartLink(self, steps: list[StartLink]) -> list[str]:  # noqa: N802
-        return [
-            f"set_up_links<{a}, {b}>(w);" for a, b in self._blocks(s.link - 1 for s in steps)
+        links = [step.link for step in steps]
+        lines = [
+            f"set_up_links<{a}, {b}>(w);" for a, b in self._blocks(link - 1 for link in links)
         ]
+        for link in [link for link in links if link in self.core]:
+            starts = self._starts(link)
+            lines.append(f"place<{link}, {starts}>(w);  // {self.words.quoted_link(link)} itself")
+        return lines
 
-    def _StartEmpty(self, steps: list[StartEmpty]) -> list[str]:  # noqa: N802, ARG002
-        return []  # what comes first takes its place
+    def _starts(self, link: int) -> str:
+        """Whether what is to be left at a link is the first there, as a word."""
+        first = link not in self.started
+        self.started.add(link)
+        return "true" if first else "false"
+
+    def _StartEmpty(self, steps: list[StartEmpty]) -> list[str]:  # noqa: N802
+        self.started -= {step.link for step in steps}  # what comes first takes its place
+        return []
 
     def _Send(self, steps: list[Send]) -> list[str]:  # noqa: N802
         lines = []
@@ -289,6 +310,7 @@ class _Writer:
             lines += [
                 f"{{  // to process {message.target}: {describe_message(self.words, message)}",
                 f"  Real* to = channel.outgoing({step.message}, w.status);",
+                *(f"  to = put(to, {item});" for item in self._items(message)),
                 *(f"  to = put(to, w.bodies[{link}]);" for link in message.inertias),
                 f"  channel.send({step.message}, w.status);",
                 "}",
@@ -302,34 +324,33 @@ class _Writer:
             lines += [
                 f"{{  // from process {message.source}: {describe_message(self.words, message)}",
                 f"  const Real* from = channel.receive({step.message}, w.status);",
+                *(f"  from = get(from, {item});" for item in self._items(message)),
                 *(f"  from = {self._taken(link)};" for link in message.inertias),
                 "}",
             ]
         return lines
 
+    def _items(self, message: Message) -> list[str]:
+        return [
+            *(self.words.block(block) for block in message.blocks),
+            *(self.words.bias(bias) for bias in message.biases),
+            *(self.words.force(force) for force in message.forces),
+        ]
+
     def _taken(self, link: int) -> str:
-        first = link not in self.started
-        self.started.add(link)
-        return f"{'get' if first else 'add'}(from, w.bodies[{link}])"
+        verb = "get" if self._starts(link) == "true" else "add"
+        return f"{verb}(from, w.bodies[{link}])"
 
     def _FreeBase(self, steps: list[FreeBase]) -> list[str]:  # noqa: N802
-        self.started.update(step.joint + 1 for step in steps)
-        return [f"free_base<{step.joint}>(w);" for step in steps]
+        return [f"free_base<{s.joint}, {self._starts(s.joint + 1)}>(w);" for s in steps]
 
     def _Articulate(self, steps: list[Articulate]) -> list[str]:  # noqa: N802
         lines = []
         for run in swept(self.joints, steps):
-            near = _ends(self.joints, run)[0]
-            starts = "false" if near in self.started else "true"
-            self.started.add(near)
+            starts = self._starts(_ends(self.joints, run)[0])
             verb = "inward_reversed" if run.reversed else "inward"
             call = f"{verb}<{self.p}, {run.first}, {run.last}, {starts}>(w);"
             lines.append(call + self._names(run))
-        for link in [link for link in self.own_core if link not in self.placed]:
-            starts = "false" if link in self.started else "true"
-            self.started.add(link)
-            self.placed.add(link)
-            lines.append(f"place<{link}, {starts}>(w);  // {self.words.quoted_link(link)} itself")
         return lines
 
     def _SolveRoot(self, steps: list[SolveRoot]) -> list[str]:  # noqa: N802

@@ -34,29 +34,6 @@ void store_acceleration(Workspace& w, int joint, int v,
   for (std::size_t k = 0; k < n; ++k) w.qdd[v + static_cast<int>(k)] = qdd[k][0];
 }
 
-template <class M>
-Real* put(Real* to, const M& m) {
-  Eigen::Map<M>{to} = m;
-  return to + M::SizeAtCompileTime;
-}
-
-template <class M>
-const Real* get(const Real* from, M& m) {
-  m = Eigen::Map<const M>(from);
-  return from + M::SizeAtCompileTime;
-}
-
-template <std::size_t n>
-Real* put(Real* to, const std::array<Real, n>& x) {
-  return std::copy(x.begin(), x.end(), to);
-}
-
-template <std::size_t n>
-const Real* get(const Real* from, std::array<Real, n>& x) {
-  std::copy(from, from + n, x.begin());
-  return from + n;
-}
-
 const Mat6 kZero = Mat6::Zero();
 
 // The ground accelerates against gravity: all accelerations are relative to free fall.

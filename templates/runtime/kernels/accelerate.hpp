@@ -25,9 +25,9 @@ ADAGEN_INLINE void move_at_joint(Workspace& w, int j, Motion<Value>& a) {
       break;
     case JointKind::kPlanar:
       if constexpr (kAnyPlanar) {
-        const Value spin = freedom(e + 14, a);
+        const Value spin = freedom(e + 16, a);
         a.angular += axis_at(R) * spin;
-        const Value y = freedom(e + 7, a);
+        const Value y = freedom(e + 8, a);
         a.linear += Vector<Value>{R[kPerBlock], R[4 * kPerBlock], R[7 * kPerBlock]} * y;
         const Value x = freedom(e, a);
         a.linear += Vector<Value>{R[0], R[3 * kPerBlock], R[6 * kPerBlock]} * x;

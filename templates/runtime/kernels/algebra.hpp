@@ -132,8 +132,8 @@ struct Motion {
   Vector<T> angular, linear;
 };
 
-template <class T>
-ADAGEN_INLINE void carry(Motion<T>& a, const Vector<T>& r) {
+template <class T, class S>
+ADAGEN_INLINE void carry(Motion<T>& a, const Vector<S>& r) {
   a.linear += cross(a.angular, r);
 }
 

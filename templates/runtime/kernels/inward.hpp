@@ -16,7 +16,7 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Body<Value>& X) {
 }
 
 // Takes one freedom out of the body, which is shifted by r before the subtraction, so that the
-// division has time. e gets U / D and u / D, told at the near link's origin: outwards the joint has
+// division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the joint has
 // the acceleration u / D - (U / D) a, a being the near link's.
 template <bool along, bool reversed>
 ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<Value>& s,
@@ -34,13 +34,22 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<V
   }
   const Vector<Value> e_n = n * inverse, e_f = f * inverse;
   e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
+  e[7] = inverse;
   subtract(X, n, f, e_n, e_f);
   X.n += n * u;
   X.f += f * u;
 }
 
+// A x = b, by the factors 1 / D and L of A = L D L^T.
+ADAGEN_INLINE Vector<Value> solve_rotations(const Value* factors, const Vector<Value>& b) {
+  const Value *d = factors, *l = factors + 3;  // l: 10, 20, 21
+  const Value y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
+  const Value z = y2 * d[2], y = y1 * d[1] - l[2] * z;
+  return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
+}
+
 // Takes the three rotations out of the body: what is left of it is C and f, so that no rounding
-// stays behind. e gets K = A^-1 B and y = A^-1 (tau - n), by A = L D L^T.
+// stays behind. e gets K = A^-1 B, y = A^-1 (tau - n) and the factors of A.
 template <bool reversed>
 ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
                                        const Value* tau, Value* e) {
@@ -53,11 +62,10 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Body<Value>& X, cons
   const Value p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
   if (__builtin_expect(!(all_positive(X.A.xx) && all_positive(p1) && all_positive(p2)), 0))
     fail(w, kFactorization, j);
-  const auto solve = [&](const Vector<Value>& b) {
-    const Value y1 = b.y - l10 * b.x, y2 = b.z - l20 * b.x - l21 * y1;
-    const Value z = y2 * d2, y = y1 * d1 - l21 * z;
-    return Vector<Value>{b.x * d0 - l10 * y - l20 * z, y, z};
-  };
+  Value* const factors = e + 12;
+  factors[0] = d0, factors[1] = d1, factors[2] = d2;
+  factors[3] = l10, factors[4] = l20, factors[5] = l21;
+  const auto solve = [&](const Vector<Value>& b) { return solve_rotations(factors, b); };
   const Matrix<Value>& B = X.B;
   const Vector<Value> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
   const Vector<Value> Kx = solve(Bx), Ky = solve(By), Kz = solve(Bz), y = solve(torque - X.n);
@@ -142,9 +150,9 @@ ADAGEN_INLINE void step_inward(Workspace& w, int j, Body<Value>& X) {
         const Vector<Value> y{R[kPerBlock], R[4 * kPerBlock], R[7 * kPerBlock]};
         if constexpr (reversed) shift(X, -memory.r);
         eliminate<true, false>(w, j, X, x, none, reversed ? -tau[0] : tau[0], memory.e);
-        eliminate<true, false>(w, j, X, y, none, reversed ? -tau[1] : tau[1], memory.e + 7);
+        eliminate<true, false>(w, j, X, y, none, reversed ? -tau[1] : tau[1], memory.e + 8);
         eliminate<false, false>(w, j, X, axis_at(R), none, reversed ? -tau[2] : tau[2],
-                                memory.e + 14);
+                                memory.e + 16);
         if constexpr (!reversed) shift(X, memory.r);
       }
       break;
@@ -203,13 +211,13 @@ void place(Workspace& w) {
 }
 
 // A floating joint on the ground only adds its torque to the link.
-template <int j>
+template <int j, bool starts>
 void free_base(Workspace& w) {
   const Value* tau = w.tau + kJoints[j].v;
-  Body<Value>& body = w.bodies[j + 1];
-  body = {};
-  body.n = {-tau[3], -tau[4], -tau[5]};
-  body.f = {-tau[0], -tau[1], -tau[2]};
+  Body<Value> X{};
+  X.n = {-tau[3], -tau[4], -tau[5]};
+  X.f = {-tau[0], -tau[1], -tau[2]};
+  leave<starts>(w, j + 1, X);
 }
 
 // What was left at a link, with the link itself where it is this process's to add.

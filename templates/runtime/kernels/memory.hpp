@@ -24,7 +24,7 @@ struct alignas(64) Block {
 template <int n>
 struct Eliminated {
   Vector<Value> r;  // from the parent link's origin to the child link's
-  Value e[n];       // of a joint with one freedom: U / D (6), u / D; of others see inward.hpp
+  Value e[n];       // of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp
 };
 // Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
 constexpr bool any_of(JointKind kind) {
@@ -35,7 +35,7 @@ constexpr bool any_of(JointKind kind) {
 constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
 constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
 constexpr bool kAnyFloating = any_of(JointKind::kFloating);
-using Memory = Eliminated<kAnyPlanar ? 21 : kAnySpherical ? 12 : 7>;
+using Memory = Eliminated<kAnyPlanar ? 24 : kAnySpherical ? 18 : 8>;
 
 // A link's orientation and how it moves, were all joint accelerations zero.
 struct Frame {
@@ -43,7 +43,7 @@ struct Frame {
   Vector<Value> omega, alpha, a;
 };
 
-struct Workspace {
+struct Workspace : Cuts {
   const Value* q = nullptr;
   const Value* v = nullptr;
   const Value* tau = nullptr;

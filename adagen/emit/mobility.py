@@ -1,0 +1,160 @@
+"""Shape `kernels` where segments meet: mobilities outwards, joins, and forces back as C++ lines.
+
+Blocks and biases are in the axes of the base; a join turns what it reads into its joint's frame
+(runtime/kernels/mobility.hpp) and then is that of shape `joints`.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import replace
+
+from adagen.emit import joins
+from adagen.emit.words import Words
+from adagen.plan import Plan
+from adagen.plan.steps import (
+    AccelerateRoot,
+    Deliver,
+    Disassemble,
+    Force,
+    InvertRoot,
+    Join,
+    Load,
+    LoadRoot,
+    Propagate,
+    SolveMobility,
+    Step,
+    biases_set_by,
+    blocks_set_by,
+)
+
+STEPS = (
+    InvertRoot
+    | Propagate
+    | Join
+    | Disassemble
+    | Load
+    | LoadRoot
+    | Deliver
+    | AccelerateRoot
+    | SolveMobility
+)
+
+RUNTIME = ("spatial.hpp", "joins.hpp")
+
+
+def has_cuts(plan: Plan) -> bool:
+    """Return whether processes of a plan show mobilities to each other."""
+    return any(isinstance(step, STEPS) for process in plan.processes for step in process.steps)
+
+
+def why_not(plan: Plan) -> str | None:
+    """Return why these steps cannot be emitted in this shape; None where they can."""
+    for process in plan.processes:
+        for step in process.steps:
+            if isinstance(step, Propagate):
+                joint = plan.joints[step.joint]
+                if joint.kind in ("planar", "floating"):
+                    return f'mobility would have to pass joint "{joint.name}", which is {joint.kind}'
+    return None
+
+
+def members(words: Words) -> dict[int, list[str]]:
+    """Return the members of the memory of each joint that has any."""
+    lines: dict[int, dict[str, None]] = defaultdict(dict)
+    forces: set[Force] = set()
+    for process in words.plan.processes:
+        for step in process.steps:
+            for block in blocks_set_by(step):
+                assert block.joint is not None  # bare links' blocks are constants
+                lines[block.joint][f"Mat6 {words.block_member(block)};"] = None
+            for bias in biases_set_by(step):
+                assert bias.joint is not None
+                lines[bias.joint][f"Columns6 b_{words.links[bias.handle]};"] = None
+            if isinstance(step, Join):
+                kind = words.type_of(step.joint)
+                own = lines[step.joint]
+                own["Transform X, Y;  // to the joint's frame, about its two links' origins"] = None
+                own[f"Joined<{kind}> joined;"] = None
+                for coupling in step.couplings:
+                    own[f"Coupled<{kind}> at_{words.links[coupling.handle]};"] = None
+            if isinstance(step, Disassemble):
+                forces |= {update.target for update in step.updates}
+    for force in sorted(forces):
+        lines[force.joint][f"Columns6 {words.force_member(force)};"] = None
+    return {joint: list(lines[joint]) for joint in sorted(lines)}
+
+
+def lines_of(words: Words, p: int, step: Step) -> list[str]:
+    """Return the lines of one of ``STEPS`` on process p."""
+    match step:
+        case InvertRoot():
+            phi, b = words.block(step.block), words.bias(step.bias)
+            return [f"invert_root<{p}, {step.link}>(w, {phi}, {b});"]
+        case Propagate():
+            return _propagate(words, step)
+        case Join():
+            turned = replace(step, velocity_product=False)
+            return _scoped(
+                [
+                    f"auto& i = {words.memory(step.joint)};",
+                    f"set_transforms(w, {step.joint}, i.X, i.Y);",
+                    *joins.assembly(words, turned, turned=True)[1:],
+                ]
+            )
+        case Disassemble():
+            join = _join_of(words.plan, step.joint)
+            return _scoped(joins.disassembly(words, join, step, turned=True))
+        case Load():
+            force = "Columns6::Zero()" if step.force is None else words.force(step.force)
+            return [f"w.loads[{step.link}] = {force};"]
+        case LoadRoot():
+            return [f"w.loads[{step.link}] = load_of_root<{step.link}>(w);"]
+        case Deliver():
+            near, far = _ends(words.plan, step)
+            call = f"deliver<{_flag(step.reversed)}>(w, {step.joint}, w.loads[{far}]"
+            return [f"{call}, w.loads[{near}]);"]
+        case AccelerateRoot():
+            b, phi = words.bias(step.bias), words.block(step.block)
+            load = f"w.loads[{step.link}]"
+            return [f"w.motions[{step.link}] = motion_of({b} + {phi} * {load});"]
+        case SolveMobility():
+            phi, b = words.block(step.block), words.bias(step.bias)
+            return [f"solve_mobility<{step.link}>(w, {phi}, {b});"]
+    raise AssertionError(f"no code for {step}")
+
+
+def _scoped(lines: list[str]) -> list[str]:
+    return ["{", *(f"  {line}" for line in lines), "}"]
+
+
+def _flag(value: bool) -> str:
+    return "true" if value else "false"
+
+
+def _ends(plan: Plan, step: Deliver) -> tuple[int, int]:
+    parent, child = plan.joints[step.joint].parent, step.joint + 1
+    return (child, parent) if step.reversed else (parent, child)
+
+
+def _join_of(plan: Plan, joint: int) -> Join:
+    steps = (step for process in plan.processes for step in process.steps)
+    return next(step for step in steps if isinstance(step, Join) and step.joint == joint)
+
+
+def _propagate(words: Words, step: Propagate) -> list[str]:
+    flag = _flag(step.reversed)
+    near = "kZero" if step.near is None else words.block(step.near)
+    near_bias = "kGround" if step.near_bias is None else words.bias(step.near_bias)
+    far = f"{words.block(step.block)}, {words.bias(step.bias)}"
+    lines = [f"propagate<{flag}>(w, {step.joint}, {near}, {near_bias}, {far});"]
+    for spread in step.spreads:
+        source = words.block(spread.source)
+        source += ".transpose()" if spread.source_transposed else ""
+        target = ".transpose()" if spread.target_transposed else ""
+        handle = words.quoted_link(spread.handle)
+        lines.append(
+            f"{words.block(spread.target)} = passed<{flag}>(w, {step.joint}, {source}){target};"
+            f"  // with link {handle}"
+        )
+    return lines
