@@ -5,7 +5,7 @@ from __future__ import annotations
 from adagen.errors import UsageError
 from adagen.model import Model
 from adagen.plan.ada import AdaPlanner
-from adagen.plan.constants import joints_of, links_of
+from adagen.plan.constants import joints_of, links_of, wrenches_of
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
@@ -74,4 +74,5 @@ def make_plan(
         slaved=tuple(j for j, joint in enumerate(joints) if joint.mimic is not None),
         processes=processes,
         messages=messages,
+        wrenches=wrenches_of(model),
     )

@@ -20,7 +20,7 @@ from adagen.model import Inertia, Model, canonical
 from adagen.model.kinds import KINDS
 from adagen.plan.constants import inverse_inertia, joints_of
 from adagen.plan.growth import generic_configuration, lost_mobility
-from adagen.plan.interpret import motion_transform, placement
+from adagen.plan.placement import motion_transform, placement
 
 Array = NDArray[Any]
 

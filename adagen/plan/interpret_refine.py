@@ -16,8 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model.kinds import KINDS
-from adagen.plan.interpret import Machine, placement, run_machines, with_slaved
+from adagen.plan.interpret import Machine, run_machines, with_slaved
 from adagen.plan.interpret_segment import SegmentMachine
+from adagen.plan.placement import placement
 from adagen.plan.steps import Accelerate, Bias, FreeAcceleration, Step
 from adagen.plan.types import Plan
 

@@ -136,7 +136,8 @@ class SegmentPlanner(AdaPlanner):
         return _Segment(name, free, components)
 
     def _is_free(self, j: int) -> bool:
-        return self.joints[j].parent == 0 and self.joints[j].kind == "floating"
+        joint = self.joints[j]
+        return joint.parent == 0 and joint.kind == "floating" and not joint.prescribed
 
     def _reach(self, start: int, at: dict[int, list[int]]) -> list[int]:
         return [start, *(edge.far for edge in self._outwards(start, at))]
