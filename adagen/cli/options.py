@@ -155,6 +155,13 @@ def add_schedule(parser: argparse.ArgumentParser) -> None:
 def add_emission(parser: argparse.ArgumentParser) -> None:
     """Add how the code is shaped."""
     parser.add_argument(
+        "--refine",
+        type=_whole(0, 9),
+        default=0,
+        metavar="N",
+        help="refine each answer N times with wider residuals, and tell its error (default: 0)",
+    )
+    parser.add_argument(
         "--shape",
         choices=("auto", "joints"),
         default="auto",

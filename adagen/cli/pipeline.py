@@ -194,7 +194,9 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
         from adagen.emit import emit
 
         name = Path(options.model).stem if options.name is None else options.name
-        files = emit(plan, name=name, svg=draw(schedule, model), shape=options.shape)
+        files = emit(
+            plan, name=name, svg=draw(schedule, model), shape=options.shape, refine=options.refine
+        )
     return Generated(schedule, plan, files)
 
 

@@ -41,7 +41,7 @@ def assembly(words: Words, join: Join) -> list[str]:
         lines.append(f"const Mat6 X_Phi_A = i.X * {words.block(join.a)};")
         lines.append("const Mat6 Phi_A = from_right(X_Phi_A, i.X);")
         phi_a = "Phi_A"
-    b_a = "kGround" if join.a_bias is None else words.bias(join.a_bias)
+    b_a = words.ground if join.a_bias is None else words.bias(join.a_bias)
     lines += velocity_product(words, j, "const Columns6 c")
     lines.append(
         f"if (!join(i.joined, {phi_a}, {words.block(join.b)}, i.X * {b_a}, "
@@ -49,7 +49,8 @@ def assembly(words: Words, join: Join) -> list[str]:
     )
     lines.append(f"  fail(w, kFactorization, {j});")
     lines.extend(_couple(words, join, coupling) for coupling in join.couplings)
-    lines.extend(_updates(words, join))
+    lines.extend(_block_updates(words, join))
+    lines.extend(bias_updates(words, join))
     return lines
 
 
@@ -97,7 +98,7 @@ def _couple(words: Words, join: Join, coupling: Coupling) -> str:
     return f"couple(i.joined, {phi}, i.at_{words.links[coupling.handle]});"
 
 
-def _updates(words: Words, join: Join) -> list[str]:
+def _block_updates(words: Words, join: Join) -> list[str]:
     sides = {coupling.handle: coupling.side for coupling in join.couplings}
     lines = []
     for block in join.blocks:
@@ -110,6 +111,12 @@ def _updates(words: Words, join: Join) -> list[str]:
             text = f"{words.block(block.source)} - {product}"
             equation = 3 if sides[block.target.row] == "A" else 4
         lines.append(f"i.{words.block_member(block.target)} = {text};  // Eq. ({equation})")
+    return lines
+
+
+def bias_updates(words: Words, join: Join) -> list[str]:
+    """Eq. (6), (7): the biases of C."""
+    lines = []
     for bias in join.biases:
         handle = words.links[bias.target.handle]
         sign, equation = ("-", 6) if bias.side == "A" else ("+", 7)
@@ -127,7 +134,10 @@ def disassembly(words: Words, join: Join, end: Disassemble) -> list[str]:
     for coupling, force in zip(join.couplings, end.forces, strict=True):
         handle = words.links[coupling.handle]
         lines.append(f"release.feel_{coupling.side}(i.at_{handle}, {words.force(force)});")
-    if end.updates:
+    if words.refine:
+        kept = f"w.refinement.f[{j}] = release.force();"
+        lines.append(f"const Columns6& f = {kept}" if end.updates else kept)
+    elif end.updates:
         lines.append("const Columns6 f = release.force();  // Eq. (8), (10)")
     else:
         lines.append("release.force();  // Eq. (8)")

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from adagen.emit.joints import joint_rows
 from adagen.emit.processes import step_rows
+from adagen.emit.refine import add_corrections, refinement_values
 from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.plan import Plan
@@ -35,10 +36,15 @@ def _joints(words: Words) -> dict[str, object]:
         isinstance(step, StartLink) for process in words.plan.processes for step in process.steps
     )
     runtime = ["spatial.hpp", "status.hpp", "joins.hpp", *["articulated.hpp"] * segments]
+    rows = joint_rows(words)
+    if words.refine:
+        runtime += ["refine.hpp", *["refine_segment.hpp"] * segments]
+        add_corrections(words, rows)
     return {
         "runtime": runtime,
-        "joint_functions": joint_rows(words),
+        "joint_functions": rows,
         "steps": step_rows(words),
+        **refinement_values(words),
     }
 
 
