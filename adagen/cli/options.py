@@ -163,10 +163,10 @@ def add_emission(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--shape",
-        choices=("auto", "joints"),
+        choices=("auto", "joints", "unrolled"),
         default="auto",
-        help="shape of the code: a function for each joint and step (joints), or what is fastest "
-        "for the robot (auto, default)",
+        help="shape of the code: a function for each joint and step (joints), a straight line of "
+        "scalar statements (unrolled), or what is fastest for the robot (auto, default)",
     )
     parser.add_argument(
         "--channel",

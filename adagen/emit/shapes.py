@@ -2,6 +2,8 @@
 
 * ``joints``: joint-local frames, a function for each joint and step, one call after the other. It
   takes every plan.
+* ``unrolled``: a straight line of scalar statements from an expression graph, the fastest up to
+  about 10 joints.
 """
 
 from __future__ import annotations
@@ -12,6 +14,7 @@ from dataclasses import dataclass
 from adagen.emit.joints import joint_rows
 from adagen.emit.processes import step_rows
 from adagen.emit.refine import add_corrections, refinement_values
+from adagen.emit.unrolled import unrolled_values, why_not_unrolled
 from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.plan import Plan
@@ -48,7 +51,10 @@ def _joints(words: Words) -> dict[str, object]:
     }
 
 
-SHAPES: dict[str, Shape] = {"joints": Shape(lambda plan: None, _joints)}
+SHAPES: dict[str, Shape] = {
+    "joints": Shape(lambda plan: None, _joints),
+    "unrolled": Shape(why_not_unrolled, unrolled_values),
+}
 
 
 def chosen_shape(plan: Plan, shape: str = "auto") -> str:
