@@ -83,6 +83,7 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
         InputError: the profile or the schedule file is refused.
     """
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
+        from adagen.plan.clusters import fold_of
         from adagen.predict import best_schedule
         from adagen.schedule import Topology, load_profile, named_schedule
         from adagen.schedule.tree import Named
@@ -95,8 +96,9 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
 
         def schedule(processes: int) -> Schedule:
             if options.schedule != "auto":
-                topology = Topology.of(model)
-                return named_schedule(options.schedule, topology, processes, profile=profile)
+                seen = fold_of(model, options.form)
+                found = named_schedule(options.schedule, seen.topology, processes, profile=profile)
+                return seen.unfold(found, profile)
             return best_schedule(
                 model,
                 processes,

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from adagen.emit.kinematics import configuration, velocity
 from adagen.emit.words import Words
-from adagen.plan.steps import Coupling, Disassemble, Join
+from adagen.plan.steps import Coupling, Disassemble, FusedJoin, Join
 
 
 def parts(words: Words, join: Join, end: Disassemble) -> str:
     """One line on the two parts and the whole that a join makes."""
-    joint = words.plan.joints[join.joint]
+    first = join.run[0] if isinstance(join, FusedJoin) else join.joint
+    parent = words.plan.joints[first].parent
     below = {update.side: update.target.joint for update in end.updates}
 
     def part(side: str, link: int) -> str:
@@ -20,10 +21,7 @@ def parts(words: Words, join: Join, end: Disassemble) -> str:
         )
 
     handles = ", ".join(words.quoted_link(c.handle) for c in join.couplings) or "no link"
-    return (
-        f"A: {part('A', joint.parent)}; B: {part('B', join.joint + 1)};"
-        f" C feels the joint at {handles}"
-    )
+    return f"A: {part('A', parent)}; B: {part('B', join.joint + 1)}; C feels the joint at {handles}"
 
 
 def assembly(words: Words, join: Join) -> list[str]:
@@ -49,7 +47,7 @@ def assembly(words: Words, join: Join) -> list[str]:
     )
     lines.append(f"  fail(w, kFactorization, {j});")
     lines.extend(_couple(words, join, coupling) for coupling in join.couplings)
-    lines.extend(_block_updates(words, join))
+    lines.extend(block_updates(words, join))
     lines.extend(bias_updates(words, join))
     return lines
 
@@ -98,7 +96,8 @@ def _couple(words: Words, join: Join, coupling: Coupling) -> str:
     return f"couple(i.joined, {phi}, i.at_{words.links[coupling.handle]});"
 
 
-def _block_updates(words: Words, join: Join) -> list[str]:
+def block_updates(words: Words, join: Join) -> list[str]:
+    """Eq. (3)-(5): the blocks of C that change."""
     sides = {coupling.handle: coupling.side for coupling in join.couplings}
     lines = []
     for block in join.blocks:

@@ -14,6 +14,7 @@ from adagen.model.kinds import KINDS
 from adagen.plan.refine import exchanges, joints_at, links_of_process, moving, paths_of
 from adagen.plan.steps import (
     Articulate,
+    FusedJoin,
     InvertRoot,
     Join,
     Kinematics,
@@ -27,6 +28,7 @@ from adagen.plan.types import Plan, Process
 MOST_STEPS = 9
 _VERBS: dict[type, str] = {
     Join: "reassemble",
+    FusedJoin: "reassemble",
     Articulate: "rearticulate",
     Propagate: "repropagate",
 }
@@ -62,6 +64,11 @@ def add_corrections(words: Words, rows: list[dict[str, object]]) -> None:
 def _function(words: Words, step: Step) -> list[str]:
     lines = [f"auto& i = {words.memory(getattr(step, 'joint', -1))};"]
     match step:
+        case FusedJoin():
+            b_a = words.ground if step.a_bias is None else words.bias(step.a_bias)
+            b_b = f"i.run.B * {words.bias(step.b_bias)}"
+            lines.append(f"rejoin(i.joined, i.run.BX * {b_a}, {b_b});")
+            lines += bias_updates(words, step)
         case Join():
             b_a = words.ground if step.a_bias is None else words.bias(step.a_bias)
             lines.append(f"rejoin(i.joined, i.X * {b_a}, {words.bias(step.b_bias)});")

@@ -18,7 +18,7 @@ from adagen.emit.unrolled import unrolled_values, why_not_unrolled
 from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.plan import Plan
-from adagen.plan.steps import StartLink
+from adagen.plan.steps import FusedJoin, StartLink
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,11 @@ def _joints(words: Words) -> dict[str, object]:
     segments = any(
         isinstance(step, StartLink) for process in words.plan.processes for step in process.steps
     )
-    runtime = ["spatial.hpp", "status.hpp", "joins.hpp", *["articulated.hpp"] * segments]
+    fused = any(
+        isinstance(step, FusedJoin) for process in words.plan.processes for step in process.steps
+    )
+    runtime = ["spatial.hpp", "status.hpp", "joins.hpp"]
+    runtime += ["fused.hpp"] * fused + ["articulated.hpp"] * segments
     rows = joint_rows(words)
     if words.refine:
         runtime += ["refine.hpp", *["refine_segment.hpp"] * segments]

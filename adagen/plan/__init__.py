@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from adagen.errors import UsageError
 from adagen.model import Model
+from adagen.model.fuse import runs_of, settled
 from adagen.plan.ada import AdaPlanner
+from adagen.plan.clusters import ClusterPlanner, clusters_of
 from adagen.plan.constants import joints_of, links_of, wrenches_of
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serialise import plan_from_json, plan_to_json
@@ -58,7 +60,10 @@ def make_plan(
         if word not in known:
             raise UsageError(f'unknown {what} "{word}"; known: {", ".join(known)}')
     joints = joints_of(model)
-    processes, messages = FORMS[form](joints, schedule).plan()
+    planner = planner_of(model, schedule, form)
+    processes, messages = planner.plan()
+    if planner.fusions.fused:
+        model = settled(model, planner.fusions.fused)
     bare = {step.link for p in processes for step in p.steps if isinstance(step, LinkBias)}
     return Plan(
         name=model.name,
@@ -76,3 +81,18 @@ def make_plan(
         messages=messages,
         wrenches=wrenches_of(model),
     )
+
+
+def planner_of(model: Model, schedule: Schedule, form: str) -> AdaPlanner:
+    """Return what builds the processes of a plan.
+
+    Args:
+        model: the robot.
+        schedule: a schedule of its joints.
+        form: one of ``FORMS``.
+    """
+    joints, runs = joints_of(model), runs_of(model)
+    clusters = clusters_of(model, runs) if form == "ada" else {}
+    if clusters:
+        return ClusterPlanner(joints, schedule, runs, clusters)
+    return FORMS[form](joints, schedule, runs)

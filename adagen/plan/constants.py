@@ -13,8 +13,9 @@ from adagen.model import Inertia, Model, Passive, canonical
 from adagen.plan.types import PlanJoint, PlanLink, PlanWrench
 
 WAY_OUT = (
-    "joining it as a link of its own inverts its inertia: use form segment without a cut beside it,"
-    " give it mass and rotational inertia about three axes, or make one of its joints fixed"
+    "joining it as a link of its own inverts its inertia: use a schedule that adagen finds, or form"
+    " segment without a cut beside it, give it mass and rotational inertia about three axes, or"
+    " make one of its joints fixed"
 )
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model.kinds import HELD, KINDS, JointKind
+from adagen.plan.interpret_join import Joined, JointFrame, joint_frame
 from adagen.plan.interpret_segment import SegmentMachine
 from adagen.plan.placement import cross_motion, motion_transform, placement
 from adagen.plan.steps import (
@@ -245,32 +246,37 @@ class Machine:
                 result[0, column] = -mimic[1]
         return result
 
-    def _join(self, step: Join) -> None:
-        kind, rotor = self.kind(step.joint), self.plan.joints[step.joint].rotor_inertia
-        x = self.memory["X", step.joint]
-        c = self.velocity_product(step.joint)
-        tau = self.torques(step.joint)
+    def own_frame(self, j: int) -> JointFrame:
+        """The frame that a joint by itself is joined in."""
+        kind, rotor = self.kind(j), self.plan.joints[j].rotor_inertia
+        c, tau = self.velocity_product(j), self.torques(j)
         give = np.zeros((6, 6))
         if rotor:  # the rotor gives way, S qdd = S J^-1 (tau - S^T f): nothing is free
             give[kind.free, kind.free] = 1.0 / rotor
             c[list(kind.free)] += tau / rotor
             kind, tau = HELD, tau[:0]
-        free, constrained = list(kind.free), list(kind.constrained)
+        free, constrained, x = list(kind.free), list(kind.constrained), self.memory["X", j]
+        return JointFrame((j,), x, np.eye(6), free, constrained, c, tau, give)
+
+    def _join(self, step: Join) -> None:
+        frame = joint_frame(self, step)
+        x, y, free, constrained = frame.x, frame.y, frame.free, frame.constrained
+        tau = frame.tau
         phi_a = np.zeros((6, 6)) if step.a is None else x @ self._block(step.a) @ x.T
         b_a = x @ (self.ground() if step.a_bias is None else self.memory[step.a_bias])
-        phi = phi_a + self._block(step.b) + give
-        beta = b_a - self.memory[step.b_bias] + c - phi[:, free] @ tau
+        phi = phi_a + y @ self._block(step.b) @ y.T + frame.give
+        beta = b_a - y @ self.memory[step.b_bias] + frame.c - phi[:, free] @ tau
         m = phi[np.ix_(constrained, constrained)]
         lower = np.linalg.cholesky(m) if constrained else m
         z0 = np.linalg.solve(lower, beta[constrained]) if constrained else beta[constrained]
         z: dict[int, Array] = {}
-        y: dict[int, Array] = {}
+        free_rows: dict[int, Array] = {}
         for coupling in step.couplings:
             phi_ij = self._block(coupling.source, coupling.transposed)
-            phi_ij = x @ phi_ij if coupling.side == "A" else phi_ij
+            phi_ij = (x if coupling.side == "A" else y) @ phi_ij
             rows = phi_ij[constrained]
             z[coupling.handle] = np.linalg.solve(lower, rows) if constrained else rows
-            y[coupling.handle] = phi_ij[free]
+            free_rows[coupling.handle] = phi_ij[free]
         for block in step.blocks:
             product = z[block.target.row].T @ z[block.target.column]
             if block.across:
@@ -281,35 +287,38 @@ class Machine:
         for bias in step.biases:
             h = bias.target.handle
             sign = -1.0 if bias.side == "A" else 1.0
-            change = z[h].T @ z0 + y[h].T @ tau
+            change = z[h].T @ z0 + free_rows[h].T @ tau
             self.memory[bias.target] = self.memory[bias.source] + sign * change
-        self.memory["join", step.joint] = (step, lower, z0, z, y, phi, beta, tau)
+        self.memory["join", step.joint] = Joined(step, frame, lower, z0, z, free_rows, phi, beta)
 
     def _disassemble(self, step: Disassemble) -> None:
-        rotor = self.plan.joints[step.joint].rotor_inertia
-        kind = HELD if rotor else self.kind(step.joint)
-        free, constrained = list(kind.free), list(kind.constrained)
-        join, lower, z0, z, y, phi, beta, tau = self.memory["join", step.joint]
-        right, qdd = z0.copy(), -beta[free]
-        for coupling, name in zip(join.couplings, step.forces, strict=True):
+        i: Joined = self.memory["join", step.joint]
+        frame, free, constrained = i.frame, i.frame.free, i.frame.constrained
+        right, qdd = i.z0.copy(), -i.beta[free]
+        for coupling, name in zip(i.step.couplings, step.forces, strict=True):
             force = self.memory[name]
             sign = 1.0 if coupling.side == "A" else -1.0
-            right += sign * z[coupling.handle] @ force
-            qdd -= sign * y[coupling.handle] @ force
-        n = np.linalg.solve(lower.T, right) if constrained else right
-        qdd += phi[np.ix_(free, constrained)] @ n
+            right += sign * i.z[coupling.handle] @ force
+            qdd -= sign * i.y[coupling.handle] @ force
+        n = np.linalg.solve(i.lower.T, right) if constrained else right
+        qdd += i.phi[np.ix_(free, constrained)] @ n
         f = np.zeros((6, self.columns))
         f[constrained] = n
-        f[free] = tau
-        self.memory["force", step.joint] = f
+        f[free] = frame.tau
         for update in step.updates:
             acting = 0.0 if update.source is None else self.memory[update.source]
-            x = self.memory["X", step.joint]
-            self.memory[update.target] = acting + (-x.T @ f if update.side == "A" else f)
+            felt = -frame.x.T @ f if update.side == "A" else frame.y.T @ f
+            self.memory[update.target] = acting + felt
+        f = frame.y.T @ f
+        for j in reversed(frame.run):  # a link without mass hands on what it gets
+            self.memory["force", j] = f
+            f = self.memory["X", j].T @ f
+        rotor = self.plan.joints[step.joint].rotor_inertia
         if rotor:
-            f_own = f[list(self.kind(step.joint).free)]
+            f_own = self.memory["force", step.joint][list(self.kind(step.joint).free)]
             qdd = (self.torques(step.joint) - f_own) / rotor
-        self.accelerate(step.joint, qdd)
+        for j, rows in zip(frame.run, frame.parts(self.plan.joints), strict=True):
+            self.accelerate(j, qdd[rows])
 
     def accelerate(self, j: int, qdd: Array) -> None:
         """Keep a joint's accelerations, shape (n, columns); with slaved joints they come later."""

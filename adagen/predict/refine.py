@@ -13,12 +13,12 @@ from dataclasses import dataclass, replace
 
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.plan.constants import joints_of
 from adagen.plan.segment import SegmentPlanner
 from adagen.predict.simulate import predict
 from adagen.schedule import CostProfile, Node, Schedule, Topology
 from adagen.schedule.chains import WHOLE, Chain, Chains
 from adagen.schedule.draft import Draft
+from adagen.schedule.fold import Fold, fold
 from adagen.schedule.restricted import joined_between_processes
 from adagen.schedule.tree import loads_of, makespan_of
 
@@ -42,6 +42,7 @@ def refine(
     profile: CostProfile,
     cuttable: Sequence[bool],
     trials: int = TRIALS,
+    seen: Fold | None = None,
 ) -> Schedule:
     """Return the schedule or a better one; what is proven of it stays the same.
 
@@ -49,25 +50,32 @@ def refine(
         model: the robot.
         schedule: one without shared ranges.
         profile: one with costs of steps.
-        cuttable: for each joint whether two processes may meet there.
+        cuttable: for each joint that the search has seen, whether two processes may meet there.
         trials: schedules that may be played through.
+        seen: what the search has seen of the robot, and the schedule is of; all joints if None.
     """
-    search = _Refinement(model, schedule, profile, cuttable)
+    seen = fold(Topology.of(model), ()) if seen is None else seen
+    search = _Refinement(model, seen, schedule, profile, cuttable)
     return schedule if search.best is None else search.climb(trials)
 
 
 class _Refinement:
     def __init__(
-        self, model: Model, schedule: Schedule, profile: CostProfile, cuttable: Sequence[bool]
+        self,
+        model: Model,
+        seen: Fold,
+        schedule: Schedule,
+        profile: CostProfile,
+        cuttable: Sequence[bool],
     ) -> None:
-        self.topology = Topology.of(model)
+        self.seen, self.topology = seen, seen.topology
+        self.runs = [run for run in seen.joints if len(run) > 1]
         self.profile = profile
         self.schedule = schedule
         self.chains = Chains(self.topology, profile)
         self.cuttable = cuttable
         self.place = {j: p for p, j in enumerate(self.chains.original)}
-        self.joints = joints_of(model)
-        self.plan: Plan = make_plan(model, schedule, form="segment")
+        self.plan: Plan = make_plan(model, seen.unfold(schedule, profile), form="segment")
         self.joined = set(joined_between_processes(schedule.root))
         self.best = self._cut_of(schedule.root)
         self.time = predict(self.plan, profile).makespan
@@ -93,7 +101,9 @@ class _Refinement:
                     return found
                 trials -= 1
                 schedule = self._schedule(cut)
-                processes, messages = SegmentPlanner(self.joints, schedule).plan()
+                whole = self.seen.unfold(schedule, self.profile)
+                planner = SegmentPlanner(self.plan.joints, whole, self.runs)
+                processes, messages = planner.plan()
                 plan = replace(self.plan, processes=processes, messages=messages)
                 time = predict(plan, self.profile).makespan
                 if time < (1 - _LEAST) * self.time:
