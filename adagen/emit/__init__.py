@@ -6,7 +6,7 @@ from adagen import __version__
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
 from adagen.emit.refine import checked_steps, refinement_messages
-from adagen.emit.shapes import SHAPES, chosen_shape
+from adagen.emit.shapes import KNOWN, chosen_shape
 from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words
 from adagen.model.kinds import KINDS
@@ -139,7 +139,7 @@ def source(plan: Plan, stem: str, shape: str = "auto", refine: int = 0) -> str:
         refine=refine,
         messages=plan.messages,
         channel_messages=_channel_messages(words),
-        **SHAPES[shape].values(words),
+        **KNOWN[shape].values(words),
     )
 
 

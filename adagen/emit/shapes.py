@@ -61,6 +61,22 @@ SHAPES: dict[str, Shape] = {
 }
 
 
+def _baseline_why_not(plan: Plan) -> str | None:
+    if len(plan.processes) > 1:
+        return "a baseline runs on one process"
+    return "a baseline knows no slaved joints" if plan.slaved else None
+
+
+def _baseline(_: Words) -> dict[str, object]:
+    return {"runtime": ["spatial.hpp", "status.hpp", "joins.hpp", "articulated.hpp"]}
+
+
+BASELINES = {name: Shape(_baseline_why_not, _baseline) for name in ("crba", "aba", "aba_exact")}
+"""Textbook algorithms as loops over any tree, to compare with; never chosen by themselves."""
+
+KNOWN = {**SHAPES, **BASELINES}
+
+
 def chosen_shape(plan: Plan, shape: str = "auto") -> str:
     """Return the shape that a plan is emitted in: the one asked for, or the fastest that takes it.
 
@@ -69,7 +85,7 @@ def chosen_shape(plan: Plan, shape: str = "auto") -> str:
     """
     if shape == "auto":
         return next(name for name, candidate in SHAPES.items() if candidate.why_not(plan) is None)
-    reason = SHAPES[shape].why_not(plan)
+    reason = KNOWN[shape].why_not(plan)
     if reason is not None:
         raise UsageError(f"shape {shape} cannot be emitted: {reason}")
     return shape
