@@ -64,6 +64,9 @@ SHAPES: dict[str, Shape] = {
 def _baseline_why_not(plan: Plan) -> str | None:
     if len(plan.processes) > 1:
         return "a baseline runs on one process"
+    passive = ("damping", "friction", "stiffness", "rotor_inertia", "prescribed")
+    if any(getattr(joint, name) for joint in plan.joints for name in passive) or plan.wrenches:
+        return "a baseline knows no passive effects, prescribed motions or outer forces"
     return "a baseline knows no slaved joints" if plan.slaved else None
 
 
