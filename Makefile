@@ -22,7 +22,7 @@ export EIGEN
 endif
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test test-all lint format golden paper clean
+.PHONY: help setup demo test test-all lint format golden paper bench clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -66,6 +66,11 @@ golden: setup ## write generated_examples anew
 
 paper: setup ## the paper's tables and figures, predicted and measured here
 	$(BIN)/python -m benchmarks.paper all
+
+bench: setup ## adagen beside pinocchio, casadi and MuJoCo: tables and pictures in docs
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[test,bench]' || \
+	  echo "note: not all peers could be installed; those that are here take part" >&2
+	@$(BIN)/python -m benchmarks.bench $(ARGS)
 
 clean: ## remove what was built (not .venv)
 	rm -rf build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis

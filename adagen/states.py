@@ -2,7 +2,10 @@
 
 States are ``{"floating": bool, "gravity": [x, y, z], "joints": {NAME: {"q": [...], "v": [...],
 "tau": [...]}}}`` with one entry per state in each list: a number for one degree of freedom, a list
-for more. Results are ``{"joints": {NAME: {"qdd": [...]}}}`` likewise.
+for more. Where a scene prescribes a joint's acceleration, its "qdd" stands in place of its "tau";
+where it names links on which outer forces act, "forces": {LINK: [[fx, fy, fz, nx, ny, nz], ...]}
+gives force (N) and moment (N m) at the link's origin in its axes, for each state. Results are
+``{"joints": {NAME: {"qdd": [...]}}}`` likewise.
 """
 
 from __future__ import annotations
@@ -25,7 +28,8 @@ Array = NDArray[np.float64]
 
 BASE = "__base__"
 FIELDS = ("q", "v", "tau")
-MEMBERS = ("floating", "gravity", "joints")
+PRESCRIBED = ("q", "v", "qdd")
+MEMBERS = ("floating", "gravity", "forces", "joints")
 TOLERATED = ("type", "qdd")  # a file of true answers has these beside the fields
 _NORM = 1e-3  # how far a quaternion may be from unit length
 _AGREE = 1e-9  # how far a slaved joint may be from what it follows
@@ -38,7 +42,8 @@ class States:
     Attributes:
         q: configurations, shape (S, nq); quaternions (x, y, z, w) nearly of unit length.
         v: velocities, shape (S, nv).
-        tau: torques and forces, shape (S, nv).
+        tau: torques and forces (of prescribed joints: accelerations), then outer forces, shape
+            (S, ntau).
     """
 
     q: Array
@@ -72,11 +77,12 @@ def read_states(
         _check_floating(document.get("floating"), model)
         _check_names(joints, model, why_missing=why_missing)
         count = _count(joints)
-        size = {"q": model.nq, "v": model.nv, "tau": model.nv}
+        size = {"q": model.nq, "v": model.nv, "tau": model.ntau}
         states = States(*(np.zeros((count, size[name])) for name in FIELDS))
         for j, joint in enumerate(model.joints):
             if joint.name in joints:
                 _read_joint(joints[joint.name], model, j, states)
+        _read_forces(document.get("forces"), model, states)
         _follow(states, model, joints)
     except Refusal as refusal:
         raise InputError(str(refusal), str(path), refusal.line) from None
@@ -105,8 +111,14 @@ def write_states(states: States, model: Model, path: Path | str) -> None:
     for j, joint in enumerate(model.joints):
         q, v = _columns(model, j, "q"), _columns(model, j, "v")
         values = (states.q[:, q], states.v[:, v], states.tau[:, v])
-        rows[joint.name] = dict(zip(FIELDS, map(_listed, values), strict=True))
-    head = {"floating": model.floating, "gravity": [float(x) for x in model.gravity]}
+        rows[joint.name] = dict(zip(_fields(joint), map(_listed, values), strict=True))
+    gravity = [float(x) for x in model.gravity]
+    head: dict[str, Any] = {"floating": model.floating, "gravity": gravity}
+    if model.wrenches:
+        head["forces"] = {
+            wrench.frame.name: states.tau[:, _wrench_columns(model, k)].tolist()
+            for k, wrench in enumerate(model.wrenches)
+        }
     write_whole(Path(path), _text(head, rows))
 
 
@@ -140,7 +152,7 @@ def read_result(path: Path | str, model: Model) -> Array:
         InputError: the file cannot be read, is not JSON, or is not a result for this model.
     """
     try:
-        joints = as_object(load_object(path, ("joints",)).get("joints"), "'joints'")
+        joints = as_object(load_object(path, ("joints", "corrections")).get("joints"), "'joints'")
         _check_names(joints, model, every=True)
         count = _count(joints, ("qdd",))
         result = np.zeros((count, model.nv))
@@ -165,7 +177,7 @@ def random_states(model: Model, count: int, seed: int = 0) -> States:
         seed: at least 0.
     """
     rng = np.random.default_rng(seed)
-    v, tau = rng.uniform(-1.0, 1.0, size=(2, count, model.nv))
+    v, torques = rng.uniform(-1.0, 1.0, size=(2, count, model.nv))
     q = rng.uniform(-1.0, 1.0, size=(count, model.nq))
     for j, joint in enumerate(model.joints):
         at = _columns(model, j, "q")
@@ -174,7 +186,8 @@ def random_states(model: Model, count: int, seed: int = 0) -> States:
             q[:, at.stop - 4 : at.stop] = four / np.linalg.norm(four, axis=1, keepdims=True)
         elif 2 in joint.kind.free:  # it turns about its axis: an angle, the last of its q
             q[:, at.stop - 1] *= np.pi
-    states = States(q, v, tau)
+    forces = rng.uniform(-1.0, 1.0, size=(count, model.ntau - model.nv))
+    states = States(q, v, np.hstack([torques, forces]))
     _follow(states, model, {})
     return states
 
@@ -231,6 +244,15 @@ def _count(joints: dict[str, Any], fields: Sequence[str] = FIELDS) -> int:
     raise Refusal("there are no states: no joint has a list")
 
 
+def _fields(joint: Joint) -> tuple[str, str, str]:
+    """The members that a joint's state has."""
+    return PRESCRIBED if joint.prescribed else FIELDS
+
+
+def _wrench_columns(model: Model, k: int) -> slice:
+    return slice(model.nv + 6 * k, model.nv + 6 * k + 6)
+
+
 def _columns(model: Model, j: int, field: str) -> slice:
     kind = model.joints[j].kind
     if field == "q":
@@ -241,17 +263,43 @@ def _columns(model: Model, j: int, field: str) -> slice:
 def _read_joint(said: Any, model: Model, j: int, states: States) -> None:
     joint = model.joints[j]
     values = as_object(said, f"joint '{joint.name}'")
+    fields = _fields(joint)
     for name in values:
-        if name not in FIELDS + TOLERATED:
-            hint = nearest(name, FIELDS)
+        if name not in fields + TOLERATED:
+            hint = nearest(name, fields)
+            if name == "tau":
+                hint = "; the scene prescribes its acceleration: give qdd"
             raise Refusal(f"joint '{joint.name}': unknown member '{name}'{hint}")
-    for field, array in zip(FIELDS, (states.q, states.v, states.tau), strict=True):
+    for field, array in zip(fields, (states.q, states.v, states.tau), strict=True):
         own = _columns(model, j, field)
         width = own.stop - own.start
         array[:, own] = _numbers(values, joint, field, width, states.count)
     if joint.kind.quaternion is not None:
         own = _columns(model, j, "q")
         _check_quaternions(joint, states.q[:, own.stop - 4 : own.stop])
+
+
+def _read_forces(said: Any, model: Model, states: States) -> None:
+    """Read the outer forces of every link that has them as an input."""
+    names = {wrench.frame.name: k for k, wrench in enumerate(model.wrenches)}
+    if said is None and not names:
+        return
+    forces = as_object({} if said is None else said, "'forces'")
+    for name in forces:
+        if name not in names:
+            hint = nearest(name, names) or "; a scene says which links have some (--scene)"
+            raise Refusal(f"forces: '{name}' is no link with outer forces{hint}")
+    for name, k in names.items():
+        if name not in forces:
+            raise Refusal(f"forces: link '{name}' is missing")
+        rows, where = forces[name], f"forces: link '{name}'"
+        if not isinstance(rows, list) or len(rows) != states.count:
+            raise Refusal(f"{where} needs a list of {states.count} states, as the joints have")
+        for s, row in enumerate(rows):
+            if not isinstance(row, list) or len(row) != 6:
+                raise Refusal(f"{where}, state {s}: not 6 numbers, [fx, fy, fz, nx, ny, nz]")
+            numbers = [as_number(x, f"{where}, state {s}") for x in row]
+            states.tau[s, _wrench_columns(model, k)] = numbers
 
 
 def _numbers(

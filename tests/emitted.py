@@ -88,10 +88,17 @@ class Builder:
             )
         assert (done.returncode, done.stderr) == (0, "")
 
-    def solver(self, plan: Plan, flags: Sequence[str] = QUICK, name: str | None = None) -> Solver:
+    def solver(
+        self,
+        plan: Plan,
+        flags: Sequence[str] = QUICK,
+        name: str | None = None,
+        shape: str = "auto",
+    ) -> Solver:
         """Return the built program of a plan."""
         stem = stem_of(plan, name)
-        executable = self.compile(emit(plan, name=name)[f"{stem}.cpp"], stem, flags)
+        text = emit(plan, name=name, shape=shape)[f"{stem}.cpp"]
+        executable = self.compile(text, stem, flags)
         return Solver(executable, len(plan.processes), self.toolchain)
 
 

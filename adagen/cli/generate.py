@@ -17,6 +17,7 @@ other commands (each has a --help of its own):
   adagen schedule MODEL --procs P                  what runs where, and what it should cost
   adagen solve MODEL --procs P --states FILE       generate, build and run for given states
   adagen calibrate                                 measure what operations cost on this machine
+  adagen bench MODEL ...                           time it beside pinocchio, casadi, MuJoCo
   adagen env                                       the compiler, MPI and Eigen in use
 
 examples:

@@ -13,7 +13,7 @@ from types import FrameType
 
 from adagen.errors import AdagenError, printable
 
-VERBS = ("schedule", "solve", "calibrate", "env")
+VERBS = ("schedule", "solve", "calibrate", "env", "bench")
 INTERNAL = 3
 INTERRUPTED = 130
 

@@ -155,11 +155,19 @@ def add_schedule(parser: argparse.ArgumentParser) -> None:
 def add_emission(parser: argparse.ArgumentParser) -> None:
     """Add how the code is shaped."""
     parser.add_argument(
+        "--refine",
+        type=_whole(0, 9),
+        default=0,
+        metavar="N",
+        help="refine each answer N times with wider residuals, and tell its error (default: 0)",
+    )
+    parser.add_argument(
         "--shape",
-        choices=("auto", "joints"),
+        choices=("auto", "unrolled", "kernels", "joints"),
         default="auto",
-        help="shape of the code: a function for each joint and step (joints), or what is fastest "
-        "for the robot (auto, default)",
+        help="shape of the code: a straight line of scalar statements (unrolled), loops over runs "
+        "of joints (kernels), a function for each joint and step (joints), or what should be "
+        "fastest for the robot (auto, default)",
     )
     parser.add_argument(
         "--channel",

@@ -83,6 +83,7 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
         InputError: the profile or the schedule file is refused.
     """
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
+        from adagen.plan.clusters import fold_of
         from adagen.predict import best_schedule
         from adagen.schedule import Topology, load_profile, named_schedule
         from adagen.schedule.tree import Named
@@ -95,8 +96,9 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
 
         def schedule(processes: int) -> Schedule:
             if options.schedule != "auto":
-                topology = Topology.of(model)
-                return named_schedule(options.schedule, topology, processes, profile=profile)
+                seen = fold_of(model, options.form)
+                found = named_schedule(options.schedule, seen.topology, processes, profile=profile)
+                return seen.unfold(found, profile)
             return best_schedule(
                 model,
                 processes,
@@ -174,6 +176,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             form=options.form,
             scalar=options.scalar,
             channel=options.channel,
+            meeting=_meeting(options),
             source_hash=_hash(Path(options.model)),
         )
     idle = sum(not process.owns for process in plan.processes)
@@ -194,8 +197,16 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
         from adagen.emit import emit
 
         name = Path(options.model).stem if options.name is None else options.name
-        files = emit(plan, name=name, svg=draw(schedule, model), shape=options.shape)
+        files = emit(
+            plan, name=name, svg=draw(schedule, model), shape=options.shape, refine=options.refine
+        )
     return Generated(schedule, plan, files)
+
+
+def _meeting(options: argparse.Namespace) -> str:
+    """Return how segments are to meet: shape kernels alone knows how to gather."""
+    gathers = options.shape in ("auto", "kernels") and not options.refine
+    return "auto" if gathers else "join"
 
 
 def _warn_of_lost_digits(plan: Plan, file: str) -> None:

@@ -5,11 +5,13 @@ from __future__ import annotations
 from adagen import __version__
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
-from adagen.emit.shapes import SHAPES, chosen_shape
+from adagen.emit.refine import checked_steps, refinement_messages
+from adagen.emit.shapes import KNOWN, chosen_shape
 from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan, plan_to_json
+from adagen.plan.refine import refinable
 from adagen.plan.steps import LinkBias, StartLink
 
 # Largest residual that an emitted self-check lets pass: what the scalar keeps, with a margin for
@@ -37,6 +39,7 @@ HEADERS = (
     "stdexcept",
     "string",
     "thread",
+    "type_traits",
     "utility",
     "vector",
 )
@@ -50,7 +53,12 @@ def stem_of(plan: Plan, name: str | None = None) -> str:
 
 
 def emit(
-    plan: Plan, *, name: str | None = None, svg: str | None = None, shape: str = "auto"
+    plan: Plan,
+    *,
+    name: str | None = None,
+    svg: str | None = None,
+    shape: str = "auto",
+    refine: int = 0,
 ) -> dict[str, str]:
     """Return the emitted files, file name to text.
 
@@ -59,13 +67,17 @@ def emit(
         name: what to call the files (made safe here); the robot's name if not given.
         svg: a drawing of the schedule to put beside them.
         shape: shape of the code, one of ``adagen.emit.shapes.SHAPES``, or "auto".
+        refine: steps of iterative refinement that each evaluation takes, 0 to 9.
 
     Returns:
         NAME_pP.cpp, NAME_pP.plan.json, Makefile and, if given, NAME_pP.svg.
+
+    Raises:
+        UsageError: the plan cannot be emitted in this shape, or not refined.
     """
     stem = stem_of(plan, name)
     files = {
-        f"{stem}.cpp": source(plan, stem, shape),
+        f"{stem}.cpp": source(plan, stem, shape, refine),
         f"{stem}.plan.json": plan_to_json(plan),
         "Makefile": render("Makefile.j2", stem=stem, process_count=len(plan.processes)),
     }
@@ -74,14 +86,15 @@ def emit(
     return files
 
 
-def source(plan: Plan, stem: str, shape: str = "auto") -> str:
+def source(plan: Plan, stem: str, shape: str = "auto", refine: int = 0) -> str:
     """Return the C++ source of a plan; ``stem`` begins the names of its C functions.
 
     Raises:
-        UsageError: the plan cannot be emitted in this shape.
+        UsageError: the plan cannot be emitted in this shape, or not refined.
     """
-    words = Words(plan)
-    shape = chosen_shape(plan, shape)
+    shape = chosen_shape(plan, checked_steps(refine, shape))
+    plan = refinable(plan) if refine else plan
+    words = Words(plan, refine)
     steps = [step for process in plan.processes for step in process.steps]
     bare = {step.link for step in steps if isinstance(step, LinkBias)}
     started = {step.link for step in steps if isinstance(step, StartLink)}
@@ -122,10 +135,11 @@ def source(plan: Plan, stem: str, shape: str = "auto") -> str:
         ],
         joints=_joint_constants(words),
         processes=process_rows(words),
-        run_list=", ".join(f"run_{p}" for p in range(len(plan.processes))),
+        run_list=", ".join("refined" if refine else f"run_{p}" for p in range(len(plan.processes))),
+        refine=refine,
         messages=plan.messages,
         channel_messages=_channel_messages(words),
-        **SHAPES[shape].values(words),
+        **KNOWN[shape].values(words),
     )
 
 
@@ -168,4 +182,4 @@ def _channel_messages(words: Words) -> list[dict[str, object]]:
         state, result = table_sizes(words, process)
         rows.append({"source": 0, "target": p, "size": state, "comment": "state"})
         rows.append({"source": p, "target": 0, "size": result, "comment": "accelerations"})
-    return rows
+    return rows + refinement_messages(words)

@@ -15,13 +15,13 @@ from adagen.plan.steps import (
 )
 
 
-def _ends(words: Words, step: Articulate | Propagate | Deliver | Accelerate) -> tuple[int, int]:
+def ends(words: Words, step: Articulate | Propagate | Deliver | Accelerate) -> tuple[int, int]:
     """The near and the far link of a joint, seen from the segment's root."""
     parent, child = words.plan.joints[step.joint].parent, step.joint + 1
     return (child, parent) if step.reversed else (parent, child)
 
 
-def _of_link(words: Words, j: int, link: int) -> str:
+def of_link(words: Words, j: int, link: int) -> str:
     """Where a link's part of the memory is, seen from a joint's function (``i`` is its own)."""
     return "i" if link == j + 1 else words.link_memory(link)
 
@@ -30,8 +30,8 @@ def articulate(words: Words, step: Articulate) -> list[str]:
     """I^A and p^A of the far link, through the joint, onto the near link."""
     j = step.joint
     joint = words.plan.joints[j]
-    near, far = _ends(words, step)
-    own, beyond = _of_link(words, step.joint, near), _of_link(words, step.joint, far)
+    near, far = ends(words, step)
+    own, beyond = of_link(words, step.joint, near), of_link(words, step.joint, far)
     sigma = "-1" if step.reversed else "1"
     inertia, force = f"{beyond}.IA", f"{beyond}.pA"
     lines = [
@@ -76,8 +76,8 @@ def propagate(words: Words, step: Propagate) -> list[str]:
         lines.append(f"Mat6 Omega = from_right(i.X * {words.block(step.near)}, i.X);")
     lines.append("carry(i.body, Omega);")
     lines.append(f"{target} = {'congruent_in_parent(i.X, Omega)' if step.reversed else 'Omega'};")
-    near = "kGround" if step.near_bias is None else words.bias(step.near_bias)
-    lines += _far_acceleration(step, near, words.bias(step.bias), "")
+    near = words.ground if step.near_bias is None else words.bias(step.near_bias)
+    lines += far_acceleration(step, near, words.bias(step.bias), "")
     for number, spread in enumerate(step.spreads):
         lines += _spread(words, step, spread, f"Psi_{number}")
     return lines
@@ -100,9 +100,7 @@ def _spread(words: Words, step: Propagate, spread: Spread, name: str) -> list[st
     ]
 
 
-def _far_acceleration(
-    step: Propagate | Accelerate, near: str, target: str, moved: str
-) -> list[str]:
+def far_acceleration(step: Propagate | Accelerate, near: str, target: str, moved: str) -> list[str]:
     """The far link's acceleration from the near link's, and sigma qdd where it is asked for."""
     start = near if step.reversed else f"i.X * {near}"
     end = "motion_in_parent(i.X, a)" if step.reversed else "a"
@@ -115,8 +113,8 @@ def _far_acceleration(
 
 def deliver(words: Words, step: Deliver) -> list[str]:
     """The load on the far link, through the joint, onto the near link."""
-    near, far = _ends(words, step)
-    load = f"{_of_link(words, step.joint, far)}.load"
+    near, far = ends(words, step)
+    load = f"{of_link(words, step.joint, far)}.load"
     lines = [
         f"auto& i = {words.memory(step.joint)};",
         f"Columns6 load = {f'wrench_in_child(i.X, {load})' if step.reversed else load};",
@@ -124,19 +122,32 @@ def deliver(words: Words, step: Deliver) -> list[str]:
     ]
     if near > 0:
         handed = "load" if step.reversed else "i.X.transposed_times(load)"
-        lines.append(f"{_of_link(words, step.joint, near)}.load += {handed};")
+        lines.append(f"{of_link(words, step.joint, near)}.load += {handed};")
     return lines
 
 
 def accelerate(words: Words, step: Accelerate) -> list[str]:
     """Qdd of the joint and the acceleration of its far link."""
-    near, far = _ends(words, step)
-    start = "kGround" if near == 0 else f"{_of_link(words, step.joint, near)}.a"
+    near, far = ends(words, step)
+    start = words.ground if near == 0 else f"{of_link(words, step.joint, near)}.a"
     lines = [f"auto& i = {words.memory(step.joint)};"]
-    target = f"{_of_link(words, step.joint, far)}.a"
-    lines += _far_acceleration(step, start, target, "const auto qdd = ")
+    target = f"{of_link(words, step.joint, far)}.a"
+    lines += far_acceleration(step, start, target, "const auto qdd = ")
     qdd = "negated(qdd)" if step.reversed else "qdd"
-    return [*lines, store(words, step.joint, qdd)]
+    lines.append(store(words, step.joint, qdd))
+    return [*lines, *_force(words, step, far)] if words.refine else lines
+
+
+def _force(words: Words, step: Accelerate, far: int) -> list[str]:
+    """The joint's force on its child link, to be refined."""
+    beyond = of_link(words, step.joint, far)
+    load = f" - {beyond}.load" if far in words.loaded else ""
+    force = f"effort({beyond}.IA, {beyond}.a, {beyond}.pA){load}"
+    return [
+        f"Columns6& f = w.refinement.f[{step.joint}];",
+        f"f = {f'-wrench_in_child(i.X, {force})' if step.reversed else force};",
+        f"along<{words.type_of(step.joint)}>(i.body.tau, f);",
+    ]
 
 
 def free_base(words: Words, step: FreeBase) -> list[str]:
@@ -158,10 +169,23 @@ def free_acceleration(words: Words, step: FreeAcceleration) -> list[str]:
     j = step.joint
     return [
         f"auto& i = {words.memory(j)};",
-        "const Columns6 a = i.a - i.X * kGround;",
+        f"const Columns6 a = i.a - i.X * {words.ground};",
         "std::array<std::array<Real, kColumns>, 6> qdd;",
         "for (std::size_t k = 0; k < 6; ++k)",
         "  for (int c = 0; c < kColumns; ++c)",
         "    qdd[k][static_cast<std::size_t>(c)] = a(Floating::Free::row[k], c);",
         store(words, j, "qdd"),
+        *_free_force(words, j),
+    ]
+
+
+def _free_force(words: Words, j: int) -> list[str]:
+    """The torque of a floating joint on the ground, all the force that it has."""
+    if not words.refine:
+        return []
+    return [
+        "std::array<std::array<Real, kColumns>, 6> tau;",
+        f"load_torque(w, {j}, {words.plan.joints[j].v}, tau);",
+        *coupling_torques(words, j, "tau"),
+        f"along<Floating>(tau, w.refinement.f[{j}]);",
     ]

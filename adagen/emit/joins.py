@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from adagen.emit.kinematics import configuration, velocity
 from adagen.emit.words import Words
-from adagen.plan.steps import Coupling, Disassemble, Join
+from adagen.plan.steps import Coupling, Disassemble, FusedJoin, Join
 
 
 def parts(words: Words, join: Join, end: Disassemble) -> str:
     """One line on the two parts and the whole that a join makes."""
-    joint = words.plan.joints[join.joint]
+    first = join.run[0] if isinstance(join, FusedJoin) else join.joint
+    parent = words.plan.joints[first].parent
     below = {update.side: update.target.joint for update in end.updates}
 
     def part(side: str, link: int) -> str:
@@ -20,10 +21,7 @@ def parts(words: Words, join: Join, end: Disassemble) -> str:
         )
 
     handles = ", ".join(words.quoted_link(c.handle) for c in join.couplings) or "no link"
-    return (
-        f"A: {part('A', joint.parent)}; B: {part('B', join.joint + 1)};"
-        f" C feels the joint at {handles}"
-    )
+    return f"A: {part('A', parent)}; B: {part('B', join.joint + 1)}; C feels the joint at {handles}"
 
 
 def assembly(words: Words, join: Join, *, turned: bool = False) -> list[str]:
@@ -48,7 +46,7 @@ def assembly(words: Words, join: Join, *, turned: bool = False) -> list[str]:
     if turned:
         lines.append(f"const Mat6 Phi_B = from_right(i.Y * {words.block(join.b)}, i.Y);")
     phi_b = "Phi_B" if turned else words.block(join.b)
-    b_a = "kGround" if join.a_bias is None else words.bias(join.a_bias)
+    b_a = words.ground if join.a_bias is None else words.bias(join.a_bias)
     if join.velocity_product:
         lines += velocity_product(words, j, "const Columns6 c")
     else:
@@ -58,7 +56,8 @@ def assembly(words: Words, join: Join, *, turned: bool = False) -> list[str]:
     )
     lines.append(f"  fail(w, kFactorization, {j});")
     lines.extend(_couple(words, join, coupling, turned) for coupling in join.couplings)
-    lines.extend(_updates(words, join))
+    lines.extend(block_updates(words, join))
+    lines.extend(bias_updates(words, join))
     return lines
 
 
@@ -108,7 +107,8 @@ def _couple(words: Words, join: Join, coupling: Coupling, turned: bool) -> str:
     return f"couple(i.joined, {phi}, i.at_{words.links[coupling.handle]});"
 
 
-def _updates(words: Words, join: Join) -> list[str]:
+def block_updates(words: Words, join: Join) -> list[str]:
+    """Eq. (3)-(5): the blocks of C that change."""
     sides = {coupling.handle: coupling.side for coupling in join.couplings}
     lines = []
     for block in join.blocks:
@@ -121,6 +121,12 @@ def _updates(words: Words, join: Join) -> list[str]:
             text = f"{words.block(block.source)} - {product}"
             equation = 3 if sides[block.target.row] == "A" else 4
         lines.append(f"i.{words.block_member(block.target)} = {text};  // Eq. ({equation})")
+    return lines
+
+
+def bias_updates(words: Words, join: Join) -> list[str]:
+    """Eq. (6), (7): the biases of C."""
+    lines = []
     for bias in join.biases:
         handle = words.links[bias.target.handle]
         sign, equation = ("-", 6) if bias.side == "A" else ("+", 7)
@@ -143,7 +149,10 @@ def disassembly(
     for coupling, force in zip(join.couplings, end.forces, strict=True):
         handle = words.links[coupling.handle]
         lines.append(f"release.feel_{coupling.side}(i.at_{handle}, {words.force(force)});")
-    if end.updates:
+    if words.refine:
+        kept = f"w.refinement.f[{j}] = release.force();"
+        lines.append(f"const Columns6& f = {kept}" if end.updates else kept)
+    elif end.updates:
         lines.append("const Columns6 f = release.force();  // Eq. (8), (10)")
     else:
         lines.append("release.force();  // Eq. (8)")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from adagen.emit import articulated, joins
+from adagen.emit import articulated, fused, joins
 from adagen.emit.kinematics import kinematics_lines
 from adagen.emit.memory import Members
 from adagen.emit.words import Words
@@ -16,6 +16,7 @@ from adagen.plan.steps import (
     Disassemble,
     FreeAcceleration,
     FreeBase,
+    FusedJoin,
     Join,
     Kinematics,
     Propagate,
@@ -26,6 +27,7 @@ from adagen.plan.steps import (
 VERBS: dict[type, str] = {
     Kinematics: "kinematics",
     Join: "assemble",
+    FusedJoin: "assemble",
     Disassemble: "disassemble",
     FreeBase: "free_base",
     Articulate: "articulate",
@@ -97,11 +99,18 @@ def _function(
     match step:
         case Kinematics():
             lines = kinematics_lines(words, step.joint)
+        case FusedJoin():
+            comment = joins.parts(words, step, ends[step.joint])
+            lines = fused.assembly(words, step)
         case Join():
             comment = joins.parts(words, step, ends[step.joint])
             lines = joins.assembly(words, step)
         case Disassemble():
-            lines = joins.disassembly(words, joined[step.joint], step)
+            join = joined[step.joint]
+            if isinstance(join, FusedJoin):
+                lines = fused.disassembly(words, join, step)
+            else:
+                lines = joins.disassembly(words, join, step)
         case _:
             lines = _LINES[type(step)](words, step)
     return {"name": name, "comment": comment, "lines": lines}

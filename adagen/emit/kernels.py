@@ -57,6 +57,9 @@ def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted in this shape; None where it can."""
     if plan.form != "segment":
         return f"it is for form segment, not {plan.form}"
+    passive = ("damping", "friction", "stiffness", "rotor_inertia", "prescribed")
+    if any(getattr(joint, name) for joint in plan.joints for name in passive) or plan.wrenches:
+        return "it has no passive effects, prescribed motions or outer forces"
     if plan.slaved:
         return f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another'
     for process in plan.processes:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 
+from adagen.emit.fused import freedoms, type_of
 from adagen.emit.words import Words
 from adagen.plan.steps import (
     Articulate,
@@ -11,6 +12,7 @@ from adagen.plan.steps import (
     Block,
     Disassemble,
     Force,
+    FusedJoin,
     Join,
     LinkBias,
     Load,
@@ -59,6 +61,10 @@ class Members:
                 self.lines[step.link - 1].append(f"Columns6 b;  // bias of the bare link {name}")
             case Join():
                 kind = words.type_of(step.joint)
+                if isinstance(step, FusedJoin):
+                    kind = type_of(words, step)
+                    run = f"Run<{freedoms(words, step)}> run;"
+                    self.lines[step.joint].append(f"{run}  // that it is joined with")
                 self.lines[step.joint].append(f"Joined<{kind}> joined;")
                 for coupling in step.couplings:
                     handle = words.links[coupling.handle]

@@ -44,7 +44,8 @@ def process_rows(words: Words) -> list[dict[str, object]]:
 def step_rows(words: Words) -> list[list[str]]:
     """Return for each process its steps as lines, one joint and step after the other."""
     return [
-        stamped_lines(process, partial(_lines, words, process)) for process in words.plan.processes
+        stamped_lines(process, partial(step_lines, words, process))
+        for process in words.plan.processes
     ]
 
 
@@ -61,7 +62,8 @@ def _summary(words: Words, process: Process) -> str:
     return f"{own}{core}{path}"
 
 
-def _lines(words: Words, process: Process, step: Step) -> list[str]:
+def step_lines(words: Words, process: Process, step: Step) -> list[str]:
+    """Return the lines that do a step of a process."""
     function = function_of(words, step)
     if function is not None:
         return [f"{function}(w);"]

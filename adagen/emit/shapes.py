@@ -4,6 +4,8 @@
   once where nothing is carried along. It takes plans of form segment.
 * ``joints``: joint-local frames, a function for each joint and step, one call after the other. It
   takes every plan.
+* ``unrolled``: a straight line of scalar statements from an expression graph, the fastest up to
+  about 10 joints.
 """
 
 from __future__ import annotations
@@ -14,10 +16,12 @@ from dataclasses import dataclass
 from adagen.emit import kernels
 from adagen.emit.joints import joint_rows
 from adagen.emit.processes import step_rows
+from adagen.emit.refine import add_corrections, refinement_values
+from adagen.emit.unrolled import unrolled_values, why_not_unrolled
 from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.plan import Plan
-from adagen.plan.steps import StartLink
+from adagen.plan.steps import FusedJoin, StartLink
 
 
 @dataclass(frozen=True)
@@ -43,19 +47,51 @@ def _joints(words: Words) -> dict[str, object]:
     segments = any(
         isinstance(step, StartLink) for process in words.plan.processes for step in process.steps
     )
-    runtime = ["spatial.hpp", "status.hpp", "joins.hpp", *["articulated.hpp"] * segments]
+    fused = any(
+        isinstance(step, FusedJoin) for process in words.plan.processes for step in process.steps
+    )
+    runtime = ["spatial.hpp", "status.hpp", "joins.hpp"]
+    runtime += ["fused.hpp"] * fused + ["articulated.hpp"] * segments
+    rows = joint_rows(words)
+    if words.refine:
+        runtime += ["refine.hpp", *["refine_segment.hpp"] * segments]
+        add_corrections(words, rows)
     return {
         "runtime": runtime,
-        "joint_functions": joint_rows(words),
+        "joint_functions": rows,
         "steps": step_rows(words),
+        **refinement_values(words),
     }
 
 
 SHAPES: dict[str, Shape] = {
     "kernels": Shape(kernels.why_not, kernels.values),
     "joints": Shape(_joints_why_not, _joints),
+    "unrolled": Shape(why_not_unrolled, unrolled_values),
 }
-"""By name; where none is asked for, the first that takes a plan."""
+
+
+def _baseline_why_not(plan: Plan) -> str | None:
+    if len(plan.processes) > 1:
+        return "a baseline runs on one process"
+    passive = ("damping", "friction", "stiffness", "rotor_inertia", "prescribed")
+    if any(getattr(joint, name) for joint in plan.joints for name in passive) or plan.wrenches:
+        return "a baseline knows no passive effects, prescribed motions or outer forces"
+    return "a baseline knows no slaved joints" if plan.slaved else None
+
+
+def _baseline(_: Words) -> dict[str, object]:
+    return {"runtime": ["spatial.hpp", "status.hpp", "joins.hpp", "articulated.hpp"]}
+
+
+BASELINES = {name: Shape(_baseline_why_not, _baseline) for name in ("crba", "aba", "aba_exact")}
+"""Textbook algorithms as loops over any tree, to compare with; never chosen by themselves."""
+
+KNOWN = {**SHAPES, **BASELINES}
+
+
+UNROLLED_JOINTS = 10
+"""Joints up to which a straight line on one process is faster than loops (docs/code_shapes.md)."""
 
 
 def chosen_shape(plan: Plan, shape: str = "auto") -> str:
@@ -65,8 +101,10 @@ def chosen_shape(plan: Plan, shape: str = "auto") -> str:
         UsageError: the plan cannot be emitted in the shape asked for.
     """
     if shape == "auto":
-        return next(name for name, candidate in SHAPES.items() if candidate.why_not(plan) is None)
-    reason = SHAPES[shape].why_not(plan)
+        small = len(plan.processes) == 1 and len(plan.joints) <= UNROLLED_JOINTS
+        order = ("unrolled", "kernels", "joints") if small else ("kernels", "joints")
+        return next(name for name in order if SHAPES[name].why_not(plan) is None)
+    reason = KNOWN[shape].why_not(plan)
     if reason is not None:
         raise UsageError(f"shape {shape} cannot be emitted: {reason}")
     return shape

@@ -9,7 +9,7 @@ from adagen.emit.expressions import Printer
 from adagen.emit.names import distinct, identifiers, quoted
 from adagen.model.kinds import KINDS, JointKind
 from adagen.plan import Plan
-from adagen.plan.steps import Bias, Block, Force, blocks_set_by
+from adagen.plan.steps import Bias, Block, Force, Load, blocks_set_by
 
 
 @dataclass(frozen=True)
@@ -17,6 +17,7 @@ class Words:
     """Names and numbers of one plan as C++ text."""
 
     plan: Plan
+    refine: int = 0  # steps of refinement
 
     @cached_property
     def joints(self) -> tuple[str, ...]:
@@ -32,6 +33,17 @@ class Words:
     def printer(self) -> Printer:
         """Prints numbers of the plan's scalar."""
         return Printer(self.plan.scalar)
+
+    @property
+    def ground(self) -> str:
+        """The ground's acceleration, which a correction does not feel."""
+        return "w.ground" if self.refine else "kGround"
+
+    @cached_property
+    def loaded(self) -> frozenset[int]:
+        """Links that handle forces load."""
+        steps = (step for process in self.plan.processes for step in process.steps)
+        return frozenset(step.link for step in steps if isinstance(step, Load))
 
     def kind(self, joint: int) -> JointKind:
         """A joint's kind."""

@@ -47,4 +47,7 @@ SPHERICAL = JointKind("spherical", 4, 3, (0, 1, 2), False)
 PLANAR = JointKind("planar", 3, 3, (3, 4, 2), True)
 FLOATING = JointKind("floating", 7, 6, (3, 4, 5, 0, 1, 2), False)
 
+HELD = JointKind("held", 0, 0, (), False)
+"""What a joint is to the forces when its acceleration is known: it frees nothing."""
+
 KINDS = {kind.name: kind for kind in (REVOLUTE, PRISMATIC, SPHERICAL, PLANAR, FLOATING)}

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from adagen.errors import UsageError
 from adagen.model import Model
+from adagen.model.fuse import runs_of, settled
 from adagen.plan.ada import AdaPlanner
-from adagen.plan.constants import joints_of, links_of
+from adagen.plan.clusters import ClusterPlanner, clusters_of
+from adagen.plan.constants import joints_of, links_of, wrenches_of
 from adagen.plan.gather import GatherPlanner
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
-from adagen.plan.types import Plan, PlanJoint
+from adagen.plan.types import Plan
 from adagen.schedule import Schedule, Topology, schedule_line
 
 FORMS: dict[str, type[AdaPlanner]] = {"segment": SegmentPlanner, "ada": AdaPlanner}
@@ -27,19 +29,8 @@ __all__ = [
     "make_plan",
     "plan_from_json",
     "plan_to_json",
-    "planner",
+    "planner_of",
 ]
-
-
-def planner(
-    joints: tuple[PlanJoint, ...], schedule: Schedule, form: str, meeting: str = "auto"
-) -> AdaPlanner:
-    """Return what plans a form of the algorithm; arguments as those of ``make_plan``."""
-    if form == "segment" and meeting != "join":
-        gather = GatherPlanner(joints, schedule)
-        if meeting == "gather" or gather.suits():
-            return gather
-    return FORMS[form](joints, schedule)
 
 
 def make_plan(
@@ -77,7 +68,10 @@ def make_plan(
         if word not in known:
             raise UsageError(f'unknown {what} "{word}"; known: {", ".join(known)}')
     joints = joints_of(model)
-    processes, messages = planner(joints, schedule, form, meeting).plan()
+    planner = planner_of(model, schedule, form, meeting)
+    processes, messages = planner.plan()
+    if planner.fusions.fused:
+        model = settled(model, planner.fusions.fused)
     bare = {step.link for p in processes for step in p.steps if isinstance(step, LinkBias)}
     return Plan(
         name=model.name,
@@ -93,4 +87,27 @@ def make_plan(
         slaved=tuple(j for j, joint in enumerate(joints) if joint.mimic is not None),
         processes=processes,
         messages=messages,
+        wrenches=wrenches_of(model),
     )
+
+
+def planner_of(
+    model: Model, schedule: Schedule, form: str, meeting: str = "auto"
+) -> AdaPlanner:
+    """Return what builds the processes of a plan.
+
+    Args:
+        model: the robot.
+        schedule: a schedule of its joints.
+        form: one of ``FORMS``.
+        meeting: one of ``MEETINGS``.
+    """
+    joints, runs = joints_of(model), runs_of(model)
+    clusters = clusters_of(model, runs) if form == "ada" else {}
+    if clusters:
+        return ClusterPlanner(joints, schedule, runs, clusters)
+    if form == "segment" and meeting != "join":
+        gather = GatherPlanner(joints, schedule)
+        if meeting == "gather" or (gather.suits() and not wrenches_of(model)):
+            return gather
+    return FORMS[form](joints, schedule, runs)

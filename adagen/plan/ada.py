@@ -8,8 +8,10 @@ cannot wait for each other in a circle.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from adagen.plan.fusions import Fusions, Run
 from adagen.plan.steps import (
     ApplyCoupling,
     Bias,
@@ -20,6 +22,7 @@ from adagen.plan.steps import (
     Disassemble,
     Force,
     ForceUpdate,
+    FusedJoin,
     Join,
     Kinematics,
     LinkBias,
@@ -57,9 +60,12 @@ def _bare(link: int, process: int) -> Chain:
 class AdaPlanner:
     """Builds the processes and messages of form `ada` from joints and a schedule."""
 
-    def __init__(self, joints: tuple[PlanJoint, ...], schedule: Schedule) -> None:
+    def __init__(
+        self, joints: tuple[PlanJoint, ...], schedule: Schedule, runs: Sequence[Run] = ()
+    ) -> None:
         self.joints = joints
         self.schedule = schedule
+        self.fusions = Fusions(schedule, runs)
         self.steps: list[list[Step]] = [[] for _ in range(schedule.processes)]
         self.owns: list[list[int]] = [[] for _ in range(schedule.processes)]
         self.messages: list[Message] = []
@@ -98,14 +104,15 @@ class AdaPlanner:
         for node in postorder(self.schedule.root):
             i, p = node.joint, node.processes[0]
             self.owns[p].append(i)
-            if self._inside(node):
+            if self._inside(node) or self.fusions.inside(i):
                 continue
             whole = self._segment(node)
             if whole is not None:
                 chains[i] = whole
                 continue
             parts = []
-            for side, link in ((node.root_side, self.joints[i].parent), (node.end_side, i + 1)):
+            run = self.fusions.run_at(i)
+            for side, link in zip(self.fusions.sides(node), self._ends(run), strict=True):
                 if side is None:
                     part = _bare(link, p)
                     if link > 0:
@@ -115,7 +122,7 @@ class AdaPlanner:
                 parts.append(part)
             for part in parts:
                 self._send_chain(part, p)
-            chains[i] = self._join(i, p, parts[0], parts[1])
+            chains[i] = self._join(run, p, parts[0], parts[1])
         return chains[self.schedule.root.joint]
 
     def _inside(self, node: Node) -> bool:  # noqa: ARG002 (form ada has no segments)
@@ -147,8 +154,13 @@ class AdaPlanner:
         self.steps[message.source].append(Send(number))
         self.steps[message.target].append(Receive(number))
 
-    def _join(self, i: int, process: int, a: Chain, b: Chain) -> Chain:
-        parent, child = self.joints[i].parent, i + 1
+    def _ends(self, run: Run) -> tuple[int, int]:
+        """The links that a joint, or a run of joints, joins."""
+        return self.joints[run[0]].parent, run[-1] + 1
+
+    def _join(self, run: Run, process: int, a: Chain, b: Chain) -> Chain:
+        i = run[-1]
+        parent, child = self._ends(run)
         self.open[parent] -= 1
         self.open[child] -= 1
         gone = {link for link in (parent, child) if self.open[link] == 0}
@@ -180,19 +192,18 @@ class AdaPlanner:
             whole.biases[h] = Bias(i, h)
         at_child = b.block(child, child)
         assert at_child is not None  # the child link is a handle of B until this very join
-        self.steps[process].append(
-            Join(
-                i,
-                a.block(parent, parent),
-                a.biases.get(parent),
-                at_child,
-                b.biases[child],
-                tuple(couplings),
-                tuple(blocks),
-                tuple(biases),
-                velocity_product=parent > 0,
-            )
+        join = Join(
+            i,
+            a.block(parent, parent),
+            a.biases.get(parent),
+            at_child,
+            b.biases[child],
+            tuple(couplings),
+            tuple(blocks),
+            tuple(biases),
+            velocity_product=parent > 0,
         )
+        self.steps[process].append(join if len(run) == 1 else FusedJoin(**vars(join), run=run))
         return whole
 
     # --- disassembly ---------------------------------------------------------------------------
@@ -209,9 +220,9 @@ class AdaPlanner:
             assert i is not None  # bare links are never pushed
             updates = []
             below = []
-            for side, part, at in zip(
-                "AB", chain.parts, (self.joints[i].parent, i + 1), strict=True
-            ):
+            join = joins[i]
+            ends = self._ends(join.run if isinstance(join, FusedJoin) else (i,))
+            for side, part, at in zip("AB", chain.parts, ends, strict=True):
                 if part.joint is None:
                     continue
                 inner = {h: forces[h] for h in part.biases if h in forces}
@@ -219,7 +230,7 @@ class AdaPlanner:
                     inner[at] = Force(part.joint, at)
                     updates.append(ForceUpdate(inner[at], forces.get(at), side))
                 below.append((part, inner))
-            outer = tuple(forces[coupling.handle] for coupling in joins[i].couplings)
+            outer = tuple(forces[coupling.handle] for coupling in join.couplings)
             self.steps[chain.process].append(Disassemble(i, outer, tuple(updates)))
             for part, inner in below:
                 if part.process != chain.process and inner:

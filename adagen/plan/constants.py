@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from dataclasses import asdict
 
 import numpy as np
 
 from adagen.errors import InputError
 from adagen.exact import Exact, exact, identity, rounded, skew
-from adagen.model import Inertia, Model, canonical
-from adagen.plan.types import PlanJoint, PlanLink
+from adagen.model import Inertia, Model, Passive, canonical
+from adagen.plan.types import PlanJoint, PlanLink, PlanWrench
 
 WAY_OUT = (
-    "joining it as a link of its own inverts its inertia: use form segment without a cut beside it,"
-    " give it mass and rotational inertia about three axes, or make one of its joints fixed"
+    "joining it as a link of its own inverts its inertia: use a schedule that adagen finds, or form"
+    " segment without a cut beside it, give it mass and rotational inertia about three axes, or"
+    " make one of its joints fixed"
 )
 
 
@@ -49,8 +51,23 @@ def joints_of(model: Model) -> tuple[PlanJoint, ...]:
             None
             if joint.mimic is None
             else (joint.mimic.source, joint.mimic.multiplier, joint.mimic.offset),
+            **asdict(Passive() if joint.prescribed else joint.passive),
+            prescribed=joint.prescribed,
         )
         for j, joint in enumerate(robot.joints)
+    )
+
+
+def wrenches_of(model: Model) -> tuple[PlanWrench, ...]:
+    """Return a model's outer forces in canonical frames."""
+    return tuple(
+        PlanWrench(
+            wrench.frame.name,
+            wrench.link,
+            _rows(wrench.frame.rotation),
+            _tuple(wrench.frame.translation),
+        )
+        for wrench in (canonical(model).wrenches if model.wrenches else ())
     )
 
 

@@ -9,18 +9,22 @@ neighbours.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.errors import InputError
-from adagen.model import Inertia, Model, canonical
+from adagen.model import Model, canonical
+from adagen.model.fuse import Run, settled
 from adagen.model.kinds import KINDS
-from adagen.plan.constants import inverse_inertia, joints_of
+from adagen.plan.clusters import is_regular, spatial_inertia
+from adagen.plan.constants import joints_of
+from adagen.plan.fused_frame import joint_coordinates, run_motion
 from adagen.plan.growth import generic_configuration, lost_mobility
-from adagen.plan.interpret import motion_transform, placement
+from adagen.plan.placement import motion_transform, placement
 
 Array = NDArray[Any]
 
@@ -30,44 +34,74 @@ SMALLEST_MASS = {"double": 1e-5, "float": 1e-3}
 _NEAR = 3  # joints to links that a link's mass is compared with
 
 
-def cuttable_joints(model: Model, scalar: str = "double") -> tuple[bool, ...]:
-    """Return for each joint whether two processes may meet there; length N."""
-    robot = _Robot(model)
+def cuttable_joints(
+    model: Model, scalar: str = "double", joints: Sequence[Run] | None = None
+) -> tuple[bool, ...]:
+    """Return for each joint whether two processes may meet there; length N.
+
+    Args:
+        model: the robot.
+        scalar: "double" or "float".
+        joints: the joints in question, each a run of joints that are joined as one; if not given,
+            all joints by themselves.
+    """
+    whole = [(j,) for j in range(len(model.joints))] if joints is None else list(joints)
+    robot = _Robot(settled(model, [run for run in whole if len(run) > 1]), whole)
     condition = np.maximum(robot.condition(1), robot.condition(2))
     growth = np.maximum(robot.growth(1), robot.growth(2))
     good = (condition <= LARGEST_CONDITION[scalar]) & (growth <= LARGEST_GROWTH[scalar])
-    heavy = [ratio >= SMALLEST_MASS[scalar] for ratio in _mass_ratios(model)]
+    heavy = robot.mass_ratios() >= SMALLEST_MASS[scalar]
     return tuple(
-        bool(good[j]) and heavy[j + 1] and heavy[joint.parent]
-        for j, joint in enumerate(model.joints)
+        bool(good[k] and heavy[joint.child] and heavy[joint.parent])
+        for k, joint in enumerate(robot.joints)
     )
 
 
-def _mass_ratios(model: Model) -> list[float]:
-    """Return each link's mass relative to the heaviest one near it; 1 for the ground."""
-    mass = [0.0, *(link.inertia.mass for link in model.links[1:])]
-    heaviest = list(mass)
-    for _ in range(_NEAR):
-        reach = list(heaviest)
-        for j, joint in enumerate(model.joints):
-            if joint.parent > 0:
-                reach[joint.parent] = max(reach[joint.parent], heaviest[j + 1])
-                reach[j + 1] = max(reach[j + 1], heaviest[joint.parent])
-        heaviest = reach
-    return [
-        1.0,
-        *(m / most if most else 0.0 for m, most in zip(mass[1:], heaviest[1:], strict=True)),
-    ]
+@dataclass(frozen=True)
+class _Joint:
+    """A joint or a run of joints, in coordinates in which its motions are unit vectors."""
+
+    run: Run
+    parent: int
+    child: int
+    free: list[int]
+    constrained: list[int]
+    free_floating: bool
 
 
 class _Robot:
     """A model's inertias and joints in canonical frames."""
 
-    def __init__(self, model: Model) -> None:
-        self.joints = joints_of(model)
-        links = canonical(model).links
-        self.inertia = [spatial_inertia(link.inertia) for link in links]
-        self.regular = [True, *(_is_regular(link.inertia, link.name) for link in links[1:])]
+    def __init__(self, model: Model, runs: Sequence[Run]) -> None:
+        self.members = joints_of(model)
+        self.links = canonical(model).links
+        self.joints = [self._joint(run) for run in runs]
+        self.inertia = [spatial_inertia(link.inertia) for link in self.links]
+        self.regular = [True, *(is_regular(link.inertia) for link in self.links[1:])]
+
+    def _joint(self, run: Run) -> _Joint:
+        first, kind = self.members[run[0]], KINDS[self.members[run[-1]].kind]
+        free, constrained = list(kind.free), list(kind.constrained)
+        if len(run) > 1:
+            n = sum(KINDS[self.members[j].kind].nv for j in run)
+            free, constrained = list(range(n)), list(range(n, 6))
+        alone = len(run) == 1 and first.parent == 0 and kind.name == "floating"
+        return _Joint(run, first.parent, run[-1] + 1, free, constrained, alone)
+
+    def mass_ratios(self) -> Array:
+        """Return each link's mass relative to the heaviest one near it; 1 for the ground."""
+        mass = np.array([0.0, *(link.inertia.mass for link in self.links[1:])])
+        heaviest = mass.copy()
+        for _ in range(_NEAR):
+            reach = heaviest.copy()
+            for joint in self.joints:
+                if joint.parent > 0:
+                    reach[joint.parent] = max(reach[joint.parent], heaviest[joint.child])
+                    reach[joint.child] = max(reach[joint.child], heaviest[joint.parent])
+            heaviest = reach
+        ratios: Array = np.divide(mass, heaviest, out=np.zeros_like(mass), where=heaviest > 0)
+        ratios[0] = 1.0
+        return ratios
 
     def condition(self, seed: int) -> Array:
         """Return what inverting I^A beside each joint costs in one configuration, shape (N,).
@@ -76,25 +110,25 @@ class _Robot:
         all above it unless the ground holds that, scaled to a unit diagonal (units are mixed).
         """
         n = len(self.joints)
-        q = generic_configuration(self.joints, seed)
-        x = [self._transform(j, q) for j in range(n)]
+        frames = self._frames(seed)
         below = [inertia.copy() for inertia in self.inertia]
         handed = [np.zeros((6, 6))] * n
-        for j in reversed(range(n)):
-            handed[j] = x[j].T @ self._projected(j, below[j + 1]) @ x[j]
-            below[self.joints[j].parent] += handed[j]
-        above: list[Array | None] = [None] * (n + 1)  # what reaches a link from above; None: ground
+        for k in reversed(range(n)):
+            joint, (x, y) = self.joints[k], frames[k]
+            handed[k] = x.T @ self._projected(joint, _seen(below[joint.child], y)) @ x
+            below[joint.parent] += handed[k]
+        above: dict[int, Array | None] = {0: None}  # what reaches a link from above; None: ground
         result = np.ones(n)
-        for j, joint in enumerate(self.joints):
-            result[j] = _scaled_condition(below[j + 1])
+        for k, (joint, (x, y)) in enumerate(zip(self.joints, frames, strict=True)):
+            result[k] = _scaled_condition(below[joint.child])
             coming = above[joint.parent]
-            if joint.parent == 0 and joint.kind == "floating":
-                above[j + 1] = np.zeros((6, 6))  # nothing holds the link
+            above[joint.child] = None
+            if joint.free_floating:
+                above[joint.child] = np.zeros((6, 6))  # nothing holds the link
             elif joint.parent > 0 and coming is not None:
-                rest = below[joint.parent] - handed[j] + coming
-                result[j] = max(result[j], _scaled_condition(rest))
-                back = np.linalg.inv(x[j])
-                above[j + 1] = self._projected(j, back.T @ rest @ back)
+                rest = below[joint.parent] - handed[k] + coming
+                result[k] = max(result[k], _scaled_condition(rest))
+                above[joint.child] = y.T @ self._projected(joint, _seen(rest, x)) @ y
         return result
 
     def growth(self, seed: int) -> Array:
@@ -105,62 +139,71 @@ class _Robot:
         the two bare links, either way round. Infinite beside a link of singular inertia.
         """
         n = len(self.joints)
-        q = generic_configuration(self.joints, seed)
-        x = [self._transform(j, q) for j in range(n)]
-        onto_parent = [x[j].T @ self._projected(j, self.inertia[j + 1]) @ x[j] for j in range(n)]
-        onto_child = [np.zeros((6, 6))] * n
+        frames = self._frames(seed)
+        onto_parent, onto_child = [np.zeros((6, 6))] * n, [np.zeros((6, 6))] * n
         near = [inertia.copy() for inertia in self.inertia]
-        for j, joint in enumerate(self.joints):
-            near[joint.parent] += onto_parent[j]
+        for k, (joint, (x, y)) in enumerate(zip(self.joints, frames, strict=True)):
+            onto_parent[k] = x.T @ self._projected(joint, _seen(self.inertia[joint.child], y)) @ x
+            near[joint.parent] += onto_parent[k]
             if joint.parent > 0:
-                back = np.linalg.inv(x[j])
-                seen = back.T @ self.inertia[joint.parent] @ back
-                onto_child[j] = self._projected(j, seen)
-                near[j + 1] += onto_child[j]
+                seen = _seen(self.inertia[joint.parent], x)
+                onto_child[k] = y.T @ self._projected(joint, seen) @ y
+                near[joint.child] += onto_child[k]
         result = np.full(n, np.inf)
-        for j, joint in enumerate(self.joints):
-            rows = list(KINDS[joint.kind].constrained)
-            if not (self.regular[joint.parent] and self.regular[j + 1]):
+        for k, (joint, (x, y)) in enumerate(zip(self.joints, frames, strict=True)):
+            rows = joint.constrained
+            if not (self.regular[joint.parent] and self.regular[joint.child]):
                 continue
-            child = np.linalg.inv(self.inertia[j + 1])
-            held = np.linalg.inv(near[j + 1] - onto_child[j])
+            child = y @ np.linalg.inv(self.inertia[joint.child]) @ y.T
             with suppress(np.linalg.LinAlgError):  # so unequal that double cannot tell: infinite
+                held = y @ np.linalg.inv(near[joint.child] - onto_child[k]) @ y.T
                 if joint.parent == 0:
-                    result[j] = _largest_ratio(rows, (child, held))
+                    result[k] = _largest_ratio(rows, (child, held))
                 else:
-                    parent = x[j] @ np.linalg.inv(self.inertia[joint.parent]) @ x[j].T
-                    rest = np.linalg.inv(near[joint.parent] - onto_parent[j])
-                    held = held + x[j] @ rest @ x[j].T
+                    parent = x @ np.linalg.inv(self.inertia[joint.parent]) @ x.T
+                    rest = np.linalg.inv(near[joint.parent] - onto_parent[k])
+                    held = held + x @ rest @ x.T
                     pairs = ((child, parent), (parent, child), (child + parent, held))
-                    result[j] = _largest_ratio(rows, *pairs)
+                    result[k] = _largest_ratio(rows, *pairs)
         return result
 
-    def _projected(self, j: int, inertia: Array) -> Array:
+    @staticmethod
+    def _projected(joint: _Joint, inertia: Array) -> Array:
         """What of an inertia on one side of a joint is felt on the other."""
-        free = list(KINDS[self.joints[j].kind].free)
+        free = joint.free
         d = inertia[np.ix_(free, free)]
         return inertia - inertia[:, free] @ np.linalg.pinv(d) @ inertia[free]
 
+    def _frames(self, seed: int) -> list[tuple[Array, Array]]:
+        """The transforms into a joint's coordinates, from its parent and its child link."""
+        q = generic_configuration(self.members, seed)
+        frames = []
+        for joint in self.joints:
+            kinds = [KINDS[self.members[j].kind] for j in joint.run]
+            x, s = run_motion([self._transform(j, q) for j in joint.run], kinds)
+            y = np.eye(6) if len(kinds) == 1 else joint_coordinates(s)[0]
+            frames.append((y @ x, y))
+        return frames
+
     def _transform(self, j: int, q: Array) -> Array:
-        joint = self.joints[j]
+        joint = self.members[j]
         kind = KINDS[joint.kind]
         turn, shift = placement(kind, q[joint.q : joint.q + kind.nq])
         base = np.array(joint.rotation)
         return motion_transform((base @ turn).T, np.array(joint.translation) + base @ shift)
 
 
+def _seen(inertia: Array, x: Array) -> Array:
+    """An inertia in the coordinates that x leads to."""
+    back = np.linalg.inv(x)
+    result: Array = back.T @ inertia @ back
+    return result
+
+
 def _largest_ratio(rows: list[int], *pairs: tuple[Array, Array]) -> float:
     """The largest generalised eigenvalue of pairs of mobilities, at the constrained rows."""
     at = np.ix_(rows, rows)
     return max((lost_mobility(a[at], b[at]) for a, b in pairs), default=1.0) if rows else 1.0
-
-
-def _is_regular(inertia: Inertia, name: str) -> bool:
-    try:
-        inverse_inertia(inertia, name)
-    except InputError:
-        return False
-    return True
 
 
 def _scaled_condition(inertia: Array) -> float:
@@ -170,15 +213,3 @@ def _scaled_condition(inertia: Array) -> float:
     scale = 1.0 / np.sqrt(diagonal)
     values = np.linalg.eigvalsh(inertia * np.outer(scale, scale))
     return float(values[-1] / values[0]) if values[0] > 0 else np.inf
-
-
-def spatial_inertia(inertia: Inertia) -> Array:
-    """Return the spatial inertia at the link's origin, [angular; linear], shape (6, 6)."""
-    c = inertia.com
-    cx = np.array([[0.0, -c[2], c[1]], [c[2], 0.0, -c[0]], [-c[1], c[0], 0.0]])
-    result = np.zeros((6, 6))
-    result[:3, :3] = inertia.tensor - inertia.mass * cx @ cx
-    result[:3, 3:] = inertia.mass * cx
-    result[3:, :3] = -inertia.mass * cx
-    result[3:, 3:] = inertia.mass * np.eye(3)
-    return result

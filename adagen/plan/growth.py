@@ -15,10 +15,12 @@ from numpy.typing import NDArray
 
 from adagen.model import Inertia
 from adagen.model.kinds import KINDS
+from adagen.plan.clusters import is_solid
 from adagen.plan.constants import inverse_inertia
 from adagen.plan.interpret import execute
+from adagen.plan.interpret_join import Joined
 from adagen.plan.steps import Join
-from adagen.plan.types import Plan, PlanJoint, PlanLink
+from adagen.plan.types import Plan, PlanJoint
 
 EPSILON = {"double": 2.0**-53, "float": 2.0**-24}
 
@@ -58,31 +60,35 @@ def _growth(plan: Plan, seed: int) -> Growth:
     for process, memory in zip(plan.processes, memories, strict=True):
         for step in process.steps:
             if isinstance(step, Join):
-                phi = memory["join", step.joint][5]
-                values[step.joint] = _lost(plan, step.joint, memory["X", step.joint], phi)
+                values[step.joint] = _lost(plan, memory["join", step.joint])
     if not values:
         return Growth(EPSILON[plan.scalar], 0, 1.0)
     worst = max(values, key=lambda joint: (values[joint], -joint))
     return Growth(EPSILON[plan.scalar] * sum(values.values()), worst, values[worst])
 
 
-def _lost(plan: Plan, j: int, x: NDArray[np.float64], assembled: NDArray[np.float64]) -> float:
-    rows = list(KINDS[plan.joints[j].kind].constrained)
-    if not rows:
-        return 1.0
-    bare = _bare_mobility(plan.links[j + 1])
-    if plan.joints[j].parent > 0:
-        bare = bare + x @ _bare_mobility(plan.links[plan.joints[j].parent]) @ x.T
-    at = np.ix_(rows, rows)
+def _lost(plan: Plan, joined: Joined) -> float:
+    frame, bare = joined.frame, joined.frame.give
+    ends = ((plan.joints[frame.run[0]].parent, frame.x), (frame.run[-1] + 1, frame.y))
+    for number, x in ends:
+        if number > 0:
+            own = _bare_mobility(plan, number)
+            if own is None or not frame.constrained:
+                return 1.0
+            bare = bare + x @ own @ x.T
+    at = np.ix_(frame.constrained, frame.constrained)
     try:
-        return lost_mobility(bare[at], assembled[at])
+        return lost_mobility(bare[at], joined.phi[at])
     except np.linalg.LinAlgError:
         return np.inf
 
 
-def _bare_mobility(link: PlanLink) -> NDArray[np.float64]:
+def _bare_mobility(plan: Plan, number: int) -> NDArray[np.float64] | None:
+    """A link's mobility; None where it has none of its own and is joined with others at once."""
+    link = plan.links[number]
     inertia = Inertia(link.mass, np.array(link.com), np.array(link.tensor))
-    return inverse_inertia(inertia, link.name)[1]
+    places = [joint.translation for joint in plan.joints if joint.parent == number]
+    return inverse_inertia(inertia, link.name)[1] if is_solid(inertia, places) else None
 
 
 def lost_mobility(bare: NDArray[Any], assembled: NDArray[Any]) -> float:

@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.model.kinds import KINDS, JointKind
+from adagen.model.kinds import HELD, KINDS, JointKind
+from adagen.plan.interpret_join import Joined, JointFrame, joint_frame
 from adagen.plan.interpret_segment import SegmentMachine
+from adagen.plan.placement import cross_motion, motion_transform, placement
 from adagen.plan.steps import (
     ApplyCoupling,
     Bias,
@@ -39,7 +41,7 @@ def interpret(plan: Plan, q: Array, v: Array, tau: Array) -> Array:
         plan: the plan.
         q: configuration, shape (nq,).
         v: velocity, shape (nv,).
-        tau: joint torques and forces, shape (nv,).
+        tau: joint torques and forces (prescribed joints: accelerations), then outer forces.
 
     Returns:
         Accelerations, shape (nv,).
@@ -194,12 +196,36 @@ class Machine:
         tensor, inverse = np.array(link.tensor), np.array(link.tensor_inverse)
         al = -inverse @ np.cross(w, tensor @ w)
         linear = -np.cross(al, c) - np.cross(w, np.cross(w, c)) - np.cross(w, v)
-        self.memory[Bias(None, number)] = self.column(np.concatenate([al, linear]))
+        pushed = np.array(link.phi) @ self.push(number)
+        self.memory[Bias(None, number)] = self.column(np.concatenate([al, linear]) + pushed)
+
+    def push(self, link: int) -> Array:
+        """Outer wrench [moment; force] on a link at its origin."""
+        result = np.zeros(6)
+        start = sum(KINDS[joint.kind].nv for joint in self.plan.joints)
+        for k, wrench in enumerate(self.plan.wrenches):
+            if wrench.link == link:
+                given = self.tau[start + 6 * k : start + 6 * k + 6]
+                turn = np.array(wrench.rotation)
+                force = turn @ given[:3]
+                moment = turn @ given[3:] + np.cross(np.array(wrench.translation), force)
+                result += np.concatenate([moment, force])
+        return result
+
+    def kind(self, j: int) -> JointKind:
+        """What a joint leaves free: nothing where its acceleration is prescribed."""
+        joint = self.plan.joints[j]
+        return HELD if joint.prescribed else KINDS[joint.kind]
 
     def velocity_product(self, j: int) -> Array:
-        """C = v x S qd of a joint."""
+        """C = v x S qd of a joint, and S qdd where that is prescribed."""
         velocity = self.memory["velocity", j + 1]
-        return self.column(cross_motion(velocity, self.memory["motion", j]))
+        c = self.column(cross_motion(velocity, self.memory["motion", j]))
+        joint = self.plan.joints[j]
+        if joint.prescribed:
+            kind = KINDS[joint.kind]
+            c[list(kind.free), 0] += self.tau[joint.v : joint.v + kind.nv]
+        return c
 
     def _block(self, block: Block, transposed: bool = False) -> Array:
         if block.joint is None:
@@ -211,8 +237,14 @@ class Machine:
     def torques(self, j: int) -> Array:
         """Torques of joint j, shape (n, columns): its own, then those of the coupling rows."""
         joint = self.plan.joints[j]
-        n = KINDS[joint.kind].nv
+        n = self.kind(j).nv
         result = self.column(self.tau[joint.v : joint.v + n])
+        qd = self.v[joint.v : joint.v + n]
+        result[:, 0] -= joint.damping * qd
+        if joint.friction:
+            result[:, 0] -= joint.friction * np.tanh(qd / joint.friction_speed)
+        if joint.stiffness:
+            result[0, 0] -= joint.stiffness * (self.q[joint.q] - joint.rest)
         for column, slaved in enumerate(self.plan.slaved, start=1):
             mimic = self.plan.joints[slaved].mimic
             assert mimic is not None
@@ -222,27 +254,37 @@ class Machine:
                 result[0, column] = -mimic[1]
         return result
 
+    def own_frame(self, j: int) -> JointFrame:
+        """The frame that a joint by itself is joined in."""
+        kind, rotor = self.kind(j), self.plan.joints[j].rotor_inertia
+        c, tau = self.velocity_product(j), self.torques(j)
+        give = np.zeros((6, 6))
+        if rotor:  # the rotor gives way, S qdd = S J^-1 (tau - S^T f): nothing is free
+            give[kind.free, kind.free] = 1.0 / rotor
+            c[list(kind.free)] += tau / rotor
+            kind, tau = HELD, tau[:0]
+        free, constrained, x = list(kind.free), list(kind.constrained), self.memory["X", j]
+        return JointFrame((j,), x, np.eye(6), free, constrained, c, tau, give)
+
     def _join(self, step: Join) -> None:
-        kind = KINDS[self.plan.joints[step.joint].kind]
-        free, constrained = list(kind.free), list(kind.constrained)
-        x = self.memory["X", step.joint]
-        c = self.velocity_product(step.joint)
-        tau = self.torques(step.joint)
+        frame = joint_frame(self, step)
+        x, y, free, constrained = frame.x, frame.y, frame.free, frame.constrained
+        tau = frame.tau
         phi_a = np.zeros((6, 6)) if step.a is None else x @ self._block(step.a) @ x.T
         b_a = x @ (self.ground() if step.a_bias is None else self.memory[step.a_bias])
-        phi = phi_a + self._block(step.b)
-        beta = b_a - self.memory[step.b_bias] + c - phi[:, free] @ tau
+        phi = phi_a + y @ self._block(step.b) @ y.T + frame.give
+        beta = b_a - y @ self.memory[step.b_bias] + frame.c - phi[:, free] @ tau
         m = phi[np.ix_(constrained, constrained)]
         lower = np.linalg.cholesky(m) if constrained else m
         z0 = np.linalg.solve(lower, beta[constrained]) if constrained else beta[constrained]
         z: dict[int, Array] = {}
-        y: dict[int, Array] = {}
+        free_rows: dict[int, Array] = {}
         for coupling in step.couplings:
             phi_ij = self._block(coupling.source, coupling.transposed)
-            phi_ij = x @ phi_ij if coupling.side == "A" else phi_ij
+            phi_ij = (x if coupling.side == "A" else y) @ phi_ij
             rows = phi_ij[constrained]
             z[coupling.handle] = np.linalg.solve(lower, rows) if constrained else rows
-            y[coupling.handle] = phi_ij[free]
+            free_rows[coupling.handle] = phi_ij[free]
         for block in step.blocks:
             product = z[block.target.row].T @ z[block.target.column]
             if block.across:
@@ -253,36 +295,44 @@ class Machine:
         for bias in step.biases:
             h = bias.target.handle
             sign = -1.0 if bias.side == "A" else 1.0
-            change = z[h].T @ z0 + y[h].T @ tau
+            change = z[h].T @ z0 + free_rows[h].T @ tau
             self.memory[bias.target] = self.memory[bias.source] + sign * change
-        self.memory["join", step.joint] = (step, lower, z0, z, y, phi, beta, tau)
+        self.memory["join", step.joint] = Joined(step, frame, lower, z0, z, free_rows, phi, beta)
 
     def _disassemble(self, step: Disassemble) -> None:
-        joint = self.plan.joints[step.joint]
-        kind = KINDS[joint.kind]
-        free, constrained = list(kind.free), list(kind.constrained)
-        join, lower, z0, z, y, phi, beta, tau = self.memory["join", step.joint]
-        right, qdd = z0.copy(), -beta[free]
-        for coupling, name in zip(join.couplings, step.forces, strict=True):
+        i: Joined = self.memory["join", step.joint]
+        frame, free, constrained = i.frame, i.frame.free, i.frame.constrained
+        right, qdd = i.z0.copy(), -i.beta[free]
+        for coupling, name in zip(i.step.couplings, step.forces, strict=True):
             force = self.memory[name]
             sign = 1.0 if coupling.side == "A" else -1.0
-            right += sign * z[coupling.handle] @ force
-            qdd -= sign * y[coupling.handle] @ force
-        n = np.linalg.solve(lower.T, right) if constrained else right
-        qdd += phi[np.ix_(free, constrained)] @ n
+            right += sign * i.z[coupling.handle] @ force
+            qdd -= sign * i.y[coupling.handle] @ force
+        n = np.linalg.solve(i.lower.T, right) if constrained else right
+        qdd += i.phi[np.ix_(free, constrained)] @ n
         f = np.zeros((6, self.columns))
         f[constrained] = n
-        f[free] = tau
-        self.memory["force", step.joint] = f
+        f[free] = frame.tau
         for update in step.updates:
             acting = 0.0 if update.source is None else self.memory[update.source]
-            x = self.memory["X", step.joint]
-            self.memory[update.target] = acting + (-x.T @ f if update.side == "A" else f)
-        self.accelerate(step.joint, qdd)
+            felt = -frame.x.T @ f if update.side == "A" else frame.y.T @ f
+            self.memory[update.target] = acting + felt
+        f = frame.y.T @ f
+        for j in reversed(frame.run):  # a link without mass hands on what it gets
+            self.memory["force", j] = f
+            f = self.memory["X", j].T @ f
+        rotor = self.plan.joints[step.joint].rotor_inertia
+        if rotor:
+            f_own = self.memory["force", step.joint][list(self.kind(step.joint).free)]
+            qdd = (self.torques(step.joint) - f_own) / rotor
+        for j, rows in zip(frame.run, frame.parts(self.plan.joints), strict=True):
+            self.accelerate(j, qdd[rows])
 
     def accelerate(self, j: int, qdd: Array) -> None:
         """Keep a joint's accelerations, shape (n, columns); with slaved joints they come later."""
         joint = self.plan.joints[j]
+        if joint.prescribed:
+            qdd = self.column(self.tau[joint.v : joint.v + KINDS[joint.kind].nv])
         self.memory["qdd", j] = qdd
         if not self.plan.slaved:
             self.qdd[joint.v : joint.v + KINDS[joint.kind].nv] = qdd[:, 0]
@@ -305,42 +355,3 @@ class Machine:
                 joint = self.plan.joints[name[1]]
                 n = KINDS[joint.kind].nv
                 self.qdd[joint.v : joint.v + n] = qdd[:, 0] + qdd[:, 1:] @ torques
-
-
-def motion_transform(e: Array, r: Array) -> Array:
-    """Return X = [[E, 0], [-E rx, E]] for a rotation E (3x3) and the child origin r (3,)."""
-    x = np.zeros((6, 6))
-    x[:3, :3] = x[3:, 3:] = e
-    rx = np.array([[0.0, -r[2], r[1]], [r[2], 0.0, -r[0]], [-r[1], r[0], 0.0]])
-    x[3:, :3] = -e @ rx
-    return x
-
-
-def cross_motion(v: Array, m: Array) -> Array:
-    """Return v x m of two motion vectors [angular; linear]."""
-    linear = np.cross(v[:3], m[3:]) + np.cross(v[3:], m[:3])
-    return np.concatenate([np.cross(v[:3], m[:3]), linear])
-
-
-def placement(kind: JointKind, q: Array) -> tuple[Array, Array]:
-    """Rotation and origin of the child frame in the canonical joint frame."""
-    turn, shift = np.eye(3), np.zeros(3)
-    if kind.quaternion is not None:
-        x, y, z, w = q[kind.quaternion :] / np.linalg.norm(q[kind.quaternion :])
-        turn = np.array(
-            [
-                [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-                [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-                [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-            ]
-        )
-        shift = q[: kind.quaternion] if kind.quaternion else shift
-    elif kind.name == "prismatic":
-        shift = np.array([0.0, 0.0, q[0]])
-    else:
-        angle = q[-1]
-        c, s = np.cos(angle), np.sin(angle)
-        turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-        if kind.name == "planar":
-            shift = np.array([q[0], q[1], 0.0])
-    return turn, shift

@@ -16,8 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model.kinds import KINDS
-from adagen.plan.interpret import Machine, placement, run_machines, with_slaved
+from adagen.plan.interpret import Machine, run_machines, with_slaved
 from adagen.plan.interpret_segment import SegmentMachine
+from adagen.plan.placement import placement
+from adagen.plan.refine import refinable
 from adagen.plan.steps import Accelerate, Bias, FreeAcceleration, Step
 from adagen.plan.types import Plan
 
@@ -53,7 +55,9 @@ def interpret_refined(
 
     Raises:
         FloatingPointError: a factorization failed; the message names the joint.
+        UsageError: the plan cannot be refined.
     """
+    plan = refinable(plan)
     q, v = with_slaved(plan, q, v)
     chain = _Links(plan, q, v, wide)
     answer = _solve(plan, q, v, np.asarray(tau, dtype=float), None)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.model.kinds import KINDS
+from adagen.model.kinds import JointKind
 from adagen.plan.steps import (
     Accelerate,
     AccelerateRoot,
@@ -91,8 +91,12 @@ class SegmentMachine:
             case Accelerate():
                 self._accelerate(step)
 
-    def _kind(self, j: int) -> Any:
-        return KINDS[self.machine.plan.joints[j].kind]
+    def _kind(self, j: int) -> JointKind:
+        return self.machine.kind(j)
+
+    def _rotor(self, j: int) -> Array:
+        """Rotor inertia of a joint, shape (n, n)."""
+        return np.eye(self._kind(j).nv) * self.machine.plan.joints[j].rotor_inertia
 
     def _ends(self, step: Articulate | Propagate | Deliver | Accelerate) -> tuple[int, int, float]:
         """Near link, far link and sigma of a joint."""
@@ -115,7 +119,7 @@ class SegmentMachine:
             [np.cross(w, momentum[:3]) + np.cross(v, momentum[3:]), np.cross(w, momentum[3:])]
         )
         self.memory["IA", number] = inertia
-        self.memory["pA", number] = self.machine.column(force)
+        self.memory["pA", number] = self.machine.column(force - self.machine.push(number))
 
     def _articulate(self, step: Articulate) -> None:
         near, far, sigma = self._ends(step)
@@ -128,17 +132,20 @@ class SegmentMachine:
             inertia, p = back.T @ inertia @ back, back.T @ p
         c = self.machine.velocity_product(step.joint)
         tau = self.machine.torques(step.joint)
-        d = inertia[np.ix_(free, free)]
+        rotor = self._rotor(step.joint)
+        d = inertia[np.ix_(free, free)] + rotor
         u = sigma * tau - p[free]
         scaled = np.linalg.solve(d, inertia[free])  # D^-1 U^T
         self.memory["articulated", step.joint] = (d, u, scaled)
         if near == 0:
             return  # the ground does not feel it
-        handed = np.zeros((6, 6))  # exact projection: rows and columns of S stay zero
+        handed = np.zeros((6, 6))  # exact projection: rows and columns of S hold the rotor alone
         rows = np.ix_(constrained, constrained)
         handed[rows] = inertia[rows] - inertia[np.ix_(constrained, free)] @ scaled[:, constrained]
+        handed[free] = rotor @ scaled
+        handed[:, free] = handed[free].T
         force = np.zeros_like(p)
-        force[free] = sigma * tau
+        force[free] = sigma * tau - rotor @ np.linalg.solve(d, u) + sigma * handed[free] @ c
         force[constrained] = (
             p[constrained]
             + inertia[np.ix_(constrained, free)] @ np.linalg.solve(d, u)
@@ -153,10 +160,10 @@ class SegmentMachine:
         """L, the far link's acceleration for a unit acceleration of the near link."""
         x = self.memory["X", step.joint]
         free = list(self._kind(step.joint).free)
-        _, _, scaled = self.memory["articulated", step.joint]
+        d, _, scaled = self.memory["articulated", step.joint]
         held = np.eye(6)
         held[free] -= scaled
-        held[np.ix_(free, free)] = 0.0
+        held[np.ix_(free, free)] = np.linalg.solve(d, self._rotor(step.joint))
         return np.linalg.inv(x) @ held if step.reversed else held @ x
 
     def _far_acceleration(

@@ -10,9 +10,11 @@ inertia. With one process this is the serial articulated-body algorithm.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from adagen.plan.ada import AdaPlanner, Chain
+from adagen.plan.fusions import Run
 from adagen.plan.steps import (
     Accelerate,
     AccelerateRoot,
@@ -71,21 +73,28 @@ class _Segment:
 class SegmentPlanner(AdaPlanner):
     """Builds the processes and messages of form `segment` from joints and a schedule."""
 
-    def __init__(self, joints: tuple[PlanJoint, ...], schedule: Schedule) -> None:
-        super().__init__(joints, schedule)
+    def __init__(
+        self, joints: tuple[PlanJoint, ...], schedule: Schedule, runs: Sequence[Run] = ()
+    ) -> None:
+        super().__init__(joints, schedule, runs)
         self.members: dict[int, list[int]] = {}  # joints below a node that are all on one process
         self.inside: set[int] = set()
         for node in postorder(schedule.root):
             parts = [self.members.get(child.joint) for child in node.children]
             same = all(child.processes[0] == node.processes[0] for child in node.children)
-            if same and None not in parts:
+            if same and None not in parts and self._belongs(node):
                 self.members[node.joint] = [
                     node.joint,
                     *(j for part in parts if part for j in part),
                 ]
+        self.fusions.leave_to(self.members)
         for node in preorder(schedule.root):
             if node.joint in self.members or node.joint in self.inside:
                 self.inside.update(child.joint for child in node.children)
+
+    def _belongs(self, node: Node) -> bool:  # noqa: ARG002 (see plan/clusters.py)
+        """Whether a node may be in one segment with those below it, process and all else equal."""
+        return True
 
     def _inside(self, node: Node) -> bool:
         return node.joint in self.inside
@@ -136,7 +145,8 @@ class SegmentPlanner(AdaPlanner):
         return _Segment(name, free, components)
 
     def _is_free(self, j: int) -> bool:
-        return self.joints[j].parent == 0 and self.joints[j].kind == "floating"
+        joint = self.joints[j]
+        return joint.parent == 0 and joint.kind == "floating" and not joint.prescribed
 
     def _reach(self, start: int, at: dict[int, list[int]]) -> list[int]:
         return [start, *(edge.far for edge in self._outwards(start, at))]

@@ -19,11 +19,11 @@ _STEPS = {step.__name__: step for step in get_args(Step)}
 def plan_to_json(plan: Plan) -> str:
     """Return a plan as JSON: numbers exact, one link, joint, step and message a line."""
     lines = [f'"format": {FORMAT}']
-    for field in fields(plan):
+    for field in _said(plan):
         value = getattr(plan, field.name)
         if field.name == "processes":
             lines.append(f'"processes": [\n{_processes(plan)}\n]')
-        elif field.name in ("links", "joints", "messages"):
+        elif field.name in ("links", "joints", "messages", "wrenches"):
             lines.append(f'"{field.name}": {_lines(_encode(item) for item in value)}')
         else:
             lines.append(f'"{field.name}": {_dump(_encode(value))}')
@@ -50,9 +50,18 @@ def _dump(value: Any) -> str:
     return json.dumps(value, allow_nan=False)
 
 
+def _said(value: Any) -> list[Any]:
+    """Return the fields of a dataclass value, without optional ones that have their default."""
+    return [
+        field
+        for field in fields(value)
+        if not (field.metadata.get("optional") and getattr(value, field.name) == field.default)
+    ]
+
+
 def _encode(value: Any) -> Any:
     if is_dataclass(value):
-        return {field.name: _encode(getattr(value, field.name)) for field in fields(value)}
+        return {field.name: _encode(getattr(value, field.name)) for field in _said(value)}
     if isinstance(value, tuple):
         return [_encode(item) for item in value]
     return value
@@ -85,10 +94,10 @@ def _decode(kind: Any, data: Any) -> Any:
         if items[-1] is Ellipsis:
             return tuple(_decode(items[0], item) for item in data)
         return tuple(_decode(k, item) for k, item in zip(items, data, strict=True))
-    if is_dataclass(kind):
+    if isinstance(kind, type) and is_dataclass(kind):
         hints = get_type_hints(kind, {**vars(plan_steps), **vars(plan_types)})
-        if not isinstance(data, dict) or set(data) != set(hints):
+        needed = {f.name for f in fields(kind) if not f.metadata.get("optional")}
+        if not isinstance(data, dict) or not needed <= set(data) <= set(hints):
             raise ValueError(f"not a {getattr(kind, '__name__', kind)}: {data!r:.80}")
-        assert isinstance(kind, type)
         return kind(**{name: _decode(hints[name], value) for name, value in data.items()})
     return data

@@ -114,6 +114,21 @@ class Join:
 
 
 @dataclass(frozen=True)
+class FusedJoin(Join):
+    """Assembly of several joints in a row as one: the links between them have no mass.
+
+    Chain A is at the parent link of the first one, chain B at the child link of the last one, in
+    whose frame S = [X_(last<-j) S_j] and c = sum X_(last<-j) (v_j x S_j qd_j). ``joint`` is the
+    last one; its disassembly gives the accelerations of all.
+
+    Attributes:
+        run: the joints, outwards.
+    """
+
+    run: tuple[int, ...]
+
+
+@dataclass(frozen=True)
 class ForceUpdate:
     """Wrench on the joined handle of a part: what acted on C there, and f_i or its reaction."""
 
@@ -308,6 +323,7 @@ Step = (
     Kinematics
     | LinkBias
     | Join
+    | FusedJoin
     | Disassemble
     | StartLink
     | StartEmpty

@@ -6,7 +6,7 @@ name are in steps.py.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from adagen.plan.steps import Bias, Block, Force, Step
 
@@ -61,6 +61,10 @@ class PlanLink:
     phi: tuple[tuple[float, ...], ...]
 
 
+OPTIONAL = {"optional": True}
+"""Marks fields that a plan's JSON leaves out where they have their default."""
+
+
 @dataclass(frozen=True)
 class PlanJoint:
     """A joint's constants.
@@ -74,6 +78,14 @@ class PlanJoint:
         rotation: of the joint frame in the parent link's frame, 3x3.
         translation: of the joint frame in the parent link's frame, 3 numbers, m.
         mimic: (source joint, multiplier, offset) where it is slaved.
+        damping: the torque at work is tau - damping qd - stiffness (q - rest)
+            - friction tanh(qd / friction_speed); N m s/rad or N s/m.
+        friction: N m or N.
+        friction_speed: rad/s or m/s.
+        stiffness: N m/rad or N/m.
+        rest: rad or m.
+        rotor_inertia: J in D = S^T U + J, kg m^2 or kg.
+        prescribed: whether tau holds its acceleration instead of its torque.
     """
 
     name: str
@@ -84,6 +96,30 @@ class PlanJoint:
     rotation: tuple[tuple[float, ...], ...]
     translation: tuple[float, ...]
     mimic: tuple[int, float, float] | None
+    damping: float = field(default=0.0, metadata=OPTIONAL)
+    friction: float = field(default=0.0, metadata=OPTIONAL)
+    friction_speed: float = field(default=0.01, metadata=OPTIONAL)
+    stiffness: float = field(default=0.0, metadata=OPTIONAL)
+    rest: float = field(default=0.0, metadata=OPTIONAL)
+    rotor_inertia: float = field(default=0.0, metadata=OPTIONAL)
+    prescribed: bool = field(default=False, metadata=OPTIONAL)
+
+
+@dataclass(frozen=True)
+class PlanWrench:
+    """An outer force [force; moment] that is an input: in tau behind all torques, 6 numbers each.
+
+    Attributes:
+        name: of the link in whose frame it is told.
+        link: the link that feels it.
+        rotation: of that frame in the link's, 3x3.
+        translation: of that frame in the link's, 3 numbers, m.
+    """
+
+    name: str
+    link: int
+    rotation: tuple[tuple[float, ...], ...]
+    translation: tuple[float, ...]
 
 
 @dataclass(frozen=True)
@@ -121,6 +157,7 @@ class Plan:
         slaved: slaved joints; each adds a right-hand side.
         processes: one entry per process.
         messages: numbered by their place.
+        wrenches: outer forces.
     """
 
     name: str
@@ -136,6 +173,7 @@ class Plan:
     slaved: tuple[int, ...]
     processes: tuple[Process, ...]
     messages: tuple[Message, ...]
+    wrenches: tuple[PlanWrench, ...] = field(default=(), metadata=OPTIONAL)
 
     @property
     def right_hand_sides(self) -> int:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from adagen.model import Model
+from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
 from adagen.predict.refine import refine
 from adagen.schedule import CostProfile, Schedule, Topology, find_schedule
@@ -37,10 +38,19 @@ def best_schedule(
     """
     topology = Topology.of(model)
     if form == "ada":
-        return find_schedule(topology, processes, profile=profile.joins_only(), **search)
-    cuttable = cuttable_joints(model, scalar)
-    found = find_schedule(topology, processes, profile=profile, cuttable=cuttable, **search)
+        profile = profile.joins_only()
+    if form == "segment" and processes == 1:
+        return find_schedule(topology, 1, profile=profile, **search)
+    seen = fold_of(model, form)
+    if not len(seen.topology):  # all one cluster
+        search["cuttable"] = [False] * len(topology)
+        return find_schedule(topology, processes, profile=profile, **search)
+    if form == "ada":
+        found = find_schedule(seen.topology, processes, profile=profile, **search)
+        return seen.unfold(found, profile)
+    cuttable = cuttable_joints(model, scalar, seen.joints)
+    found = find_schedule(seen.topology, processes, profile=profile, cuttable=cuttable, **search)
     searched = search.get("strategy", "exact") == "exact" and found.split == "always"
-    if profile.steps is None or not searched or processes == 1:
-        return found
-    return refine(model, found, profile, cuttable)
+    if profile.steps is not None and searched:
+        found = refine(model, found, profile, cuttable, seen=seen)
+    return seen.unfold(found, profile)

@@ -14,6 +14,7 @@ from adagen.plan.steps import (
     Disassemble,
     FreeAcceleration,
     FreeBase,
+    FusedJoin,
     InvertRoot,
     Join,
     Kinematics,
@@ -72,6 +73,10 @@ def features(step: Step, joints: Sequence[PlanJoint]) -> Features:
     match step:
         case Kinematics():
             return {f"kinematics.{kind}": 1}
+        case FusedJoin():
+            freedoms = sum(KINDS[joints[j].kind].nv for j in step.run)
+            own = _join(step, "spherical" if freedoms < 6 else "floating")
+            return {**own, "kinematics.revolute": len(step.run)}
         case Join():
             return _join(step, kind)
         case Disassemble():

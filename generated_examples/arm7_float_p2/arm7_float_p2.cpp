@@ -77,6 +77,7 @@ void arm7_float_p2_close(arm7_float_p2_solver* solver);
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 #if defined(__linux__)
@@ -107,6 +108,7 @@ constexpr int kProcesses = 2;
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
 constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+constexpr int kRefine = 0;  // steps of iterative refinement
 constexpr int kPlanMessages = 2;
 constexpr std::size_t kCacheLine = 64;
 constexpr bool kFloatingBase = false;
@@ -331,6 +333,7 @@ enum Failure : int {
   kOverflow = 4,        // the acceleration of a joint is not a finite number
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
+  kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -374,6 +377,8 @@ std::string describe(int status) {
       return joint() + "its acceleration is not a finite number (overflow)";
     case kEnded:
       return "the evaluations are over";
+    case kNotRefined:
+      return "refinement does not converge: the inertias differ too much for the scalar";
     case kNoAnswer:
       return "process " + std::to_string(place) + " did not answer within the time limit";
   }
@@ -2511,7 +2516,9 @@ class StatesReader {
   int depth_ = 0;
 };
 
-bool write_result(const std::string& path, const std::vector<Real>& qdd, int count) {
+// more: further members of the file, each after a comma.
+bool write_result(const std::string& path, const std::vector<Real>& qdd, int count,
+                  const std::string& more) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (file == nullptr) return false;
   std::fputs("{\"joints\": {", file);
@@ -2527,7 +2534,7 @@ bool write_result(const std::string& path, const std::vector<Real>& qdd, int cou
     }
     std::fputs("]}", file);
   }
-  std::fputs("\n}}\n", file);
+  std::fprintf(file, "\n}%s}\n", more.c_str());
   const bool good = std::ferror(file) == 0;
   return std::fclose(file) == 0 && good;
 }
@@ -3733,6 +3740,67 @@ class Simulation {
   Clock::time_point next_{}, next_shown_{};
 };
 
+// The sizes of the corrections of all states, for people and programs: errors before each step.
+class Corrections {
+ public:
+  template <class AnySolver>
+  void note([[maybe_unused]] const AnySolver& solver) {
+    if constexpr (kRefine > 0)
+      for (const double size : solver.w.refinement.corrections) sizes_.push_back(size);
+  }
+
+  // As a member of a JSON object, a comma before it; nothing without refinement.
+  std::string json() const {
+    if (sizes_.empty()) return "";
+    std::string text = ", \"refine\": {\"steps\": " + std::to_string(kRefine);
+    for (const double part : {0.5, 1.0}) {
+      text += part < 1 ? ", \"correction_median\": [" : ", \"correction_max\": [";
+      for (int k = 0; k < kRefine; ++k) text += (k == 0 ? "" : ", ") + number(at(k, part));
+      text += "]";
+    }
+    return text + "}";
+  }
+
+  // The same of every state, for the result file.
+  std::string every() const {
+    if (sizes_.empty()) return "";
+    std::string text = ", \"corrections\": [";
+    for (std::size_t s = 0; s < sizes_.size(); s += kRefine) {
+      text += s == 0 ? "[" : ", [";
+      for (std::size_t k = 0; k < kRefine; ++k) text += (k == 0 ? "" : ", ") + number(sizes_[s + k]);
+      text += "]";
+    }
+    return text + "]";
+  }
+
+  void print(std::FILE* out) const {
+    if (sizes_.empty()) return;
+    for (int k = 0; k < kRefine; ++k)
+      std::fprintf(out, "refine error before step %d: median %.1e, largest %.1e\n", k + 1,
+                   at(k, 0.5), at(k, 1));
+  }
+
+ private:
+  // Of correction k, the least value that a part of all states does not exceed.
+  double at(int k, double part) const {
+    std::vector<double> of_step;
+    for (std::size_t s = static_cast<std::size_t>(k); s < sizes_.size(); s += kRefine)
+      of_step.push_back(sizes_[s]);
+    std::sort(of_step.begin(), of_step.end());
+    const double place = part * static_cast<double>(of_step.size() - 1);
+    return of_step[static_cast<std::size_t>(place)];
+  }
+
+  // Infinity is no JSON number.
+  static std::string number(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", x);
+    return std::isfinite(x) ? text : "null";
+  }
+
+  std::vector<double> sizes_;
+};
+
 // The program around the solver: solves given states, checks, times, simulates, reports.
 
 class Program {
@@ -3769,7 +3837,7 @@ class Program {
       if (status == kDone) status = solve_all();
       if (status == kDone && session_.rank == 0) {
         const std::string path = options.result.empty() ? "/dev/stdout" : options.result;
-        if (!write_result(path, session_.qdd, session_.states.count))
+        if (!write_result(path, session_.qdd, session_.states.count, corrections_.every()))
           status = session_.complain(kFault, "cannot write the result", path);
       }
       MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
@@ -3791,6 +3859,7 @@ class Program {
       on.watch.again();
       failed = on.solver.solve(on.q(s), on.v(s), on.tau(s), on.acceleration(s));
       on.give_up_if_broken(failed);
+      corrections_.note(on.solver);
       // Processes that share no joint's motion do not hear of each other's failures by themselves.
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
       at = s;
@@ -3839,13 +3908,14 @@ class Program {
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
             residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s}\n", timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
     if (checked_)
       std::fprintf(out, "check  residual of inverse dynamics: median %.1e, largest %.1e: %s\n",
                    residual_median_, residual_max_, right ? "right" : "WRONG");
+    corrections_.print(out);
     timing_.print(out);
     simulation_.print();
   }
@@ -3853,6 +3923,7 @@ class Program {
   Session session_;
   Timing timing_{session_};
   Simulation simulation_{session_};
+  Corrections corrections_;
   bool checked_ = false;
   int solved_ = 0;
   double residual_median_ = 0, residual_max_ = 0;

@@ -34,7 +34,7 @@ class Program {
       if (status == kDone) status = solve_all();
       if (status == kDone && session_.rank == 0) {
         const std::string path = options.result.empty() ? "/dev/stdout" : options.result;
-        if (!write_result(path, session_.qdd, session_.states.count))
+        if (!write_result(path, session_.qdd, session_.states.count, corrections_.every()))
           status = session_.complain(kFault, "cannot write the result", path);
       }
       MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
@@ -56,6 +56,7 @@ class Program {
       on.watch.again();
       failed = on.solver.solve(on.q(s), on.v(s), on.tau(s), on.acceleration(s));
       on.give_up_if_broken(failed);
+      corrections_.note(on.solver);
       // Processes that share no joint's motion do not hear of each other's failures by themselves.
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
       at = s;
@@ -104,13 +105,14 @@ class Program {
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
             residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s}\n", timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
     if (checked_)
       std::fprintf(out, "check  residual of inverse dynamics: median %.1e, largest %.1e: %s\n",
                    residual_median_, residual_max_, right ? "right" : "WRONG");
+    corrections_.print(out);
     timing_.print(out);
     simulation_.print();
   }
@@ -118,6 +120,7 @@ class Program {
   Session session_;
   Timing timing_{session_};
   Simulation simulation_{session_};
+  Corrections corrections_;
   bool checked_ = false;
   int solved_ = 0;
   double residual_median_ = 0, residual_max_ = 0;

@@ -270,7 +270,9 @@ class StatesReader {
   int depth_ = 0;
 };
 
-bool write_result(const std::string& path, const std::vector<Real>& qdd, int count) {
+// more: further members of the file, each after a comma.
+bool write_result(const std::string& path, const std::vector<Real>& qdd, int count,
+                  const std::string& more) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (file == nullptr) return false;
   std::fputs("{\"joints\": {", file);
@@ -286,7 +288,7 @@ bool write_result(const std::string& path, const std::vector<Real>& qdd, int cou
     }
     std::fputs("]}", file);
   }
-  std::fputs("\n}}\n", file);
+  std::fprintf(file, "\n}%s}\n", more.c_str());
   const bool good = std::ferror(file) == 0;
   return std::fclose(file) == 0 && good;
 }

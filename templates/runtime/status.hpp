@@ -8,6 +8,7 @@ enum Failure : int {
   kOverflow = 4,        // the acceleration of a joint is not a finite number
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
+  kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -51,6 +52,8 @@ std::string describe(int status) {
       return joint() + "its acceleration is not a finite number (overflow)";
     case kEnded:
       return "the evaluations are over";
+    case kNotRefined:
+      return "refinement does not converge: the inertias differ too much for the scalar";
     case kNoAnswer:
       return "process " + std::to_string(place) + " did not answer within the time limit";
   }

@@ -28,7 +28,6 @@ from tests.models import (
     rod,
     serial_chain,
     star,
-    three_axis_chain,
 )
 from tests.schedules import random_schedule, wrapped
 
@@ -157,22 +156,14 @@ def test_json_and_back() -> None:
         assert json.loads(text)["form"] == form
 
 
-def test_massless_links_are_named_with_the_way_out() -> None:
-    model = three_axis_chain(2)
-    with pytest.raises(InputError, match=r'link ".*" has no mass; .*form segment'):
-        make_plan(model, random_schedule(model, 1, np.random.default_rng(0)), form="ada")
-
-
 def test_point_masses_are_named() -> None:
+    """Where a schedule joins one by itself."""
     model = serial_chain(3)
     point = replace(model.links[2], inertia=Inertia(1.0, np.zeros(3), np.zeros((3, 3))))
     links = (*model.links[:2], point, *model.links[3:])
+    schedule = find_schedule(Topology.of(model), 2, profile=load_profile("paper"))
     with pytest.raises(InputError, match="singular rotational inertia"):
-        make_plan(
-            replace(model, links=links),
-            random_schedule(model, 1, np.random.default_rng(0)),
-            form="ada",
-        )
+        make_plan(replace(model, links=links), schedule, form="ada")
 
 
 def test_unknown_words_are_usage_errors() -> None:

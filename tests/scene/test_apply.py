@@ -65,7 +65,7 @@ def compare(model: Model, small: Model, locked: Sequence[int], seed: int = 1) ->
     assert error < 1e-12
 
 
-@settings(max_examples=25)
+@settings(max_examples=25, deadline=None)
 @given(st.integers(0, 10**6), st.integers(3, 12))
 def test_locked_joints_of_any_kind_are_those_held_at_rest(seed: int, n: int) -> None:
     rng = np.random.default_rng(seed)
@@ -209,7 +209,7 @@ def test_a_point_mass_on_a_locked_link_goes_where_the_link_goes(tmp_path: Path) 
     np.testing.assert_allclose(got, want, rtol=1e-13)
 
 
-@settings(max_examples=25)
+@settings(max_examples=25, deadline=None)
 @given(st.integers(0, 10**6), st.integers(2, 14))
 def test_what_is_left_out_has_no_influence(seed: int, n: int) -> None:
     """Wanted accelerations are the same to the bit whatever happens in the limbs left out."""

@@ -1,0 +1,91 @@
+"""Emitted solvers as contestants: built once, timed by their own ``--time``."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.bench.contest import Contestant, Turn
+from adagen.build import Toolchain, build_executable
+from adagen.errors import EnvironmentFault
+from adagen.model import Model
+from adagen.run import launch
+from adagen.states import States, read_result, write_states
+
+Array = NDArray[np.float64]
+TIMEOUT = 300.0
+
+
+@dataclass(frozen=True)
+class Emitted:
+    """An emitted solver's source and what is known of it.
+
+    Attributes:
+        name: what tables call it.
+        model: the robot.
+        file: name of the source file.
+        text: of the source file.
+        build: its code shape and form.
+        processes: how many it is for.
+        scalar: number type.
+        predicted: nanoseconds that are predicted of an evaluation, None where no profile fits.
+    """
+
+    name: str
+    model: Model
+    file: str
+    text: str
+    build: str
+    processes: int
+    scalar: str
+    predicted: float | None
+
+    def contestant(self, toolchain: Toolchain) -> Contestant:
+        """Return it as a contestant, compiled now or found in the cache.
+
+        Raises:
+            EnvironmentFault: the compiler failed.
+        """
+        program = build_executable(self.text, self.file.removesuffix(".cpp"), toolchain)
+
+        def run(words: list[str]) -> str:
+            done = launch(program, self.processes, words, toolchain, TIMEOUT)
+            if done.status != 0:
+                raise EnvironmentFault(done.stderr.strip().removeprefix("error: "))
+            return done.stdout
+
+        def solve(states: States) -> Array:
+            with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
+                given, found = Path(folder, "states.json"), Path(folder, "result.json")
+                write_states(states, self.model, given)
+                run(["--states", str(given), "--result", str(found)])
+                return read_result(found, self.model)
+
+        def turn(repeat: int) -> dict[str, Turn]:
+            said = json.loads(run(["--time", "--json", "--repeat", str(repeat)]))["time"]
+            return {
+                what: Turn(float(times["median_ns"]), float(times["min_ns"]))
+                for what, times in said.items()
+                if isinstance(times, dict) and _telling(what, self.processes)
+            }
+
+        return Contestant(
+            name=self.name,
+            team="adagen",
+            build=f"{self.build}; {' '.join(toolchain.flags)}",
+            processes=self.processes,
+            scalar=self.scalar,
+            solve=solve,
+            turn=turn,
+            predicted=self.predicted,
+        )
+
+
+def _telling(what: str, processes: int) -> bool:
+    """Whether a time says something: on one process, everything is in place at process 0."""
+    return processes > 1 or what != "through_root"

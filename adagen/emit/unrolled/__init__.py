@@ -1,0 +1,12 @@
+"""Code shape `unrolled`: a plan's steps as one straight line of scalar statements.
+
+The steps run over expressions (machine.py), which folds what is known beforehand and computes
+nothing twice; what is left is cut into functions (layout.py) and printed (text.py).
+"""
+
+from __future__ import annotations
+
+from adagen.emit.unrolled.emission import CHUNK, unrolled_values, why_not_unrolled
+from adagen.emit.unrolled.simulate import Simulated, simulate
+
+__all__ = ["CHUNK", "Simulated", "simulate", "unrolled_values", "why_not_unrolled"]

@@ -1,0 +1,68 @@
+"""What a step does, in a line of comment."""
+
+from __future__ import annotations
+
+from adagen.emit.words import Words
+from adagen.plan.steps import (
+    Accelerate,
+    AccelerateRoot,
+    ApplyCoupling,
+    Articulate,
+    Deliver,
+    Disassemble,
+    FreeAcceleration,
+    FreeBase,
+    InvertRoot,
+    Join,
+    Kinematics,
+    LinkBias,
+    Load,
+    Propagate,
+    Receive,
+    Send,
+    SolveCoupling,
+    SolveRoot,
+    StartLink,
+    Step,
+)
+
+_OF_JOINT: dict[type, str] = {
+    Kinematics: "placement, velocity and reference acceleration of its link",
+    FreeBase: "its torque on the base",
+    Articulate: "articulated-body inertia and bias force through it",
+    Propagate: "mobility and acceleration beyond it",
+    Deliver: "handle forces through it",
+    Accelerate: "its acceleration, and that of the link beyond",
+    FreeAcceleration: "acceleration of the base",
+    Join: "assembly: its two sides become one chain",
+    Disassemble: "disassembly: its acceleration and force",
+}
+_OF_LINK: dict[type, str] = {
+    LinkBias: "acceleration where nothing acts on it",
+    StartLink: "force that the reference field takes",
+    InvertRoot: "mobility from its articulated-body inertia",
+    SolveRoot: "acceleration from its articulated-body inertia",
+    Load: "handle forces on it",
+    AccelerateRoot: "acceleration under the handle forces",
+}
+_OTHER: dict[type, str] = {
+    Send: "message sent",
+    Receive: "message received",
+    SolveCoupling: "torques that keep slaved joints in step",
+    ApplyCoupling: "accelerations under these torques",
+}
+
+DESCRIBED = frozenset((*_OF_JOINT, *_OF_LINK, *_OTHER))
+"""The kinds of steps that this shape knows."""
+
+
+def describe_step(words: Words, step: Step) -> str:
+    """Return what a step does and to which joint or link, in one line of ASCII."""
+    kind = type(step)
+    if kind in _OTHER:
+        return _OTHER[kind]
+    if kind in _OF_LINK:
+        link = getattr(step, "link", 0)
+        return f"link {link} {words.quoted_link(link)}: {_OF_LINK[kind]}"
+    joint = getattr(step, "joint", 0)
+    return f"joint {joint} {words.quoted_joint(joint)}: {_OF_JOINT[kind]}"

@@ -1,0 +1,235 @@
+"""What the template unrolled.cpp.j2 is told."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+
+from adagen.emit.processes import describe_message
+from adagen.emit.unrolled.describe import DESCRIBED, describe_step
+from adagen.emit.unrolled.layout import Chunk, Layout, Stretch, is_given, laid_out
+from adagen.emit.unrolled.simulate import Simulated, simulate
+from adagen.emit.unrolled.text import Text
+from adagen.emit.words import Words
+from adagen.graph import live_nodes
+from adagen.plan import Plan
+from adagen.plan.stages import stages
+from adagen.plan.types import PlanJoint, Process
+
+CHUNK = 1000
+"""Values that one function computes, unless it is said otherwise."""
+
+
+def why_not_unrolled(plan: Plan) -> str | None:
+    """Return why a plan cannot be emitted in this shape, None if it can."""
+    kinds = {type(step) for process in plan.processes for step in process.steps}
+    if plan.wrenches or any(_with_effects(joint) for joint in plan.joints):
+        return "it does not know outer forces, passive torques and prescribed joints yet"
+    unknown = sorted(kind.__name__ for kind in kinds - DESCRIBED)
+    return f"it does not know what {', '.join(unknown)} means" if unknown else None
+
+
+def _with_effects(joint: PlanJoint) -> bool:
+    effects = joint.damping, joint.friction, joint.stiffness, joint.rotor_inertia
+    return joint.prescribed or any(effects)
+
+
+def unrolled_values(words: Words, chunk: int = CHUNK) -> dict[str, object]:
+    """Return what the template is told of a plan.
+
+    Args:
+        words: the plan's names.
+        chunk: values that one function computes at most.
+    """
+    rows = [
+        _ProcessText(words, p, simulated, chunk) for p, simulated in enumerate(simulate(words.plan))
+    ]
+    return {
+        "runtime": ["status.hpp"],
+        "unrolled": [row.values() for row in rows],
+        "places": max((row.layout.places for row in rows), default=0),
+        "angle_count": max(len(row.machine.angles) for row in rows),
+    }
+
+
+class _ProcessText:
+    """The functions of one process."""
+
+    def __init__(self, words: Words, p: int, simulated: Simulated, chunk: int) -> None:
+        self.words, self.p, self.machine = words, p, simulated.machine
+        self.process: Process = words.plan.processes[p]
+        self.graph = simulated.machine.graph
+        self.operations = simulated.operations
+        self.layout: Layout = laid_out(self.process, self.machine, simulated.ends, chunk)
+        self.text = Text(self.graph, words.plan.scalar, self._only_users())
+        self.followers = self._followers()
+        self.functions: list[dict[str, object]] = []
+
+    def values(self) -> dict[str, object]:
+        """Return what the template is told of the process."""
+        owned = list(self.process.owns)
+        return {
+            "run": self._run(),
+            "functions": self.functions,
+            "operations": self.operations,
+            "read": sorted({self._source(j) for j in self.process.reads}),
+            "owned": owned,
+        }
+
+    def _only_users(self) -> dict[int, int]:
+        """By index, the value that is the one use of a value."""
+        users: dict[int, list[int]] = defaultdict(list)
+        for index in live_nodes(self.graph, self.machine.roots()):
+            node = self.graph.nodes[index]
+            for k in node.args:  # what is divided by keeps its name
+                users[k] += [index] if node.op != "reciprocal" else [index, -1]
+        for root in self.machine.roots():
+            users[root.index].append(-1)
+        return {k: using[0] for k, using in users.items() if len(using) == 1}
+
+    def _followers(self) -> dict[int, list[str]]:
+        """By index, the lines that follow a value once it is there."""
+        lines: dict[int, list[str]] = defaultdict(list)
+        for length, joint in self.machine.lengths:
+            lines[length.index].append(f"require_length(w, x{length.index}, {joint});")
+        for check in self.machine.checks:
+            pivot, diagonal = check.pivot, check.diagonal
+            if pivot.constant is None or pivot.constant <= 0:
+                least = "0" if pivot == diagonal else f"8 * kEpsilon * {self._name(diagonal.index)}"
+                line = f"require_pivot(w, {self._name(pivot.index)}, {least}, {check.joint});"
+                lines[max(pivot.index, diagonal.index)].append(line)
+        for number, content in self.machine.sent.items():
+            for k, x in enumerate(content):
+                lines[x.index].append(f"w.to[{number}][{k}] = {self._name(x.index)};")
+        for joint, values in self.machine.results.items():
+            v = self.words.plan.joints[joint].v
+            for k, x in enumerate(values):
+                lines[x.index].append(f"w.result[{v + k}] = {self._name(x.index)};")
+        return lines
+
+    def _name(self, index: int) -> str:
+        node = self.graph.nodes[index]
+        if node.op == "constant":
+            return self.text.literal(node.value)
+        return str(node.value) if is_given(node) else f"x{index}"
+
+    def _source(self, j: int) -> int:
+        mimic = self.words.plan.joints[j].mimic
+        return j if mimic is None else mimic[0]
+
+    def _run(self) -> list[str]:
+        """The lines of the function that does it all."""
+        lines = ["stamp(0);", *self._prologue()] if self.process.steps else []
+        found = stages(self.process)
+        first = 0
+        for place, stage in enumerate([*found, None]):
+            if stage is not None and stage.message is None:
+                continue
+            lines += self._stretch(self.layout.stretches[place])
+            # What runs between two messages is one line: its time counts for its last stage.
+            lines += [f"stamp({k + 1});" for k in range(first, place)]
+            first = place + 1
+            if stage is not None and stage.message is not None:
+                lines += [self._message(stage.what, stage.message), f"stamp({place + 1});"]
+        return [*lines, *self._give()] if self.process.owns else lines
+
+    def _prologue(self) -> list[str]:
+        """The state is looked at; sines and cosines are taken of all angles at once."""
+        lines = self._look_at_state()
+        lines += [
+            f"w.to[{number}] = channel.outgoing({number}, w.status);"
+            for number in self.machine.sent
+        ]
+        angles = [self.text.inlined(angle.index) for angle in self.machine.angles]
+        if angles:
+            first = self._first_of_run(angles)
+            if first is None:
+                lines += [f"w.angle[{k}] = {angle};" for k, angle in enumerate(angles)]
+            source = "w.angle.data()" if first is None else f"q + {first}"
+            take = f"take_sines_and_cosines<{len(angles)}>"
+            lines.append(f"{take}({source}, w.sine.data(), w.cosine.data());")
+        # What is known beforehand, or is an input as it stands, is handed on right away.
+        for index, followers in self.followers.items():
+            node = self.graph.nodes[index]
+            if node.op == "constant" or is_given(node):
+                lines += followers
+        return lines
+
+    @staticmethod
+    def _first_of_run(angles: Sequence[str]) -> int | None:
+        """Where in q the angles are, one after the other; None if they are not."""
+        for first in range(len(angles) + 1):
+            if angles == [f"q[{first + k}]" for k in range(len(angles))]:
+                return first
+        return None
+
+    def _look_at_state(self) -> list[str]:
+        plan, words = self.words.plan, self.words
+        read = sorted({self._source(j) for j in self.process.reads})
+        of_q = [(plan.joints[j].q, words.kind(j).nq) for j in read]
+        of_v = [(plan.joints[j].v, words.kind(j).nv) for j in read]
+        own = [(plan.joints[j].v, words.kind(j).nv) for j in self.process.owns]
+        terms = [
+            f"unlike_zero({name} + {first}, {count})"
+            for name, entries in (("q", of_q), ("v", of_v), ("tau", own))
+            for first, count in _runs(entries)
+        ]
+        return [
+            f"if (!({' + '.join(terms)} == 0))",
+            f"  name_what_is_not_finite(w, kRead_{self.p}, kOwned_{self.p});",
+        ]
+
+    def _give(self) -> list[str]:
+        """An acceleration is given only where all went well."""
+        plan = self.words.plan
+        runs = _runs([(plan.joints[j].v, self.words.kind(j).nv) for j in self.process.owns])
+        terms = [f"unlike_zero(w.result.data() + {first}, {count})" for first, count in runs]
+        return [
+            f"if (!({' + '.join(terms)} == 0)) name_what_overflows(w, kOwned_{self.p});",
+            "if (w.status != kFine) return;",
+            *(f"std::copy_n(w.result.data() + {k}, {n}, w.qdd + {k});" for k, n in runs),
+        ]
+
+    def _message(self, what: str, number: int) -> str:
+        message = self.words.plan.messages[number]
+        about = describe_message(self.words, message)
+        if what == "send":
+            return f"channel.send({number}, w.status);  // to process {message.target}: {about}"
+        return (
+            f"w.from[{number}] = channel.receive({number}, w.status);"
+            f"  // from process {message.source}: {about}"
+        )
+
+    def _stretch(self, stretch: Stretch) -> list[str]:
+        run = []
+        for chunk in stretch.chunks:
+            name = f"part_{self.p}_{len(self.functions)}"
+            self.functions.append({"name": name, "lines": self._chunk(chunk)})
+            run.append(f"{name}(w);")
+        return run
+
+    def _chunk(self, chunk: Chunk) -> list[str]:
+        """The statements of one function."""
+        lines = [f"const Real x{k} = w.x[{place}];" for k, place in sorted(chunk.loads.items())]
+        mark = -1
+        for index, right in self.text.statements(chunk.values).items():
+            node = self.graph.nodes[index]
+            if node.mark != mark:
+                mark = node.mark
+                lines.append(f"// {describe_step(self.words, self.process.steps[mark])}")
+            lines.append(f"const Real x{index} = {right};")
+            if index in chunk.stores:
+                lines.append(f"w.x[{chunk.stores[index]}] = x{index};")
+            lines += self.followers.get(index, [])
+        return lines
+
+
+def _runs(entries: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Stretches (first, count) merged where one begins as the other ends."""
+    runs: list[tuple[int, int]] = []
+    for first, count in sorted(entries):
+        if runs and sum(runs[-1]) == first:
+            runs[-1] = runs[-1][0], runs[-1][1] + count
+        else:
+            runs.append((first, count))
+    return runs

@@ -1,0 +1,149 @@
+"""What joining and releasing joints means, over expressions (see adagen/plan/interpret.py)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.emit.unrolled.frames import Transform, columnwise
+from adagen.graph import Factors, matrix_times, total
+from adagen.plan.steps import Bias, Block, Disassemble, Join
+
+if TYPE_CHECKING:
+    from adagen.emit.unrolled.machine import Machine
+
+Array = NDArray[Any]
+
+
+@dataclass(frozen=True)
+class Joined:
+    """What disassembly needs of a joint that was assembled.
+
+    Attributes:
+        factors: L D L^T = N (Phi_A + Phi_B) N^T.
+        z0: L^-1 N beta.
+        z: by handle, L^-1 N Phi_ij.
+        y: by handle, R Phi_ij.
+        phi: Phi_A + Phi_B in the joint's frame.
+        beta: the right-hand side.
+        tau: torques.
+    """
+
+    step: Join
+    factors: Factors | None
+    z0: Array
+    z: dict[int, Array]
+    y: dict[int, Array]
+    phi: Array
+    beta: Array
+    tau: Array
+
+
+class JoinMachine:
+    """Executes joins and disassemblies on a process's memory."""
+
+    def __init__(self, machine: Machine) -> None:
+        self.machine = machine
+        self.memory: dict[Any, Any] = machine.memory
+
+    def link_bias(self, number: int) -> None:
+        """Deviation of a bare link from the reference field when nothing acts on it: -Phi p."""
+        p = self.machine.column(self.machine.link_force(number))
+        self.memory[Bias(None, number)] = -matrix_times(self._block(Block(None, number, number)), p)
+
+    def join(self, step: Join) -> None:
+        """Assembly of a joint: Eq. (3)-(7)."""
+        kind = self.machine.kind(step.joint)
+        free, constrained = list(kind.free), list(kind.constrained)
+        x: Transform = self.memory["X", step.joint]
+        tau = self.machine.torques(step.joint)
+        b_b, phi_b = self.memory[step.b_bias], self._block(step.b)
+        phi = phi_b if step.a is None else x.mobility(self._block(step.a)) + phi_b
+        beta = -b_b if step.a_bias is None else columnwise(x.motion, self.memory[step.a_bias]) - b_b
+        drift = self.machine.drift(step.joint)
+        if drift is not None:
+            beta = beta + drift
+        beta = beta - matrix_times(phi[:, free], tau)
+        factors = None
+        if constrained:
+            factors = self.machine.factorize(phi[np.ix_(constrained, constrained)], step.joint)
+        z0 = self._forward(factors, beta[constrained])
+        z: dict[int, Array] = {}
+        y: dict[int, Array] = {}
+        for coupling in step.couplings:
+            phi_ij = self._block(coupling.source, coupling.transposed)
+            phi_ij = columnwise(x.motion, phi_ij) if coupling.side == "A" else phi_ij
+            z[coupling.handle] = self._forward(factors, phi_ij[constrained])
+            y[coupling.handle] = phi_ij[free]
+        joined = Joined(step, factors, z0, z, y, phi, beta, tau)
+        self.memory["join", step.joint] = joined
+        self._update(joined)
+
+    @staticmethod
+    def _forward(factors: Factors | None, x: Array) -> Array:
+        return x if factors is None else factors.forward(x)
+
+    def _block(self, block: Block, transposed: bool = False) -> Array:
+        if block.joint is None:
+            matrix = self.machine.constants(self.machine.plan.links[block.row].phi)
+        else:
+            matrix = self.memory[block]
+        return matrix.T if transposed else matrix
+
+    def _update(self, joined: Joined) -> None:
+        """Blocks and biases of the chain that a join completes."""
+        zero, factors = self.machine.graph.constant(0), joined.factors
+        over = {h: z if factors is None else factors.scaled(z) for h, z in joined.z.items()}
+        for block in joined.step.blocks:
+            row, column = block.target.row, block.target.column
+            result = self.machine.zeros(6, 6)
+            source = None if block.across or block.source is None else self._block(block.source)
+            for i in range(6):
+                for k in range(6):
+                    if row == column and k < i:
+                        result[i, k] = result[k, i]
+                        continue
+                    terms = joined.z[row][:, i] * over[column][:, k]
+                    result[i, k] = (
+                        total([zero, *terms])
+                        if source is None
+                        else total([source[i, k], *(-terms)])
+                    )
+            self.memory[block.target] = result
+        for bias in joined.step.biases:
+            h = bias.target.handle
+            change = matrix_times(joined.y[h].T, joined.tau)
+            if factors is not None:
+                change = change + matrix_times(over[h].T, joined.z0)
+            before = self.memory[bias.source]
+            self.memory[bias.target] = before - change if bias.side == "A" else before + change
+
+    def disassemble(self, step: Disassemble) -> None:
+        """Acceleration and force of a joint: Eq. (8)-(10)."""
+        kind = self.machine.kind(step.joint)
+        free, constrained = list(kind.free), list(kind.constrained)
+        joined: Joined = self.memory["join", step.joint]
+        right, qdd = joined.z0, -joined.beta[free]
+        for coupling, name in zip(joined.step.couplings, step.forces, strict=True):
+            force = self.memory[name]
+            if constrained:
+                felt = matrix_times(joined.z[coupling.handle], force)
+                right = right + felt if coupling.side == "A" else right - felt
+            moved = matrix_times(joined.y[coupling.handle], force)
+            qdd = qdd - moved if coupling.side == "A" else qdd + moved
+        f = self.machine.zeros(6, self.machine.columns)
+        f[free] = joined.tau
+        if joined.factors is not None:
+            n = joined.factors.backward(joined.factors.scaled(right))
+            qdd = qdd + matrix_times(joined.phi[np.ix_(free, constrained)], n)
+            f[constrained] = n
+        x: Transform = self.memory["X", step.joint]
+        for update in step.updates:
+            value = -columnwise(x.force, f) if update.side == "A" else f
+            if update.source is not None:
+                value = self.memory[update.source] + value
+            self.memory[update.target] = value
+        self.machine.accelerate(step.joint, qdd)

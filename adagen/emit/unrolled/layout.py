@@ -1,0 +1,146 @@
+"""In which order a process's values are computed, in which function, and where they are kept.
+
+Between two messages a process's values form one stretch: a straight line, cut into functions of
+limited length. What a message needs comes before it is sent; everything else waits until then.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+from adagen.emit.unrolled.machine import RECEIVED, Machine
+from adagen.graph import Node, live_nodes
+from adagen.plan.stages import Stage, stages
+from adagen.plan.types import Process
+
+
+@dataclass
+class Chunk:
+    """One function.
+
+    Attributes:
+        values: indices of the values that it computes, in order.
+        loads: values from earlier chunks, by their place in the workspace.
+        stores: values that later chunks need, likewise.
+    """
+
+    values: list[int]
+    loads: dict[int, int] = field(default_factory=dict)
+    stores: dict[int, int] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """What is computed between two messages.
+
+    Attributes:
+        stage: place of the last stage of work in it; None where there is none.
+        chunks: its functions.
+    """
+
+    stage: int | None
+    chunks: tuple[Chunk, ...]
+
+
+@dataclass(frozen=True)
+class Layout:
+    """A process's work: before each stage that is a message, and at the end, a stretch.
+
+    Attributes:
+        stretches: by the place of the stage that they precede; the last by the number of stages.
+        places: values that the workspace holds at once.
+    """
+
+    stretches: dict[int, Stretch]
+    places: int
+
+
+def laid_out(process: Process, machine: Machine, ends: Sequence[int], longest: int) -> Layout:
+    """Return the layout of a process.
+
+    Args:
+        process: the process.
+        machine: it, after all steps.
+        ends: number of nodes in the graph after each step.
+        longest: values of one function.
+    """
+    pending: list[int] = []
+    done = 0
+    last_work: int | None = None
+    orders: dict[int, tuple[int | None, list[int]]] = {}
+    nodes = machine.graph.nodes
+    alive = [
+        k
+        for k in live_nodes(machine.graph, machine.roots())
+        if nodes[k].op != "constant" and not is_given(nodes[k])
+    ]
+    found = stages(process)
+    for place, stage in enumerate([*found, None]):
+        if stage is not None and stage.message is None:
+            last_work = place
+            continue
+        end = ends[found[place - 1].last - 1] if place > 0 else 0
+        while done < len(alive) and alive[done] < end:
+            pending.append(alive[done])
+            done += 1
+        now = _needed(machine, pending, stage)
+        pending = [k for k in pending if k not in now]
+        orders[place] = last_work, sorted(now)
+        last_work = None
+    stretches = {
+        place: Stretch(
+            work, tuple(Chunk(order[k : k + longest]) for k in range(0, len(order), longest))
+        )
+        for place, (work, order) in orders.items()
+    }
+    chunks = [chunk for stretch in stretches.values() for chunk in stretch.chunks]
+    return Layout(stretches, _assign_places(machine, chunks))
+
+
+def is_given(node: Node) -> bool:
+    """Whether a value is an input that is there all the time: all but what messages bring."""
+    return node.op == "input" and not str(node.value).startswith(RECEIVED)
+
+
+def _needed(machine: Machine, pending: Iterable[int], stage: Stage | None) -> set[int]:
+    """What of the pending values has to be there before a message; all of it unless it is sent."""
+    pending = set(pending)
+    if stage is None or stage.what != "send" or stage.message is None:
+        return pending
+    wanted = set(live_nodes(machine.graph, machine.sent[stage.message]))
+    # A message's slot may be written anew once it is answered: it is read before that.
+    wanted.update(k for k in pending if machine.graph.nodes[k].op == "input")
+    return pending & wanted
+
+
+def _assign_places(machine: Machine, chunks: Sequence[Chunk]) -> int:
+    """Give each value that is used beyond its chunk a place; places are used again."""
+    home = {index: k for k, chunk in enumerate(chunks) for index in chunk.values}
+    partners = {}  # a pivot is looked at together with what it began as
+    for check in machine.checks:
+        pair = check.pivot.index, check.diagonal.index
+        partners[max(pair)] = min(pair)
+    users: dict[int, list[int]] = defaultdict(list)  # chunks after its own that use a value
+    for k, chunk in enumerate(chunks):
+        wanted = {arg for index in chunk.values for arg in machine.graph.nodes[index].args}
+        wanted.update(partners[index] for index in chunk.values if index in partners)
+        for arg in sorted(wanted):
+            if home.get(arg, k) != k:
+                users[arg].append(k)
+    free: list[int] = []
+    count = 0
+    place: dict[int, int] = {}
+    for k, chunk in enumerate(chunks):
+        for index in chunk.values:
+            if index in users:
+                if not free:
+                    free, count = [count], count + 1
+                place[index] = chunk.stores[index] = free.pop()
+        for index, wanting in users.items():
+            if k in wanting:
+                chunk.loads[index] = place[index]
+                if wanting[-1] == k:
+                    free.append(place[index])
+    return count

@@ -1,0 +1,119 @@
+"""Expressions as C++ text: a value that is used once stands where it is used."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from adagen.emit.expressions import Printer
+from adagen.emit.unrolled.layout import is_given
+from adagen.graph import Graph
+
+_MOST = 6  # operands of one statement
+_LARGEST = {"double": 1.7976931348623157e308, "float": 3.4028234663852886e38}
+_LEAST = {"double": 5e-324, "float": 1.401298464324817e-45}
+_SUM, _PRODUCT, _SIGN, _ATOM = range(4)  # how tightly a text binds
+
+
+@dataclass(frozen=True)
+class _Piece:
+    text: str
+    binding: int
+    operands: int
+
+
+class Text:
+    """Prints the values of one graph.
+
+    Args:
+        graph: the graph.
+        scalar: "double" or "float".
+        only_user: by index, the one value that uses a value, where there is just one use.
+    """
+
+    def __init__(self, graph: Graph, scalar: str, only_user: Mapping[int, int]) -> None:
+        self.graph = graph
+        self.scalar = scalar
+        self.only_user = only_user
+        self.printer = Printer(scalar)
+
+    def literal(self, value: object) -> str:
+        """Return a rational number as a literal of the scalar, rounded once."""
+        p, q = int(getattr(value, "p", 0)), int(getattr(value, "q", 1))
+        try:
+            number = p / q
+        except OverflowError:
+            number = float("inf") if p > 0 else float("-inf")
+        if abs(number) > _LARGEST[self.scalar]:
+            return "kInfinity" if number > 0 else "-kInfinity"
+        return self.printer.number(0.0 if abs(number) < _LEAST[self.scalar] else number)
+
+    def statements(self, chunk: Sequence[int]) -> dict[int, str]:
+        """Return the right-hand sides of those values of a chunk that get a name, in order.
+
+        Args:
+            chunk: indices of the values to compute; what they use from elsewhere is named.
+        """
+        here = set(chunk)
+        named: dict[int, str] = {}
+        waiting: dict[int, _Piece] = {}
+        for index in chunk:
+            node = self.graph.nodes[index]
+            if node.op == "input":
+                named[index] = str(node.value)
+                continue
+            pieces = [self._operand(k, waiting) for k in node.args]
+            while sum(piece.operands for piece in pieces) > _MOST:
+                k = max(range(len(pieces)), key=lambda k: pieces[k].operands)
+                named[node.args[k]] = waiting.pop(node.args[k]).text
+                pieces[k] = self._operand(node.args[k], waiting)
+            for k in node.args:
+                waiting.pop(k, None)
+            piece = _combined(node.op, pieces)
+            if self.only_user.get(index) in here:
+                waiting[index] = piece
+            else:
+                named[index] = piece.text
+        return named
+
+    def inlined(self, index: int) -> str:
+        """Return a value with all that it is made of, down to inputs."""
+        node = self.graph.nodes[index]
+        if node.op in ("input", "constant"):
+            return self._operand(index, {}).text
+        pieces = []
+        for k in node.args:
+            binding = _ATOM if self.graph.nodes[k].op in ("input", "constant") else _SUM
+            pieces.append(_Piece(self.inlined(k), binding, 1))
+        return _combined(node.op, pieces).text
+
+    def _operand(self, index: int, waiting: Mapping[int, _Piece]) -> _Piece:
+        if index in waiting:
+            return waiting[index]
+        node = self.graph.nodes[index]
+        if node.op == "constant":
+            text = self.literal(node.value)
+            return _Piece(text, _SIGN if text.startswith("-") else _ATOM, 1)
+        if is_given(node):
+            return _Piece(str(node.value), _ATOM, 1)
+        return _Piece(f"x{index}", _ATOM, 1)
+
+
+def _combined(op: str, pieces: Sequence[_Piece]) -> _Piece:
+    """An operation on pieces, parenthesised so that it is done in the order of the graph."""
+    count = sum(piece.operands for piece in pieces)
+    if op == "neg":
+        return _Piece(f"-{_within(pieces[0], _PRODUCT)}", _SIGN, count)
+    if op == "reciprocal":
+        return _Piece(f"1 / {_within(pieces[0], _ATOM)}", _PRODUCT, count)
+    a, b = pieces
+    if op == "mul":
+        return _Piece(f"{_within(a, _PRODUCT)} * {_within(b, _SIGN)}", _PRODUCT, count)
+    if op == "add" and b.binding == _SUM and a.binding != _SUM:
+        a, b = b, a
+    sign = "+" if op == "add" else "-"
+    return _Piece(f"{_within(a, _SUM)} {sign} {_within(b, _PRODUCT)}", _SUM, count)
+
+
+def _within(piece: _Piece, least: int) -> str:
+    return piece.text if piece.binding >= least else f"({piece.text})"

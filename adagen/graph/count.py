@@ -1,0 +1,65 @@
+"""What is alive in a graph, and what its evaluation costs."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from adagen.graph.nodes import Expression, Graph
+
+
+@dataclass(frozen=True)
+class Operations:
+    """Operations of an evaluation.
+
+    Attributes:
+        multiply: products.
+        add: sums and differences.
+        divide: reciprocals.
+        negate: changes of sign that no sum takes up.
+        fused: sums and differences that can take up a product of no other use.
+        ready: cycles until the last value is there, were there no limit to what is done at once.
+    """
+
+    multiply: int
+    add: int
+    divide: int
+    negate: int
+    fused: int
+    ready: int
+
+    @property
+    def arithmetic(self) -> int:
+        """Products, sums and differences."""
+        return self.multiply + self.add
+
+
+def live_nodes(graph: Graph, roots: Iterable[Expression]) -> list[int]:
+    """Return the indices, ascending, of all that the roots need."""
+    alive = bytearray(len(graph.nodes))
+    for root in roots:
+        alive[root.index] = 1
+    for index in range(len(graph.nodes) - 1, -1, -1):
+        if alive[index]:
+            for argument in graph.nodes[index].args:
+                alive[argument] = 1
+    return [index for index, flag in enumerate(alive) if flag]
+
+
+def count_operations(graph: Graph, roots: Iterable[Expression]) -> Operations:
+    """Return what an evaluation of the roots costs."""
+    roots = list(roots)
+    alive = live_nodes(graph, roots)
+    uses = Counter(k for index in alive for k in graph.nodes[index].args)
+    uses.update(root.index for root in roots)
+    kinds = Counter(graph.nodes[index].op for index in alive)
+    fused = sum(
+        graph.nodes[index].op in ("add", "sub")
+        and any(graph.nodes[k].op == "mul" and uses[k] == 1 for k in graph.nodes[index].args)
+        for index in alive
+    )
+    ready = max((graph.nodes[root.index].ready for root in roots), default=0)
+    return Operations(
+        kinds["mul"], kinds["add"] + kinds["sub"], kinds["reciprocal"], kinds["neg"], fused, ready
+    )

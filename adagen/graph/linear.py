@@ -1,0 +1,116 @@
+"""Vectors and small matrices of expressions: numpy arrays of dtype object.
+
+Sums are added up in the order in which their terms are ready, so that whatever comes last in an
+evaluation waits for one addition only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.graph.nodes import Expression
+
+Array = NDArray[Any]
+
+
+def total(terms: Iterable[Expression]) -> Expression:
+    """Return the sum of at least one term."""
+    first, *others = sorted(terms, key=lambda term: term.node.ready)
+    for term in others:
+        first = first + term
+    return first
+
+
+def dot(u: Sequence[Expression] | Array, v: Sequence[Expression] | Array) -> Expression:
+    """Return the inner product of two vectors of one length, which is not 0."""
+    return total(a * b for a, b in zip(u, v, strict=True))
+
+
+def cross(u: Array, v: Array) -> Array:
+    """Return u x v; both have shape (3,)."""
+    return np.array(
+        [
+            u[1] * v[2] - u[2] * v[1],
+            u[2] * v[0] - u[0] * v[2],
+            u[0] * v[1] - u[1] * v[0],
+        ],
+        dtype=object,
+    )
+
+
+def matrix_times(matrix: Array, other: Array) -> Array:
+    """Return a product, shapes (n, m) and (m,) or (m, k)."""
+    if other.ndim == 1:
+        return np.array([dot(row, other) for row in matrix], dtype=object)
+    columns = [[dot(row, column) for row in matrix] for column in other.T]
+    return np.array(columns, dtype=object).reshape(other.shape[1], len(matrix)).T
+
+
+@dataclass(frozen=True)
+class Factors:
+    """M = L D L^T of a symmetric positive definite matrix, shape (n, n).
+
+    Attributes:
+        lower: L, whose diagonal (ones) is not looked at.
+        inverses: of the entries of D.
+        pivots: the entries of D, which have to be positive.
+        diagonal: of M: a pivot far below it has lost its digits.
+    """
+
+    lower: Array
+    inverses: tuple[Expression, ...]
+    pivots: tuple[Expression, ...]
+    diagonal: tuple[Expression, ...]
+
+    def forward(self, x: Array) -> Array:
+        """Return L^-1 x, shape (n, k)."""
+        x = x.copy()
+        for i in range(len(x)):
+            for c in range(x.shape[1]):
+                x[i, c] = total([x[i, c], *(-(self.lower[i, j] * x[j, c]) for j in range(i))])
+        return x
+
+    def scaled(self, x: Array) -> Array:
+        """Return D^-1 x, shape (n, k)."""
+        x = x.copy()
+        for i, inverse in enumerate(self.inverses):
+            for c in range(x.shape[1]):
+                x[i, c] = x[i, c] * inverse
+        return x
+
+    def backward(self, x: Array) -> Array:
+        """Return L^-T x, shape (n, k)."""
+        x = x.copy()
+        n = len(x)
+        for i in reversed(range(n)):
+            for c in range(x.shape[1]):
+                terms = [-(self.lower[j, i] * x[j, c]) for j in range(i + 1, n)]
+                x[i, c] = total([x[i, c], *terms])
+        return x
+
+    def solve(self, x: Array) -> Array:
+        """Return M^-1 x, shape (n, k)."""
+        return self.backward(self.scaled(self.forward(x)))
+
+
+def factorize(matrix: Array) -> Factors:
+    """Return the factors of a symmetric matrix, of which the lower triangle is looked at."""
+    n = len(matrix)
+    scaled, lower = matrix.copy(), matrix.copy()  # scaled: L D
+    inverses: list[Expression] = []
+    pivots: list[Expression] = []
+    for j in range(n):
+        for i in range(j, n):
+            terms = [-(scaled[i, k] * lower[j, k]) for k in range(j)]
+            scaled[i, j] = total([matrix[i, j], *terms])
+        pivots.append(scaled[j, j])
+        inverses.append(scaled[j, j].graph.reciprocal(scaled[j, j]))
+        for i in range(j + 1, n):
+            lower[i, j] = scaled[i, j] * inverses[j]
+    diagonal = tuple(matrix[i, i] for i in range(n))
+    return Factors(lower, tuple(inverses), tuple(pivots), diagonal)

@@ -1,0 +1,49 @@
+"""Spatial transforms and where joints put their child links, in numpy."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.model.kinds import JointKind
+
+Array = NDArray[np.float64]
+
+
+def motion_transform(e: Array, r: Array) -> Array:
+    """Return X = [[E, 0], [-E rx, E]] for a rotation E (3x3) and the child origin r (3,)."""
+    x = np.zeros((6, 6))
+    x[:3, :3] = x[3:, 3:] = e
+    rx = np.array([[0.0, -r[2], r[1]], [r[2], 0.0, -r[0]], [-r[1], r[0], 0.0]])
+    x[3:, :3] = -e @ rx
+    return x
+
+
+def cross_motion(v: Array, m: Array) -> Array:
+    """Return v x m of two motion vectors [angular; linear]."""
+    linear = np.cross(v[:3], m[3:]) + np.cross(v[3:], m[:3])
+    return np.concatenate([np.cross(v[:3], m[:3]), linear])
+
+
+def placement(kind: JointKind, q: Array) -> tuple[Array, Array]:
+    """Rotation and origin of the child frame in the canonical joint frame."""
+    turn, shift = np.eye(3), np.zeros(3)
+    if kind.quaternion is not None:
+        x, y, z, w = q[kind.quaternion :] / np.linalg.norm(q[kind.quaternion :])
+        turn = np.array(
+            [
+                [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+            ]
+        )
+        shift = q[: kind.quaternion] if kind.quaternion else shift
+    elif kind.name == "prismatic":
+        shift = np.array([0.0, 0.0, q[0]])
+    else:
+        angle = q[-1]
+        c, s = np.cos(angle), np.sin(angle)
+        turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+        if kind.name == "planar":
+            shift = np.array([q[0], q[1], 0.0])
+    return turn, shift

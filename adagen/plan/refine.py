@@ -1,0 +1,93 @@
+"""What processes need of each other to refine an answer (see interpret_refine.py for the method).
+
+Each link's residual is computed by the process that brought the link into its chain. It needs the
+accelerations of all joints on the way to the ground, and the forces of all joints at the link.
+Those that another process computes come in one message from it before each residual.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from adagen.errors import UsageError
+from adagen.plan.steps import LinkBias, StartLink
+from adagen.plan.types import Plan, Process
+
+
+@dataclass(frozen=True)
+class Exchange:
+    """What one process tells another of its last step of refinement.
+
+    Attributes:
+        source: sending process.
+        target: receiving process.
+        accelerations: joints whose accelerations are in it.
+        forces: joints whose forces are in it, 6 numbers each.
+    """
+
+    source: int
+    target: int
+    accelerations: tuple[int, ...]
+    forces: tuple[int, ...]
+
+
+def links_of_process(process: Process) -> tuple[int, ...]:
+    """Return the links whose residual a process computes, ascending."""
+    steps = (step for step in process.steps if isinstance(step, LinkBias | StartLink))
+    return tuple(sorted(step.link for step in steps))
+
+
+def joints_at(plan: Plan, process: Process) -> tuple[int, ...]:
+    """Return the joints at these links, ascending; some of them other processes' own."""
+    links = set(links_of_process(process))
+    return tuple(
+        j for j, joint in enumerate(plan.joints) if joint.parent in links or j + 1 in links
+    )
+
+
+def paths_of(plan: Plan, process: Process) -> tuple[int, ...]:
+    """Return the joints between these links and the ground, ascending."""
+    return tuple(sorted({j for link in links_of_process(process) for j in plan.path(link - 1)}))
+
+
+def refinable(plan: Plan) -> Plan:
+    """Return the plan with what refinement reads of the state added to what its processes read.
+
+    Raises:
+        UsageError: it has torques, inertias or motions at joints that residuals do not know of.
+    """
+    for joint in plan.joints:
+        passive = (joint.damping, joint.friction, joint.stiffness, joint.rotor_inertia)
+        if any(passive) or joint.prescribed:
+            raise UsageError(
+                f'joint "{joint.name}" has damping, friction, a spring, a rotor or a prescribed'
+                " motion: that cannot be refined; leave --refine out"
+            )
+    if plan.wrenches:
+        raise UsageError("outer forces cannot be refined; leave --refine out")
+    processes = tuple(
+        replace(process, reads=tuple(sorted({*process.reads, *joints_at(plan, process)})))
+        for process in plan.processes
+    )
+    return replace(plan, processes=processes)
+
+
+def exchanges(plan: Plan) -> tuple[Exchange, ...]:
+    """Return who has to tell whom of a step, in the order of sources and targets."""
+    found = []
+    for p, source in enumerate(plan.processes):
+        for t, target in enumerate(plan.processes):
+            accelerations = tuple(sorted(set(moving(plan, target)).intersection(source.owns)))
+            forces = tuple(sorted(set(joints_at(plan, target)).intersection(source.owns)))
+            if p != t and (accelerations or forces):
+                found.append(Exchange(p, t, accelerations, forces))
+    return tuple(found)
+
+
+def moving(plan: Plan, process: Process) -> tuple[int, ...]:
+    """Return the joints whose accelerations a process sums up, ascending.
+
+    They are those on its paths and its own, or the sources of these where they are slaved.
+    """
+    joints = {*paths_of(plan, process), *process.owns}
+    return tuple(sorted({j if (m := plan.joints[j].mimic) is None else m[0] for j in joints}))

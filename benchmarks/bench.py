@@ -1,0 +1,113 @@
+"""Emitted solvers beside pinocchio, casadi and MuJoCo on 15 robots: ``make bench``.
+
+    python -m benchmarks.bench [--quick] [--resume] [--only NAME ...] [--out DIR]
+
+Arms, a quadruped, humanoids, the paper's human figures, chains of 16 to 1000 joints. Writes the
+record (JSON) beside this file and tables and pictures into docs; --out DIR puts everything there
+instead. After each robot the record so far is kept: --resume goes on from it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import sysconfig
+import time
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from adagen.bench.contest import Rules
+from adagen.bench.record import Record, read_record, write_record
+from adagen.bench.report import markdown
+from adagen.cli.bench import draw
+from adagen.cli.console import note
+from adagen.cli.contest import Entry, contest
+from adagen.errors import AdagenError
+from benchmarks.paper import robots
+
+ROOT = Path(__file__).resolve().parents[1]
+WORK = ROOT / "build" / "bench"
+BEGIN, END = "<!-- benchmarks.bench -->", "<!-- end -->"
+REAL = (
+    ("ur5", "ur_description/urdf/ur5_robot.urdf", False),
+    ("panda", "panda_description/urdf/panda.urdf", False),
+    ("anymal", "anymal_b_simple_description/robots/anymal.urdf", True),
+    ("g1", "g1_description/urdf/g1_29dof_rev_1_0.urdf", True),
+    ("icub", "icub_description/robots/icub.urdf", True),
+    ("talos", "talos_data/robots/talos_full_v2.urdf", True),
+)
+"""Names, files of the package example-robot-data, whether the base floats."""
+CHAINS = (16, 50, 100, 200, 500, 1000)
+QUICK = ("ur5", "human40")
+
+
+def entries() -> Iterator[Entry]:
+    """Yield the robots; those of example-robot-data where it is installed."""
+    folder = Path(sysconfig.get_path("purelib"), "cmeel.prefix/share/example-robot-data/robots")
+    for name, path, floating in REAL:
+        if (folder / path).is_file():
+            yield Entry(name, folder / path, ("--floating",) if floating else ())
+        else:
+            note(f"without {name}: pip install example-robot-data")
+    for dofs in robots.HUMANS:
+        yield _made(f"human{dofs}", robots.human(dofs))
+    for joints in CHAINS:
+        yield _made(f"chain{joints}", robots.chain(joints))
+
+
+def _made(name: str, text: str) -> Entry:
+    """Return a robot whose description is written here."""
+    path = WORK / f"{name}.urdf"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+    return Entry(name, path)
+
+
+def publish(record: Record, out: Path | None) -> None:
+    """Write record, tables and pictures into a folder, or where the project keeps them."""
+    if out is not None:
+        out.mkdir(parents=True, exist_ok=True)
+        write_record(record, out / "bench.json")
+        (out / "bench.md").write_text(markdown(record), encoding="utf-8")
+        draw(record, out, ("svg", "png"))
+        return
+    write_record(record, ROOT / "benchmarks" / "bench.json")
+    page = ROOT / "docs" / "benchmarks.md"
+    text = page.read_text(encoding="utf-8")
+    head, tail = text[: text.index(BEGIN)], text[text.index(END) :]
+    page.write_text(f"{head}{BEGIN}\n{markdown(record)}\n{tail}", encoding="utf-8")
+    draw(record, ROOT / "docs" / "pictures")
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Measure, write what came of it, and return the exit status.
+
+    Args:
+        words: the command line, that of this process by default.
+    """
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--quick", action="store_true", help="two robots, few turns")
+    parser.add_argument("--resume", action="store_true", help="keep robots measured before")
+    parser.add_argument("--only", nargs="+", metavar="NAME", help="these robots alone")
+    parser.add_argument("--out", type=Path, metavar="DIR", help="write everything there")
+    options = parser.parse_args(words)
+    wanted = options.only or (QUICK if options.quick else None)
+    some = [entry for entry in entries() if wanted is None or entry.name in wanted]
+    rules = Rules(rounds=3, repeat=5) if options.quick else Rules()
+    so_far = WORK / "so_far.json"
+    try:
+        before = read_record(so_far).models if options.resume and so_far.is_file() else ()
+        start = time.perf_counter()
+        record = contest(some, rules, done=lambda found: write_record(found, so_far), before=before)
+    except AdagenError as error:
+        print(error, file=sys.stderr)
+        return error.status
+    note(f"measured in {time.perf_counter() - start:.0f} s")
+    publish(record, options.out or (WORK / "quick" if options.quick else None))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,20 @@
+// A joint that has been articulated, for another p^A on its far side, no torque of its own and no
+// velocity: what it hands on.
+template <class Kind>
+Columns6 rearticulate(Articulated<Kind>& i, Real sigma, const Columns6& p) {
+  Columns6 force;
+  i.c.setZero();
+  for (int k = 0; k < kFree<Kind>; ++k) {
+    i.tau[k][0] = 0;
+    for (int c = 0; c < kColumns; ++c) {
+      i.u[k][c] = sigma * i.tau[k][c] - p(Kind::Free::row[k], c);
+      force(Kind::Free::row[k], c) = sigma * i.tau[k][c];
+    }
+  }
+  for (int row : Kind::Constrained::row)
+    for (int c = 0; c < kColumns; ++c) {
+      force(row, c) = p(row, c);
+      for (int k = 0; k < kFree<Kind>; ++k) force(row, c) += i.E[k][row] * i.u[k][c];
+    }
+  return force;
+}

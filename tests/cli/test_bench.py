@@ -1,0 +1,102 @@
+"""``adagen bench``: what it prints and writes, and how it refuses."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from adagen.bench.contest import Rules
+from adagen.bench.record import read_record
+from adagen.cli import main
+from adagen.cli.contest import Entry, contest, measure
+from tests.cli.test_generate import write_arm
+
+ONE = ("--variant", "--procs 1", "--rounds", "2", "--peers", "none")
+
+
+@pytest.fixture
+def arm(tmp_path: Path) -> Path:
+    return write_arm(tmp_path / "arm.urdf")
+
+
+def test_times_errors_and_predictions_of_an_arm(
+    arm: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["bench", str(arm), *ONE, "--json", "--out", str(tmp_path / "out")]) == 0
+    said = json.loads(capsys.readouterr().out)
+    (model,) = said["models"]
+    (row,) = model["rows"]
+    assert (model["name"], model["dofs"], row["team"]) == ("arm", 3, "adagen")
+    assert 0 < row["least"] <= row["median"] and len(row["turns"]) == 2
+    assert row["forward_error"] < 1e-12 and row["residual"] < 1e-12
+    assert row["predicted"] > 0
+    assert read_record(tmp_path / "out" / "bench.json").models[0].rows[0].median == row["median"]
+    assert "### arm: 3 degrees of freedom" in (tmp_path / "out" / "bench.md").read_text()
+    assert main(["bench", str(arm), *ONE]) == 0
+    assert "adagen P=1" in capsys.readouterr().out
+
+
+def test_what_adagen_cannot_do_is_named_and_the_rest_goes_on(arm: Path) -> None:
+    variants = ("--procs 1", "--procs 1 --shape cubist", "--procs 1000", "--procs auto")
+    found = measure(Entry("arm", arm), Rules(rounds=1, repeat=1), variants, ())
+    assert len(found.rows) == 1
+    assert "cubist" in found.absent["adagen --procs 1 --shape cubist"]
+    assert "1000 processes need as many cores" in found.absent["adagen --procs 1000"]
+    assert "adagen --procs auto" in found.absent
+
+
+def test_robots_measured_before_are_kept(arm: Path) -> None:
+    rules = Rules(rounds=1, repeat=1)
+    one = [Entry("arm", arm)]
+    first = contest(one, rules, ("--procs 1",), ())
+    heard = []
+    again = contest(
+        [*one, Entry("other", arm)],
+        rules,
+        ("--procs 1",),
+        (),
+        done=lambda record: heard.append(len(record.models)),
+        before=first.models,
+    )
+    assert again.models[0] is first.models[0] and heard == [1, 2]
+
+
+@pytest.mark.parametrize(
+    ("words", "status", "complaint"),
+    [
+        (["--peers", "drake"], 2, "no peer is called 'drake'"),
+        (["--rounds", "0"], 2, "must be a whole number from 1 to 1000"),
+        (["--variant", "--procs 1 --shape cubist", "--peers", "none"], 2, "cubist"),
+        (["--profile", "none-such", *ONE], 1, "no cost profile"),
+    ],
+)
+def test_refusals(
+    words: list[str],
+    status: int,
+    complaint: str,
+    arm: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["bench", str(arm), *words]) == status
+    assert complaint in capsys.readouterr().err
+
+
+def test_a_robot_that_is_not_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["bench", str(tmp_path / "none.urdf"), *ONE]) == 1
+    assert "none.urdf" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_the_projects_own_set_in_short(tmp_path: Path) -> None:
+    """Two robots with whichever peers are installed."""
+    pytest.importorskip("matplotlib")
+    from benchmarks import bench
+
+    assert bench.main(["--quick", "--out", str(tmp_path)]) == 0
+    record = read_record(tmp_path / "bench.json")
+    assert "human40" in {model.name for model in record.models}
+    for model in record.models:
+        assert all(row.forward_error < 1e-6 for row in model.rows if row.scalar == "double")
+    assert {path.suffix for path in tmp_path.iterdir()} == {".json", ".md", ".svg", ".png"}

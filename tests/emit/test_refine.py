@@ -1,0 +1,114 @@
+"""Emitted refinement: what it reaches, what it says of the error, and where it gives up."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.emit import emit, stem_of
+from adagen.errors import UsageError
+from adagen.model import Inertia, Model
+from adagen.plan import Plan, make_plan
+from adagen.plan.refine import exchanges, links_of_process
+from adagen.reference import energy_norm_error, joint_space_inertia
+from adagen.states import States, random_states
+from tests.emitted import QUICK, Array, Builder, Solver, truth_of
+from tests.models import random_tree, serial_chain
+from tests.schedules import random_schedule
+
+
+def refined(builder: Builder, plan: Plan, steps: int) -> Solver:
+    stem = stem_of(plan)
+    executable = builder.compile(emit(plan, refine=steps)[f"{stem}.cpp"], stem, QUICK)
+    return Solver(executable, len(plan.processes), builder.toolchain)
+
+
+def errors(model: Model, states: States, found: Array) -> Array:
+    """Return the error of each state in the energy norm."""
+    rows = zip(states.q, found, truth_of(model, states), strict=True)
+    return np.array(
+        [energy_norm_error(joint_space_inertia(model, q), x - t, t) for q, x, t in rows]
+    )
+
+
+def with_light_link(ratio: float) -> Model:
+    model = serial_chain(6)
+    heavy = model.links[3].inertia
+    light = Inertia(heavy.mass * ratio, heavy.com, heavy.tensor * ratio)
+    return replace(
+        model, links=(*model.links[:3], replace(model.links[3], inertia=light), *model.links[4:])
+    )
+
+
+@pytest.mark.parametrize(
+    ("form", "processes"), [("segment", 4), pytest.param("ada", 2, marks=pytest.mark.slow)]
+)
+def test_one_step_leaves_only_rounding_and_says_what_there_was(
+    form: str, processes: int, builder: Builder, tmp_path: Path
+) -> None:
+    """Slaved joints, all kinds of joints, a floating base; parts of it on several processes."""
+    model = random_tree(np.random.default_rng(4), 9, floating=True, mimics=2)
+    schedule = random_schedule(model, processes, np.random.default_rng(processes))
+    plan = make_plan(model, schedule, form=form)
+    states = random_states(model, 5, seed=3)
+    solver = refined(builder, plan, 2)
+    assert errors(model, states, solver.solve(model, states, tmp_path)).max() < 1e-14
+    said = np.array(json.loads((tmp_path / "result.json").read_text())["corrections"])
+    raw = errors(model, states, builder.solver(plan).solve(model, states, tmp_path))
+    assert said.shape == (5, 2)
+    large = raw > 4e-15  # below that, constants of the frames are rounded as much
+    assert ((said[:, 0] < 3 * raw) & (raw < 3 * said[:, 0]))[large].all()
+    assert (said[:, 1] < 1e-3 * said[:, 0]).all()
+
+
+def test_check_tells_the_corrections(builder: Builder) -> None:
+    model = with_light_link(1e-6)
+    plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(0)), form="ada")
+    solver = refined(builder, plan, 2)
+    done = solver.run("--check", "--json")
+    report = json.loads(done.stdout)["refine"]
+    assert (done.status, report["steps"]) == (0, 2)
+    assert 1e-11 < report["correction_max"][0] < 1e-7  # what the light link costs form ada
+    assert report["correction_max"][1] < 1e-3 * report["correction_max"][0]
+    assert "error before step 2" in solver.run("--check").stdout
+
+
+@pytest.mark.slow
+def test_where_it_does_not_converge_it_says_so(builder: Builder) -> None:
+    """The light link is lost in the factors of form ada in float: all that it says is noise."""
+    model = with_light_link(1e-6)
+    schedule = random_schedule(model, 1, np.random.default_rng(0))
+    done = refined(builder, make_plan(model, schedule, form="ada", scalar="float"), 3).run(
+        "--check"
+    )
+    assert done.status == 1
+    assert "refinement does not converge" in done.stderr or "factorization" in done.stderr
+    assert "nan" not in done.stdout
+
+
+def test_every_link_is_looked_after_once() -> None:
+    model = random_tree(np.random.default_rng(2), 12)
+    for form in ("ada", "segment"):
+        plan = make_plan(model, random_schedule(model, 4, np.random.default_rng(1)), form=form)
+        links = [link for process in plan.processes for link in links_of_process(process)]
+        assert sorted(links) == list(range(1, 13))
+        for exchange in exchanges(plan):
+            assert exchange.source != exchange.target
+            owned = set(plan.processes[exchange.source].owns)
+            assert owned.issuperset((*exchange.accelerations, *exchange.forces))
+
+
+def test_what_cannot_be_refined_is_refused() -> None:
+    model = serial_chain(2)
+    plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(0)))
+    with pytest.raises(UsageError, match="0 to 9"):
+        emit(plan, refine=10)
+    with pytest.raises(UsageError, match="no refinement"):
+        emit(plan, refine=1, shape="unrolled")
+    damped = (replace(plan.joints[0], damping=0.1), *plan.joints[1:])
+    with pytest.raises(UsageError, match="cannot be refined"):
+        emit(replace(plan, joints=damped), refine=1)

@@ -1,0 +1,158 @@
+"""The code shape `unrolled`: emitted, compiled and run, it is right and fails as the others do."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.emit import emit, stem_of
+from adagen.emit.shapes import SHAPES, Shape
+from adagen.emit.unrolled import unrolled_values, why_not_unrolled
+from adagen.model import Model
+from adagen.states import random_states, write_states
+from tests.emit.test_robots import CASES, thin
+from tests.emitted import Builder, Solver, forward_error, plan_of, truth_of
+from tests.models import human_figure, random_tree, serial_chain
+
+
+def built(builder: Builder, model: Model, processes: int, name: str, form: str) -> Solver:
+    plan = plan_of(model, processes, form=form)
+    return builder.solver(plan, ("-O0",), name=name, shape="unrolled")
+
+
+QUICK_CASES = ("the same in segments", "meeting only in the ground", "float")
+
+
+def slow_unless(quick: bool, *values: object) -> object:
+    return pytest.param(*values, marks=() if quick else pytest.mark.slow)
+
+
+@pytest.mark.parametrize("name", [slow_unless(name in QUICK_CASES, name) for name in CASES])
+def test_an_unusual_robot_is_solved(name: str, builder: Builder, tmp_path: Path) -> None:
+    case = CASES[name]
+    model = case.model()
+    plan = case.plan(model)
+    solver = builder.solver(plan, ("-O0",), name=f"u {name}", shape="unrolled")
+    states = random_states(model, 4, seed=9)
+    truth = truth_of(model, states)
+    for channel in ("window", "message"):
+        found = solver.solve(model, states, tmp_path, "--check", "--channel", channel)
+        assert forward_error(found, truth) < case.error
+    done = solver.run("--time", "--repeat", "1")
+    assert (done.status, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize(
+    ("processes", "form"),
+    [
+        slow_unless((p, form) in ((2, "segment"), (3, "ada")), p, form)
+        for p in (1, 2, 3)
+        for form in ("segment", "ada")
+    ],
+)
+def test_a_floating_tree_of_all_kinds_is_solved(
+    processes: int, form: str, builder: Builder, tmp_path: Path
+) -> None:
+    model = random_tree(np.random.default_rng(3), 8, floating=True, mimics=1)
+    solver = built(builder, model, processes, "floating tree", form)
+    states = random_states(model, 3, seed=2)
+    found = solver.solve(model, states, tmp_path)
+    assert forward_error(found, truth_of(model, states)) < 1e-10
+
+
+@pytest.mark.parametrize("chunk", [40, slow_unless(False, 300)])
+def test_functions_of_any_length_give_the_same(
+    chunk: int, builder: Builder, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(
+        SHAPES, "unrolled", Shape(why_not_unrolled, lambda words: unrolled_values(words, chunk))
+    )
+    model = random_tree(np.random.default_rng(5), 6)
+    plan = plan_of(model, 2)
+    text = emit(plan, shape="unrolled")[f"{stem_of(plan)}.cpp"]
+    assert text.count("ADAGEN_NOINLINE void part_") > 600 // chunk
+    solver = Solver(builder.compile(text, f"chunks{chunk}", ("-O0",)), 2, builder.toolchain)
+    states = random_states(model, 3, seed=2)
+    found = solver.solve(model, states, tmp_path)
+    assert forward_error(found, truth_of(model, states)) < 1e-10
+
+
+def test_large_angles_keep_their_digits(builder: Builder, tmp_path: Path) -> None:
+    model = serial_chain(3)
+    solver = built(builder, model, 1, "far", "segment")
+    states = random_states(model, 3)
+    states.q[0], states.q[1], states.q[2] = 99999.7, 1e9 + 0.25, [3.1e-9, -1.5707963267948966, 0.0]
+    found = solver.solve(model, states, tmp_path)
+    assert forward_error(found, truth_of(model, states)) < 1e-12
+
+
+class TestFailures:
+    @pytest.fixture
+    def human(self, builder: Builder) -> tuple[Model, Solver]:
+        model = human_figure()
+        return model, built(builder, model, 2, "human", "segment")
+
+    @staticmethod
+    def said(solver: Solver, path: Path) -> str:
+        done = solver.run("--states", path, "--result", path.with_suffix(".result"))
+        assert (done.status, done.stdout) == (1, "")
+        assert not path.with_suffix(".result").exists()
+        return done.stderr.removeprefix(f"{path}: error: ")
+
+    @pytest.mark.parametrize("field", ["q", "v", "tau"])
+    def test_what_the_scalar_cannot_hold_is_not_finite(
+        self, field: str, builder: Builder, tmp_path: Path
+    ) -> None:
+        model = serial_chain(5)
+        plan = plan_of(model, 2, scalar="float", form="ada")
+        solver = builder.solver(plan, ("-O0",), name="narrow", shape="unrolled")
+        for j in (0, 2, 4):
+            states = random_states(model, 2)
+            getattr(states, field)[1, j] = 1e39
+            write_states(states, model, tmp_path / "s.json")
+            name = model.joints[j].name
+            line = f'state 2: joint "{name}": its q, v or tau is not a finite number'
+            assert self.said(solver, tmp_path / "s.json") == line
+
+    @pytest.mark.parametrize("size", [0.0, 1e-200, 1e200])
+    def test_a_quaternion_that_cannot_be_normalised_names_its_joint(
+        self, size: float, human: tuple[Model, Solver], tmp_path: Path
+    ) -> None:
+        model, solver = human
+        write_states(random_states(model, 1), model, tmp_path / "good.json")
+        data = json.loads((tmp_path / "good.json").read_text())
+        for name in ("left_wrist", "__base__"):
+            spoilt = json.loads(json.dumps(data))
+            values = spoilt["joints"][name]["q"]
+            values[0][-4:] = [size, 0.0, 0.0, 0.0]
+            (tmp_path / "s.json").write_text(json.dumps(spoilt))
+            expected = f'state 1: joint "{name}": its quaternion cannot be normalised'
+            assert self.said(solver, tmp_path / "s.json") == expected
+
+    def test_an_acceleration_that_overflows_names_a_joint(
+        self, human: tuple[Model, Solver], tmp_path: Path
+    ) -> None:
+        model, solver = human
+        states = random_states(model, 2)
+        states.v[1, :] = 1e200
+        write_states(states, model, tmp_path / "s.json")
+        line = self.said(solver, tmp_path / "s.json")
+        assert line.startswith('state 2: joint "')
+        assert "not a finite number" in line or "factorization failed" in line
+
+    @pytest.mark.slow
+    def test_a_failed_factorization_names_the_joint(self, builder: Builder, tmp_path: Path) -> None:
+        model = serial_chain(3)
+        links = list(model.links)
+        links[2] = replace(links[2], inertia=thin(links[2].inertia))
+        model = replace(model, links=tuple(links))
+        plan = plan_of(model, 2, scalar="float", form="ada")
+        solver = builder.solver(plan, ("-O0",), name="thin u", shape="unrolled")
+        write_states(random_states(model, 2), model, tmp_path / "s.json")
+        line = self.said(solver, tmp_path / "s.json")
+        assert line.startswith('state 1: joint "j00')
+        assert "factorization failed" in line
