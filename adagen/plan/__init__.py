@@ -26,6 +26,7 @@ __all__ = [
     "MEETINGS",
     "SCALARS",
     "Plan",
+    "can_gather",
     "make_plan",
     "plan_from_json",
     "plan_to_json",
@@ -91,6 +92,13 @@ def make_plan(
     )
 
 
+def can_gather(model: Model) -> bool:
+    """Return whether processes may meet by gathering: shape kernels has to know all it needs."""
+    joints = joints_of(model)
+    plain = not any(joint.mimic is not None or joint.prescribed for joint in joints)
+    return plain and not wrenches_of(model)
+
+
 def planner_of(
     model: Model, schedule: Schedule, form: str, meeting: str = "auto"
 ) -> AdaPlanner:
@@ -108,6 +116,6 @@ def planner_of(
         return ClusterPlanner(joints, schedule, runs, clusters)
     if form == "segment" and meeting != "join":
         gather = GatherPlanner(joints, schedule)
-        if meeting == "gather" or (gather.suits() and not wrenches_of(model)):
+        if meeting == "gather" or (gather.suits() and can_gather(model)):
             return gather
     return FORMS[form](joints, schedule, runs)

@@ -123,8 +123,7 @@ class GatherPlanner(SegmentPlanner):
         core = sum(len(tree.core) for tree in trees)
         left = {p for tree in trees for p in tree.owner.values()}
         busy = {node.processes[0] for node in postorder(self.schedule.root)}
-        plain = not any(joint.mimic is not None or joint.prescribed for joint in self.joints)
-        return core * SMALL_CORE <= len(self.joints) and left == busy and plain
+        return core * SMALL_CORE <= len(self.joints) and left == busy
 
     # --- layout --------------------------------------------------------------------------------
 

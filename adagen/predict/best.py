@@ -5,8 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from adagen.model import Model
+from adagen.plan import can_gather, make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
+from adagen.predict.limbs import limb_schedules
+from adagen.predict.simulate import predict
 from adagen.schedule import CostProfile, Schedule, Topology, find_schedule
 
 
@@ -49,4 +52,15 @@ def best_schedule(
         return seen.unfold(found, profile)
     cuttable = cuttable_joints(model, scalar, seen.joints)
     found = find_schedule(seen.topology, processes, profile=profile, cuttable=cuttable, **search)
-    return seen.unfold(found, profile)
+    return _or_gathered(model, seen.unfold(found, profile), profile)
+
+
+def _or_gathered(model: Model, found: Schedule, profile: CostProfile) -> Schedule:
+    """Return a schedule, or one whose processes gather if that is faster when played through."""
+    if profile.steps is None or not can_gather(model):
+        return found
+    best, least = found, predict(make_plan(model, found), profile).makespan
+    for schedule, time in limb_schedules(model, found.processes, profile, found):
+        if time < least:
+            best, least = schedule, time
+    return best

@@ -27,14 +27,14 @@ struct Eliminated {
   Value e[n];       // of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp
 };
 // Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
-constexpr bool any_of(JointKind kind) {
+[[maybe_unused]] constexpr bool any_of(JointKind kind) {
   for (const JointConstants& joint : kJoints)
     if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
   return false;
 }
-constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
-constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
-constexpr bool kAnyFloating = any_of(JointKind::kFloating);
+[[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
+[[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
+[[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
 using Memory = Eliminated<kAnyPlanar ? 24 : kAnySpherical ? 18 : 8>;
 
 // A link's orientation and how it moves, were all joint accelerations zero.
@@ -88,7 +88,7 @@ inline void fail(Workspace& w, Failure kind, int joint) {
 }
 
 // A body in a message.
-constexpr int kBodyNumbers = 27;
+[[maybe_unused]] constexpr int kBodyNumbers = 27;
 template <class T>
 ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
   static_assert(sizeof X == kBodyNumbers * sizeof(Real));
@@ -148,8 +148,8 @@ inline void give(Workspace& w, int first, int count) {
   if (w.status == kFine) std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
 }
 
-constexpr int block(int joint) { return joint / kPerBlock; }
-constexpr bool is_identity(const Real (&R)[9]) {
+[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
+[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
   for (int k = 0; k < 9; ++k)
     if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
   return true;

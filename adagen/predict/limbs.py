@@ -1,0 +1,227 @@
+"""Schedules whose processes gather at a small core: who takes which limbs.
+
+For a root link and a core around it, what hangs on the core are limbs, each the work of one
+process (adagen/plan/gather.py). The core grows by the limb that weighs most on the busiest process,
+as long as it is small; limbs go to the process that is least busy, the heaviest first, and are then
+exchanged while that helps. The most promising layouts are played through.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from heapq import nsmallest
+
+from adagen.model import Model
+from adagen.plan import make_plan
+from adagen.plan.constants import joints_of
+from adagen.plan.gather import SMALL_CORE
+from adagen.plan.steps import Accelerate, Articulate, Kinematics, StartLink
+from adagen.predict.features import step_time
+from adagen.predict.simulate import predict
+from adagen.schedule import CostProfile, Schedule, Topology
+from adagen.schedule.draft import Draft
+from adagen.schedule.tree import loads_of
+
+TRIALS = 12
+"""Layouts that are played through at most."""
+
+
+@dataclass(frozen=True)
+class Limb:
+    """A subtree that hangs on the core, seen from the root: its joints, the innermost first."""
+
+    joints: tuple[int, ...]
+    link: int
+    weight: float
+
+
+@dataclass(frozen=True)
+class Layout:
+    """A core and who takes which limb.
+
+    Attributes:
+        core: its joints, outwards from the root.
+        shares: limbs of each process.
+        time: of the busiest process, and of the core; microseconds, messages left out.
+    """
+
+    core: tuple[int, ...]
+    shares: tuple[tuple[Limb, ...], ...]
+    time: float
+
+
+def limb_schedules(
+    model: Model, processes: int, profile: CostProfile, pattern: Schedule
+) -> Iterator[tuple[Schedule, float]]:
+    """Yield schedules that gather, each with the time that it takes when it is played through.
+
+    Args:
+        model: a robot on one floating base, which may be rooted anywhere, or on the ground, where
+            the root is the ground itself.
+        processes: P, 2 or more.
+        profile: a profile with costs of steps.
+        pattern: a schedule whose facts (tie, split and so on) they take over.
+    """
+    search = _Limbs(model, processes, profile)
+    for layout in nsmallest(TRIALS, search.layouts(), key=lambda found: found.time):
+        schedule = search.schedule(layout, pattern)
+        time = predict(make_plan(model, schedule, meeting="gather"), profile).makespan
+        yield _told(schedule, time, search.total / processes), time
+
+
+def _told(schedule: Schedule, time: float, lower: float) -> Schedule:
+    """Return a schedule with its time as it is played through.
+
+    No schedule of any kind is faster than all work shared out evenly: that is what is proven.
+    """
+    lower = min(lower, time)
+    return replace(
+        schedule,
+        makespan=time,
+        verdict="optimal" if lower >= time else "gap",
+        gap=time / lower - 1.0,
+        lower_bound=lower,
+    )
+
+
+class _Limbs:
+    def __init__(self, model: Model, processes: int, profile: CostProfile) -> None:
+        assert profile.steps is not None  # as the caller has made sure
+        self.joints = joints_of(model)
+        self.topology, self.profile, self.processes = Topology.of(model), profile, processes
+        costs = profile.steps
+        self.weight = [
+            sum(
+                step_time(step, self.joints, costs)
+                for step in (
+                    Kinematics(j),
+                    StartLink(j + 1),
+                    Articulate(j, False),
+                    Accelerate(j, False),
+                )
+            )
+            for j in range(len(self.joints))
+        ]
+        self.total = sum(self.weight)
+        self.at: dict[int, list[int]] = {}
+        self.bases = [j for j, joint in enumerate(self.joints) if joint.parent == 0]
+        self.floats = len(self.bases) == 1 and self.joints[self.bases[0]].kind == "floating"
+        for j, joint in enumerate(self.joints):
+            if not (self.floats and joint.parent == 0):
+                self.at.setdefault(joint.parent, []).append(j)
+                self.at.setdefault(j + 1, []).append(j)
+
+    def layouts(self) -> Iterator[Layout]:
+        """Yield layouts around every link, each with a core that grows."""
+        most = len(self.joints) // SMALL_CORE
+        for root in range(1, len(self.joints) + 1) if self.floats else (0,):
+            core: list[int] = []
+            limbs = self._limbs(root, -1)
+            while True:
+                layout = self._shared_out(core, limbs)
+                yield layout
+                heaviest = max(
+                    max(layout.shares, key=lambda share: sum(limb.weight for limb in share)),
+                    key=lambda limb: limb.weight,
+                    default=None,
+                )
+                if heaviest is None or len(heaviest.joints) == 1 or len(core) >= most:
+                    break
+                joint = heaviest.joints[0]
+                core.append(joint)
+                limbs.remove(heaviest)
+                limbs += self._limbs(self._far(joint, heaviest.link), joint)
+
+    def _far(self, joint: int, near: int) -> int:
+        parent = self.joints[joint].parent
+        return joint + 1 if near == parent else parent
+
+    def _limbs(self, link: int, came: int) -> list[Limb]:
+        """The limbs on a link but for the one beyond joint ``came``."""
+        found = []
+        for first in self.at.get(link, []):
+            if first == came:
+                continue
+            joints, waiting = [], [(first, link)]
+            while waiting:
+                joint, near = waiting.pop()
+                joints.append(joint)
+                far = self._far(joint, near)
+                waiting += [(j, far) for j in self.at.get(far, []) if j != joint]
+            found.append(Limb(tuple(joints), link, sum(self.weight[j] for j in joints)))
+        return found
+
+    def _shared_out(self, core: Sequence[int], limbs: Sequence[Limb]) -> Layout:
+        shares: list[list[Limb]] = [[] for _ in range(self.processes)]
+        loads = [0.0] * self.processes
+        for limb in sorted(limbs, key=lambda limb: (-limb.weight, limb.joints)):
+            p = loads.index(min(loads))
+            shares[p].append(limb)
+            loads[p] += limb.weight
+        self._exchange(shares, loads)
+        time = max(loads) + sum(self.weight[j] for j in core)
+        return Layout(tuple(core), tuple(tuple(share) for share in shares), time)
+
+    @staticmethod
+    def _exchange(shares: list[list[Limb]], loads: list[float]) -> None:
+        """Swap limbs between the busiest process and others while that makes it less busy."""
+        moved = True
+        while moved:
+            moved = False
+            busiest = loads.index(max(loads))
+            for p in range(len(loads)):
+                swap = _best_swap(shares[busiest], shares[p], loads[busiest] - loads[p])
+                if p == busiest or swap is None:
+                    continue
+                give, take = swap
+                shares[busiest].remove(give)
+                shares[p].append(give)
+                by = give.weight
+                if take is not None:
+                    shares[p].remove(take)
+                    shares[busiest].append(take)
+                    by -= take.weight
+                loads[busiest] -= by
+                loads[p] += by
+                moved = True
+                break
+
+    def schedule(self, layout: Layout, pattern: Schedule) -> Schedule:
+        """Return the schedule tree of a layout: limbs first, then what joins them."""
+        draft = Draft(len(self.topology))
+        draft.ranges = [(0, self.processes)] * len(self.topology)
+        claimed: dict[int, int] = {}  # the process that a link of the core goes with
+        for p, share in enumerate(layout.shares):
+            for limb in share:
+                if len(limb.joints) == 1:
+                    claimed.setdefault(limb.link, p)
+        inside: list[int] = []
+        joining: list[int] = []
+        for p, share in enumerate(layout.shares):
+            for limb in share:
+                own = claimed.setdefault(limb.link, p) == p
+                for joint in limb.joints if own else limb.joints[1:]:
+                    draft.ranges[joint] = (p, p + 1)
+                    inside.append(joint)
+                if not own:
+                    joining.append(limb.joints[0])
+        order = [*inside, *joining, *layout.core, *(self.bases if self.floats else ())]
+        draft.root = draft.contract(self.topology, order)
+        root = draft.finish(self.topology, self.profile)
+        return replace(
+            pattern, root=root, processes=self.processes, loads=loads_of(root, self.processes)
+        )
+
+
+def _best_swap(
+    mine: Sequence[Limb], theirs: Sequence[Limb], difference: float
+) -> tuple[Limb, Limb | None] | None:
+    """The limb to give, and that to take, which leave two processes most alike."""
+    best, least = None, abs(difference) * (1 - 1e-9)
+    for give in mine:
+        for take in (None, *theirs):
+            left = abs(difference - 2 * (give.weight - (take.weight if take else 0.0)))
+            if left < least:
+                best, least = (give, take), left
+    return best
