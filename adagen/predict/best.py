@@ -1,4 +1,4 @@
-"""The schedule that the tool takes by itself: searched, then improved by playing plans through."""
+"""The schedule that the tool takes by itself: searched by what suits the form."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from typing import Any
 from adagen.model import Model
 from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
-from adagen.predict.refine import refine
 from adagen.schedule import CostProfile, Schedule, Topology, find_schedule
 
 
@@ -50,7 +49,4 @@ def best_schedule(
         return seen.unfold(found, profile)
     cuttable = cuttable_joints(model, scalar, seen.joints)
     found = find_schedule(seen.topology, processes, profile=profile, cuttable=cuttable, **search)
-    searched = search.get("strategy", "exact") == "exact" and found.split == "always"
-    if profile.steps is not None and searched:
-        found = refine(model, found, profile, cuttable, seen=seen)
     return seen.unfold(found, profile)
