@@ -54,7 +54,7 @@ EXAMPLES = (
     Example("arm7", "arm7", 1),
     Example("arm7", "arm7", 2),
     Example("arm7_unrolled", "arm7", 1, shape="unrolled"),
-    Example("arm7_unrolled", "arm7", 2, shape="unrolled"),
+    Example("arm7_unrolled", "arm7", 2, form="ada", shape="unrolled"),
     Example("arm7_slaved", "arm7", 2, mimic=True, form="ada"),
     Example("arm7_float", "arm7", 2, scalar="float"),
     Example("humanoid", "humanoid", 2, floating=True),
