@@ -72,11 +72,12 @@ def publish(record: Record, out: Path | None) -> None:
         draw(record, out, ("svg", "png"))
         return
     write_record(record, ROOT / "benchmarks" / "bench.json")
+    pictures = draw(record, ROOT / "docs" / "pictures")
+    shown = "\n\n".join(f"![{path.stem}](pictures/{path.name})" for path in pictures)
     page = ROOT / "docs" / "benchmarks.md"
     text = page.read_text(encoding="utf-8")
     head, tail = text[: text.index(BEGIN)], text[text.index(END) :]
-    page.write_text(f"{head}{BEGIN}\n{markdown(record)}\n{tail}", encoding="utf-8")
-    draw(record, ROOT / "docs" / "pictures")
+    page.write_text(f"{head}{BEGIN}\n{shown}\n\n{markdown(record)}\n{tail}", encoding="utf-8")
 
 
 def main(words: Sequence[str] | None = None) -> int:

@@ -25,7 +25,7 @@ class Rules:
         repeat: evaluations of each state in a turn.
         states: how many states a peer's program is timed on; emitted ones have 64 of their own.
         seed: of the states.
-        judged: how many of the states the answers are judged on.
+        judged: how many of the states the answers are judged on; one of large robots.
     """
 
     rounds: int = 9

@@ -98,7 +98,8 @@ def _microseconds(axis: Any) -> None:
 
 def boxes(record: Record) -> Figure | None:
     """Return box plots of the rounds' medians, a group for each robot but chains."""
-    models = [m for m in record.models if not _is_chain(m)] or list(record.models)
+    timed = [m for m in record.models if any(rows_of(m))]
+    models = [m for m in timed if not _is_chain(m)] or timed
     if not models:
         return None
     figure, axes = _figure(record, "Time of one evaluation", 9.5, 2.4 + 0.8 * len(models))
@@ -110,6 +111,8 @@ def boxes(record: Record) -> Figure | None:
             _box(axes, row, place + (k - (len(SERIES) - 1) / 2) * pitch, pitch, SERIES[key][1])
             shown.add(key)
     axes.set_xscale("log")
+    turns = [ns for model in models for _, row in rows_of(model) for ns in row.turns]
+    axes.set_xlim(min(turns) / 1.2, 1.5 * max(turns))  # with room for what is written beside
     axes.set_yticks(range(len(models)), [f"{m.name}\n{m.dofs} DOF" for m in models])
     axes.set_ylim(len(models) - 0.45, -0.55)
     for line in range(1, len(models)):

@@ -134,12 +134,14 @@ def publish(record: Record, folder: Path) -> None:
     draw(record, folder)
 
 
-def draw(record: Record, folder: Path, endings: Sequence[str] = ("svg",)) -> None:
-    """Write a record's pictures into a folder, where matplotlib is installed."""
+def draw(record: Record, folder: Path, endings: Sequence[str] = ("svg",)) -> list[Path]:
+    """Write a record's pictures into a folder, where matplotlib is installed; return the files."""
     try:
         from adagen.bench.pictures import draw_all
     except ImportError:
         note("without pictures: matplotlib is not installed (pip install 'adagen[bench]')")
-        return
-    for path in draw_all(record, folder, endings):
+        return []
+    written = draw_all(record, folder, endings)
+    for path in written:
         note(f"wrote {path}")
+    return written

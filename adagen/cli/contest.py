@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from adagen.bench.answers import Errors, Judge
+from adagen.bench.answers import DIRECT, Errors, Judge
 from adagen.bench.contest import Contestant, Rules, Times, cores, hold
 from adagen.bench.emitted import Emitted
 from adagen.bench.machine import machine
@@ -36,6 +36,8 @@ VARIANTS = (
     "--procs 1 --shape kernels",
 )
 """What adagen is asked for, in its own command line's words; what it cannot do is skipped."""
+MOST_TEXT = 1_500_000
+"""Characters of a source that is still built: with more, a contest would be one of compilers."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -93,7 +95,8 @@ def measure(
     load_profile(options.profile)  # refused before anything is built
     model = pipeline.read_model(options, Stages(), options.gravity)
     states = random_states(model, rules.states, rules.seed)
-    few = States(*(x[: rules.judged] for x in (states.q, states.v, states.tau)))
+    judged = rules.judged if model.nv <= DIRECT else 1
+    few = States(*(x[:judged] for x in (states.q, states.v, states.tau)))
     absent: dict[str, str] = {}
     with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
         taking_part = _emitted(entry, model, variants, absent)
@@ -172,6 +175,11 @@ def _emit(entry: Entry, model: Model, variant: str) -> Emitted:
     more = [w for k, w in enumerate(words) if not {w, *words[k - 1 : k]} & _NAMED]
     names = [shape, *([options.scalar] if options.scalar != "double" else []), *more]
     file, text = made.source
+    if len(text) > MOST_TEXT:
+        raise UsageError(
+            f"shape {shape}: {len(text) / 1e6:.1f} million characters of source take minutes to "
+            "compile"
+        )
     return Emitted(
         name=f"adagen P={options.procs}, {', '.join(names)}",
         model=model,

@@ -59,7 +59,7 @@ def interpret_refined(
     """
     plan = refinable(plan)
     q, v = with_slaved(plan, q, v)
-    chain = _Links(plan, q, v, wide)
+    chain = WideLinks(plan, q, v, wide)
     answer = _solve(plan, q, v, np.asarray(tau, dtype=float), None)
     qdd, forces = chain.follow(answer[0].astype(wide)), answer[1].astype(wide)
     sizes = []
@@ -147,7 +147,7 @@ class _ForceSegments(SegmentMachine):
         self.memory["force", j] = force
 
 
-class _Links:
+class WideLinks:
     """Motion of all links in wide arithmetic."""
 
     def __init__(self, plan: Plan, q: Array, v: Array, wide: Any) -> None:

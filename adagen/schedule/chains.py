@@ -132,6 +132,14 @@ class Chains:
             work -= self._before[self.end[cut]] - self._before[cut]
         return work
 
+    def above(self, link: int, top: int = 0) -> list[int]:
+        """Return the positions between a link and one above it, upwards."""
+        found = []
+        while link != top:
+            found.append(link - 1)
+            link = self.parent[link - 1]
+        return found
+
     def meet(self, a: int, b: int) -> int:
         """Return the lowest link that is at or above both links."""
         while a != b:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from adagen.schedule.pricing import segment_prices
-from adagen.schedule.profile import TICKS, CostProfile
+from adagen.schedule.pricing import NodePrice, segment_prices
+from adagen.schedule.profile import CostProfile
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node
 
@@ -96,7 +96,8 @@ class Draft:
                 joints += n
             # Each joint inside the chain is counted by both of its links, one outside by one.
             k = degrees - 2 * joints
-            cost = profile.join(k, topology.dofs[joint]) if prices is None else prices[joint]
-            result = Node(joint, self.ranges[joint], sides[0], sides[1], cost / TICKS, k)
+            cost = profile.join(k, topology.dofs[joint])
+            price = NodePrice(cost, 0, (0, 0)) if prices is None else prices[joint]
+            result = price.node(joint, self.ranges[joint], sides[0], sides[1], k)
             made[joint] = (result, degrees, joints)
         return made[self.root][0]

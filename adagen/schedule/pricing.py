@@ -1,19 +1,51 @@
 """A schedule tree priced by segments: what each node costs where a profile has step costs.
 
-The costs are laid so that the rules of the tree (descendants side by side take the longer time,
-one after the other their sum) give the predicted time of the whole: a joint inside a segment costs
-what it takes there, the topmost one also what the segment takes as a whole, and that of a segment
-computed elsewhere also the time its messages are under way.
+The costs are laid so that the rules of the tree (:func:`adagen.schedule.tree.makespan_of`) play the
+plan through: a joint inside a segment costs what it takes there, the topmost one also what its
+process does for the segment as a whole, and before it: kinematics, also towards the joints that the
+process joins later. A joint between processes also costs receiving and sending.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from adagen.schedule.chains import WHOLE, Chain
-from adagen.schedule.profile import CostProfile
+from adagen.schedule.profile import TICKS, CostProfile
+from adagen.schedule.segment_prices import Price
 from adagen.schedule.segments import SegmentCosts
 from adagen.schedule.topology import Topology
+from adagen.schedule.tree import Node
+
+
+class NodePrice(NamedTuple):
+    """What a node costs in either sweep and how long its messages are under way; ticks."""
+
+    assembly: int
+    disassembly: int
+    transit: tuple[int, int] | None
+
+    def node(
+        self,
+        joint: int,
+        processes: tuple[int, int],
+        root_side: Node | None,
+        end_side: Node | None,
+        boundary: int,
+    ) -> Node:
+        """Return the node of a joint at this price; see :class:`Node`."""
+        away = None if self.transit is None else tuple(ticks / TICKS for ticks in self.transit)
+        return Node(
+            joint,
+            processes,
+            root_side,
+            end_side,
+            (self.assembly + self.disassembly) / TICKS,
+            boundary,
+            self.disassembly / TICKS,
+            None if away is None else (away[0], away[1]),
+        )
 
 
 def segment_prices(
@@ -22,8 +54,8 @@ def segment_prices(
     root: int,
     children: Sequence[tuple[int, int]],
     ranges: Sequence[tuple[int, int]],
-) -> list[int]:
-    """Return what each joint's node costs, ticks.
+) -> list[NodePrice]:
+    """Return what each joint's node costs.
 
     Args:
         topology: the robot.
@@ -32,27 +64,106 @@ def segment_prices(
         children: for each joint its descendants on root and end side, -1 for a bare link.
         ranges: for each joint its range of processes.
     """
-    costs = SegmentCosts(topology, profile)
-    place = {j: p for p, j in enumerate(costs.chains.original)}
-    alone = _alone(root, children, ranges)
-    prices = [0] * len(children)
-    stack: list[tuple[int, Chain, int]] = [(root, WHOLE, 0)]
-    while stack:
-        joint, chain, extra = stack.pop()
-        if alone[joint]:
-            _price_segment(costs, chain, joint, prices)
-            prices[joint] += extra
-            continue
-        position = place[joint]
-        sides = costs.chains.split(chain, position)
-        prices[joint] = extra + costs.cut(chain, position)
-        for child, side in zip(children[joint], sides, strict=True):
-            if child < 0:
-                prices[joint] += costs.bare() if side.top else 0  # the ground has no bias
+    return _Pricing(SegmentCosts(topology, profile), children, ranges).prices(root)
+
+
+class _Part(NamedTuple):
+    """A part of the tree, and what its process joins further up; positions."""
+
+    joint: int
+    chain: Chain
+    joined: tuple[int, ...]
+    transit: tuple[int, int] | None
+
+
+class _Pricing:
+    def __init__(
+        self,
+        costs: SegmentCosts,
+        children: Sequence[tuple[int, int]],
+        ranges: Sequence[tuple[int, int]],
+    ) -> None:
+        self.costs = costs
+        self.children = children
+        self.ranges = ranges
+        self.place = {j: p for p, j in enumerate(costs.chains.original)}
+        self.found = [NodePrice(0, 0, (0, 0))] * len(children)
+
+    def prices(self, root: int) -> list[NodePrice]:
+        alone = _alone(root, self.children, self.ranges)
+        stack = [_Part(root, WHOLE, (), (0, 0))]
+        while stack:
+            part = stack.pop()
+            if alone[part.joint]:
+                self._segment(part)
             else:
-                remote = ranges[child][0] != ranges[joint][0]
-                stack.append((child, side, costs.transit(side) if remote else 0))
-    return prices
+                stack += self._join(part)
+        return self.found
+
+    def _join(self, part: _Part) -> list[_Part]:
+        """Price a joint between processes; return what is below it."""
+        costs, (joint, chain, joined, _) = self.costs, part
+        process, position = self.ranges[joint][0], self.place[joint]
+        speed = costs.costs.speed(process)
+        cut = costs.cut(chain, position)
+        up, down = scaled(cut.assembly, speed), scaled(cut.disassembly, speed)
+        below = []
+        local = (*joined, position)  # the first side that stays here bears the kinematics
+        sides = costs.chains.split(chain, position)
+        for child, side in zip(self.children[joint], sides, strict=True):
+            if child < 0:
+                up += scaled(costs.bare(), speed) if side.top else 0  # the ground has no bias
+            elif self.ranges[child][0] == process:
+                below.append(_Part(child, side, local, (0, 0)))
+                local = ()
+            else:
+                transit = costs.transit(side)
+                if transit is None:
+                    below.append(_Part(child, side, (), None))
+                    continue
+                up += transit.handling.assembly
+                down += transit.handling.disassembly
+                below.append(_Part(child, side, (), transit.away))
+        self.found[joint] = NodePrice(up, down, part.transit)
+        return below
+
+    def _segment(self, part: _Part) -> None:
+        costs, chains = self.costs, self.costs.chains
+        speed = costs.costs.speed(self.ranges[part.joint][0])
+        price = costs.price(part.chain)
+        on_path = set(price.path)
+        total = [0, 0]
+        for p in chains.positions(part.chain):
+            out = costs.outward[p] if p in on_path else Price(0, 0)
+            up = scaled(costs.own[p] + costs.alone[p].assembly + out.assembly, speed)
+            down = scaled(costs.alone[p].disassembly + out.disassembly, speed)
+            self.found[chains.original[p]] = NodePrice(up, down, (0, 0))
+            total = [total[0] + up, total[1] + down]
+        first, second = segment_time(
+            costs, part.chain, costs.beyond(part.chain, part.joined), speed
+        )
+        own = self.found[part.joint]
+        up, down = own.assembly + first - total[0], own.disassembly + second - total[1]
+        self.found[part.joint] = NodePrice(up, down, part.transit)
+
+
+def segment_time(costs: SegmentCosts, chain: Chain, beyond: int, speed: float) -> tuple[int, int]:
+    """Return what a process takes for a segment in the first and in the second sweep, ticks.
+
+    Args:
+        costs: prices.
+        chain: the segment.
+        beyond: kinematics towards joints outside that the process joins.
+        speed: of its core.
+    """
+    price = costs.price(chain)
+    first = costs.start + price.kinematics + beyond + price.sweeps.assembly
+    return scaled(first, speed), scaled(price.sweeps.disassembly, speed)
+
+
+def scaled(ticks: int, speed: float) -> int:
+    """Return a time on a core of some speed."""
+    return ticks if speed == 1.0 else round(ticks / speed)
 
 
 def _alone(
@@ -72,13 +183,3 @@ def _alone(
             if child >= 0
         )
     return alone
-
-
-def _price_segment(costs: SegmentCosts, chain: Chain, top: int, prices: list[int]) -> None:
-    chains, price = costs.chains, costs.price(chain)
-    for p in chains.positions(chain):
-        prices[chains.original[p]] = costs.alone[p]
-    for p in price.path:
-        prices[chains.original[p]] += costs.outward[p]
-    inside = sum(prices[chains.original[p]] for p in chains.positions(chain))
-    prices[top] += price.total - inside

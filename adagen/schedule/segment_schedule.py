@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,19 +12,29 @@ from numpy.typing import NDArray
 from adagen.schedule.budget import Budget, OutOfBudget
 from adagen.schedule.chains import WHOLE
 from adagen.schedule.draft import Draft
+from adagen.schedule.pricing import segment_time
 from adagen.schedule.profile import TICKS, CostProfile
-from adagen.schedule.segment_search import FOREVER, SegmentSearch
+from adagen.schedule.segment_bounds import SegmentBounds
+from adagen.schedule.segment_front import Label, State, draft_of
+from adagen.schedule.segment_search import SegmentSearch
 from adagen.schedule.segments import SegmentCosts
 from adagen.schedule.topology import Topology
-from adagen.schedule.tree import Schedule, Tie, loads_of, makespan_of
+from adagen.schedule.tree import Schedule, Sweeps, Tie, loads_of, makespan_of
+
+_BEAMS = ((1, 1), (4, 1), (16, 1), (4, 2), (8, 4))
+"""Of each first guess: options followed at each state, and how unequal divisions may be."""
 
 
 def segment_bound(topology: Topology, profile: CostProfile, processes: int) -> float:
     """Return a lower bound that needs no search on the time of any schedule, microseconds."""
     costs = SegmentCosts(topology, profile)
     everywhere = np.ones(len(topology), dtype=np.bool_)
-    bounds = [SegmentSearch(costs, everywhere, Budget(0)).rough(WHOLE, p) for p in (1, processes)]
-    return min(bounds) / TICKS
+    bounds = SegmentBounds(costs, everywhere, _speeds(costs, processes))
+    return bounds.least(WHOLE, processes) / TICKS
+
+
+def _speeds(costs: SegmentCosts, processes: int) -> tuple[float, ...]:
+    return tuple(costs.costs.speed(p) for p in range(processes))
 
 
 def segment_schedule(
@@ -46,25 +58,39 @@ def segment_schedule(
     costs = SegmentCosts(topology, profile)
     allowed = [True] * len(topology) if cuttable is None else list(cuttable)
     at = np.array([allowed[j] for j in costs.chains.original], dtype=np.bool_)
-    draft, lower, expanded = find_segments(costs, processes, at, expansions, deadline)
-    root = draft.finish(topology, profile)
+    found = find_segments(costs, processes, at, expansions, deadline)
+    root = found.draft.finish(topology, profile)
     makespan = makespan_of(root)
-    proven = min(lower / TICKS, makespan)
+    lower = found.lower / TICKS
     return Schedule(
         root=root,
         processes=processes,
         makespan=makespan,
-        verdict="optimal" if proven >= makespan else "gap",
-        gap=makespan / proven - 1.0,
-        lower_bound=proven,
+        verdict="optimal" if lower >= makespan else "gap",
+        gap=0.0 if lower >= makespan else makespan / lower - 1.0,
+        lower_bound=min(lower, makespan),
         profile=profile.name,
         tie=tie,
         tie_proven=False,
         strategy="exact",
         split="always",
-        expanded=expanded,
+        expanded=found.expanded,
         loads=loads_of(root, processes),
     )
+
+
+class Found(NamedTuple):
+    """What a search comes back with.
+
+    Attributes:
+        draft: the best schedule found.
+        lower: proven lower bound on the makespan, ticks.
+        expanded: states expanded.
+    """
+
+    draft: Draft
+    lower: int
+    expanded: int
 
 
 def find_segments(
@@ -73,8 +99,8 @@ def find_segments(
     cuttable: NDArray[np.bool_],
     expansions: int,
     deadline: float | None,
-) -> tuple[Draft, int, int]:
-    """Return the best schedule found, a proven lower bound in ticks and the states expanded.
+) -> Found:
+    """Return the best schedule found and what is proven.
 
     Args:
         costs: prices of the robot's chains and cuts.
@@ -83,22 +109,21 @@ def find_segments(
         expansions: states that may be expanded in all.
         deadline: on the monotonic clock; None for none.
     """
-    best, draft, spent = FOREVER, None, 0
-    for width in (1, 4, 16):
-        beam = SegmentSearch(costs, cuttable, Budget(1 << 40, deadline), width)
-        try:
-            time = beam.time(WHOLE, processes)
-        except OutOfBudget:
-            break
+    speeds = _speeds(costs, processes)
+    bounds = SegmentBounds(costs, cuttable, speeds)
+    spent = 0
+    search = SegmentSearch(costs, bounds, speeds, Budget(expansions, deadline))
+    alone = Sweeps(*segment_time(costs, WHOLE, 0, speeds[0]), 0)
+    best = Label(alone, State(WHOLE, 0, processes))
+    for width, uneven in _BEAMS:
+        budget = Budget(max(64, expansions // 4), deadline)
+        beam = SegmentSearch(costs, bounds, speeds, budget, width, uneven)
+        with suppress(OutOfBudget):
+            beam.solve(best.time.total)
         spent += beam.budget.expanded
-        if time < best:
-            best, draft = time, beam.draft(processes)
-        if spent > expansions:
+        best = beam.best or best
+        if 2 * spent > expansions:
             break
-    search = SegmentSearch(costs, cuttable, Budget(expansions, deadline))
-    if draft is None:  # no time at all: one process
-        best, draft = search.costs.price(WHOLE).total, search.draft(processes)
-    optimum = search.tighten(processes, best)
-    if optimum is not None and optimum < best:
-        draft = search.draft(processes)
-    return draft, search.lower, spent + search.budget.expanded
+    search.tighten(best.time.total)
+    draft = draft_of(search.best or best, costs.chains)
+    return Found(draft, search.lower, spent + search.budget.expanded)

@@ -1,34 +1,23 @@
 """Form `segment` priced: what one process takes for a partial chain, and what a cut costs.
 
 Inside a chain of one process no order matters: every joint is articulated once, and along the paths
-between the chain's handles mobility is carried outwards. All times are ticks. They bound from below
-what the plan takes, played through step by step (adagen.predict): a process also repeats the
-kinematics towards joints that it joins, and sends take its time.
+between the chain's handles mobility is carried outwards. Prices follow the plan (adagen.plan) step
+by step, assembly and disassembly apart, so that a schedule played through by the rules of its tree
+takes what its plan takes. All times are ticks on a core of speed 1.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Collection, Sequence
 from itertools import accumulate
 
 from adagen.model.kinds import KINDS
 from adagen.schedule.chains import Chain, Chains
 from adagen.schedule.costs import StepCosts
 from adagen.schedule.profile import TICKS, CostProfile
+from adagen.schedule.segment_paths import Way, way_between
+from adagen.schedule.segment_prices import Price, SegmentPrice, Transit
 from adagen.schedule.topology import Topology
-
-
-@dataclass(frozen=True)
-class SegmentPrice:
-    """What a chain takes on one process; ticks.
-
-    Attributes:
-        total: everything.
-        path: positions of the joints along which mobility is carried outwards, ascending.
-    """
-
-    total: int
-    path: tuple[int, ...]
 
 
 class SegmentCosts:
@@ -36,12 +25,15 @@ class SegmentCosts:
 
     Attributes:
         chains: the robot, renumbered by position.
-        alone: per position, what its joint takes inside a chain, its child link included.
-        outward: per position, what it takes to carry mobility across it and loads back.
+        own: per position, the kinematics of its joint.
+        alone: per position, what its joint takes inside a chain besides, its child link included.
+        outward: per position, what it takes to carry mobility across it and loads back, without
+            the loads themselves.
         kinematics: per link, of all joints between it and the ground.
         join: per position, the least that joining and taking apart its joint costs.
-        start: what every chain takes apart from its joints.
-        root: what a chain takes besides if its top link is not the ground.
+        start: what every process takes apart from its steps.
+        whole_root: what a chain without the ground takes besides its joints: its root.
+        branch: per link, the joint on the ground above it; -1 for the ground.
     """
 
     def __init__(self, topology: Topology, profile: CostProfile) -> None:
@@ -53,50 +45,71 @@ class SegmentCosts:
         grounded = [above == 0 for above in parent]
         self.free = [g and kind == "floating" for g, kind in zip(grounded, self.kinds, strict=True)]
         rows = list(zip(self.kinds, grounded, self.free, strict=True))
+        self.own = [self._ticks(f"kinematics.{kind}") for kind in self.kinds]
         self.alone = [self._alone(*row) for row in rows]
         self.outward = [self._outward(*row) for row in rows]
         self.join = [
-            self._ticks(f"join.{'ground' if g and not f else kind}", f"disassemble.{kind}")
+            Price(
+                self._ticks(f"join.{'ground' if g and not f else kind}"),
+                self._ticks(f"disassemble.{kind}"),
+            )
             for kind, g, f in rows
         ]
         self.kinematics = [0] * (len(parent) + 1)
+        self.branch = [-1] * (len(parent) + 1)
         for p, above in enumerate(parent):
-            own = self._ticks(f"kinematics.{self.kinds[p]}")
-            self.kinematics[p + 1] = self.kinematics[above] + own
-        self.before = [0, *accumulate(self.alone)]
+            self.kinematics[p + 1] = self.kinematics[above] + self.own[p]
+            self.branch[p + 1] = self.branch[above] if above else p
+        self.before = tuple(
+            [0, *accumulate(column)] for column in (self.own, *zip(*self.alone, strict=True))
+        )
         self.start = self._ticks("process.evaluation")
-        self.root = self._ticks("link.start", "root.invert", "root.accelerate", "deliver.load")
+        self.load = self._ticks("deliver.load")
+        self.spread = self._ticks("propagate.spread")
+        self.root = Price(self._ticks("root.invert"), self._ticks("root.accelerate"))
+        first = self._ticks("link.start", "root.invert")
+        self.whole_root = Price(first, self.root.disassembly + self.load)
         self._prices: dict[Chain, SegmentPrice] = {}
+        self._cuts: dict[tuple[Chain, int], Price] = {}
+        self._transits: dict[Chain, Transit | None] = {}
+        self._handles: dict[Chain, list[int]] = {}
 
     def _ticks(self, *names: str) -> int:
         return sum(round(self.costs[name] * TICKS) for name in names)
 
-    def _alone(self, kind: str, grounded: bool, free: bool) -> int:
+    def _alone(self, kind: str, grounded: bool, free: bool) -> Price:
         if free:
-            return self._ticks("link.start", f"kinematics.{kind}", "free.base", "free.acceleration")
+            return Price(self._ticks("link.start", "free.base"), self._ticks("free.acceleration"))
         articulate = "articulate.ground" if grounded else f"articulate.{kind}"
-        return self._ticks("link.start", f"kinematics.{kind}", articulate, f"accelerate.{kind}")
+        return Price(self._ticks("link.start", articulate), self._ticks(f"accelerate.{kind}"))
 
-    def _outward(self, kind: str, grounded: bool, free: bool) -> int:
+    def _outward(self, kind: str, grounded: bool, free: bool) -> Price:
         if free:
-            return 0
+            return Price(0, 0)
         propagate = "propagate.ground" if grounded else f"propagate.{kind}"
-        return self._ticks(propagate, f"deliver.{kind}", "deliver.load")
+        return Price(self._ticks(propagate), self._ticks(f"deliver.{kind}"))
 
     def handles(self, chain: Chain) -> list[int]:
         """Return the links of a chain that boundary joints touch, ascending, each once.
 
         The ground is none: what meets there alone does not feel each other.
         """
-        return sorted(set(self.chains.handles(chain)) - {0})
+        known = self._handles.get(chain)
+        if known is None:
+            known = self._handles[chain] = sorted(set(self.chains.handles(chain)) - {0})
+        return known
 
-    def work(self, chain: Chain) -> int:
-        """Return what the joints of a chain take, without paths, root and start."""
+    def work(self, chain: Chain) -> tuple[int, int, int]:
+        """Return what a chain's joints take alone: kinematics, assembly, disassembly."""
         first, last = self.chains.span(chain)
-        work = self.before[last] - self.before[first]
-        for cut in chain.cuts:
-            work -= self.before[self.chains.end[cut]] - self.before[cut]
-        return work
+        end = self.chains.end
+        found = []
+        for before in self.before:
+            work = before[last] - before[first]
+            for cut in chain.cuts:
+                work -= before[end[cut]] - before[cut]
+            found.append(work)
+        return found[0], found[1], found[2]
 
     def price(self, chain: Chain) -> SegmentPrice:
         """Return what a chain takes on one process."""
@@ -106,76 +119,133 @@ class SegmentCosts:
         return known
 
     def _price(self, chain: Chain) -> SegmentPrice:
-        handles = self.handles(chain)
-        total = self.start + self.work(chain) + self.kinematics[chain.top]
+        own, assembly, disassembly = self.work(chain)
+        path: tuple[int, ...] = ()
         if chain.top:
-            path = self._paths(handles, chain.top)
-            total += self.root + len(path) * self._ticks("propagate.spread")
+            ways = [way_between(self.chains, chain.top, self.handles(chain))]
+            assembly += self._ticks("link.start")
         else:
-            path, roots = self._grounded_paths(handles)
-            total += roots
-        total += sum(self.outward[p] for p in path)
-        return SegmentPrice(total, tuple(sorted(path)))
+            ways = self._grounded(chain)
+            free = sum(self.free[p] for p in self._on_ground(chain))
+            assembly += (free - sum(way.root > 0 for way in ways)) * self._ticks("root.solve")
+        for way in ways:
+            rooted = way.root > 0
+            assembly += rooted * self.root.assembly + way.spreads * self.spread
+            disassembly += rooted * self.root.disassembly + way.loads * self.load
+            assembly += sum(self.outward[p].assembly for p in way.path)
+            disassembly += sum(self.outward[p].disassembly for p in way.path)
+            turned = len(way.turned), len(set(way.path).intersection(way.turned))
+            extra = self._reversed(*turned)
+            assembly, disassembly = assembly + extra.assembly, disassembly + extra.disassembly
+            path += way.path
+        return SegmentPrice(own + self.kinematics[chain.top], Price(assembly, disassembly), path)
 
-    def _paths(self, handles: list[int], top: int) -> set[int]:
-        """Return the positions between handles and a link above them."""
-        path: set[int] = set()
-        for link in handles:
-            while link != top and link - 1 not in path:
-                path.add(link - 1)
-                link = self.chains.parent[link - 1]
-        return path
+    def _reversed(self, swept: int, outwards: int) -> Price:
+        """Return what joints cost more whose segment has its root below them."""
+        return Price(
+            swept * self._ticks("articulate.reversed")
+            + outwards * self._ticks("propagate.reversed"),
+            swept * self._ticks("accelerate.reversed") + outwards * self._ticks("deliver.reversed"),
+        )
 
-    def _grounded_paths(self, handles: list[int]) -> tuple[set[int], int]:
-        """Return the paths of a chain that holds the ground, and what the roots of its parts cost.
+    def _on_ground(self, chain: Chain) -> list[int]:
+        """Return the positions of a chain's joints on the ground."""
+        return [p for p, link in enumerate(self.chains.parent) if not link and p not in chain.cuts]
+
+    def _grounded(self, chain: Chain) -> list[Way]:
+        """Return the ways to the handles of a chain that holds the ground, from each root.
 
         What hangs on a free joint is not held by the ground: its root is its first handle.
         """
-        path: set[int] = set()
-        roots = 0
-        for p, (above, free) in enumerate(zip(self.chains.parent, self.free, strict=True)):
-            if above:
-                continue
-            mine = [link for link in handles if p < link <= self.chains.end[p]]
-            if not free:
-                path |= self._paths(mine, 0)
+        held: list[int] = []
+        ways = []
+        for p in self._on_ground(chain):
+            mine = [link for link in self.handles(chain) if p < link <= self.chains.end[p]]
+            if not self.free[p]:
+                held += mine
             elif mine:
-                top = mine[0]
-                for link in mine[1:]:
-                    top = self.chains.meet(top, link)
-                path |= self._paths(mine, top)
-                roots += self._ticks("root.invert", "root.accelerate", "deliver.load")
-            else:
-                roots += self._ticks("root.solve")
-        return path, roots
+                root = min(mine, key=lambda link: self.chains.original[link - 1])
+                ways.append(way_between(self.chains, root, mine, above=p + 1))
+        return [way_between(self.chains, 0, held), *ways] if held else ways
 
-    def cut(self, chain: Chain, position: int) -> int:
-        """Return what joining the two sides of a cut costs, in both sweeps."""
-        end = self.chains.end[position]
-        handles = self.handles(chain)
+    def beyond(self, chain: Chain, joined: Collection[int]) -> int:
+        """Return the kinematics that a process needs to join joints besides those of its segment.
+
+        Args:
+            chain: the segment; what it needs itself reaches from its joints to the ground.
+            joined: positions of the joints.
+        """
+        chains = self.chains
+        inside = set(chains.positions(chain)) if joined else set()
+        seen = set(chains.above(chain.top)) if joined else set()
+        extra = 0
+        for p in joined:
+            for q in (p, *chains.above(chains.parent[p])):
+                if q not in seen and q not in inside:
+                    seen.add(q)
+                    extra += self.own[q]
+        return extra
+
+    def cut(self, chain: Chain, position: int) -> Price:
+        """Return what joining the two sides of a cut and taking them apart costs."""
+        key = (chain, position)
+        known = self._cuts.get(key)
+        if known is None:
+            a, b = self.around(chain, position)
+            known = self._cuts[key] = self.join[position].plus(self.coupled(position, a, b))
+        return known
+
+    def around(self, chain: Chain, position: int) -> tuple[int, int]:
+        """Return how many of a chain's handles feel a joint, on its root and on its end side."""
+        end, handles = self.chains.end[position], self.handles(chain)
         b = sum(position < link <= end for link in handles)
-        a = len(handles) - b
-        kind = self.kinds[position]
-        rows = (1 + len(KINDS[kind].constrained)) / 6
+        if not self.chains.parent[position]:
+            return 0, b
+        if not chain.top:  # joints on the ground part the handles
+            branch = self.branch[position + 1]
+            handles = [link for link in handles if self.branch[link] == branch]
+        return len(handles) - b, b
+
+    def coupled(self, position: int, a: int, b: int) -> Price:
+        """Return what a join costs more with so many handles on its two sides."""
+        rows = (1 + len(KINDS[self.kinds[position]].constrained)) / 6
         same = rows * (a * (a + 1) + b * (b + 1)) / 2
         extra = (
             a * self.costs["join.coupling_a"]
             + b * self.costs["join.coupling_b"]
             + same * self.costs["join.block"]
             + rows * a * b * self.costs["join.across"]
-            + (a + b) * self.costs["disassemble.coupling"]
         )
-        return self.join[position] + round(extra * TICKS)
+        apart = (a + b) * self.costs["disassemble.coupling"]
+        return Price(round(extra * TICKS), round(apart * TICKS))
 
     def bare(self) -> int:
         """Return what a side costs that is a bare link."""
         return self._ticks("link.bias")
 
-    def transit(self, chain: Chain) -> int:
-        """Return how long a chain's results and the forces on it are under way, together."""
-        m = len(self.handles(chain))
-        if not m:  # nothing to tell
-            return 0
-        numbers = 36 * m * (m + 1) / 2 + 6 * m + 6 * m
+    def transit(self, chain: Chain) -> Transit | None:
+        """Return what a chain's messages take; None if it has nothing to tell."""
+        if chain not in self._transits:
+            self._transits[chain] = self._transit(self.handles(chain))
+        return self._transits[chain]
+
+    def _transit(self, handles: Sequence[int]) -> Transit | None:
+        if not handles:
+            return None
+        groups: dict[int, int] = {}  # handles on two branches of the ground do not feel each other
+        for link in handles:
+            groups[self.branch[link]] = groups.get(self.branch[link], 0) + 1
+        return self.message(groups.values())
+
+    def message(self, groups: Collection[int]) -> Transit:
+        """Return what messages about groups of handles take, each group coupled in itself."""
+        count = sum(groups)
+        pairs = sum(m * (m + 1) // 2 for m in groups)
         channel = self.costs.window
-        return round((2 * (channel.send + channel.latency) + numbers * channel.number) * TICKS)
+        half = channel.number / 2 * TICKS
+        return Transit(
+            round((36 * pairs + 6 * count) * half),
+            round(6 * count * half),
+            round(channel.send * TICKS),
+            round(channel.latency * TICKS),
+        )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from adagen.schedule.profile import TICKS
 from adagen.schedule.topology import Topology
@@ -29,8 +29,12 @@ class Node:
             first one computes it.
         root_side: what is assembled on the side of the joint's parent link; None: the bare link.
         end_side: the same on the side of its child link.
-        cost: Eq. (11), microseconds.
+        cost: Eq. (11), or what the node's steps take; microseconds.
         boundary: k = N_O, the number of joints outside the node's chain that touch it.
+        disassembly: how much of the cost falls into the second sweep, where that is known; Eq. (11)
+            prices both sweeps as one.
+        transit: how long the results of its chain are under way to the process of the node above,
+            and the forces on it back; None if there is nothing to tell.
     """
 
     joint: int
@@ -39,6 +43,8 @@ class Node:
     end_side: Node | None
     cost: float
     boundary: int
+    disassembly: float = 0.0
+    transit: tuple[float, float] | None = (0.0, 0.0)
 
     @property
     def children(self) -> tuple[Node, ...]:
@@ -85,6 +91,49 @@ class Schedule:
     split: Split
     expanded: int
     loads: tuple[float, ...]
+
+
+class Sweeps(NamedTuple):
+    """How long a part of a schedule takes; ticks.
+
+    Attributes:
+        assembly: from the start until its process has assembled it.
+        disassembly: from when its process knows the forces on it until all its processes are done.
+        apart: when processes are done that wait for nobody in the second sweep.
+    """
+
+    assembly: int
+    disassembly: int
+    apart: int
+
+    @property
+    def total(self) -> int:
+        """Of a whole robot: until all processes are done."""
+        return max(self.assembly + self.disassembly, self.apart)
+
+    def after(self, assembly: int, disassembly: int) -> Sweeps:
+        """Return the time with more to be done by the same process."""
+        return Sweeps(self.assembly + assembly, self.disassembly + disassembly, self.apart)
+
+
+_NONE = Sweeps(0, 0, 0)
+
+
+def beside(here: Sweeps, there: Sweeps, transit: tuple[int, int] | None) -> Sweeps:
+    """Return the time of two parts side by side, before they are joined where the first one is.
+
+    Args:
+        here: the part whose process joins them.
+        there: the other one.
+        transit: how long its messages are under way in either sweep; None if it sends none.
+    """
+    if transit is None:
+        return Sweeps(here.assembly, here.disassembly, max(here.apart, there.total))
+    return Sweeps(
+        max(here.assembly, there.assembly + transit[0]),
+        max(here.disassembly, there.disassembly + transit[1]),
+        max(here.apart, there.apart),
+    )
 
 
 class InvalidSchedule(ValueError):
@@ -142,18 +191,28 @@ def loads_of(root: Node, processes: int) -> tuple[float, ...]:
 
 
 def makespan_of(root: Node) -> float:
-    """Return the predicted time in microseconds.
+    """Return the predicted time in microseconds: both sweeps, played through.
 
     Descendants that divide the range run side by side, those that share it one after the other.
-    Where every pair divides its range this equals the largest active time of a process.
+    Where every pair divides its range and Eq. (11) prices the nodes this equals the largest active
+    time of a process.
     """
-    finish: dict[int, int] = {}
+    finish: dict[int, Sweeps] = {}
     for node in postorder(root):
-        times = [finish[child.joint] for child in node.children]
-        together = len(times) == 2 and node.children[0].processes != node.children[1].processes
-        below = max(times) if together else sum(times)
-        finish[node.joint] = _ticks(node.cost) + below
-    return finish[root.joint] / TICKS
+        times = [finish.pop(child.joint) for child in node.children]
+        first, second = _ticks(node.cost - node.disassembly), _ticks(node.disassembly)
+        if len(times) == 2 and node.children[0].processes != node.children[1].processes:
+            local = node.children[0].processes[0] == node.processes[0]
+            here, there = times if local else reversed(times)
+            away = node.children[local].transit
+            transit = None if away is None else (_ticks(away[0]), _ticks(away[1]))
+            below = beside(here, there, transit)
+        else:
+            below = (
+                Sweeps(*(sum(column) for column in zip(*times, strict=True))) if times else _NONE
+            )
+        finish[node.joint] = below.after(first, second)
+    return finish[root.joint].total / TICKS
 
 
 def total_work(root: Node) -> float:

@@ -8,9 +8,15 @@ import numpy as np
 import pytest
 
 from adagen.bench import Contestant, Judge, Rules, hold
+from adagen.bench.answers import refined
 from adagen.bench.contest import Turn
 from adagen.errors import EnvironmentFault
-from adagen.reference import forward_dynamics
+from adagen.reference import (
+    energy_norm_error,
+    exact_forward_dynamics,
+    forward_dynamics,
+    joint_space_inertia,
+)
 from adagen.states import States, random_states
 from tests.models import serial_chain
 
@@ -78,6 +84,19 @@ def test_the_judge_tells_right_from_wrong() -> None:
     wrong = judge.errors(right * (1 + 1e-4))
     assert wrong.forward == pytest.approx(1e-4, rel=1e-3) and wrong.residual > 1e-7
     assert judge.errors(np.full_like(right, np.nan)).forward == np.inf
+
+
+@pytest.mark.parametrize("joints", [1, 12, 60])
+def test_refinement_finds_what_ball_arithmetic_proves(joints: int) -> None:
+    model = serial_chain(joints, floating=joints == 12)
+    states = random_states(model, 1, seed=joints)
+    state = (states.q[0], states.v[0], states.tau[0])
+    truth = exact_forward_dynamics(model, *state).value
+    inertia = joint_space_inertia(model, state[0])
+    assert energy_norm_error(inertia, refined(model, *state) - truth, truth) < 1e-14
+    if joints == 60:  # it has something to do there
+        plain = forward_dynamics(model, *state)
+        assert energy_norm_error(inertia, plain - truth, truth) > 1e-14
 
 
 def test_states_of_a_judge_are_those_given() -> None:

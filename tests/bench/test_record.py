@@ -101,6 +101,7 @@ def test_the_page_tells_machine_flags_and_who_is_missing(record: Record) -> None
     assert "g++ -O3" in page
 
 
+@pytest.mark.filterwarnings("error")
 def test_every_picture_is_drawn_and_the_same_again(record: Record, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     from adagen.bench.pictures import draw_all
@@ -112,6 +113,7 @@ def test_every_picture_is_drawn_and_the_same_again(record: Record, tmp_path: Pat
         assert first.read_text().startswith("<?xml") and first.read_text() == second.read_text()
 
 
+@pytest.mark.filterwarnings("error")
 def test_pictures_of_nothing_are_left_out(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     from adagen.bench.pictures import draw_all

@@ -11,6 +11,7 @@ from adagen.bench.contest import Rules
 from adagen.bench.record import read_record
 from adagen.cli import main
 from adagen.cli.contest import Entry, contest, measure
+from adagen.errors import UsageError
 from tests.cli.test_generate import write_arm
 
 ONE = ("--variant", "--procs 1", "--rounds", "2", "--peers", "none")
@@ -45,6 +46,14 @@ def test_what_adagen_cannot_do_is_named_and_the_rest_goes_on(arm: Path) -> None:
     assert "cubist" in found.absent["adagen --procs 1 --shape cubist"]
     assert "1000 processes need as many cores" in found.absent["adagen --procs 1000"]
     assert "adagen --procs auto" in found.absent
+
+
+def test_sources_that_compile_for_minutes_are_left_out(
+    arm: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("adagen.cli.contest.MOST_TEXT", 1000)
+    with pytest.raises(UsageError, match="take minutes to compile"):
+        measure(Entry("arm", arm), Rules(rounds=1, repeat=1), ("--procs 1",), ())
 
 
 def test_robots_measured_before_are_kept(arm: Path) -> None:

@@ -43,7 +43,7 @@ def test_more_processes_than_pay_are_obeyed_with_a_warning(
 def test_where_they_pay_there_is_no_warning(
     tmp_path: Path, cheap: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    arm = write_arm(tmp_path / "arm.urdf", 12)
+    arm = write_arm(tmp_path / "arm.urdf", 6)
     assert main(["schedule", str(arm), "--procs", "2", "--profile", str(cheap), "--json"]) == 0
     assert capsys.readouterr().err == ""
 
@@ -55,7 +55,7 @@ def test_auto_takes_one_for_an_arm_and_more_where_it_pays(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr("adagen.cli.predicted.cores", lambda: 4)
-    arm = write_arm(tmp_path / "arm.urdf", 12)
+    arm = write_arm(tmp_path / "arm.urdf", 6)
     assert main(["schedule", str(arm), "--procs", "auto", "--json"]) == 0
     stdout, stderr = capsys.readouterr()
     assert json.loads(stdout)["root"]["processes"][1] <= 2 and "--procs auto: " in stderr

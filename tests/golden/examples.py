@@ -33,6 +33,7 @@ class Example:
     form: str = "segment"
     scalar: str = "double"
     channel: str = "auto"
+    shape: str = "auto"
 
     @property
     def stem(self) -> str:
@@ -52,6 +53,8 @@ class Example:
 EXAMPLES = (
     Example("arm7", "arm7", 1),
     Example("arm7", "arm7", 2),
+    Example("arm7_unrolled", "arm7", 1, shape="unrolled"),
+    Example("arm7_unrolled", "arm7", 2, form="ada", shape="unrolled"),
     Example("arm7_slaved", "arm7", 2, mimic=True, form="ada"),
     Example("arm7_float", "arm7", 2, scalar="float"),
     Example("humanoid", "humanoid", 2, floating=True),
@@ -91,7 +94,8 @@ def files_of(example: Example) -> dict[str, str]:
     topology = Topology.of(example.model())
     several = "es" if example.processes > 1 else ""
     title = f"{example.model().name}, {example.processes} process{several}"
-    files = emit(plan, name=example.name, svg=schedule_svg(schedule, topology, title))
+    svg = schedule_svg(schedule, topology, title)
+    files = emit(plan, name=example.name, svg=svg, shape=example.shape)
     files[f"{example.stem}.schedule.json"] = schedule_to_json(schedule, topology) + "\n"
     return files
 

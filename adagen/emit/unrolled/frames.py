@@ -77,10 +77,10 @@ class Turn:
         if p.constant == 0:
             return d, q * r * g, q * r * b, a
         if _smaller(p, q):
-            t = p * (a - d) + q * (b + g)
+            t = p * (a - d) + ((q + q) * b if b == g else q * (b + g))
             offs = (b - q * t, g - q * t) if self.proper else (q * t - b, q * t - g)
             return d + p * t, *offs, a - p * t
-        t = q * (a - d) - p * (b + g)
+        t = q * (a - d) - ((p + p) * b if b == g else p * (b + g))
         offs = (-(p * t) - g, -(p * t) - b) if self.proper else (p * t + g, p * t + b)
         return a - q * t, *offs, d + q * t
 

@@ -288,19 +288,18 @@ class Machine:
     def link_force(self, number: int) -> Array:
         """What the reference field takes to be had by the link alone: [moment; force], shape (6,).
 
-        With J = int x x^T dm the moment is the axial vector of H J - (H J)^T, and m c x a.
+        The moment I alpha + omega x I omega + m c x a, the products in H being used again.
         """
         field: Field = self.memory["field", number]
         inertia = self.link_inertia(number)
         mass = inertia[3, 3]
         moment_of_mass = np.array([inertia[2, 4], inertia[0, 5], inertia[1, 3]], dtype=object)
         h, moment = field.gradient, []
-        half = (inertia[0, 0] + inertia[1, 1] + inertia[2, 2]) * 0.5
         for i in range(3):
             k, m = (i + 1) % 3, (i + 2) % 3
             terms = [
-                h[m, k] * (half - inertia[k, k]),
-                -(h[k, m] * (half - inertia[m, m])),
+                field.alpha[i] * inertia[i, i],
+                (field.omega[k] * field.omega[m]) * (inertia[m, m] - inertia[k, k]),
                 -(h[m, i] * inertia[i, k]),
                 h[k, i] * inertia[i, m],
                 (h[k, k] - h[m, m]) * inertia[k, m],
