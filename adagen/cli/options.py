@@ -170,6 +170,12 @@ def add_emission(parser: argparse.ArgumentParser) -> None:
         "fastest for the robot (auto, default)",
     )
     parser.add_argument(
+        "--batch",
+        action="store_true",
+        help="solve many states at once, one in each lane of the widest registers; processes share "
+        "the states of a batch instead of the robot",
+    )
+    parser.add_argument(
         "--channel",
         choices=("auto", "window", "message"),
         default="auto",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import hashlib
+import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -165,6 +166,9 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
     Raises:
         InputError: the robot cannot be treated in this form.
     """
+    batch = 0
+    if options.batch:
+        batch, options.procs = shared_by(options), 1
     with _about(options.model):
         schedule = schedule_model(model, options, stages)
     with stages.stage("plan"), progress("planning"), _about(options.model):
@@ -198,9 +202,19 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
 
         name = Path(options.model).stem if options.name is None else options.name
         files = emit(
-            plan, name=name, svg=draw(schedule, model), shape=options.shape, refine=options.refine
+            plan,
+            name=name,
+            svg=draw(schedule, model),
+            shape=options.shape,
+            refine=options.refine,
+            batch=batch,
         )
     return Generated(schedule, plan, files)
+
+
+def shared_by(options: argparse.Namespace) -> int:
+    """Return by how many processes a batch is shared: all cores for auto."""
+    return int(options.procs) or len(os.sched_getaffinity(0))
 
 
 def _meeting(options: argparse.Namespace) -> str:

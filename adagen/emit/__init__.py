@@ -59,6 +59,7 @@ def emit(
     svg: str | None = None,
     shape: str = "auto",
     refine: int = 0,
+    batch: int = 0,
 ) -> dict[str, str]:
     """Return the emitted files, file name to text.
 
@@ -68,30 +69,37 @@ def emit(
         svg: a drawing of the schedule to put beside them.
         shape: shape of the code, one of ``adagen.emit.shapes.SHAPES``, or "auto".
         refine: steps of iterative refinement that each evaluation takes, 0 to 9.
+        batch: if not 0, solve many states at once on so many processes, each by the plan of one.
 
     Returns:
         NAME_pP.cpp, NAME_pP.plan.json, Makefile and, if given, NAME_pP.svg.
 
     Raises:
-        UsageError: the plan cannot be emitted in this shape, or not refined.
+        UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
-    stem = stem_of(plan, name)
+    processes = batch or len(plan.processes)
+    stem = f"{file_stem(plan.name if name is None else name)}_p{processes}"
     files = {
-        f"{stem}.cpp": source(plan, stem, shape, refine),
+        f"{stem}.cpp": source(plan, stem, shape, refine, batch),
         f"{stem}.plan.json": plan_to_json(plan),
-        "Makefile": render("Makefile.j2", stem=stem, process_count=len(plan.processes)),
+        "Makefile": render("Makefile.j2", stem=stem, process_count=processes),
     }
     if svg is not None:
         files[f"{stem}.svg"] = svg
     return files
 
 
-def source(plan: Plan, stem: str, shape: str = "auto", refine: int = 0) -> str:
+def source(
+    plan: Plan, stem: str, shape: str = "auto", refine: int = 0, batch: int = 0
+) -> str:
     """Return the C++ source of a plan; ``stem`` begins the names of its C functions.
 
     Raises:
-        UsageError: the plan cannot be emitted in this shape, or not refined.
+        UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
+    if batch:
+        check_batch(plan, shape, refine)
+        shape = "kernels"
     shape = chosen_shape(plan, checked_steps(refine, shape))
     plan = refinable(plan) if refine else plan
     words = Words(plan, refine)
@@ -99,6 +107,7 @@ def source(plan: Plan, stem: str, shape: str = "auto", refine: int = 0) -> str:
     bare = {step.link for step in steps if isinstance(step, LinkBias)}
     started = {step.link for step in steps if isinstance(step, StartLink)}
     number, numbers = words.printer.number, words.printer.numbers
+    processes = batch or len(plan.processes)
     return render(
         "solver.cpp.j2",
         stem=prefix_of(stem),
@@ -118,7 +127,8 @@ def source(plan: Plan, stem: str, shape: str = "auto", refine: int = 0) -> str:
         nq=sum(KINDS[joint.kind].nq for joint in plan.joints),
         nv=sum(KINDS[joint.kind].nv for joint in plan.joints),
         columns=plan.right_hand_sides,
-        process_count=len(plan.processes),
+        process_count=processes,
+        batch=bool(batch),
         links=[
             {
                 "bare_block": words.bare_block(k) if k in bare else "",
@@ -134,13 +144,29 @@ def source(plan: Plan, stem: str, shape: str = "auto", refine: int = 0) -> str:
             for k, link in enumerate(plan.links)
         ],
         joints=_joint_constants(words),
-        processes=process_rows(words),
-        run_list=", ".join("refined" if refine else f"run_{p}" for p in range(len(plan.processes))),
+        processes=process_rows(words) * (batch or 1),
+        run_list=", ".join(
+            "refined" if refine else f"run_{0 if batch else p}" for p in range(processes)
+        ),
         refine=refine,
         messages=plan.messages,
         channel_messages=_channel_messages(words),
         **KNOWN[shape].values(words),
     )
+
+
+def check_batch(plan: Plan, shape: str, refine: int) -> None:
+    """Refuse what is not emitted for batches.
+
+    Raises:
+        UsageError: the plan, the shape or refinement cannot be had for batches.
+    """
+    if len(plan.processes) > 1:
+        raise UsageError("a batch is solved by the plan of one process")
+    if refine:
+        raise UsageError("batches are not refined; leave out --refine or --batch")
+    if shape not in ("auto", "kernels"):
+        raise UsageError(f"batches are emitted in shape kernels, not {shape}")
 
 
 def _joint_constants(words: Words) -> list[dict[str, object]]:

@@ -84,7 +84,6 @@ def values(words: Words) -> dict[str, object]:
     cuts = mobility.has_cuts(plan)
     return {
         "runtime": [*RUNTIME, *(mobility.RUNTIME if cuts else ())],
-        "value": "Real",
         "cuts": cuts,
         "cut_joints": [
             {"type": f"Joint_{words.joints[j]}", "id": f"j_{words.joints[j]}", "members": lines}

@@ -51,6 +51,7 @@ class Program {
   int solve_all() {
     Session& on = session_;
     on.use(std::move(on.states));
+    if constexpr (kBatch) return solve_shares(on.solver);
     int failed = kFine, at = 0;
     for (int s = 0; s < on.states.count && failed == kFine; ++s) {
       on.watch.again();
@@ -64,6 +65,28 @@ class Program {
     if (failed != kFine)
       return on.complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
                          on.options.states);
+    return bring_together();
+  }
+
+  // As many states at once as there are lanes, each process its share.
+  template <class S>
+  int solve_shares(S& solver) {
+    Session& on = session_;
+    int failed = kFine;
+    if constexpr (kBatch) {
+      const int first = S::share(on.states.count, on.rank);
+      const int count = S::share(on.states.count, on.rank + 1) - first;
+      failed = solver.solve_batch(count, on.q(first), on.v(first), on.tau(first),
+                                  on.acceleration(first));
+    }
+    if (failed != kFine)
+      std::fprintf(stderr, "error: process %d: %s\n", on.rank, solver.text.c_str());
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
+    return failed == kFine ? bring_together() : kInputAtFault;
+  }
+
+  int bring_together() {
+    Session& on = session_;
     solved_ = on.states.count;
     // Each process wrote its own joints and left the others zero.
     void* const all = on.qdd.data();

@@ -74,7 +74,7 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Body<Value>& X, cons
   X.C.xx -= dot(Bx, Kx), X.C.xy -= dot(Bx, Ky), X.C.xz -= dot(Bx, Kz);
   X.C.yy -= dot(By, Ky), X.C.yz -= dot(By, Kz), X.C.zz -= dot(Bz, Kz);
   X.f += transposed_times(B, y);
-  X.A = {}, X.B = {};
+  X.A = Symmetric<Value>{}, X.B = Matrix<Value>{};
   X.n = torque;
   if constexpr (!reversed) shift(X, r);
 }
@@ -122,7 +122,7 @@ ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Va
   if (!solve_free(X, a)) fail(w, kFactorization, j);
   e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
   e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
-  X = {};
+  X = Body<Value>{};
   X.n = n, X.f = f;
   if constexpr (!reversed) shift(X, r);
 }

@@ -156,7 +156,7 @@ void deliver(Workspace& w, int j, const Columns6& load, Columns6& handed) {
       e[9] += y.x, e[10] += y.y, e[11] += y.z;
       const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
       f += -transposed_times(K, n);
-      n = {};
+      n = Vector<Value>{};
       if constexpr (!reversed) n += cross(memory.r, f);
     }
   } else {
