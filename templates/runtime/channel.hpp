@@ -1,8 +1,7 @@
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
 // that its source fills and then numbers (release), and that its target reads once it sees the
-// number (acquire). Other pairs exchange MPI messages. A slot is free again when it is next
-// written, because each pair answers each other within an evaluation (assembly up, disassembly
-// down; state, result).
+// number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
+// one is written again, two evaluations later, its target has answered in the one between.
 enum class ChannelMode { kAuto, kWindow, kMessage };
 
 inline void relax() {
@@ -30,7 +29,7 @@ class Channel {
     int missing = 0;
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
-      if (ports_[k].slot || (info.source != rank_ && info.target != rank_)) continue;
+      if (ports_[k].slots || (info.source != rank_ && info.target != rank_)) continue;
       if (mode == ChannelMode::kWindow) ++missing;
       ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
     }
@@ -54,16 +53,17 @@ class Channel {
   // Where to write message k. Waits for an MPI message that is still under way.
   Real* outgoing(int k, int& status) {
     Port& port = ports_[k];
-    if (port.slot) return port.slot->content() + 1;
+    if (port.slots) return port.slot(port.count + 1, k).content() + 1;
     if (port.request != MPI_REQUEST_NULL) wait_for_request(port, kMessages[k].target, status);
     return port.buffer.data() + 1;
   }
 
   void send(int k, int& status) {
     Port& port = ports_[k];
-    if (port.slot) {
-      port.slot->content()[0] = static_cast<Real>(status);
-      port.slot->number.store(++port.count, std::memory_order_release);
+    if (port.slots) {
+      Slot& slot = port.slot(++port.count, k);
+      slot.content()[0] = static_cast<Real>(status);
+      slot.number.store(port.count, std::memory_order_release);
       return;
     }
     port.buffer[0] = static_cast<Real>(status);
@@ -76,11 +76,12 @@ class Channel {
   const Real* receive(int k, int& status) {
     Port& port = ports_[k];
     const Real* content;
-    if (port.slot) {
+    if (port.slots) {
       const std::uint64_t number = ++port.count;
-      if (!wait_until([&] { return port.slot->number.load(std::memory_order_acquire) >= number; }))
+      Slot& slot = port.slot(number, k);
+      if (!wait_until([&] { return slot.number.load(std::memory_order_acquire) >= number; }))
         fail(status, failure(kNoAnswer, kMessages[k].source));
-      content = port.slot->content();
+      content = slot.content();
     } else {
       MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
                 kMessages[k].source, k, comm_, &port.request);
@@ -109,8 +110,11 @@ class Channel {
   };
 
   struct Port {
-    Slot* slot = nullptr;
+    char* slots = nullptr;
     std::uint64_t count = 0;
+    Slot& slot(std::uint64_t number, int k) const {
+      return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
+    }
     std::vector<Real> buffer;
     MPI_Request request = MPI_REQUEST_NULL;
   };
@@ -140,7 +144,7 @@ class Channel {
     };
     std::size_t own = 0;
     for (const MessageInfo& info : kMessages)
-      if (info.source == rank_ && near_pair(info)) own += slot_bytes(info);
+      if (info.source == rank_ && near_pair(info)) own += 2 * slot_bytes(info);
     char* base = nullptr;
     MPI_Info hints;
     MPI_Info_create(&hints);
@@ -159,11 +163,11 @@ class Channel {
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
       if (!near_pair(info)) continue;
-      ports_[k].slot = reinterpret_cast<Slot*>(next[info.source]);
-      next[info.source] += slot_bytes(info);
+      ports_[k].slots = next[info.source];
+      next[info.source] += 2 * slot_bytes(info);
       if (info.source == rank_) {
-        std::memset(static_cast<void*>(ports_[k].slot), 0, slot_bytes(info));  // first touch
-        new (ports_[k].slot) Slot{};
+        std::memset(ports_[k].slots, 0, 2 * slot_bytes(info));  // first touch
+        for (std::uint64_t n : {0, 1}) new (&ports_[k].slot(n, static_cast<int>(k))) Slot{};
       }
     }
     MPI_Win_sync(window_);

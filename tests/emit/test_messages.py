@@ -1,7 +1,7 @@
 """No message overwrites one that was not read yet, however evaluations follow one another.
 
-A message lives in a place of its own that is written anew in the next evaluation. That is safe
-only if every process that writes it knows, from what it received, that the last one was read.
+A message lives in two places of its own, taken in turn: each is written anew two evaluations later.
+That is safe only if every process that writes it knows, from what it received, that it was read.
 """
 
 from __future__ import annotations
@@ -16,8 +16,9 @@ from hypothesis import strategies as st
 from adagen.emit.processes import message_size
 from adagen.emit.words import Words
 from adagen.model import Model
-from adagen.plan import FORMS, Plan, make_plan
+from adagen.plan import MEETINGS, Plan, make_plan
 from adagen.plan.steps import Receive, Send
+from adagen.schedule import Topology, find_schedule, load_profile
 from tests.models import random_tree, serial_chain
 from tests.schedules import random_schedule
 
@@ -29,7 +30,7 @@ def unguarded(plan: Plan) -> list[int]:
     before: dict[Event, set[Event]] = {}
     for process in plan.processes:
         last: Event | None = None
-        for evaluation in range(2):
+        for evaluation in range(3):
             for step in process.steps:
                 if isinstance(step, Send | Receive):
                     what = "send" if isinstance(step, Send) else "receive"
@@ -40,7 +41,7 @@ def unguarded(plan: Plan) -> list[int]:
                     last = event
     wrong = []
     for number in range(len(plan.messages)):
-        seen, waiting = set[Event](), [(1, "send", number)]
+        seen, waiting = set[Event](), [(2, "send", number)]
         while waiting:
             event = waiting.pop()
             if event not in seen:
@@ -51,33 +52,48 @@ def unguarded(plan: Plan) -> list[int]:
     return wrong
 
 
-@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize(("form", "meeting"), [("ada", "join"), *(("segment", m) for m in MEETINGS)])
 @settings(max_examples=60, deadline=None)
 @given(st.integers(1, 10), st.integers(1, 6), st.integers(0, 3), st.integers(0, 2**32 - 1))
 def test_every_message_is_read_before_its_place_is_written_again(
-    form: str, joints: int, processes: int, mimics: int, seed: int
+    form: str, meeting: str, joints: int, processes: int, mimics: int, seed: int
 ) -> None:
     rng = np.random.default_rng(seed)
     model = random_tree(rng, joints, mimics=mimics, branching=0.6)
     model = grounded(model, rng)
-    plan = make_plan(model, random_schedule(model, processes, rng), form=form)
+    plan = make_plan(model, random_schedule(model, processes, rng), form=form, meeting=meeting)
     assert unguarded(plan) == []
     assert all(message_size(Words(plan), message) > 0 for message in plan.messages)
 
 
 def test_the_check_sees_what_it_is_for() -> None:
     model = serial_chain(6)
-    plan = make_plan(model, random_schedule(model, 3, np.random.default_rng(1)))
+    schedule = random_schedule(model, 3, np.random.default_rng(1))
+    plan = make_plan(model, schedule, meeting="join")
     down = [k for k, message in enumerate(plan.messages) if message.sweep == "disassembly"]
     assert down
-    lossy = replace(
+    assert unguarded(without_receiving(plan, down[0]))
+
+
+def test_the_check_sees_an_exchange_that_goes_one_way() -> None:
+    """Both processes of an exchange send first, which a single place would not stand."""
+    model = serial_chain(6)
+    schedule = find_schedule(Topology.of(model), 2, profile=load_profile("default"))
+    plan = make_plan(model, schedule, meeting="gather")
+    assert [message.sweep for message in plan.messages] == ["assembly", "assembly"]
+    assert unguarded(plan) == []
+    assert unguarded(without_receiving(plan, 0))
+
+
+def without_receiving(plan: Plan, message: int) -> Plan:
+    """Return a plan in which a message is not waited for."""
+    return replace(
         plan,
         processes=tuple(
-            replace(process, steps=tuple(s for s in process.steps if s != Receive(down[0])))
+            replace(process, steps=tuple(s for s in process.steps if s != Receive(message)))
             for process in plan.processes
         ),
     )
-    assert unguarded(lossy)
 
 
 def grounded(model: Model, rng: np.random.Generator) -> Model:

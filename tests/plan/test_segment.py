@@ -30,7 +30,9 @@ from tests.models import human_figure, serial_chain, star, three_axis_chain
 from tests.schedules import random_schedule
 
 
-def planned(model: Model, processes: int, form: str = "segment") -> Plan:
+def planned(
+    model: Model, processes: int, form: str = "segment", meeting: str = "auto"
+) -> Plan:
     """Return the plan of the best schedule that may be cut only where digits are kept."""
     schedule = find_schedule(
         Topology.of(model),
@@ -38,7 +40,7 @@ def planned(model: Model, processes: int, form: str = "segment") -> Plan:
         profile=load_profile("paper"),
         cuttable=cuttable_joints(model),
     )
-    return make_plan(model, schedule, form=form)
+    return make_plan(model, schedule, form=form, meeting=meeting)
 
 
 def error(model: Model, plan: Plan, states: int = 3) -> float:
@@ -74,7 +76,7 @@ def test_one_process_is_the_serial_algorithm() -> None:
 
 def test_a_floating_figure_on_two_processes_needs_one_handshake() -> None:
     """Both halves are plain recursions towards the cut: nothing is carried outwards."""
-    plan = planned(human_figure(), 2)
+    plan = planned(human_figure(), 2, meeting="join")
     steps = [step for process in plan.processes for step in process.steps]
     assert sum(isinstance(step, Join) for step in steps) == 1
     assert sum(isinstance(step, FreeBase) for step in steps) == 1
@@ -84,7 +86,7 @@ def test_a_floating_figure_on_two_processes_needs_one_handshake() -> None:
 
 
 def test_a_grounded_segment_carries_its_mobility_outwards_only_to_the_cut() -> None:
-    plan = planned(serial_chain(20), 2)
+    plan = planned(serial_chain(20), 2, meeting="join")
     outward = [s.joint for p in plan.processes for s in p.steps if isinstance(s, Propagate)]
     (cut,) = [s.joint for p in plan.processes for s in p.steps if isinstance(s, Join)]
     assert outward == list(range(cut))
