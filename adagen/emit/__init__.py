@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from adagen import __version__
+from adagen.emit import effects
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
 from adagen.emit.refine import checked_steps, refinement_messages
@@ -117,6 +118,16 @@ def source(plan: Plan, stem: str, shape: str = "auto", refine: int = 0) -> str:
         headers=HEADERS,
         nq=sum(KINDS[joint.kind].nq for joint in plan.joints),
         nv=sum(KINDS[joint.kind].nv for joint in plan.joints),
+        outer_forces=[
+            {
+                "quoted": quoted(wrench.name),
+                "link": wrench.link,
+                "rotation": numbers(x for row in wrench.rotation for x in row),
+                "translation": numbers(wrench.translation),
+            }
+            for wrench in plan.wrenches
+        ],
+        prescribed=[quoted(joint.name) for joint in plan.joints if joint.prescribed],
         columns=plan.right_hand_sides,
         process_count=len(plan.processes),
         links=[
@@ -162,6 +173,7 @@ def _joint_constants(words: Words) -> list[dict[str, object]]:
                 "source": source,
                 "multiplier": repr(multiplier),
                 "offset": repr(offset),
+                "effects": effects.constants(words, j),
             }
         )
     return rows

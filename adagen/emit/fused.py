@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from adagen.emit.effects import passive_torques
 from adagen.emit.joins import bias_updates, block_updates, coupling_torques, store
 from adagen.emit.kinematics import configuration, velocity
 from adagen.emit.words import Words
@@ -42,6 +43,7 @@ def assembly(words: Words, join: FusedJoin) -> list[str]:
             f"  std::array<std::array<Real, kColumns>, {count}> tau;",
             f"  load_torque(w, {j}, {joint.v}, tau);",
             *(f"  {line}" for line in coupling_torques(words, j, "tau")),
+            *(f"  {line}" for line in passive_torques(words, j, "tau")),
             f"  place<{first}>(tau, i.joined.tau);",
             "}",
         ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from adagen.emit import effects
 from adagen.emit.kinematics import configuration, velocity
 from adagen.emit.words import Words
 from adagen.plan.steps import Coupling, Disassemble, FusedJoin, Join
@@ -27,12 +28,9 @@ def parts(words: Words, join: Join, end: Disassemble) -> str:
 def assembly(words: Words, join: Join) -> list[str]:
     """Eq. (3)-(7): V_i and beta_i, then what C's handles feel."""
     j = join.joint
-    joint = words.plan.joints[j]
-    lines = [
-        f"auto& i = {words.memory(j)};",
-        f"load_torque(w, {j}, {joint.v}, i.joined.tau);",
-        *coupling_torques(words, j, "i.joined.tau"),
-    ]
+    rotor = words.plan.joints[j].rotor_inertia
+    tau = "i.tau" if rotor else "i.joined.tau"
+    lines = [f"auto& i = {words.memory(j)};", *torques(words, j, tau)]
     if join.a is None:
         phi_a = "kZero"
     else:
@@ -40,10 +38,15 @@ def assembly(words: Words, join: Join) -> list[str]:
         lines.append("const Mat6 Phi_A = from_right(X_Phi_A, i.X);")
         phi_a = "Phi_A"
     b_a = words.ground if join.a_bias is None else words.bias(join.a_bias)
-    lines += velocity_product(words, j, "const Columns6 c")
+    phi_b, given = words.block(join.b), effects.prescribe(words, j, "c")
+    lines += velocity_product(words, j, "Columns6 c" if given or rotor else "const Columns6 c")
+    lines += given
+    if rotor:
+        kind, size = words.type_of(j), words.printer.number(rotor)
+        lines.append(f"drive<{kind}>(i.tau, {size}, c);")
+        phi_b = f"with_rotor<{kind}>({phi_b}, {size})"
     lines.append(
-        f"if (!join(i.joined, {phi_a}, {words.block(join.b)}, i.X * {b_a}, "
-        f"{words.bias(join.b_bias)}, c))"
+        f"if (!join(i.joined, {phi_a}, {phi_b}, i.X * {b_a}, {words.bias(join.b_bias)}, c))"
     )
     lines.append(f"  fail(w, kFactorization, {j});")
     lines.extend(_couple(words, join, coupling) for coupling in join.couplings)
@@ -67,6 +70,18 @@ def store(words: Words, j: int, qdd: str) -> str:
     if words.plan.slaved:
         return f"i.qdd = {qdd};"
     return f"store_acceleration(w, {j}, {words.plan.joints[j].v}, {qdd});"
+
+
+def torques(words: Words, j: int, tau: str) -> list[str]:
+    """The lines that set a joint's torques at work; none where its acceleration is prescribed."""
+    joint = words.plan.joints[j]
+    if joint.prescribed:
+        return []
+    return [
+        f"load_torque(w, {j}, {joint.v}, {tau});",
+        *coupling_torques(words, j, tau),
+        *effects.passive_torques(words, j, tau),
+    ]
 
 
 def coupling_torques(words: Words, j: int, tau: str) -> list[str]:
@@ -129,18 +144,26 @@ def bias_updates(words: Words, join: Join) -> list[str]:
 def disassembly(words: Words, join: Join, end: Disassemble) -> list[str]:
     """Eq. (8)-(10): the joint's acceleration and force, and what the two parts get to feel."""
     j = join.joint
-    lines = [f"auto& i = {words.memory(j)};", f"Release<{words.type_of(j)}> release(i.joined);"]
+    kind = effects.joined_type(words, j)
+    lines = [f"auto& i = {words.memory(j)};", f"Release<{kind}> release(i.joined);"]
     for coupling, force in zip(join.couplings, end.forces, strict=True):
         handle = words.links[coupling.handle]
         lines.append(f"release.feel_{coupling.side}(i.at_{handle}, {words.force(force)});")
+    joint = words.plan.joints[j]
     if words.refine:
         kept = f"w.refinement.f[{j}] = release.force();"
         lines.append(f"const Columns6& f = {kept}" if end.updates else kept)
-    elif end.updates:
+    elif end.updates or joint.rotor_inertia:
         lines.append("const Columns6 f = release.force();  // Eq. (8), (10)")
     else:
         lines.append("release.force();  // Eq. (8)")
-    lines.append(f"{store(words, j, 'release.qdd()')}  // Eq. (9)")
+    if joint.prescribed:
+        lines += [*effects.given_acceleration(words, j), store(words, j, "qdd")]
+    elif joint.rotor_inertia:
+        size = words.printer.number(joint.rotor_inertia)
+        lines.append(store(words, j, f"rotor_acceleration<{words.type_of(j)}>(i.tau, {size}, f)"))
+    else:
+        lines.append(f"{store(words, j, 'release.qdd()')}  // Eq. (9)")
     for update in end.updates:
         change = "i.X.transposed_times(f)" if update.side == "A" else "f"
         if update.source is None:

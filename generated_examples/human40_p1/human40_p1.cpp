@@ -104,6 +104,7 @@ using Real = double;
 constexpr int kProcesses = 1;
 constexpr int kJointCount = 15, kLinkCount = kJointCount + 1;
 constexpr int kNq = 51, kNv = 40;
+constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr int kRefine = 0;  // steps of iterative refinement
 constexpr int kPlanMessages = 0;
@@ -118,6 +119,14 @@ const MPI_Datatype kMpiReal = MPI_DOUBLE;
 
 enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
 
+// What a joint does by itself: of its torque, damping qd + friction tanh(qd / friction_speed)
+// + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
+// tau holds that.
+struct Passive {
+  Real damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  bool prescribed = false;
+};
+
 // A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link
 // has the joint's frame at q = 0.
 struct JointConstants {
@@ -129,6 +138,15 @@ struct JointConstants {
   Real translation[3];  // origin of the joint frame in the parent link's frame, m
   int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
   double multiplier, offset;
+  Passive passive{};
+};
+
+// An outer force that is an input, told in the frame of the link that has its name.
+struct OuterForce {
+  const char* name;
+  int link;             // that feels it
+  Real rotation[9];     // from that frame to the link's, row by row
+  Real translation[3];  // its origin in the link's frame, m
 };
 
 struct LinkConstants {
@@ -147,6 +165,8 @@ struct ProcessInfo {
   const int* v_read;
   int v_count;
   const int* v;
+  int outer_count;  // entries of tau that hold outer forces
+  const int* outer;
 };
 
 // What goes from one process to another once in an evaluation.
@@ -254,6 +274,8 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
      {-0.26, 0.0, 0.0}, -1, 0.0, 0.0},
 } };
+
+constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 // Slaved joints follow their sources; what was given for them is ignored.
 template <class Number>
@@ -1850,7 +1872,7 @@ constexpr std::array<int, 51> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
 constexpr std::array<int, 40> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
 constexpr std::array<int, 40> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {51, kReadQ_0.data(), 40, kReadV_0.data(), 40, kOwn_0.data()},
+    {51, kReadQ_0.data(), 40, kReadV_0.data(), 40, kOwn_0.data(), 0, nullptr},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -1892,6 +1914,7 @@ class Solver {
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
     for (int k = 0; k < own.v_count; ++k) tau_[own.v[k]] = *content++;
+    for (int k = 0; k < own.outer_count; ++k) tau_[own.outer[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     kRun[rank](w, channel);
@@ -1909,6 +1932,7 @@ class Solver {
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
       for (int k = 0; k < other.v_count; ++k) *content++ = tau[other.v[k]];
+      for (int k = 0; k < other.outer_count; ++k) *content++ = tau[other.outer[k]];
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -1941,7 +1965,8 @@ class Solver {
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
   std::array<Real, kNq> q_{};
-  std::array<Real, kNv> v_{}, tau_{}, qdd_{};
+  std::array<Real, kNv> v_{}, qdd_{};
+  std::array<Real, kNtau> tau_{};
 };
 
 }  // namespace
@@ -2089,9 +2114,34 @@ void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linea
   }
 }
 
-// Torques that give accelerations qdd at (q, v); slaved joints count through their sources'
-// torques.
-void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau) {
+// What a joint's damping, friction, spring and rotor take of its torque.
+void add_passive(const JointConstants& joint, const Real* q, const Real* v, const Real* qdd,
+                 double* tau) {
+  const Passive& own = joint.passive;
+  for (int k = 0; k < joint.nv; ++k) {
+    const double rate = double(v[joint.v + k]);
+    tau[k] += double(own.damping) * rate + double(own.rotor) * double(qdd[joint.v + k]) +
+              double(own.friction) * std::tanh(rate / double(own.friction_speed));
+  }
+  if (own.stiffness != 0) tau[0] += double(own.stiffness) * (double(q[joint.q]) - double(own.rest));
+}
+
+// The outer forces push their links.
+void push(const Real* outer, std::array<Body, kLinkCount>& body) {
+  for (const OuterForce& one : kOuterForces) {
+    Body& b = body[static_cast<std::size_t>(one.link)];
+    const Mat turn = mat3(one.rotation);
+    const Vec force = times(turn, vec3(outer)), moment = times(turn, vec3(outer + 3));
+    const Vec lever = cross(vec3(one.translation), force);
+    for (int k = 0; k < 3; ++k) b.f[k] -= force[k], b.n[k] -= moment[k] + lever[k];
+    outer += 6;
+  }
+}
+
+// Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
+// through their sources' torques.
+void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real* outer,
+                      double* tau) {
   static std::array<Body, kLinkCount> body;
   body[0] = {};
   for (int k = 0; k < 3; ++k) body[0].a[k] = -kGravity[k];
@@ -2121,6 +2171,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
     for (int k = 0; k < 3; ++k) b.f[k] = double(link.mass) * at_com[k];
     b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
   }
+  push(outer, body);
   for (int j = kJointCount - 1; j >= 0; --j) {
     const JointConstants& joint = kJoints[j];
     const Body& b = body[j + 1];
@@ -2143,6 +2194,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
         std::copy(b.n.begin(), b.n.end(), t + 3);
         break;
     }
+    add_passive(joint, q, v, qdd, t);
     Body& parent = body[joint.parent];
     const Vec force = times(b.turn, b.f);
     parent.f = parent.f + force;
@@ -2155,10 +2207,13 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
   }
 }
 
-// How far slaved accelerations are from following their sources, relative to their size.
-double slip(const Real* qdd) {
+// How far slaved accelerations are from following their sources, relative to their size, and
+// prescribed ones from what was prescribed.
+double slip(const Real* tau, const Real* qdd) {
   double worst = 0;
   for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      worst = std::max(worst, std::abs(double(qdd[k]) - double(tau[k])));
     if (joint.source < 0) continue;
     const double own = double(qdd[joint.v]);
     const double due = joint.multiplier * double(qdd[kJoints[joint.source].v]);
@@ -2172,10 +2227,14 @@ double slip(const Real* qdd) {
 double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
   static std::array<double, kNv> needed, at_rest;
   static std::array<Real, kNv> zero{};
-  inverse_dynamics(q, v, qdd, needed.data());
-  inverse_dynamics(q, v, zero.data(), at_rest.data());
+  inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
+  inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
   std::array<double, kNv> given{};
   for (int k = 0; k < kNv; ++k) given[k] = double(tau[k]);
+  for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      given[k] = needed[k] = at_rest[k] = 0;  // nobody asks for its torque
+  }
   for (int j = 0; j < kJointCount; ++j) {
     if (kJoints[j].source < 0) continue;
     given[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * given[kJoints[j].v];
@@ -2186,7 +2245,7 @@ double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) 
     error += (needed[k] - given[k]) * (needed[k] - given[k]);
     size += given[k] * given[k] + at_rest[k] * at_rest[k];
   }
-  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(qdd));
+  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(tau, qdd));
 }
 
 }  // namespace check
@@ -2220,11 +2279,14 @@ class StatesReader {
 
   void parse(States& states) {
     std::array<bool, kJointCount> seen{};
+    std::vector<std::vector<double>> forces(kOuterCount);
     bool joints = false;
     object([&](const std::string& key) {
       if (key == "joints") {
         joints = true;
         object([&](const std::string& name) { read_joint(name, seen, states); });
+      } else if (key == "forces" && kOuterCount > 0) {
+        object([&](const std::string& name) { read_force(name, forces); });
       } else if (key == "floating") {
         if (boolean() != kFloatingBase)
           refuse(std::string("\"floating\": this solver's base is ") +
@@ -2244,6 +2306,7 @@ class StatesReader {
       if (!seen[j] && kJoints[j].source < 0)
         refuse("joint " + quoted(kJoints[j].name) + " is missing");
     fill_slaved(states);
+    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
   }
 
   void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
@@ -2254,9 +2317,11 @@ class StatesReader {
     if (seen[j]) refuse(joint + " comes twice");
     seen[j] = true;
     std::array<bool, 3> found{};
+    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
     object([&](const std::string& key) {
-      if (key == "type" || key == "qdd") return skip();  // as in a file of true answers
-      const char* const fields[] = {"q", "v", "tau"};
+      if (key == "type" || (key == "qdd" && key != input))
+        return skip();  // as in a file of true answers
+      const char* const fields[] = {"q", "v", input};
       const auto field = std::find(std::begin(fields), std::end(fields), key);
       if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
       bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
@@ -2266,7 +2331,7 @@ class StatesReader {
       read_field(kJoints[j], key, states);
       where_.clear();
     });
-    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and tau");
+    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
   }
 
   // One of q, v and tau of a joint: an entry for each state.
@@ -2274,7 +2339,7 @@ class StatesReader {
     const bool is_q = key == "q";
     const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
     const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
-    const std::size_t stride = is_q ? kNq : kNv;
+    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
     std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
     int count = 0;
     array([&] {
@@ -2291,6 +2356,30 @@ class StatesReader {
     if (states.count == 0) states.count = count;
     if (count != states.count)
       refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
+  }
+
+  // One link's outer force: six numbers for each state.
+  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
+    std::size_t k = 0;
+    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
+    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
+    where_ = "force on link " + quoted(name.c_str()) + ": ";
+    if (!forces[k].empty()) refuse("comes twice");
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != 6) refuse("needs six numbers for each state");
+      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
+    });
+    where_.clear();
+  }
+
+  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
+    if (given.size() != 6 * static_cast<std::size_t>(states.count))
+      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
+             std::to_string(given.size() / 6) + " states, but the joints have " +
+             std::to_string(states.count));
+    for (std::size_t i = 0; i < given.size(); ++i)
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
   }
 
   static void fill_slaved(States& states) {
@@ -3229,13 +3318,14 @@ States random_states(int count, std::uint64_t seed) {
   };
   states.q.resize(size(kNq));
   states.v.resize(size(kNv));
-  states.tau.resize(size(kNv));
+  states.tau.resize(size(kNtau));
   for (int s = 0; s < count; ++s) {
     Real* q =
         states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     Real* v =
         states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* tau = states.tau.data() + (v - states.v.data());
+    Real* tau = states.tau.data() +
+                size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     for (const JointConstants& joint : kJoints) {
       const bool turns = joint.kind == JointKind::kRevolute;
       for (int k = 0; k < joint.nq; ++k)
@@ -3254,6 +3344,7 @@ States random_states(int count, std::uint64_t seed) {
         tau[joint.v + k] = static_cast<Real>(uniform());
       }
     }
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Real>(uniform());
     slave(q, v);
   }
   return states;
@@ -3286,7 +3377,7 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   };
   share(states.q, kNq);
   share(states.v, kNv);
-  share(states.tau, kNv);
+  share(states.tau, kNtau);
   return status;
 }
 
@@ -3304,7 +3395,7 @@ struct Session {
   MPI_Comm comm() const { return solver.channel.comm(); }
   const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
   const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNv; }
+  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
   Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
 
   void use(States given) {

@@ -37,6 +37,7 @@ class Solver {
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
     for (int k = 0; k < own.v_count; ++k) tau_[own.v[k]] = *content++;
+    for (int k = 0; k < own.outer_count; ++k) tau_[own.outer[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     kRun[rank](w, channel);
@@ -54,6 +55,7 @@ class Solver {
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
       for (int k = 0; k < other.v_count; ++k) *content++ = tau[other.v[k]];
+      for (int k = 0; k < other.outer_count; ++k) *content++ = tau[other.outer[k]];
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -86,5 +88,6 @@ class Solver {
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
   std::array<Real, kNq> q_{};
-  std::array<Real, kNv> v_{}, tau_{}, qdd_{};
+  std::array<Real, kNv> v_{}, qdd_{};
+  std::array<Real, kNtau> tau_{};
 };
