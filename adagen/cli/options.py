@@ -130,6 +130,13 @@ def add_schedule(parser: argparse.ArgumentParser) -> None:
         "share them (free), or may also divide them unevenly (any)",
     )
     parser.add_argument(
+        "--objective",
+        choices=("time", "accuracy", "both"),
+        default="both",
+        help="what the schedule is searched for: time alone, accuracy above all, or time among "
+        "cuts that lose no more than a few digits (both, default)",
+    )
+    parser.add_argument(
         "--schedule",
         default="auto",
         metavar="NAME|FILE",

@@ -84,7 +84,7 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
     """
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
         from adagen.plan.clusters import fold_of
-        from adagen.predict import best_schedule
+        from adagen.predict.objective import schedule_for
         from adagen.schedule import Topology, load_profile, named_schedule
         from adagen.schedule.tree import Named
 
@@ -99,7 +99,8 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
                 seen = fold_of(model, options.form)
                 found = named_schedule(options.schedule, seen.topology, processes, profile=profile)
                 return seen.unfold(found, profile)
-            return best_schedule(
+            return schedule_for(
+                options.objective,
                 model,
                 processes,
                 profile,

@@ -16,6 +16,7 @@ def best_schedule(
     profile: CostProfile,
     form: str = "segment",
     scalar: str = "double",
+    limit: float | None = None,
     **search: Any,
 ) -> Schedule:
     """Return a schedule for a form of the algorithm.
@@ -29,6 +30,7 @@ def best_schedule(
         profile: the costs.
         form: of the algorithm.
         scalar: "double" or "float".
+        limit: largest growth g at a cut of form `segment`, instead of what suits the scalar.
         search: further arguments of ``find_schedule``.
 
     Raises:
@@ -47,6 +49,6 @@ def best_schedule(
     if form == "ada":
         found = find_schedule(seen.topology, processes, profile=profile, **search)
         return seen.unfold(found, profile)
-    cuttable = cuttable_joints(model, scalar, seen.joints)
+    cuttable = cuttable_joints(model, scalar, seen.joints, limit)
     found = find_schedule(seen.topology, processes, profile=profile, cuttable=cuttable, **search)
     return seen.unfold(found, profile)
