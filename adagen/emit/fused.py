@@ -47,7 +47,8 @@ def assembly(words: Words, join: FusedJoin) -> list[str]:
             f"  place<{first}>(tau, i.joined.tau);",
             "}",
         ]
-    lines.append(f"if (!fuse(i.run)) fail(w, kFactorization, {join.joint});")
+    lines.append(f"if (!fuse(i.run)) fail(w, kGimbalLock, {join.joint});")
+    lines.append(f"if (i.run.lock < kNearLock) w.near_lock = {join.joint + 1};")
     phi_a = "kZero"
     if join.a is not None:
         lines.append(f"const Mat6 X_Phi_A = i.run.BX * {words.block(join.a)};")

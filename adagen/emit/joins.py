@@ -5,7 +5,11 @@ from __future__ import annotations
 from adagen.emit import effects
 from adagen.emit.kinematics import configuration, velocity
 from adagen.emit.words import Words
+from adagen.plan.growth import EPSILON
 from adagen.plan.steps import Coupling, Disassemble, FusedJoin, Join
+
+KEPT = 128
+"""What of a bare link's mobility must be left, in units of the rounding error of one operation."""
 
 
 def parts(words: Words, join: Join, end: Disassemble) -> str:
@@ -45,6 +49,7 @@ def assembly(words: Words, join: Join) -> list[str]:
         kind, size = words.type_of(j), words.printer.number(rotor)
         lines.append(f"drive<{kind}>(i.tau, {size}, c);")
         phi_b = f"with_rotor<{kind}>({phi_b}, {size})"
+    lines += _digits(words, join, phi_a)
     lines.append(
         f"if (!join(i.joined, {phi_a}, {phi_b}, i.X * {b_a}, {words.bias(join.b_bias)}, c))"
     )
@@ -53,6 +58,27 @@ def assembly(words: Words, join: Join) -> list[str]:
     lines.extend(block_updates(words, join))
     lines.extend(bias_updates(words, join))
     return lines
+
+
+def _digits(words: Words, join: Join, phi_a: str) -> list[str]:
+    """The guard against a loss of all digits, where the links beside the joint were joined bare."""
+    plan = words.plan
+    if plan.joints[join.joint].rotor_inertia or plan.joints[join.joint].prescribed:
+        return []  # the rotor's mobility is added to M; what is prescribed frees nothing
+    child, parent = plan.links[join.joint + 1], plan.links[plan.joints[join.joint].parent]
+    least = [row[k] for k, row in enumerate(child.phi)] or [0.0] * 6
+    if parent.phi:  # at least: 1 / trace of the inertia about any axis, 1 / mass in any direction
+        trace = sum(parent.tensor[k][k] for k in range(3))
+        least = [x + 1.0 / (trace if k < 3 else parent.mass) for k, x in enumerate(least)]
+    if not any(least):
+        return []
+    numbers = words.printer.numbers(KEPT * EPSILON[plan.scalar] * x for x in least)
+    kind = words.type_of(join.joint)
+    return [
+        f"constexpr std::array<Real, 6> least{{{numbers}}};",
+        f"if (!keeps_digits<{kind}>({phi_a}, {words.block(join.b)}, least))",
+        f"  fail(w, kGrowth, {join.joint});",
+    ]
 
 
 def velocity_product(words: Words, j: int, target: str) -> list[str]:

@@ -350,6 +350,8 @@ enum Failure : int {
   kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -379,6 +381,18 @@ std::string quoted(const char* text) {
   return result + "\"";
 }
 
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
 std::string describe(int status) {
   const int place = failure_place(status);
   const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
@@ -392,6 +406,12 @@ std::string describe(int status) {
     case kFactorization:
       return joint() +
              "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
     case kEnded:
@@ -514,6 +534,17 @@ bool factorize(std::array<std::array<Real, m>, m>& L) {
       L[i][j] *= inverse;
     }
   }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
   return good;
 }
 
@@ -982,6 +1013,7 @@ struct Workspace {
   const Real* tau = nullptr;
   Real* qdd = nullptr;
   int status = kFine;
+  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   std::array<Real, kColumns - 1> coupling{};  // torques that keep slaved joints in step
   Joint_base_yaw j_base_yaw;
   Joint_shoulder_pitch j_shoulder_pitch;
@@ -1142,6 +1174,9 @@ void assemble_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
+  constexpr std::array<Real, 6> least{8.659874902621574e-13, 8.659874902621574e-13, 1.611208017596599e-12, 1.2607334545733242e-14, 1.2607334545733242e-14, 3.947459643111668e-15};
+  if (!keeps_digits<Revolute>(kZero, kPhi_turret, least))
+    fail(w, kGrowth, 0);
   if (!join(i.joined, kZero, kPhi_turret, i.X * kGround, w.j_base_yaw.b, c))
     fail(w, kFactorization, 0);
   couple(i.joined, kPhi_turret, i.at_turret);
@@ -1181,6 +1216,9 @@ void assemble_shoulder_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_base_yaw.Phi_turret;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 1);
+  constexpr std::array<Real, 6> least{1.1455151917378305e-12, 2.8880270885273612e-12, 1.1455151917378305e-12, 1.657396892600196e-14, 8.531606325434896e-15, 1.657396892600196e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_upper_arm, least))
+    fail(w, kGrowth, 1);
   if (!join(i.joined, Phi_A, kPhi_upper_arm, i.X * w.j_base_yaw.b_turret, w.j_shoulder_pitch.b, c))
     fail(w, kFactorization, 1);
   couple(i.joined, kPhi_upper_arm, i.at_upper_arm);
@@ -1221,6 +1259,9 @@ void assemble_upper_arm_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_shoulder_pitch.Phi_upper_arm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 2);
+  constexpr std::array<Real, 6> least{1.9286837244164575e-12, 1.9286837244164575e-12, 3.960978617752269e-12, 1.1473119930685861e-14, 1.1473119930685861e-14, 1.0049860034323996e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_elbow_housing, least))
+    fail(w, kGrowth, 2);
   if (!join(i.joined, Phi_A, kPhi_elbow_housing, i.X * w.j_shoulder_pitch.b_upper_arm, w.j_upper_arm_roll.b, c))
     fail(w, kFactorization, 2);
   couple(i.joined, kPhi_elbow_housing, i.at_elbow_housing);
@@ -1261,6 +1302,9 @@ void assemble_elbow_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_upper_arm_roll.Phi_elbow_housing;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 3);
+  constexpr std::array<Real, 6> least{2.0354041913285566e-12, 5.816332892088654e-12, 2.0354041913285566e-12, 2.5791741088407997e-14, 1.5391829848103258e-14, 3.871069992040982e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_forearm, least))
+    fail(w, kGrowth, 3);
   if (!join(i.joined, Phi_A, kPhi_forearm, i.X * w.j_upper_arm_roll.b_elbow_housing, w.j_elbow_pitch.b, c))
     fail(w, kFactorization, 3);
   couple(i.joined, kPhi_forearm, i.at_forearm);
@@ -1301,6 +1345,9 @@ void assemble_forearm_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_elbow_pitch.Phi_forearm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
+  constexpr std::array<Real, 6> least{3.7782214362185915e-12, 3.7782214362185915e-12, 8.867433697123973e-12, 3.591265808372574e-14, 3.508704560934945e-14, 1.513549696734667e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_wrist_pitch.Phi_wrist_housing, least))
+    fail(w, kGrowth, 4);
   if (!join(i.joined, Phi_A, w.j_wrist_pitch.Phi_wrist_housing, i.X * w.j_elbow_pitch.b_forearm, w.j_wrist_pitch.b_wrist_housing, c))
     fail(w, kFactorization, 4);
 }
@@ -1338,6 +1385,9 @@ void assemble_wrist_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_wrist_housing;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
+  constexpr std::array<Real, 6> least{1.2260061762262752e-11, 1.2260061762262752e-11, 1.2260061762262752e-11, 2.0383895677461698e-14, 3.678103573346401e-14, 3.787417840386417e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_flange_roll.Phi_wrist, least))
+    fail(w, kGrowth, 5);
   if (!join(i.joined, Phi_A, w.j_flange_roll.Phi_wrist, i.X * w.j_forearm_roll.b, w.j_flange_roll.b_wrist, c))
     fail(w, kFactorization, 5);
   couple(i.joined, X_Phi_A, i.at_wrist_housing);
@@ -1378,6 +1428,9 @@ void assemble_flange_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_wrist;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
+  constexpr std::array<Real, 6> least{7.919928947270557e-12, 1.3203184105450422e-11, 8.31626748528838e-12, 1.028702558297553e-13, 6.265402802508093e-14, 2.8335972750372623e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_finger_slide.Phi_hand, least))
+    fail(w, kGrowth, 6);
   if (!join(i.joined, Phi_A, w.j_left_finger_slide.Phi_hand, i.X * w.j_wrist_pitch.b, w.j_left_finger_slide.b_hand, c))
     fail(w, kFactorization, 6);
   couple(i.joined, X_Phi_A, i.at_wrist);
@@ -1418,6 +1471,9 @@ void assemble_left_finger_slide(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_right_finger_slide.Phi_hand;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Prismatic>(i.v, w.v + 7);
+  constexpr std::array<Real, 6> least{4.265036626975881e-09, 8.544255267675666e-10, 8.544255267675666e-10, 3.862007046714566e-13, 1.4946464345439562e-12, 1.0683203667618284e-12};
+  if (!keeps_digits<Prismatic>(Phi_A, kPhi_left_finger, least))
+    fail(w, kGrowth, 7);
   if (!join(i.joined, Phi_A, kPhi_left_finger, i.X * w.j_right_finger_slide.b_hand, w.j_left_finger_slide.b, c))
     fail(w, kFactorization, 7);
   couple(i.joined, X_Phi_A, i.at_hand);
@@ -1460,6 +1516,9 @@ void assemble_right_finger_slide(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Real qd = w.v[7];
   const Columns6 c = velocity_product<Prismatic>(i.v, &qd);
+  constexpr std::array<Real, 6> least{4.265036626975881e-09, 8.544255267675666e-10, 8.544255267675666e-10, 3.862007046714566e-13, 1.4946464345439562e-12, 1.0683203667618284e-12};
+  if (!keeps_digits<Prismatic>(Phi_A, kPhi_right_finger, least))
+    fail(w, kGrowth, 8);
   if (!join(i.joined, Phi_A, kPhi_right_finger, i.X * w.j_flange_roll.b, w.j_right_finger_slide.b, c))
     fail(w, kFactorization, 8);
   couple(i.joined, X_Phi_A, i.at_hand);
@@ -3607,6 +3666,7 @@ class Program {
     };
     also(options.time, [this] { return timing_.time_all(); });
     also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (status != kFault) collect_warnings();
     if (session_.rank == 0 && status != kFault) report();
     session_.watch.again();
     session_.solver.channel.close();
@@ -3681,6 +3741,26 @@ class Program {
     return status;
   }
 
+  // What processes have met that costs digits but is no failure, told once.
+  void collect_warnings() {
+    int joint = near_lock(session_.solver.w, 0);
+    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (joint == 0) return;
+    warning_ = "joints " + names_of_run(joint - 1) +
+               ": near gimbal lock at some state: accelerations lose three digits or more";
+    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
+  }
+
+  // Shapes that join no runs of joints as one have nothing to tell.
+  template <class W>
+  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
+    return w.near_lock;
+  }
+  template <class W>
+  static int near_lock(const W&, long) {
+    return 0;
+  }
+
   void report() const {
     const Options& options = session_.options;
     const bool right = residual_max_ <= options.tolerance;
@@ -3689,12 +3769,14 @@ class Program {
                   kProcesses, session_.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
+      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
       if (checked_)
         std::printf(
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
             residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
+                  simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
@@ -3712,6 +3794,7 @@ class Program {
   Corrections corrections_;
   bool checked_ = false;
   int solved_ = 0;
+  std::string warning_;
   double residual_median_ = 0, residual_max_ = 0;
 };
 

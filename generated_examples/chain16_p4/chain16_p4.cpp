@@ -392,6 +392,8 @@ enum Failure : int {
   kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -421,6 +423,18 @@ std::string quoted(const char* text) {
   return result + "\"";
 }
 
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
 std::string describe(int status) {
   const int place = failure_place(status);
   const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
@@ -434,6 +448,12 @@ std::string describe(int status) {
     case kFactorization:
       return joint() +
              "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
     case kEnded:
@@ -556,6 +576,17 @@ bool factorize(std::array<std::array<Real, m>, m>& L) {
       L[i][j] *= inverse;
     }
   }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
   return good;
 }
 
@@ -1118,6 +1149,7 @@ struct Workspace {
   const Real* tau = nullptr;
   Real* qdd = nullptr;
   int status = kFine;
+  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   Joint_joint01 j_joint01;
   Joint_joint02 j_joint02;
   Joint_joint03 j_joint03;
@@ -1291,6 +1323,9 @@ void assemble_joint01(Workspace& w) {
   auto& i = w.j_joint01;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
+  constexpr std::array<Real, 6> least{1.0578826286319819e-12, 7.105427357601002e-11, 1.0578826286319819e-12, 5.652615986048129e-14, 1.4210854715202004e-14, 5.652615986048129e-14};
+  if (!keeps_digits<Revolute>(kZero, kPhi_rod01, least))
+    fail(w, kGrowth, 0);
   if (!join(i.joined, kZero, kPhi_rod01, i.X * kGround, w.j_joint01.b, c))
     fail(w, kFactorization, 0);
   couple(i.joined, kPhi_rod01, i.at_rod01);
@@ -1330,6 +1365,9 @@ void assemble_joint02(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_joint01.Phi_rod01;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 1);
+  constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod02, least))
+    fail(w, kGrowth, 1);
   if (!join(i.joined, Phi_A, kPhi_rod02, i.X * w.j_joint01.b_rod01, w.j_joint02.b, c))
     fail(w, kFactorization, 1);
   couple(i.joined, kPhi_rod02, i.at_rod02);
@@ -1370,6 +1408,9 @@ void assemble_joint03(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_joint02.Phi_rod02;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 2);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod03, least))
+    fail(w, kGrowth, 2);
   if (!join(i.joined, Phi_A, kPhi_rod03, i.X * w.j_joint02.b_rod02, w.j_joint03.b, c))
     fail(w, kFactorization, 2);
   couple(i.joined, kPhi_rod03, i.at_rod03);
@@ -1410,6 +1451,9 @@ void assemble_joint04(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_joint03.Phi_rod03;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 3);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint05.Phi_rod04, least))
+    fail(w, kGrowth, 3);
   if (!join(i.joined, Phi_A, w.j_joint05.Phi_rod04, i.X * w.j_joint03.b_rod03, w.j_joint05.b_rod04, c))
     fail(w, kFactorization, 3);
   couple(i.joined, w.j_joint05.Phi_rod04_rod06, i.at_rod06);
@@ -1451,6 +1495,9 @@ void assemble_joint05(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod04;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
+  constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint06.Phi_rod05, least))
+    fail(w, kGrowth, 4);
   if (!join(i.joined, Phi_A, w.j_joint06.Phi_rod05, i.X * w.j_joint04.b, w.j_joint06.b_rod05, c))
     fail(w, kFactorization, 4);
   couple(i.joined, X_Phi_A, i.at_rod04);
@@ -1496,6 +1543,9 @@ void assemble_joint06(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod05;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod06, least))
+    fail(w, kGrowth, 5);
   if (!join(i.joined, Phi_A, kPhi_rod06, i.X * w.j_joint05.b, w.j_joint06.b, c))
     fail(w, kFactorization, 5);
   couple(i.joined, X_Phi_A, i.at_rod05);
@@ -1540,6 +1590,9 @@ void assemble_joint07(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_joint04.Phi_rod06;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod07, least))
+    fail(w, kGrowth, 6);
   if (!join(i.joined, Phi_A, kPhi_rod07, i.X * w.j_joint04.b_rod06, w.j_joint07.b, c))
     fail(w, kFactorization, 6);
   couple(i.joined, kPhi_rod07, i.at_rod07);
@@ -1580,6 +1633,9 @@ void assemble_joint08(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_joint07.Phi_rod07;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 7);
+  constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint12.Phi_rod08, least))
+    fail(w, kGrowth, 7);
   if (!join(i.joined, Phi_A, w.j_joint12.Phi_rod08, i.X * w.j_joint07.b_rod07, w.j_joint12.b_rod08, c))
     fail(w, kFactorization, 7);
 }
@@ -1617,6 +1673,9 @@ void assemble_joint09(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod08;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 8);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint10.Phi_rod09, least))
+    fail(w, kGrowth, 8);
   if (!join(i.joined, Phi_A, w.j_joint10.Phi_rod09, i.X * w.j_joint08.b, w.j_joint10.b_rod09, c))
     fail(w, kFactorization, 8);
   couple(i.joined, X_Phi_A, i.at_rod08);
@@ -1662,6 +1721,9 @@ void assemble_joint10(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod09;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 9);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint11.Phi_rod10, least))
+    fail(w, kGrowth, 9);
   if (!join(i.joined, Phi_A, w.j_joint11.Phi_rod10, i.X * w.j_joint09.b, w.j_joint11.b_rod10, c))
     fail(w, kFactorization, 9);
   couple(i.joined, X_Phi_A, i.at_rod09);
@@ -1707,6 +1769,9 @@ void assemble_joint11(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod10;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 10);
+  constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod11, least))
+    fail(w, kGrowth, 10);
   if (!join(i.joined, Phi_A, kPhi_rod11, i.X * w.j_joint10.b, w.j_joint11.b, c))
     fail(w, kFactorization, 10);
   couple(i.joined, X_Phi_A, i.at_rod10);
@@ -1751,6 +1816,9 @@ void assemble_joint12(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_joint09.Phi_rod11;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 11);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint13.Phi_rod12, least))
+    fail(w, kGrowth, 11);
   if (!join(i.joined, Phi_A, w.j_joint13.Phi_rod12, i.X * w.j_joint09.b_rod11, w.j_joint13.b_rod12, c))
     fail(w, kFactorization, 11);
   couple(i.joined, times_transposed(i.X, w.j_joint09.Phi_rod08_rod11), i.at_rod08);
@@ -1792,6 +1860,9 @@ void assemble_joint13(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod12;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 12);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint14.Phi_rod13, least))
+    fail(w, kGrowth, 12);
   if (!join(i.joined, Phi_A, w.j_joint14.Phi_rod13, i.X * w.j_joint12.b, w.j_joint14.b_rod13, c))
     fail(w, kFactorization, 12);
   couple(i.joined, X_Phi_A, i.at_rod12);
@@ -1832,6 +1903,9 @@ void assemble_joint14(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod13;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 13);
+  constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint15.Phi_rod14, least))
+    fail(w, kGrowth, 13);
   if (!join(i.joined, Phi_A, w.j_joint15.Phi_rod14, i.X * w.j_joint13.b, w.j_joint15.b_rod14, c))
     fail(w, kFactorization, 13);
   couple(i.joined, X_Phi_A, i.at_rod13);
@@ -1872,6 +1946,9 @@ void assemble_joint15(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod14;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 14);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint16.Phi_rod15, least))
+    fail(w, kGrowth, 14);
   if (!join(i.joined, Phi_A, w.j_joint16.Phi_rod15, i.X * w.j_joint14.b, w.j_joint16.b_rod15, c))
     fail(w, kFactorization, 14);
   couple(i.joined, X_Phi_A, i.at_rod14);
@@ -1912,6 +1989,9 @@ void assemble_joint16(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod15;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 15);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod16, least))
+    fail(w, kGrowth, 15);
   if (!join(i.joined, Phi_A, kPhi_rod16, i.X * w.j_joint15.b, w.j_joint16.b, c))
     fail(w, kFactorization, 15);
   couple(i.joined, X_Phi_A, i.at_rod15);
@@ -4166,6 +4246,7 @@ class Program {
     };
     also(options.time, [this] { return timing_.time_all(); });
     also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (status != kFault) collect_warnings();
     if (session_.rank == 0 && status != kFault) report();
     session_.watch.again();
     session_.solver.channel.close();
@@ -4240,6 +4321,26 @@ class Program {
     return status;
   }
 
+  // What processes have met that costs digits but is no failure, told once.
+  void collect_warnings() {
+    int joint = near_lock(session_.solver.w, 0);
+    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (joint == 0) return;
+    warning_ = "joints " + names_of_run(joint - 1) +
+               ": near gimbal lock at some state: accelerations lose three digits or more";
+    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
+  }
+
+  // Shapes that join no runs of joints as one have nothing to tell.
+  template <class W>
+  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
+    return w.near_lock;
+  }
+  template <class W>
+  static int near_lock(const W&, long) {
+    return 0;
+  }
+
   void report() const {
     const Options& options = session_.options;
     const bool right = residual_max_ <= options.tolerance;
@@ -4248,12 +4349,14 @@ class Program {
                   kProcesses, session_.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
+      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
       if (checked_)
         std::printf(
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
             residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
+                  simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
@@ -4271,6 +4374,7 @@ class Program {
   Corrections corrections_;
   bool checked_ = false;
   int solved_ = 0;
+  std::string warning_;
   double residual_median_ = 0, residual_max_ = 0;
 };
 

@@ -386,6 +386,8 @@ enum Failure : int {
   kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -415,6 +417,18 @@ std::string quoted(const char* text) {
   return result + "\"";
 }
 
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
 std::string describe(int status) {
   const int place = failure_place(status);
   const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
@@ -428,6 +442,12 @@ std::string describe(int status) {
     case kFactorization:
       return joint() +
              "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
     case kEnded:
@@ -550,6 +570,17 @@ bool factorize(std::array<std::array<Real, m>, m>& L) {
       L[i][j] *= inverse;
     }
   }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
   return good;
 }
 
@@ -1069,6 +1100,7 @@ struct Workspace {
   const Real* tau = nullptr;
   Real* qdd = nullptr;
   int status = kFine;
+  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   Joint_root j_root;
   Joint_left_hip j_left_hip;
   Joint_left_knee j_left_knee;
@@ -1237,6 +1269,9 @@ void assemble_root(Workspace& w) {
   auto& i = w.j_root;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
+  constexpr std::array<Real, 6> least{1.3664283380001926e-13, 2.7078610356711135e-13, 1.5366408645330884e-13, 1.7240048593772757e-15, 1.6032759165868928e-15, 1.4802973661668755e-15};
+  if (!keeps_digits<Floating>(kZero, w.j_left_hip.Phi_pelvis, least))
+    fail(w, kGrowth, 0);
   if (!join(i.joined, kZero, w.j_left_hip.Phi_pelvis, i.X * kGround, w.j_left_hip.b_pelvis, c))
     fail(w, kFactorization, 0);
 }
@@ -1270,6 +1305,9 @@ void assemble_left_hip(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_right_hip.Phi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Spherical>(i.v, w.v + 6);
+  constexpr std::array<Real, 6> least{1.7036893903932547e-13, 1.7036893903932547e-13, 5.857585060759486e-13, 7.261764885558423e-15, 7.261764885558423e-15, 3.172065784643304e-15};
+  if (!keeps_digits<Spherical>(Phi_A, w.j_left_knee.Phi_left_thigh, least))
+    fail(w, kGrowth, 1);
   if (!join(i.joined, Phi_A, w.j_left_knee.Phi_left_thigh, i.X * w.j_right_hip.b_pelvis, w.j_left_knee.b_left_thigh, c))
     fail(w, kFactorization, 1);
   couple(i.joined, X_Phi_A, i.at_pelvis);
@@ -1311,6 +1349,9 @@ void assemble_left_knee(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_thigh;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 9);
+  constexpr std::array<Real, 6> least{3.6038760301657154e-12, 3.6931557771061296e-13, 3.6931557771061296e-13, 6.1326605169770555e-15, 1.6440825050567963e-14, 1.6440825050567963e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_ankle.Phi_left_shank, least))
+    fail(w, kGrowth, 2);
   if (!join(i.joined, Phi_A, w.j_left_ankle.Phi_left_shank, i.X * w.j_left_hip.b, w.j_left_ankle.b_left_shank, c))
     fail(w, kFactorization, 2);
   couple(i.joined, X_Phi_A, i.at_left_thigh);
@@ -1352,6 +1393,9 @@ void assemble_left_ankle(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_shank;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Spherical>(i.v, w.v + 10);
+  constexpr std::array<Real, 6> least{1.3270011456023364e-11, 2.682380048573834e-12, 2.5677031452263567e-12, 2.26999404131705e-14, 4.833574941184154e-14, 2.776018241250534e-14};
+  if (!keeps_digits<Spherical>(Phi_A, kPhi_left_foot, least))
+    fail(w, kGrowth, 3);
   if (!join(i.joined, Phi_A, kPhi_left_foot, i.X * w.j_left_knee.b, w.j_left_ankle.b, c))
     fail(w, kFactorization, 3);
   couple(i.joined, X_Phi_A, i.at_left_shank);
@@ -1388,6 +1432,9 @@ void assemble_right_hip(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_spine.Phi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Spherical>(i.v, w.v + 13);
+  constexpr std::array<Real, 6> least{1.7036893903932547e-13, 1.7036893903932547e-13, 5.857585060759486e-13, 7.261764885558423e-15, 7.261764885558423e-15, 3.172065784643304e-15};
+  if (!keeps_digits<Spherical>(Phi_A, w.j_right_knee.Phi_right_thigh, least))
+    fail(w, kGrowth, 4);
   if (!join(i.joined, Phi_A, w.j_right_knee.Phi_right_thigh, i.X * w.j_spine.b_pelvis, w.j_right_knee.b_right_thigh, c))
     fail(w, kFactorization, 4);
   couple(i.joined, X_Phi_A, i.at_pelvis);
@@ -1429,6 +1476,9 @@ void assemble_right_knee(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_thigh;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 16);
+  constexpr std::array<Real, 6> least{3.6038760301657154e-12, 3.6931557771061296e-13, 3.6931557771061296e-13, 6.1326605169770555e-15, 1.6440825050567963e-14, 1.6440825050567963e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_ankle.Phi_right_shank, least))
+    fail(w, kGrowth, 5);
   if (!join(i.joined, Phi_A, w.j_right_ankle.Phi_right_shank, i.X * w.j_right_hip.b, w.j_right_ankle.b_right_shank, c))
     fail(w, kFactorization, 5);
   couple(i.joined, X_Phi_A, i.at_right_thigh);
@@ -1470,6 +1520,9 @@ void assemble_right_ankle(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_shank;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Spherical>(i.v, w.v + 17);
+  constexpr std::array<Real, 6> least{1.3270011456023364e-11, 2.682380048573834e-12, 2.5677031452263567e-12, 2.26999404131705e-14, 4.833574941184154e-14, 2.776018241250534e-14};
+  if (!keeps_digits<Spherical>(Phi_A, kPhi_right_foot, least))
+    fail(w, kGrowth, 6);
   if (!join(i.joined, Phi_A, kPhi_right_foot, i.X * w.j_right_knee.b, w.j_right_ankle.b, c))
     fail(w, kFactorization, 6);
   couple(i.joined, X_Phi_A, i.at_right_shank);
@@ -1506,6 +1559,9 @@ void assemble_spine(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Spherical>(i.v, w.v + 20);
+  constexpr std::array<Real, 6> least{8.069349660266129e-14, 8.746757078239997e-14, 1.1208346741019762e-13, 3.70561680556366e-15, 3.347268281455484e-15, 2.098160614653919e-15};
+  if (!keeps_digits<Spherical>(Phi_A, w.j_left_shoulder.Phi_trunk, least))
+    fail(w, kGrowth, 7);
   if (!join(i.joined, Phi_A, w.j_left_shoulder.Phi_trunk, i.X * w.j_root.b, w.j_left_shoulder.b_trunk, c))
     fail(w, kFactorization, 7);
   couple(i.joined, X_Phi_A, i.at_pelvis);
@@ -1543,6 +1599,9 @@ void assemble_left_shoulder(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_neck.Phi_trunk;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Spherical>(i.v, w.v + 23);
+  constexpr std::array<Real, 6> least{1.073179939591126e-12, 1.073179939591126e-12, 7.397760997890678e-12, 2.892182775707059e-14, 2.892182775707059e-14, 8.097260467014413e-15};
+  if (!keeps_digits<Spherical>(Phi_A, w.j_left_elbow.Phi_left_upper_arm, least))
+    fail(w, kGrowth, 8);
   if (!join(i.joined, Phi_A, w.j_left_elbow.Phi_left_upper_arm, i.X * w.j_neck.b_trunk, w.j_left_elbow.b_left_upper_arm, c))
     fail(w, kFactorization, 8);
   couple(i.joined, X_Phi_A, i.at_trunk);
@@ -1584,6 +1643,9 @@ void assemble_left_elbow(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_upper_arm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 26);
+  constexpr std::array<Real, 6> least{2.1587775800806794e-11, 2.8382886875476563e-12, 2.8382886875476563e-12, 2.039835605052919e-14, 5.4133100282171055e-14, 5.4133100282171055e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_wrist.Phi_left_forearm, least))
+    fail(w, kGrowth, 9);
   if (!join(i.joined, Phi_A, w.j_left_wrist.Phi_left_forearm, i.X * w.j_left_shoulder.b, w.j_left_wrist.b_left_forearm, c))
     fail(w, kFactorization, 9);
   couple(i.joined, X_Phi_A, i.at_left_upper_arm);
@@ -1625,6 +1687,9 @@ void assemble_left_wrist(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_forearm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Spherical>(i.v, w.v + 27);
+  constexpr std::array<Real, 6> least{1.2611825810546583e-11, 1.4734698134432816e-11, 5.672950120408767e-11, 1.339542027310537e-13, 1.203678198581818e-13, 4.67543272015304e-14};
+  if (!keeps_digits<Spherical>(Phi_A, kPhi_left_hand, least))
+    fail(w, kGrowth, 10);
   if (!join(i.joined, Phi_A, kPhi_left_hand, i.X * w.j_left_elbow.b, w.j_left_wrist.b, c))
     fail(w, kFactorization, 10);
   couple(i.joined, X_Phi_A, i.at_left_forearm);
@@ -1661,6 +1726,9 @@ void assemble_neck(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_right_shoulder.Phi_trunk;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Spherical>(i.v, w.v + 30);
+  constexpr std::array<Real, 6> least{7.357456245475462e-13, 7.357456245475462e-13, 7.357456245475462e-13, 1.772889239536293e-14, 1.7801396756154775e-14, 3.590542040952769e-15};
+  if (!keeps_digits<Spherical>(Phi_A, kPhi_head, least))
+    fail(w, kGrowth, 11);
   if (!join(i.joined, Phi_A, kPhi_head, i.X * w.j_right_shoulder.b_trunk, w.j_neck.b, c))
     fail(w, kFactorization, 11);
   couple(i.joined, X_Phi_A, i.at_trunk);
@@ -1698,6 +1766,9 @@ void assemble_right_shoulder(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_trunk;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Spherical>(i.v, w.v + 33);
+  constexpr std::array<Real, 6> least{1.073179939591126e-12, 1.073179939591126e-12, 7.397760997890678e-12, 2.892182775707059e-14, 2.892182775707059e-14, 8.097260467014413e-15};
+  if (!keeps_digits<Spherical>(Phi_A, w.j_right_elbow.Phi_right_upper_arm, least))
+    fail(w, kGrowth, 12);
   if (!join(i.joined, Phi_A, w.j_right_elbow.Phi_right_upper_arm, i.X * w.j_spine.b, w.j_right_elbow.b_right_upper_arm, c))
     fail(w, kFactorization, 12);
   couple(i.joined, X_Phi_A, i.at_trunk);
@@ -1738,6 +1809,9 @@ void assemble_right_elbow(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_upper_arm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 36);
+  constexpr std::array<Real, 6> least{2.1587775800806794e-11, 2.8382886875476563e-12, 2.8382886875476563e-12, 2.039835605052919e-14, 5.4133100282171055e-14, 5.4133100282171055e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_wrist.Phi_right_forearm, least))
+    fail(w, kGrowth, 13);
   if (!join(i.joined, Phi_A, w.j_right_wrist.Phi_right_forearm, i.X * w.j_right_shoulder.b, w.j_right_wrist.b_right_forearm, c))
     fail(w, kFactorization, 13);
   couple(i.joined, X_Phi_A, i.at_right_upper_arm);
@@ -1779,6 +1853,9 @@ void assemble_right_wrist(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_forearm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Spherical>(i.v, w.v + 37);
+  constexpr std::array<Real, 6> least{1.2611825810546583e-11, 1.4734698134432816e-11, 5.672950120408767e-11, 1.339542027310537e-13, 1.203678198581818e-13, 4.67543272015304e-14};
+  if (!keeps_digits<Spherical>(Phi_A, kPhi_right_hand, least))
+    fail(w, kGrowth, 14);
   if (!join(i.joined, Phi_A, kPhi_right_hand, i.X * w.j_right_elbow.b, w.j_right_wrist.b, c))
     fail(w, kFactorization, 14);
   couple(i.joined, X_Phi_A, i.at_right_forearm);
@@ -3848,6 +3925,7 @@ class Program {
     };
     also(options.time, [this] { return timing_.time_all(); });
     also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (status != kFault) collect_warnings();
     if (session_.rank == 0 && status != kFault) report();
     session_.watch.again();
     session_.solver.channel.close();
@@ -3922,6 +4000,26 @@ class Program {
     return status;
   }
 
+  // What processes have met that costs digits but is no failure, told once.
+  void collect_warnings() {
+    int joint = near_lock(session_.solver.w, 0);
+    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (joint == 0) return;
+    warning_ = "joints " + names_of_run(joint - 1) +
+               ": near gimbal lock at some state: accelerations lose three digits or more";
+    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
+  }
+
+  // Shapes that join no runs of joints as one have nothing to tell.
+  template <class W>
+  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
+    return w.near_lock;
+  }
+  template <class W>
+  static int near_lock(const W&, long) {
+    return 0;
+  }
+
   void report() const {
     const Options& options = session_.options;
     const bool right = residual_max_ <= options.tolerance;
@@ -3930,12 +4028,14 @@ class Program {
                   kProcesses, session_.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
+      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
       if (checked_)
         std::printf(
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
             residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
+                  simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
@@ -3953,6 +4053,7 @@ class Program {
   Corrections corrections_;
   bool checked_ = false;
   int solved_ = 0;
+  std::string warning_;
   double residual_median_ = 0, residual_max_ = 0;
 };
 

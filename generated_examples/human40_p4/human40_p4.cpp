@@ -389,6 +389,8 @@ enum Failure : int {
   kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -418,6 +420,18 @@ std::string quoted(const char* text) {
   return result + "\"";
 }
 
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
 std::string describe(int status) {
   const int place = failure_place(status);
   const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
@@ -431,6 +445,12 @@ std::string describe(int status) {
     case kFactorization:
       return joint() +
              "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
     case kEnded:
@@ -553,6 +573,17 @@ bool factorize(std::array<std::array<Real, m>, m>& L) {
       L[i][j] *= inverse;
     }
   }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
   return good;
 }
 
@@ -883,7 +914,11 @@ ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia&
     ADAGEN_FOR (c, 0, kColumns) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
   }
   if constexpr (n == 1) {
-    good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
+    // Beside the inertia about other axes (in other directions), D must be more than rounding.
+    constexpr int row = free[0] < 3 ? 0 : 3;
+    const Real whole = I(row, row) + I(row + 1, row + 1) + I(row + 2, row + 2);
+    good = i.D[0][0] > 8 * std::numeric_limits<Real>::epsilon() * whole &&
+           i.D[0][0] <= std::numeric_limits<Real>::max();
     i.D[0][0] = 1 / i.D[0][0];
   } else {
     good = factorize(i.D);
@@ -1408,6 +1443,7 @@ struct Workspace {
   const Real* tau = nullptr;
   Real* qdd = nullptr;
   int status = kFine;
+  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   Joint_root j_root;
   Joint_left_hip j_left_hip;
   Joint_left_knee j_left_knee;
@@ -4325,6 +4361,7 @@ class Program {
     };
     also(options.time, [this] { return timing_.time_all(); });
     also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (status != kFault) collect_warnings();
     if (session_.rank == 0 && status != kFault) report();
     session_.watch.again();
     session_.solver.channel.close();
@@ -4399,6 +4436,26 @@ class Program {
     return status;
   }
 
+  // What processes have met that costs digits but is no failure, told once.
+  void collect_warnings() {
+    int joint = near_lock(session_.solver.w, 0);
+    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (joint == 0) return;
+    warning_ = "joints " + names_of_run(joint - 1) +
+               ": near gimbal lock at some state: accelerations lose three digits or more";
+    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
+  }
+
+  // Shapes that join no runs of joints as one have nothing to tell.
+  template <class W>
+  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
+    return w.near_lock;
+  }
+  template <class W>
+  static int near_lock(const W&, long) {
+    return 0;
+  }
+
   void report() const {
     const Options& options = session_.options;
     const bool right = residual_max_ <= options.tolerance;
@@ -4407,12 +4464,14 @@ class Program {
                   kProcesses, session_.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
+      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
       if (checked_)
         std::printf(
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
             residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
+                  simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
@@ -4430,6 +4489,7 @@ class Program {
   Corrections corrections_;
   bool checked_ = false;
   int solved_ = 0;
+  std::string warning_;
   double residual_median_ = 0, residual_max_ = 0;
 };
 

@@ -476,6 +476,8 @@ enum Failure : int {
   kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -505,6 +507,18 @@ std::string quoted(const char* text) {
   return result + "\"";
 }
 
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
 std::string describe(int status) {
   const int place = failure_place(status);
   const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
@@ -518,6 +532,12 @@ std::string describe(int status) {
     case kFactorization:
       return joint() +
              "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
     case kEnded:
@@ -640,6 +660,17 @@ bool factorize(std::array<std::array<Real, m>, m>& L) {
       L[i][j] *= inverse;
     }
   }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
   return good;
 }
 
@@ -1332,6 +1363,7 @@ struct Workspace {
   const Real* tau = nullptr;
   Real* qdd = nullptr;
   int status = kFine;
+  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   Joint_base j_base;
   Joint_left_hip_pitch j_left_hip_pitch;
   Joint_left_hip_roll j_left_hip_roll;
@@ -1530,6 +1562,9 @@ void assemble_base(Workspace& w) {
   auto& i = w.j_base;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
+  constexpr std::array<Real, 6> least{4.379753477303394e-13, 8.089655265475019e-13, 4.0448391455405566e-13, 2.615659551780614e-15, 2.4672634802537493e-15, 2.2920733411616134e-15};
+  if (!keeps_digits<Floating>(kZero, w.j_left_hip_pitch.Phi_pelvis, least))
+    fail(w, kGrowth, 0);
   if (!join(i.joined, kZero, w.j_left_hip_pitch.Phi_pelvis, i.X * kGround, w.j_left_hip_pitch.b_pelvis, c))
     fail(w, kFactorization, 0);
   couple(i.joined, w.j_left_hip_pitch.Phi_pelvis, i.at_pelvis);
@@ -1570,6 +1605,9 @@ void assemble_left_hip_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_right_hip_pitch.Phi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
+  constexpr std::array<Real, 6> least{7.97506041035137e-12, 7.97506041035137e-12, 8.287386887608557e-12, 1.9470029590306893e-14, 1.9470029590306893e-14, 1.2442683852020187e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_hip_roll.Phi_left_hip, least))
+    fail(w, kGrowth, 1);
   if (!join(i.joined, Phi_A, w.j_left_hip_roll.Phi_left_hip, i.X * w.j_right_hip_pitch.b_pelvis, w.j_left_hip_roll.b_left_hip, c))
     fail(w, kFactorization, 1);
   couple(i.joined, X_Phi_A, i.at_pelvis);
@@ -1611,6 +1649,9 @@ void assemble_left_hip_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_hip;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 7);
+  constexpr std::array<Real, 6> least{1.2860158696369453e-11, 1.2860158696369453e-11, 1.2110425354080618e-11, 4.1240689064045116e-14, 2.6082444034496316e-14, 3.835080781740452e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_hip_yaw.Phi_left_groin, least))
+    fail(w, kGrowth, 2);
   if (!join(i.joined, Phi_A, w.j_left_hip_yaw.Phi_left_groin, i.X * w.j_left_hip_pitch.b, w.j_left_hip_yaw.b_left_groin, c))
     fail(w, kFactorization, 2);
   couple(i.joined, X_Phi_A, i.at_left_hip);
@@ -1651,6 +1692,9 @@ void assemble_left_hip_yaw(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_groin;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 8);
+  constexpr std::array<Real, 6> least{4.1568802944704355e-12, 4.1568802944704355e-12, 6.3568005755356835e-12, 2.5673963648465354e-14, 2.5673963648465354e-14, 1.7308092281335775e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_knee.Phi_left_thigh, least))
+    fail(w, kGrowth, 3);
   if (!join(i.joined, Phi_A, w.j_left_knee.Phi_left_thigh, i.X * w.j_left_hip_roll.b, w.j_left_knee.b_left_thigh, c))
     fail(w, kFactorization, 3);
   couple(i.joined, X_Phi_A, i.at_left_groin);
@@ -1691,6 +1735,9 @@ void assemble_left_knee(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_thigh;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 9);
+  constexpr std::array<Real, 6> least{8.16509939297173e-12, 1.4891475962065713e-12, 1.4891475962065713e-12, 1.3472782573236314e-14, 3.231397165528738e-14, 3.3093716769976106e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_ankle_pitch.Phi_left_shank, least))
+    fail(w, kGrowth, 4);
   if (!join(i.joined, Phi_A, w.j_left_ankle_pitch.Phi_left_shank, i.X * w.j_left_hip_yaw.b, w.j_left_ankle_pitch.b_left_shank, c))
     fail(w, kFactorization, 4);
   couple(i.joined, X_Phi_A, i.at_left_thigh);
@@ -1731,6 +1778,9 @@ void assemble_left_ankle_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_shank;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 10);
+  constexpr std::array<Real, 6> least{1.978961112703373e-10, 1.978961112703373e-10, 1.978961112703373e-10, 7.894919286223335e-14, 7.894919286223335e-14, 7.894919286223335e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_ankle_roll.Phi_left_ankle, least))
+    fail(w, kGrowth, 5);
   if (!join(i.joined, Phi_A, w.j_left_ankle_roll.Phi_left_ankle, i.X * w.j_left_knee.b, w.j_left_ankle_roll.b_left_ankle, c))
     fail(w, kFactorization, 5);
   couple(i.joined, X_Phi_A, i.at_left_shank);
@@ -1771,6 +1821,9 @@ void assemble_left_ankle_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_ankle;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 11);
+  constexpr std::array<Real, 6> least{7.100279258824507e-11, 7.03850253111196e-11, 9.499136045271017e-11, 1.192327998641093e-13, 9.350846065275807e-14, 9.350846065275807e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_left_foot, least))
+    fail(w, kGrowth, 6);
   if (!join(i.joined, Phi_A, kPhi_left_foot, i.X * w.j_left_ankle_pitch.b, w.j_left_ankle_roll.b, c))
     fail(w, kFactorization, 6);
   couple(i.joined, X_Phi_A, i.at_left_ankle);
@@ -1810,6 +1863,9 @@ void assemble_right_hip_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 12);
+  constexpr std::array<Real, 6> least{7.97506041035137e-12, 7.97506041035137e-12, 8.287386887608557e-12, 1.9470029590306893e-14, 1.9470029590306893e-14, 1.2442683852020187e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_hip_roll.Phi_right_hip, least))
+    fail(w, kGrowth, 7);
   if (!join(i.joined, Phi_A, w.j_right_hip_roll.Phi_right_hip, i.X * w.j_base.b, w.j_right_hip_roll.b_right_hip, c))
     fail(w, kFactorization, 7);
   couple(i.joined, X_Phi_A, i.at_pelvis);
@@ -1850,6 +1906,9 @@ void assemble_right_hip_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_hip;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 13);
+  constexpr std::array<Real, 6> least{1.2860158696369453e-11, 1.2860158696369453e-11, 1.2110425354080618e-11, 4.1240689064045116e-14, 2.6082444034496316e-14, 3.835080781740452e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_hip_yaw.Phi_right_groin, least))
+    fail(w, kGrowth, 8);
   if (!join(i.joined, Phi_A, w.j_right_hip_yaw.Phi_right_groin, i.X * w.j_right_hip_pitch.b, w.j_right_hip_yaw.b_right_groin, c))
     fail(w, kFactorization, 8);
   couple(i.joined, X_Phi_A, i.at_right_hip);
@@ -1890,6 +1949,9 @@ void assemble_right_hip_yaw(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_groin;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 14);
+  constexpr std::array<Real, 6> least{4.1568802944704355e-12, 4.1568802944704355e-12, 6.3568005755356835e-12, 2.5673963648465354e-14, 2.5673963648465354e-14, 1.7308092281335775e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_knee.Phi_right_thigh, least))
+    fail(w, kGrowth, 9);
   if (!join(i.joined, Phi_A, w.j_right_knee.Phi_right_thigh, i.X * w.j_right_hip_roll.b, w.j_right_knee.b_right_thigh, c))
     fail(w, kFactorization, 9);
   couple(i.joined, X_Phi_A, i.at_right_groin);
@@ -1930,6 +1992,9 @@ void assemble_right_knee(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_thigh;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 15);
+  constexpr std::array<Real, 6> least{8.16509939297173e-12, 1.4891475962065713e-12, 1.4891475962065713e-12, 1.3472782573236314e-14, 3.231397165528738e-14, 3.3093716769976106e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_ankle_pitch.Phi_right_shank, least))
+    fail(w, kGrowth, 10);
   if (!join(i.joined, Phi_A, w.j_right_ankle_pitch.Phi_right_shank, i.X * w.j_right_hip_yaw.b, w.j_right_ankle_pitch.b_right_shank, c))
     fail(w, kFactorization, 10);
   couple(i.joined, X_Phi_A, i.at_right_thigh);
@@ -1970,6 +2035,9 @@ void assemble_right_ankle_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_shank;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 16);
+  constexpr std::array<Real, 6> least{1.978961112703373e-10, 1.978961112703373e-10, 1.978961112703373e-10, 7.894919286223335e-14, 7.894919286223335e-14, 7.894919286223335e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_ankle_roll.Phi_right_ankle, least))
+    fail(w, kGrowth, 11);
   if (!join(i.joined, Phi_A, w.j_right_ankle_roll.Phi_right_ankle, i.X * w.j_right_knee.b, w.j_right_ankle_roll.b_right_ankle, c))
     fail(w, kFactorization, 11);
   couple(i.joined, X_Phi_A, i.at_right_shank);
@@ -2010,6 +2078,9 @@ void assemble_right_ankle_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_ankle;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 17);
+  constexpr std::array<Real, 6> least{7.100279258824507e-11, 7.03850253111196e-11, 9.499136045271017e-11, 1.192327998641093e-13, 9.350846065275807e-14, 9.350846065275807e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_right_foot, least))
+    fail(w, kGrowth, 12);
   if (!join(i.joined, Phi_A, kPhi_right_foot, i.X * w.j_right_ankle_pitch.b, w.j_right_ankle_roll.b, c))
     fail(w, kFactorization, 12);
   couple(i.joined, X_Phi_A, i.at_right_ankle);
@@ -2049,6 +2120,9 @@ void assemble_waist_yaw(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_base.Phi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 18);
+  constexpr std::array<Real, 6> least{1.937075620216765e-11, 1.937075620216765e-11, 1.4377753194123701e-11, 2.77371848244625e-14, 2.77371848244625e-14, 2.005564173516412e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_waist_roll.Phi_waist_link, least))
+    fail(w, kGrowth, 13);
   if (!join(i.joined, Phi_A, w.j_waist_roll.Phi_waist_link, i.X * w.j_base.b_pelvis, w.j_waist_roll.b_waist_link, c))
     fail(w, kFactorization, 13);
 }
@@ -2086,6 +2160,9 @@ void assemble_waist_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_waist_link;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 19);
+  constexpr std::array<Real, 6> least{1.9361698667246485e-11, 1.836205421086137e-11, 1.9361698667246485e-11, 3.9006013092186154e-14, 3.3553406966449176e-14, 3.9006013092186154e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_waist_pitch.Phi_abdomen, least))
+    fail(w, kGrowth, 14);
   if (!join(i.joined, Phi_A, w.j_waist_pitch.Phi_abdomen, i.X * w.j_waist_yaw.b, w.j_waist_pitch.b_abdomen, c))
     fail(w, kFactorization, 14);
   couple(i.joined, X_Phi_A, i.at_waist_link);
@@ -2126,6 +2203,9 @@ void assemble_waist_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_abdomen;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 20);
+  constexpr std::array<Real, 6> least{4.5996590878295124e-12, 4.519586369882674e-12, 4.5541864873908146e-12, 1.7298430910523563e-14, 2.09597444894919e-14, 1.9977061247921946e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_shoulder_pitch.Phi_torso, least))
+    fail(w, kGrowth, 15);
   if (!join(i.joined, Phi_A, w.j_left_shoulder_pitch.Phi_torso, i.X * w.j_waist_roll.b, w.j_left_shoulder_pitch.b_torso, c))
     fail(w, kFactorization, 15);
   couple(i.joined, X_Phi_A, i.at_abdomen);
@@ -2166,6 +2246,9 @@ void assemble_left_shoulder_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_neck_yaw.Phi_torso;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 21);
+  constexpr std::array<Real, 6> least{2.2016408306401386e-11, 2.2016408306401386e-11, 2.2245331597838116e-11, 3.903743131866773e-14, 3.903743131866773e-14, 1.9259447837707977e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_shoulder_roll.Phi_left_shoulder, least))
+    fail(w, kGrowth, 16);
   if (!join(i.joined, Phi_A, w.j_left_shoulder_roll.Phi_left_shoulder, i.X * w.j_neck_yaw.b_torso, w.j_left_shoulder_roll.b_left_shoulder, c))
     fail(w, kFactorization, 16);
   couple(i.joined, X_Phi_A, i.at_torso);
@@ -2207,6 +2290,9 @@ void assemble_left_shoulder_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_shoulder;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 22);
+  constexpr std::array<Real, 6> least{2.765166058115282e-11, 2.765166058115282e-11, 2.765166058115282e-11, 5.633588833526509e-14, 4.009491151789137e-14, 5.836601043743681e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_shoulder_yaw.Phi_left_shoulder_cap, least))
+    fail(w, kGrowth, 17);
   if (!join(i.joined, Phi_A, w.j_left_shoulder_yaw.Phi_left_shoulder_cap, i.X * w.j_left_shoulder_pitch.b, w.j_left_shoulder_yaw.b_left_shoulder_cap, c))
     fail(w, kFactorization, 17);
   couple(i.joined, X_Phi_A, i.at_left_shoulder);
@@ -2247,6 +2333,9 @@ void assemble_left_shoulder_yaw(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_shoulder_cap;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 23);
+  constexpr std::array<Real, 6> least{1.550323694931007e-11, 1.550323694931007e-11, 2.8971534166408843e-11, 5.990519760423054e-14, 5.990519760423054e-14, 3.8064789415719656e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_elbow.Phi_left_upper_arm, least))
+    fail(w, kGrowth, 18);
   if (!join(i.joined, Phi_A, w.j_left_elbow.Phi_left_upper_arm, i.X * w.j_left_shoulder_roll.b, w.j_left_elbow.b_left_upper_arm, c))
     fail(w, kFactorization, 18);
   couple(i.joined, X_Phi_A, i.at_left_shoulder_cap);
@@ -2287,6 +2376,9 @@ void assemble_left_elbow(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_upper_arm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 24);
+  constexpr std::array<Real, 6> least{3.679489269776697e-11, 1.197162751551455e-11, 1.197162751551455e-11, 4.139342360189928e-14, 7.884055819642003e-14, 9.209849845550062e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_wrist_roll.Phi_left_forearm, least))
+    fail(w, kGrowth, 19);
   if (!join(i.joined, Phi_A, w.j_left_wrist_roll.Phi_left_forearm, i.X * w.j_left_shoulder_yaw.b, w.j_left_wrist_roll.b_left_forearm, c))
     fail(w, kFactorization, 19);
   couple(i.joined, X_Phi_A, i.at_left_upper_arm);
@@ -2327,6 +2419,9 @@ void assemble_left_wrist_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_forearm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 25);
+  constexpr std::array<Real, 6> least{1.6766806649289416e-10, 1.6766806649289416e-10, 1.6159511472323679e-10, 1.0775262834713958e-13, 1.0775262834713958e-13, 9.135549459772717e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_wrist_pitch.Phi_left_wrist, least))
+    fail(w, kGrowth, 20);
   if (!join(i.joined, Phi_A, w.j_left_wrist_pitch.Phi_left_wrist, i.X * w.j_left_elbow.b, w.j_left_wrist_pitch.b_left_wrist, c))
     fail(w, kFactorization, 20);
   couple(i.joined, X_Phi_A, i.at_left_forearm);
@@ -2367,6 +2462,9 @@ void assemble_left_wrist_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_wrist;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 26);
+  constexpr std::array<Real, 6> least{1.0186696105313099e-10, 7.446169233235501e-11, 7.919164165207809e-11, 1.0658141036401503e-13, 1.973963936416274e-13, 1.8036857609062434e-13};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_left_hand, least))
+    fail(w, kGrowth, 21);
   if (!join(i.joined, Phi_A, kPhi_left_hand, i.X * w.j_left_wrist_roll.b, w.j_left_wrist_pitch.b, c))
     fail(w, kFactorization, 21);
   couple(i.joined, X_Phi_A, i.at_left_wrist);
@@ -2406,6 +2504,9 @@ void assemble_neck_yaw(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_right_shoulder_pitch.Phi_torso;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 27);
+  constexpr std::array<Real, 6> least{6.771160784439214e-11, 6.771160784439214e-11, 7.899006396756834e-11, 6.409131092733334e-14, 6.409131092733334e-14, 3.702301623171048e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_neck_pitch.Phi_neck, least))
+    fail(w, kGrowth, 22);
   if (!join(i.joined, Phi_A, w.j_neck_pitch.Phi_neck, i.X * w.j_right_shoulder_pitch.b_torso, w.j_neck_pitch.b_neck, c))
     fail(w, kFactorization, 22);
   couple(i.joined, X_Phi_A, i.at_torso);
@@ -2447,6 +2548,9 @@ void assemble_neck_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_neck;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 28);
+  constexpr std::array<Real, 6> least{2.5512285471221703e-11, 2.5512285471221703e-11, 2.5512285471221703e-11, 4.217933729769319e-14, 5.625129991434126e-14, 5.698231095936195e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_head, least))
+    fail(w, kGrowth, 23);
   if (!join(i.joined, Phi_A, kPhi_head, i.X * w.j_neck_yaw.b, w.j_neck_pitch.b, c))
     fail(w, kFactorization, 23);
   couple(i.joined, X_Phi_A, i.at_neck);
@@ -2486,6 +2590,9 @@ void assemble_right_shoulder_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_torso;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 29);
+  constexpr std::array<Real, 6> least{2.2016408306401386e-11, 2.2016408306401386e-11, 2.2245331597838116e-11, 3.903743131866773e-14, 3.903743131866773e-14, 1.9259447837707977e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_shoulder_roll.Phi_right_shoulder, least))
+    fail(w, kGrowth, 24);
   if (!join(i.joined, Phi_A, w.j_right_shoulder_roll.Phi_right_shoulder, i.X * w.j_waist_pitch.b, w.j_right_shoulder_roll.b_right_shoulder, c))
     fail(w, kFactorization, 24);
   couple(i.joined, X_Phi_A, i.at_torso);
@@ -2526,6 +2633,9 @@ void assemble_right_shoulder_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_shoulder;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 30);
+  constexpr std::array<Real, 6> least{2.765166058115282e-11, 2.765166058115282e-11, 2.765166058115282e-11, 5.633588833526509e-14, 4.009491151789137e-14, 5.836601043743681e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_shoulder_yaw.Phi_right_shoulder_cap, least))
+    fail(w, kGrowth, 25);
   if (!join(i.joined, Phi_A, w.j_right_shoulder_yaw.Phi_right_shoulder_cap, i.X * w.j_right_shoulder_pitch.b, w.j_right_shoulder_yaw.b_right_shoulder_cap, c))
     fail(w, kFactorization, 25);
   couple(i.joined, X_Phi_A, i.at_right_shoulder);
@@ -2566,6 +2676,9 @@ void assemble_right_shoulder_yaw(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_shoulder_cap;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 31);
+  constexpr std::array<Real, 6> least{1.550323694931007e-11, 1.550323694931007e-11, 2.8971534166408843e-11, 5.990519760423054e-14, 5.990519760423054e-14, 3.8064789415719656e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_elbow.Phi_right_upper_arm, least))
+    fail(w, kGrowth, 26);
   if (!join(i.joined, Phi_A, w.j_right_elbow.Phi_right_upper_arm, i.X * w.j_right_shoulder_roll.b, w.j_right_elbow.b_right_upper_arm, c))
     fail(w, kFactorization, 26);
   couple(i.joined, X_Phi_A, i.at_right_shoulder_cap);
@@ -2606,6 +2719,9 @@ void assemble_right_elbow(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_upper_arm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 32);
+  constexpr std::array<Real, 6> least{3.679489269776697e-11, 1.197162751551455e-11, 1.197162751551455e-11, 4.139342360189928e-14, 7.884055819642003e-14, 9.209849845550062e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_wrist_roll.Phi_right_forearm, least))
+    fail(w, kGrowth, 27);
   if (!join(i.joined, Phi_A, w.j_right_wrist_roll.Phi_right_forearm, i.X * w.j_right_shoulder_yaw.b, w.j_right_wrist_roll.b_right_forearm, c))
     fail(w, kFactorization, 27);
   couple(i.joined, X_Phi_A, i.at_right_upper_arm);
@@ -2646,6 +2762,9 @@ void assemble_right_wrist_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_forearm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 33);
+  constexpr std::array<Real, 6> least{1.6766806649289416e-10, 1.6766806649289416e-10, 1.6159511472323679e-10, 1.0775262834713958e-13, 1.0775262834713958e-13, 9.135549459772717e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_wrist_pitch.Phi_right_wrist, least))
+    fail(w, kGrowth, 28);
   if (!join(i.joined, Phi_A, w.j_right_wrist_pitch.Phi_right_wrist, i.X * w.j_right_elbow.b, w.j_right_wrist_pitch.b_right_wrist, c))
     fail(w, kFactorization, 28);
   couple(i.joined, X_Phi_A, i.at_right_forearm);
@@ -2686,6 +2805,9 @@ void assemble_right_wrist_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_wrist;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 34);
+  constexpr std::array<Real, 6> least{1.0186696105313099e-10, 7.446169233235501e-11, 7.919164165207809e-11, 1.0658141036401503e-13, 1.973963936416274e-13, 1.8036857609062434e-13};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_right_hand, least))
+    fail(w, kGrowth, 29);
   if (!join(i.joined, Phi_A, kPhi_right_hand, i.X * w.j_right_wrist_roll.b, w.j_right_wrist_pitch.b, c))
     fail(w, kFactorization, 29);
   couple(i.joined, X_Phi_A, i.at_right_wrist);
@@ -4920,6 +5042,7 @@ class Program {
     };
     also(options.time, [this] { return timing_.time_all(); });
     also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (status != kFault) collect_warnings();
     if (session_.rank == 0 && status != kFault) report();
     session_.watch.again();
     session_.solver.channel.close();
@@ -4994,6 +5117,26 @@ class Program {
     return status;
   }
 
+  // What processes have met that costs digits but is no failure, told once.
+  void collect_warnings() {
+    int joint = near_lock(session_.solver.w, 0);
+    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (joint == 0) return;
+    warning_ = "joints " + names_of_run(joint - 1) +
+               ": near gimbal lock at some state: accelerations lose three digits or more";
+    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
+  }
+
+  // Shapes that join no runs of joints as one have nothing to tell.
+  template <class W>
+  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
+    return w.near_lock;
+  }
+  template <class W>
+  static int near_lock(const W&, long) {
+    return 0;
+  }
+
   void report() const {
     const Options& options = session_.options;
     const bool right = residual_max_ <= options.tolerance;
@@ -5002,12 +5145,14 @@ class Program {
                   kProcesses, session_.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
+      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
       if (checked_)
         std::printf(
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
             residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
+                  simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
@@ -5025,6 +5170,7 @@ class Program {
   Corrections corrections_;
   bool checked_ = false;
   int solved_ = 0;
+  std::string warning_;
   double residual_median_ = 0, residual_max_ = 0;
 };
 

@@ -332,6 +332,8 @@ enum Failure : int {
   kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -361,6 +363,18 @@ std::string quoted(const char* text) {
   return result + "\"";
 }
 
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
 std::string describe(int status) {
   const int place = failure_place(status);
   const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
@@ -374,6 +388,12 @@ std::string describe(int status) {
     case kFactorization:
       return joint() +
              "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
     case kEnded:
@@ -496,6 +516,17 @@ bool factorize(std::array<std::array<Real, m>, m>& L) {
       L[i][j] *= inverse;
     }
   }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
   return good;
 }
 
@@ -928,6 +959,7 @@ struct Workspace {
   const Real* tau = nullptr;
   Real* qdd = nullptr;
   int status = kFine;
+  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   Joint_drive j_drive;
   Joint_laser_spin j_laser_spin;
   Joint_lift j_lift;
@@ -1081,6 +1113,9 @@ void assemble_drive(Workspace& w) {
   auto& i = w.j_drive;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
+  constexpr std::array<Real, 6> least{7.091631212051937e-15, 5.577240971695595e-15, 1.024275719968536e-14, 6.580610018265472e-16, 7.160970978205855e-16, 4.0467660531582285e-16};
+  if (!keeps_digits<Planar>(kZero, w.j_laser_spin.Phi_cart, least))
+    fail(w, kGrowth, 0);
   if (!join(i.joined, kZero, w.j_laser_spin.Phi_cart, i.X * kGround, w.j_laser_spin.b_cart, c))
     fail(w, kFactorization, 0);
   couple(i.joined, w.j_laser_spin.Phi_cart, i.at_cart);
@@ -1121,6 +1156,9 @@ void assemble_laser_spin(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_cart;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 3);
+  constexpr std::array<Real, 6> least{5.800582863301488e-11, 5.800582863301488e-11, 5.075539255383019e-11, 1.3380832962362383e-13, 1.3380832962362383e-13, 4.1002747810059705e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_laser, least))
+    fail(w, kGrowth, 1);
   if (!join(i.joined, Phi_A, kPhi_laser, i.X * w.j_drive.b, w.j_laser_spin.b, c))
     fail(w, kFactorization, 1);
   couple(i.joined, X_Phi_A, i.at_cart);
@@ -1159,6 +1197,9 @@ void assemble_lift(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_drive.Phi_cart;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Prismatic>(i.v, w.v + 4);
+  constexpr std::array<Real, 6> least{6.835890271117182e-13, 1.038116582277988e-12, 6.835890271117182e-13, 3.783842603578267e-15, 8.143836380054432e-15, 1.041281273311856e-14};
+  if (!keeps_digits<Prismatic>(Phi_A, w.j_wrist.Phi_carriage, least))
+    fail(w, kGrowth, 2);
   if (!join(i.joined, Phi_A, w.j_wrist.Phi_carriage, i.X * w.j_drive.b_cart, w.j_wrist.b_carriage, c))
     fail(w, kFactorization, 2);
 }
@@ -1196,6 +1237,9 @@ void assemble_shoulder(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_carriage;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
+  constexpr std::array<Real, 6> least{7.326281147974468e-12, 8.874467701397844e-13, 1.014099819029905e-12, 1.0131011616088879e-14, 2.6178568065461474e-14, 2.5862909697458403e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_boom, least))
+    fail(w, kGrowth, 3);
   if (!join(i.joined, Phi_A, kPhi_boom, i.X * w.j_lift.b, w.j_shoulder.b, c))
     fail(w, kFactorization, 3);
   couple(i.joined, X_Phi_A, i.at_carriage);
@@ -1240,6 +1284,9 @@ void assemble_wrist(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_shoulder.Phi_boom;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
+  constexpr std::array<Real, 6> least{6.998215245009065e-12, 3.9559670992390634e-12, 6.998215245009065e-12, 5.871846219128606e-14, 8.914094364898608e-14, 2.1711028037114174e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_loose.Phi_bowl, least))
+    fail(w, kGrowth, 4);
   if (!join(i.joined, Phi_A, w.j_loose.Phi_bowl, i.X * w.j_shoulder.b_boom, w.j_loose.b_bowl, c))
     fail(w, kFactorization, 4);
   couple(i.joined, times_transposed(i.X, w.j_shoulder.Phi_carriage_boom), i.at_carriage);
@@ -1282,6 +1329,9 @@ void assemble_loose(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_bowl;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Floating>(i.v, w.v + 7);
+  constexpr std::array<Real, 6> least{2.5448985632127736e-11, 2.5448985632127736e-11, 2.5448985632127736e-11, 5.4277570092785434e-14, 4.717214273518443e-14, 5.131697536045168e-14};
+  if (!keeps_digits<Floating>(Phi_A, kPhi_load, least))
+    fail(w, kGrowth, 5);
   if (!join(i.joined, Phi_A, kPhi_load, i.X * w.j_wrist.b, w.j_loose.b, c))
     fail(w, kFactorization, 5);
   couple(i.joined, X_Phi_A, i.at_bowl);
@@ -3419,6 +3469,7 @@ class Program {
     };
     also(options.time, [this] { return timing_.time_all(); });
     also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (status != kFault) collect_warnings();
     if (session_.rank == 0 && status != kFault) report();
     session_.watch.again();
     session_.solver.channel.close();
@@ -3493,6 +3544,26 @@ class Program {
     return status;
   }
 
+  // What processes have met that costs digits but is no failure, told once.
+  void collect_warnings() {
+    int joint = near_lock(session_.solver.w, 0);
+    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (joint == 0) return;
+    warning_ = "joints " + names_of_run(joint - 1) +
+               ": near gimbal lock at some state: accelerations lose three digits or more";
+    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
+  }
+
+  // Shapes that join no runs of joints as one have nothing to tell.
+  template <class W>
+  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
+    return w.near_lock;
+  }
+  template <class W>
+  static int near_lock(const W&, long) {
+    return 0;
+  }
+
   void report() const {
     const Options& options = session_.options;
     const bool right = residual_max_ <= options.tolerance;
@@ -3501,12 +3572,14 @@ class Program {
                   kProcesses, session_.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
+      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
       if (checked_)
         std::printf(
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
             residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
+                  simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
@@ -3524,6 +3597,7 @@ class Program {
   Corrections corrections_;
   bool checked_ = false;
   int solved_ = 0;
+  std::string warning_;
   double residual_median_ = 0, residual_max_ = 0;
 };
 
