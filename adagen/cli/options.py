@@ -176,6 +176,11 @@ def add_emission(parser: argparse.ArgumentParser) -> None:
         "scalar statements (unrolled), or what is fastest for the robot (auto, default)",
     )
     parser.add_argument(
+        "--tune",
+        action="store_true",
+        help="build every shape with every compiler at hand, time them, and keep the fastest",
+    )
+    parser.add_argument(
         "--channel",
         choices=("auto", "window", "message"),
         default="auto",

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 from adagen.cli.console import Stages, note, progress, warn
 from adagen.cli.options import AUTO
@@ -30,11 +30,13 @@ class Generated:
         schedule: the schedule.
         plan: the plan.
         files: file name to text: source, plan, drawing and Makefile.
+        compiler: what the MPI wrapper is to call; "" for its own choice.
     """
 
     schedule: Schedule
     plan: Plan
     files: dict[str, str]
+    compiler: str = ""
 
     @property
     def source(self) -> tuple[str, str]:
@@ -193,14 +195,18 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             tell_savings(plan, schedule, options)
     with stages.stage("assess"):
         _warn_of_lost_digits(plan, options.model)
+    chosen: dict[str, Any] = {"shape": options.shape}
+    if options.tune:
+        from adagen.cli.tuning import tuned
+
+        best = tuned(plan, options, stages)
+        chosen = {"shape": best.shape, "chunk": best.chunk, "compiler": best.compiler}
     with stages.stage("emit"), progress("emitting"):
         from adagen.emit import emit
 
         name = Path(options.model).stem if options.name is None else options.name
-        files = emit(
-            plan, name=name, svg=draw(schedule, model), shape=options.shape, refine=options.refine
-        )
-    return Generated(schedule, plan, files)
+        files = emit(plan, name=name, svg=draw(schedule, model), refine=options.refine, **chosen)
+    return Generated(schedule, plan, files, chosen.get("compiler", ""))
 
 
 def _warn_of_lost_digits(plan: Plan, file: str) -> None:

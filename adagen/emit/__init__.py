@@ -60,6 +60,8 @@ def emit(
     svg: str | None = None,
     shape: str = "auto",
     refine: int = 0,
+    chunk: int = 0,
+    compiler: str = "",
 ) -> dict[str, str]:
     """Return the emitted files, file name to text.
 
@@ -69,6 +71,8 @@ def emit(
         svg: a drawing of the schedule to put beside them.
         shape: shape of the code, one of ``adagen.emit.shapes.SHAPES``, or "auto".
         refine: steps of iterative refinement that each evaluation takes, 0 to 9.
+        chunk: values that one function of shape unrolled computes; 0 for its default.
+        compiler: what the MPI wrapper is to call; "" for its own choice.
 
     Returns:
         NAME_pP.cpp, NAME_pP.plan.json, Makefile and, if given, NAME_pP.svg.
@@ -78,16 +82,25 @@ def emit(
     """
     stem = stem_of(plan, name)
     files = {
-        f"{stem}.cpp": source(plan, stem, shape, refine),
+        f"{stem}.cpp": source(plan, stem, shape, refine, chunk, compiler),
         f"{stem}.plan.json": plan_to_json(plan),
-        "Makefile": render("Makefile.j2", stem=stem, process_count=len(plan.processes)),
+        "Makefile": render(
+            "Makefile.j2", stem=stem, process_count=len(plan.processes), compiler=compiler
+        ),
     }
     if svg is not None:
         files[f"{stem}.svg"] = svg
     return files
 
 
-def source(plan: Plan, stem: str, shape: str = "auto", refine: int = 0) -> str:
+def source(
+    plan: Plan,
+    stem: str,
+    shape: str = "auto",
+    refine: int = 0,
+    chunk: int = 0,
+    compiler: str = "",
+) -> str:
     """Return the C++ source of a plan; ``stem`` begins the names of its C functions.
 
     Raises:
@@ -95,7 +108,7 @@ def source(plan: Plan, stem: str, shape: str = "auto", refine: int = 0) -> str:
     """
     shape = chosen_shape(plan, checked_steps(refine, shape))
     plan = refinable(plan) if refine else plan
-    words = Words(plan, refine)
+    words = Words(plan, refine, chunk)
     steps = [step for process in plan.processes for step in process.steps]
     bare = {step.link for step in steps if isinstance(step, LinkBias)}
     started = {step.link for step in steps if isinstance(step, StartLink)}
@@ -108,6 +121,7 @@ def source(plan: Plan, stem: str, shape: str = "auto", refine: int = 0) -> str:
         source_hash=plan.source_hash or "not given",
         form=plan.form,
         shape=shape,
+        tuning=_tuning(chunk, compiler),
         scalar=plan.scalar,
         channel=plan.channel,
         base="floating" if plan.floating else "fixed",
@@ -152,6 +166,12 @@ def source(plan: Plan, stem: str, shape: str = "auto", refine: int = 0) -> str:
         channel_messages=_channel_messages(words),
         **KNOWN[shape].values(words),
     )
+
+
+def _tuning(chunk: int, compiler: str) -> str:
+    """What was chosen by trying, for the header."""
+    words = [f"functions of {chunk} values"] * bool(chunk) + [f"for {compiler}"] * bool(compiler)
+    return f" ({', '.join(words)})" if words else ""
 
 
 def _joint_constants(words: Words) -> list[dict[str, object]]:
