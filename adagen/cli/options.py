@@ -55,9 +55,14 @@ def make_parser(prog: str, description: str, epilog: str) -> Parser:
     return parser
 
 
-def add_model(parser: argparse.ArgumentParser, *, gravity: bool = True) -> None:
-    """Add the robot and how to read it."""
-    parser.add_argument("model", metavar="MODEL", help="robot description (URDF)")
+def add_model(
+    parser: argparse.ArgumentParser, *, gravity: bool = True, several: bool = False
+) -> None:
+    """Add the robot, or several, and how to read it."""
+    if several:
+        parser.add_argument("models", nargs="+", metavar="MODEL", help="robot descriptions (URDF)")
+    else:
+        parser.add_argument("model", metavar="MODEL", help="robot description (URDF)")
     parser.add_argument(
         "--floating", action="store_true", help="put the robot on a floating base (__base__)"
     )

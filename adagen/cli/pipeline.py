@@ -179,7 +179,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             form=options.form,
             scalar=options.scalar,
             channel=options.channel,
-            source_hash=_hash(Path(options.model)),
+            source_hash=source_hash(Path(options.model)),
         )
     idle = sum(not process.owns for process in plan.processes)
     if idle and not getattr(options, "told_to_use_fewer", False):
@@ -240,7 +240,12 @@ def prediction(schedule: Schedule) -> str:
     return f"{schedule.makespan:.2f} us predicted ({schedule.profile} profile, {proof})"
 
 
-def _hash(path: Path) -> str:
+def source_hash(path: Path) -> str:
+    """Return the SHA-256 of a robot description, in hexadecimal.
+
+    Raises:
+        InputError: it cannot be read.
+    """
     try:
         return hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError as error:
