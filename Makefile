@@ -22,7 +22,7 @@ export EIGEN
 endif
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test test-all lint format golden paper bench clean
+.PHONY: help setup demo test test-all lint format golden paper bench charts clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -63,6 +63,9 @@ format: setup ## let ruff and clang-format rewrite the sources
 
 golden: setup ## write generated_examples anew
 	$(BIN)/python -m pytest --update-golden -n 0 tests
+
+charts: setup ## accuracy beside speed of the shipped robots, into build/charts
+	$(BIN)/python -m adagen chart generated_examples/models/*.urdf --out build/charts
 
 paper: setup ## the paper's tables and figures, predicted and measured here
 	$(BIN)/python -m benchmarks.paper all

@@ -101,7 +101,13 @@ def main(words: Sequence[str] | None = None) -> int:
     try:
         before = read_record(so_far).models if options.resume and so_far.is_file() else ()
         start = time.perf_counter()
-        record = contest(some, rules, done=lambda found: write_record(found, so_far), before=before)
+        record = contest(
+            some,
+            rules,
+            done=lambda found: write_record(found, so_far),
+            before=before,
+            keep_going=True,
+        )
     except AdagenError as error:
         print(error, file=sys.stderr)
         return error.status

@@ -1,5 +1,7 @@
-"""``python -m benchmarks.search``: what is proven of schedules and how fast, to docs/search.md.
+"""``python -m benchmarks.search [joins] [steps]``: what is proven of schedules and how fast.
 
+Writes docs/search.md, the table of joins (Eq. 11, the paper's constants), that of steps (form
+segment, the shipped costs), or both.
 Robots of adagen's test environment (example-robot-data) that are not there are left out.
 """
 
@@ -9,10 +11,12 @@ import random
 import sys
 import sysconfig
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
+from adagen.model import Model
 from adagen.schedule import Schedule, Topology, find_schedule, load_profile
 from adagen.schedule.tree import Split
 from adagen.urdf import read_robot
@@ -20,7 +24,8 @@ from benchmarks.paper import robots
 from benchmarks.paper.measured import machine, model_of
 
 PAPER = load_profile("paper")
-ROOT = Path(__file__).resolve().parents[1]
+DEFAULT = load_profile("default")
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "search.md"
 PACKAGE = "cmeel.prefix/share/example-robot-data/robots"
 REAL = {  # floating base or not, file within the package
     "talos": (True, "talos_data/robots/talos_full_v2.urdf"),
@@ -69,79 +74,130 @@ def branched(joints: int) -> dict[str, Topology]:
     return {f"{name} {joints}": Topology.bare(parents) for name, parents in shapes.items()}
 
 
-def tasks() -> Iterator[Task]:
-    """Yield what is asked of the search."""
-    yield Task("serial 200", Topology.serial(200), 8, "always", 1.0)
-    yield Task("serial 512", Topology.serial(512), 16, "always", 5.0)
-    known = {f"human {dofs}": Topology.of(model_of(robots.human(dofs))) for dofs in robots.HUMANS}
+def real() -> Iterator[tuple[str, Model]]:
+    """Yield the three human figures, and the real robots that there are."""
+    for dofs in robots.HUMANS:
+        yield f"human {dofs}", model_of(robots.human(dofs))
     folder = Path(sysconfig.get_paths()["purelib"], PACKAGE)
     for name, (floating, file) in REAL.items():
         if (folder / file).exists():
-            known[name] = Topology.of(read_robot(folder / file, floating=floating).model)
-    for name, topology in known.items():
+            yield name, read_robot(folder / file, floating=floating).model
+
+
+def tasks() -> Iterator[Task]:
+    """Yield what is asked of the search by joins."""
+    yield Task("serial 200", Topology.serial(200), 8, "always", 1.0)
+    yield Task("serial 512", Topology.serial(512), 16, "always", 5.0)
+    for name, model in real():
         for processes in (2, 4, 8) if name != "tiago_dual" else (8,):
             for split in SPLITS if processes == 8 else SPLITS[:2]:
                 budget = 10.0 if name == "tiago_dual" else 1.0
-                yield Task(name, topology, processes, split, budget)
+                yield Task(name, Topology.of(model), processes, split, budget)
     for name, topology in branched(200).items():
         for split in SPLITS:
             yield Task(name, topology, 8, split, 2.0)
 
 
-def row(task: Task) -> str:
-    """Return the line of a task in the table."""
+def joins() -> Iterator[str]:
+    """Yield the lines of the table of joins."""
+    for task in tasks():
+        s, spent, busy = timed(
+            task.topology,
+            task.processes,
+            profile=PAPER,
+            split=task.split,
+            expansions=10**6,
+            time_budget=task.budget,
+        )
+        yield line(
+            *(task.name, len(task.topology), task.processes, task.split, f"{s.makespan:.1f}"),
+            *(f"{s.lower_bound:.1f}", proof(s), s.expanded),
+            *(f"{spent:.2f}", f"{busy:.2f}", f"{task.budget:g}"),
+        )
+
+
+def steps() -> Iterator[str]:
+    """Yield the lines of the table of steps: times played through, and the default budget."""
+    chains = [(f"serial {n}", Topology.serial(n), p) for n, p in ((64, 8), (200, 4), (200, 8))]
+    known = [(name, Topology.of(model), p) for name, model in real() for p in (2, 4, 8)]
+    for name, topology, processes in [*chains, ("serial 512", Topology.serial(512), 16), *known]:
+        s, _, busy = timed(topology, processes, profile=DEFAULT)
+        one = find_schedule(topology, 1, profile=DEFAULT)
+        yield line(
+            *(name, len(topology), processes, f"{one.makespan:.2f}", f"{s.makespan:.3f}"),
+            *(f"{s.lower_bound:.3f}", proof(s), s.expanded, f"{busy:.2f}"),
+        )
+
+
+def timed(*arguments: Any, **options: Any) -> tuple[Schedule, float, float]:
+    """Return what is found, and the seconds by the clock and of the processor."""
     begin, busy = time.perf_counter(), time.process_time()
-    s: Schedule = find_schedule(
-        task.topology,
-        task.processes,
-        profile=PAPER,
-        split=task.split,
-        expansions=10**6,
-        time_budget=task.budget,
-    )
-    spent, busy = time.perf_counter() - begin, time.process_time() - busy
-    proof = "optimal" if s.verdict == "optimal" else f"gap <= {100 * s.gap:.1f} %"
-    cells = (
-        task.name,
-        len(task.topology),
-        task.processes,
-        task.split,
-        f"{s.makespan:.1f}",
-        f"{s.lower_bound:.1f}",
-        proof,
-        s.expanded,
-        f"{spent:.2f}",
-        f"{busy:.2f}",
-        f"{task.budget:g}",
-    )
+    found = find_schedule(*arguments, **options)
+    return found, time.perf_counter() - begin, time.process_time() - busy
+
+
+def proof(schedule: Schedule) -> str:
+    """Return the verdict in words."""
+    exact = schedule.verdict == "optimal"
+    return "optimal" if exact else f"gap <= {100 * schedule.gap:.1f} %"
+
+
+def line(*cells: object) -> str:
+    """Return a line of a table."""
     return "| " + " | ".join(str(cell) for cell in cells) + " |"
 
 
-TEXT = """# How far the search gets
+HEAD = "# How far the search gets\n"
+TITLES = {
+    "joins": """## By joins
 
-Written by `python -m benchmarks.search` ({machine}; other work went on at the same time, which
-costs seconds and, where a budget strikes, some of the proof). Strategy `exact`, the paper's
+Written by `python -m benchmarks.search joins` ({machine}; other work went on at the same time,
+which costs seconds and, where a budget strikes, some of the proof). Strategy `exact`, the paper's
 constants, tie-break `work`; times of schedules are the paper's microseconds. `split`: `always` as
 in Section III-C; `free`: two descendants may share their range, one after the other;
 `any`: they may also divide it unevenly. A gap is proven against all schedules under the same
-rule, so that bounds under different rules do not compare; the schedules do.
+rule, so that bounds under different rules do not compare; the schedules do. One row by hand:
+`adagen schedule ROBOT --procs P --profile paper --form ada --split SPLIT`.
 
 | robot | joints | P | split | makespan | bound | verdict | expanded | seconds | of CPU | budget |
 |---|---|---|---|---|---|---|---|---|---|---|
-{rows}
-"""
+""",
+    "steps": """## By steps, as the machine sees it
+
+Written by `python -m benchmarks.search steps` ({machine}). Form `segment`, the shipped costs,
+ranges divided in any way (up to 16 processes; beyond, in halves); times in microseconds. The
+makespan is that of the plan played through: both sweeps, waiting, messages, kinematics towards
+cuts, which side stays local. So the verdict is about that, against all such schedules. The search
+ends after a fixed number of expansions, the same on every machine. One row by hand:
+`adagen schedule ROBOT --procs P`.
+
+| robot | joints | P | on one process | makespan | bound | verdict | expanded | seconds of CPU |
+|---|---|---|---|---|---|---|---|---|
+""",
+}
+TABLES: dict[str, Callable[[], Iterator[str]]] = {"joins": joins, "steps": steps}
 
 
-def main() -> int:
-    """Write the table."""
-    rows = []
-    for task in tasks():
-        rows.append(row(task))
-        print(rows[-1], flush=True)
-    text = TEXT.format(machine=machine(), rows="\n".join(rows))
-    (ROOT / "docs" / "search.md").write_text(text, encoding="utf-8")
+def page(name: str, rows: Sequence[str]) -> str:
+    """Return the page with one of its tables written anew."""
+    made = TITLES[name].format(machine=machine()) + "\n".join(rows) + "\n"
+    heading = made.splitlines()[0]
+    old = PAGE.read_text(encoding="utf-8").split("\n## ")[1:] if PAGE.exists() else []
+    sections = {text.splitlines()[0]: f"## {text.rstrip()}\n" for text in old}
+    sections[heading.removeprefix("## ")] = made
+    return "\n".join([HEAD, *sections.values()])
+
+
+def main(names: Sequence[str]) -> int:
+    """Write the tables."""
+    for name in names or TABLES:
+        rows = []
+        for row in TABLES[name]():
+            rows.append(row)
+            print(row, flush=True)
+        PAGE.write_text(page(name, rows), encoding="utf-8")
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

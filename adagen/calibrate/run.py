@@ -28,7 +28,7 @@ from adagen.schedule.costs import ChannelCosts, StepCosts
 Progress = Callable[[str, int, int], None]
 """Called with what is being done, how many parts of the work are done, and of how many."""
 
-_ROUNDS = 4
+_ROUNDS = 6
 _REPEAT = 25
 _MOST_CORES = 8  # whose speed is compared
 _ALIKE = 0.9  # cores that differ by less are taken to be equally fast: the rest is noise

@@ -1,10 +1,15 @@
-"""Which programs a calibration builds and times: few, small, and different in every coefficient."""
+"""Which programs a calibration builds and times: few, small, and different in every coefficient.
+
+Nearly all of its time is the compiler's, so that each program must earn its place. With these, the
+standard error of the predicted time of a stage is 0.74 of the noise of one measured stage in the
+median, and at most 1.0 for nine stages in ten; four programs more would make that 0.59 and 0.91.
+"""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from adagen.calibrate.robots import chain, robot, star, tree
+from adagen.calibrate.robots import chain, robot, tree
 from adagen.calibrate.schedules import random_schedule
 from adagen.model import Mimic, Model
 from adagen.plan import Plan, make_plan
@@ -24,7 +29,6 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
     """
     halves = robot("halves", chain(20), HALVES, 1)
     others = robot("others", chain(16), OTHERS, 2)
-    hub = robot("hub", star(5, 4), ["revolute"], 3)
     figure = robot("figure", tree(22, 0.3, 4), ["floating", *MIXED * 5][:22], 4)
     limbs = robot("limbs", [0, *tree(24, 0.3, 7)[1:]], ["floating", *["revolute"] * 23], 5)
     turned = robot("turned", chain(20), ["floating", *MIXED * 4][:20], 8)
@@ -33,16 +37,12 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
         ("segment", limbs, 2, 2, "shared"),
         ("segment", limbs, 1, 1, ""),
         ("ada", figure, 2, 3, "mixed"),
-        ("ada", limbs, 1, 4, "mixed"),
-        ("segment", figure, 2, 4, "half"),
+        ("ada", halves, 2, 5, "half"),
     ]
     if not quick:
         chosen += [
             ("segment", others, 2, 1, "half"),
-            ("ada", halves, 2, 5, "half"),
             ("ada", others, 2, 6, "half"),
-            ("ada", hub, 2, 7, "mixed"),
-            ("segment", hub, 2, 8, "shared"),
             ("segment", halves, 2, 11, "shared"),
             ("segment", turned, 2, 2, "half"),
         ]

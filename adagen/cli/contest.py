@@ -56,6 +56,8 @@ def contest(
     peers: Sequence[str] = tuple(PEERS),
     done: Callable[[Record], None] = lambda _: None,
     before: Sequence[ModelRecord] = (),
+    *,
+    keep_going: bool = False,
 ) -> Record:
     """Measure robot by robot.
 
@@ -66,6 +68,7 @@ def contest(
         peers: who else takes part, if installed.
         done: is told the record so far after each robot.
         before: robots that have been measured already; those of an entry's name are kept.
+        keep_going: whether a robot that cannot be measured is left out with a note.
 
     Raises:
         AdagenError: a robot is refused, or nothing of it could be timed.
@@ -75,7 +78,13 @@ def contest(
     for entry in entries:
         found = known.get(entry.name)
         if found is None:
-            found = measure(entry, rules, variants, peers)
+            try:
+                found = measure(entry, rules, variants, peers)
+            except AdagenError as error:
+                if not keep_going:
+                    raise
+                note(f"{entry.name} is left out: {error}")
+                continue
             note(f"{entry.name}: {len(found.rows)} times in {found.seconds:.0f} s")
         record = dataclasses.replace(record, models=(*record.models, found))
         done(record)

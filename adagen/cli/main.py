@@ -13,7 +13,7 @@ from types import FrameType
 
 from adagen.errors import AdagenError, printable
 
-VERBS = ("schedule", "solve", "calibrate", "env", "bench", "stability")
+VERBS = ("schedule", "solve", "calibrate", "env", "bench", "stability", "chart")
 INTERNAL = 3
 INTERRUPTED = 130
 

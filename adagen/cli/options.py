@@ -55,9 +55,14 @@ def make_parser(prog: str, description: str, epilog: str) -> Parser:
     return parser
 
 
-def add_model(parser: argparse.ArgumentParser, *, gravity: bool = True) -> None:
-    """Add the robot and how to read it."""
-    parser.add_argument("model", metavar="MODEL", help="robot description (URDF)")
+def add_model(
+    parser: argparse.ArgumentParser, *, gravity: bool = True, several: bool = False
+) -> None:
+    """Add the robot, or several, and how to read it."""
+    if several:
+        parser.add_argument("models", nargs="+", metavar="MODEL", help="robot descriptions (URDF)")
+    else:
+        parser.add_argument("model", metavar="MODEL", help="robot description (URDF)")
     parser.add_argument(
         "--floating", action="store_true", help="put the robot on a floating base (__base__)"
     )
@@ -130,6 +135,13 @@ def add_schedule(parser: argparse.ArgumentParser) -> None:
         "share them (free), or may also divide them unevenly (any)",
     )
     parser.add_argument(
+        "--objective",
+        choices=("time", "accuracy", "both"),
+        default="both",
+        help="what the schedule is searched for: time alone, accuracy above all, or time among "
+        "cuts that lose no more than a few digits (both, default)",
+    )
+    parser.add_argument(
         "--schedule",
         default="auto",
         metavar="NAME|FILE",
@@ -174,6 +186,11 @@ def add_emission(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="solve many states at once, one in each lane of the widest registers; processes share "
         "the states of a batch instead of the robot",
+    )
+    parser.add_argument(
+        "--tune",
+        action="store_true",
+        help="build every shape with every compiler at hand, time them, and keep the fastest",
     )
     parser.add_argument(
         "--channel",

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 from adagen.cli.console import Stages, note, progress, warn
 from adagen.cli.options import AUTO
@@ -31,11 +31,13 @@ class Generated:
         schedule: the schedule.
         plan: the plan.
         files: file name to text: source, plan, drawing and Makefile.
+        compiler: what the MPI wrapper is to call; "" for its own choice.
     """
 
     schedule: Schedule
     plan: Plan
     files: dict[str, str]
+    compiler: str = ""
 
     @property
     def source(self) -> tuple[str, str]:
@@ -85,7 +87,7 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
     """
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
         from adagen.plan.clusters import fold_of
-        from adagen.predict import best_schedule
+        from adagen.predict.objective import schedule_for
         from adagen.schedule import Topology, load_profile, named_schedule
         from adagen.schedule.tree import Named
 
@@ -100,7 +102,8 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
                 seen = fold_of(model, options.form)
                 found = named_schedule(options.schedule, seen.topology, processes, profile=profile)
                 return seen.unfold(found, profile)
-            return best_schedule(
+            return schedule_for(
+                options.objective,
                 model,
                 processes,
                 profile,
@@ -110,6 +113,7 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
                 strategy=options.strategy,
                 split=options.split,
                 improved=not options.naive,
+                gather=_may_gather(options),
                 **({} if options.expansions is None else {"expansions": options.expansions}),
             )
 
@@ -180,8 +184,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             form=options.form,
             scalar=options.scalar,
             channel=options.channel,
-            meeting=_meeting(options),
-            source_hash=_hash(Path(options.model)),
+            source_hash=source_hash(Path(options.model)),
         )
     idle = sum(not process.owns for process in plan.processes)
     if idle and not getattr(options, "told_to_use_fewer", False):
@@ -197,6 +200,12 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             tell_savings(plan, schedule, options)
     with stages.stage("assess"):
         _warn_of_lost_digits(plan, options.model)
+    chosen: dict[str, Any] = {"shape": options.shape}
+    if options.tune:
+        from adagen.cli.tuning import tuned
+
+        best = tuned(plan, options, stages)
+        chosen = {"shape": best.shape, "chunk": best.chunk, "compiler": best.compiler}
     with stages.stage("emit"), progress("emitting"):
         from adagen.emit import emit
 
@@ -205,11 +214,11 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             plan,
             name=name,
             svg=draw(schedule, model),
-            shape=options.shape,
             refine=options.refine,
             batch=batch,
+            **chosen,
         )
-    return Generated(schedule, plan, files)
+    return Generated(schedule, plan, files, chosen.get("compiler", ""))
 
 
 def shared_by(options: argparse.Namespace) -> int:
@@ -217,10 +226,16 @@ def shared_by(options: argparse.Namespace) -> int:
     return int(options.procs) or len(os.sched_getaffinity(0))
 
 
-def _meeting(options: argparse.Namespace) -> str:
-    """Return how segments are to meet: shape kernels alone knows how to gather."""
-    gathers = options.shape in ("auto", "kernels") and not options.refine
-    return "auto" if gathers else "join"
+def _may_gather(options: argparse.Namespace) -> bool:
+    """Return whether processes may gather: shape kernels alone knows how to.
+
+    Who asks for a strategy or a split asks for the paper's way to meet.
+    """
+    if options.strategy != "exact" or options.split != "always":
+        return False
+    shape = getattr(options, "shape", "auto")
+    whole = getattr(options, "refine", 0) or getattr(options, "tune", False)
+    return shape in ("auto", "kernels") and not whole
 
 
 def _warn_of_lost_digits(plan: Plan, file: str) -> None:
@@ -254,7 +269,12 @@ def prediction(schedule: Schedule) -> str:
     return f"{schedule.makespan:.2f} us predicted ({schedule.profile} profile, {proof})"
 
 
-def _hash(path: Path) -> str:
+def source_hash(path: Path) -> str:
+    """Return the SHA-256 of a robot description, in hexadecimal.
+
+    Raises:
+        InputError: it cannot be read.
+    """
     try:
         return hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError as error:

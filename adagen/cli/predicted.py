@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import argparse
+import json
+import math
 import os
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import note, warn
 from adagen.cli.options import AUTO
+from adagen.errors import printable
 
 if TYPE_CHECKING:
     from adagen.model import Model
+    from adagen.predict.objective import Digits
     from adagen.schedule import CostProfile, Schedule
     from adagen.schedule.timeline import MachineTimeline
 
@@ -76,6 +80,50 @@ def timeline(
         return None
     plan = make_plan(model, schedule, form=options.form, scalar=options.scalar)
     return predict(plan, profile)
+
+
+def predicted_accuracy(
+    model: Model, schedule: Schedule, options: argparse.Namespace
+) -> Digits | None:
+    """Return what is predicted of a schedule's digits; None where a factorization fails."""
+    from adagen.plan import make_plan
+    from adagen.predict.objective import predicted_digits
+
+    plan = make_plan(model, schedule, form=options.form, scalar=options.scalar)
+    try:
+        return predicted_digits(options.objective, model, plan)
+    except FloatingPointError:
+        return None
+
+
+def accuracy_line(digits: Digits | None) -> str:
+    """Return in a line what is predicted of a schedule's digits."""
+    if digits is None:
+        return "no digits predicted: a factorization fails"
+    kept = f"{-math.log10(digits.error):.1f} digits predicted"
+    if digits.joint is None:
+        return f"{kept}: nothing is lost by joining"
+    return f'{kept}: growth {digits.growth:.1e} at joint "{printable(digits.joint)}"'
+
+
+def with_accuracy(text: str, digits: Digits | None) -> str:
+    """Return a schedule's JSON (however deep) with a member on its accuracy before the last brace.
+
+    Args:
+        text: a JSON object that is not empty.
+        digits: what is predicted; null where a factorization fails.
+    """
+    found = None
+    if digits is not None:
+        found = {
+            "objective": digits.objective,
+            "digits": round(-math.log10(digits.error), 2),
+            "error": digits.error,
+            "growth": digits.growth if math.isfinite(digits.growth) else None,
+            "joint": digits.joint,
+        }
+    head = text.rstrip().removesuffix("}")
+    return f'{head}, "accuracy": {json.dumps(found)}}}'
 
 
 def _profile(options: argparse.Namespace) -> CostProfile:

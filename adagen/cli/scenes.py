@@ -44,7 +44,6 @@ def read_in_scene(options: argparse.Namespace, gravity: Sequence[float] | None) 
     )
     tell(reading, options)
     reduction = apply_scene(reading.model, scene)
-    _refuse_unsolved(scene, reduction.model)
     for warning in check_reduced(reading, reduction.model):
         warn(warning)
     if options.verbose:
@@ -52,16 +51,6 @@ def read_in_scene(options: argparse.Namespace, gravity: Sequence[float] | None) 
             note(line)
     options.reduction = reduction
     return reduction.model
-
-
-def _refuse_unsolved(scene: Scene, model: Model) -> None:
-    """Refuse what solvers do not take yet."""
-    for joint in model.joints:
-        if joint.passive.loads or joint.passive.rotor_inertia or joint.prescribed:
-            message = f"joint '{joint.name}': solvers take no such effect yet"
-            raise scene.error(message, "joints", joint.name)
-    if model.wrenches:
-        raise scene.error("solvers take no outer forces yet", "forces")
 
 
 def _check_agreement(

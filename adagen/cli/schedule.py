@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from adagen.cli.console import Stages, note
 from adagen.cli.options import add_model, add_schedule, make_parser, parse
-from adagen.cli.predicted import timeline
+from adagen.cli.predicted import accuracy_line, predicted_accuracy, timeline, with_accuracy
 
 if TYPE_CHECKING:
     import argparse
@@ -56,8 +56,9 @@ def run(argv: Sequence[str]) -> int:
         if options.verbose:
             note(str(stages))
     topology = Topology.of(model)
+    digits = predicted_accuracy(model, schedule, options)
     if options.json:
-        print(schedule_to_json(schedule, topology))
+        print(with_accuracy(schedule_to_json(schedule, topology), digits))
         return 0
     print(schedule_tree(schedule, topology))
     line = timeline(model, schedule, options)
@@ -66,6 +67,7 @@ def run(argv: Sequence[str]) -> int:
     else:
         _show_machine(schedule, line, options.form)
     print(pipeline.prediction(schedule))
+    print(accuracy_line(digits))
     return 0
 
 
@@ -104,7 +106,8 @@ def _show_machine(schedule: Schedule, line: MachineTimeline, form: str) -> None:
     console.print(table)
     above = line.makespan / schedule.lower_bound - 1
     proof = ""
-    if form == "segment" and schedule.split == "always":
+    by_steps = schedule.split == "always" and schedule.strategy not in ("astar", "paper")
+    if form == "segment" and by_steps:
         proof = f", at most {above:.1%} above what is proven to be the least"
     said = f"{line.makespan:.2f} us step by step, waiting and messages included{proof}"
     console.print(said, soft_wrap=True)

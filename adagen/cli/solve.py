@@ -61,6 +61,7 @@ def run(argv: Sequence[str]) -> int:
 
 def _solve(options: argparse.Namespace, stages: Stages) -> int:
     from adagen.build import build_executable, find_toolchain
+    from adagen.build.tune import with_compiler
     from adagen.cli import pipeline
     from adagen.cli.files import write_file
     from adagen.states import read_states, states_gravity
@@ -74,7 +75,7 @@ def _solve(options: argparse.Namespace, stages: Stages) -> int:
     made = pipeline.generate(model, options, stages)
     with stages.stage("build"):
         name, source = made.source
-        toolchain = find_toolchain()
+        toolchain = with_compiler(find_toolchain(), made.compiler)
         executable = build_executable(
             source, name.removesuffix(".cpp"), toolchain, progress=progress
         )

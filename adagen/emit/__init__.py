@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from adagen import __version__
+from adagen.emit import effects
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
 from adagen.emit.refine import checked_steps, refinement_messages
@@ -60,6 +61,8 @@ def emit(
     shape: str = "auto",
     refine: int = 0,
     batch: int = 0,
+    chunk: int = 0,
+    compiler: str = "",
 ) -> dict[str, str]:
     """Return the emitted files, file name to text.
 
@@ -70,6 +73,8 @@ def emit(
         shape: shape of the code, one of ``adagen.emit.shapes.SHAPES``, or "auto".
         refine: steps of iterative refinement that each evaluation takes, 0 to 9.
         batch: if not 0, solve many states at once on so many processes, each by the plan of one.
+        chunk: values that one function of shape unrolled computes; 0 for its default.
+        compiler: what the MPI wrapper is to call; "" for its own choice.
 
     Returns:
         NAME_pP.cpp, NAME_pP.plan.json, Makefile and, if given, NAME_pP.svg.
@@ -80,9 +85,9 @@ def emit(
     processes = batch or len(plan.processes)
     stem = f"{file_stem(plan.name if name is None else name)}_p{processes}"
     files = {
-        f"{stem}.cpp": source(plan, stem, shape, refine, batch),
+        f"{stem}.cpp": source(plan, stem, shape, refine, chunk, compiler, batch),
         f"{stem}.plan.json": plan_to_json(plan),
-        "Makefile": render("Makefile.j2", stem=stem, process_count=processes),
+        "Makefile": render("Makefile.j2", stem=stem, process_count=processes, compiler=compiler),
     }
     if svg is not None:
         files[f"{stem}.svg"] = svg
@@ -90,7 +95,13 @@ def emit(
 
 
 def source(
-    plan: Plan, stem: str, shape: str = "auto", refine: int = 0, batch: int = 0
+    plan: Plan,
+    stem: str,
+    shape: str = "auto",
+    refine: int = 0,
+    chunk: int = 0,
+    compiler: str = "",
+    batch: int = 0,
 ) -> str:
     """Return the C++ source of a plan; ``stem`` begins the names of its C functions.
 
@@ -102,7 +113,7 @@ def source(
         shape = "kernels"
     shape = chosen_shape(plan, checked_steps(refine, shape))
     plan = refinable(plan) if refine else plan
-    words = Words(plan, refine)
+    words = Words(plan, refine, chunk)
     steps = [step for process in plan.processes for step in process.steps]
     bare = {step.link for step in steps if isinstance(step, LinkBias)}
     started = {step.link for step in steps if isinstance(step, StartLink)}
@@ -116,6 +127,7 @@ def source(
         source_hash=plan.source_hash or "not given",
         form=plan.form,
         shape=shape,
+        tuning=_tuning(chunk, compiler),
         scalar=plan.scalar,
         channel=plan.channel,
         base="floating" if plan.floating else "fixed",
@@ -126,6 +138,16 @@ def source(
         headers=HEADERS,
         nq=sum(KINDS[joint.kind].nq for joint in plan.joints),
         nv=sum(KINDS[joint.kind].nv for joint in plan.joints),
+        outer_forces=[
+            {
+                "quoted": quoted(wrench.name),
+                "link": wrench.link,
+                "rotation": numbers(x for row in wrench.rotation for x in row),
+                "translation": numbers(wrench.translation),
+            }
+            for wrench in plan.wrenches
+        ],
+        prescribed=[quoted(joint.name) for joint in plan.joints if joint.prescribed],
         columns=plan.right_hand_sides,
         process_count=processes,
         batch=bool(batch),
@@ -169,6 +191,12 @@ def check_batch(plan: Plan, shape: str, refine: int) -> None:
         raise UsageError(f"batches are emitted in shape kernels, not {shape}")
 
 
+def _tuning(chunk: int, compiler: str) -> str:
+    """What was chosen by trying, for the header."""
+    words = [f"functions of {chunk} values"] * bool(chunk) + [f"for {compiler}"] * bool(compiler)
+    return f" ({', '.join(words)})" if words else ""
+
+
 def _joint_constants(words: Words) -> list[dict[str, object]]:
     numbers = words.printer.numbers
     rows = []
@@ -188,6 +216,7 @@ def _joint_constants(words: Words) -> list[dict[str, object]]:
                 "source": source,
                 "multiplier": repr(multiplier),
                 "offset": repr(offset),
+                "effects": effects.constants(words, j),
             }
         )
     return rows

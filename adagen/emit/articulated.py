@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from adagen.emit.joins import coupling_torques, store, velocity_product
+from adagen.emit import effects
+from adagen.emit.joins import store, torques, velocity_product
 from adagen.emit.words import Words
 from adagen.plan.steps import (
     Accelerate,
@@ -36,10 +37,12 @@ def articulate(words: Words, step: Articulate) -> list[str]:
     inertia, force = f"{beyond}.IA", f"{beyond}.pA"
     lines = [
         f"auto& i = {words.memory(j)};",
-        f"load_torque(w, {j}, {joint.v}, i.body.tau);",
-        *coupling_torques(words, j, "i.body.tau"),
+        *torques(words, j, "i.body.tau"),
         *velocity_product(words, j, "i.body.c"),
+        *effects.prescribe(words, j, "i.body.c"),
     ]
+    if joint.rotor_inertia:
+        lines.append(f"i.body.J = {words.printer.number(joint.rotor_inertia)};")
     if step.reversed:
         lines += [
             "i.body.c = -i.body.c;",
@@ -132,6 +135,10 @@ def accelerate(words: Words, step: Accelerate) -> list[str]:
     start = words.ground if near == 0 else f"{of_link(words, step.joint, near)}.a"
     lines = [f"auto& i = {words.memory(step.joint)};"]
     target = f"{of_link(words, step.joint, far)}.a"
+    if words.plan.joints[step.joint].prescribed:
+        lines += far_acceleration(step, start, target, "")
+        given = effects.given_acceleration(words, step.joint)
+        return [*lines, *given, store(words, step.joint, "qdd")]
     lines += far_acceleration(step, start, target, "const auto qdd = ")
     qdd = "negated(qdd)" if step.reversed else "qdd"
     lines.append(store(words, step.joint, qdd))
@@ -156,8 +163,7 @@ def free_base(words: Words, step: FreeBase) -> list[str]:
     return [
         f"auto& i = {words.memory(j)};",
         "std::array<std::array<Real, kColumns>, 6> tau;",
-        f"load_torque(w, {j}, {words.plan.joints[j].v}, tau);",
-        *coupling_torques(words, j, "tau"),
+        *torques(words, j, "tau"),
         "for (std::size_t k = 0; k < 6; ++k)",
         "  for (int c = 0; c < kColumns; ++c)",
         "    i.pA(Floating::Free::row[k], c) -= tau[k][static_cast<std::size_t>(c)];",
@@ -185,7 +191,6 @@ def _free_force(words: Words, j: int) -> list[str]:
         return []
     return [
         "std::array<std::array<Real, kColumns>, 6> tau;",
-        f"load_torque(w, {j}, {words.plan.joints[j].v}, tau);",
-        *coupling_torques(words, j, "tau"),
+        *torques(words, j, "tau"),
         f"along<Floating>(tau, w.refinement.f[{j}]);",
     ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from adagen.emit.effects import passive_torques
 from adagen.emit.joins import bias_updates, block_updates, coupling_torques, store
 from adagen.emit.kinematics import configuration, velocity
 from adagen.emit.words import Words
@@ -42,10 +43,12 @@ def assembly(words: Words, join: FusedJoin) -> list[str]:
             f"  std::array<std::array<Real, kColumns>, {count}> tau;",
             f"  load_torque(w, {j}, {joint.v}, tau);",
             *(f"  {line}" for line in coupling_torques(words, j, "tau")),
+            *(f"  {line}" for line in passive_torques(words, j, "tau")),
             f"  place<{first}>(tau, i.joined.tau);",
             "}",
         ]
-    lines.append(f"if (!fuse(i.run)) fail(w, kFactorization, {join.joint});")
+    lines.append(f"if (!fuse(i.run)) fail(w, kGimbalLock, {join.joint});")
+    lines.append(f"if (i.run.lock < kNearLock) w.near_lock = {join.joint + 1};")
     phi_a = "kZero"
     if join.a is not None:
         lines.append(f"const Mat6 X_Phi_A = i.run.BX * {words.block(join.a)};")

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from adagen.emit import effects
 from adagen.emit.kinematics import configuration, velocity
 from adagen.emit.words import Words
+from adagen.plan.growth import EPSILON
 from adagen.plan.steps import Coupling, Disassemble, FusedJoin, Join
+
+KEPT = 128
+"""What of a bare link's mobility must be left, in units of the rounding error of one operation."""
 
 
 def parts(words: Words, join: Join, end: Disassemble) -> str:
@@ -31,12 +36,9 @@ def assembly(words: Words, join: Join, *, turned: bool = False) -> list[str]:
     """
     own = "i.Y * " if turned else ""
     j = join.joint
-    joint = words.plan.joints[j]
-    lines = [
-        f"auto& i = {words.memory(j)};",
-        f"load_torque(w, {j}, {joint.v}, i.joined.tau);",
-        *coupling_torques(words, j, "i.joined.tau"),
-    ]
+    rotor = words.plan.joints[j].rotor_inertia
+    tau = "i.tau" if rotor else "i.joined.tau"
+    lines = [f"auto& i = {words.memory(j)};", *torques(words, j, tau)]
     if join.a is None:
         phi_a = "kZero"
     else:
@@ -47,10 +49,18 @@ def assembly(words: Words, join: Join, *, turned: bool = False) -> list[str]:
         lines.append(f"const Mat6 Phi_B = from_right(i.Y * {words.block(join.b)}, i.Y);")
     phi_b = "Phi_B" if turned else words.block(join.b)
     b_a = words.ground if join.a_bias is None else words.bias(join.a_bias)
+    given = effects.prescribe(words, j, "c")
+    c = "Columns6 c" if given or rotor else "const Columns6 c"
     if join.velocity_product:
-        lines += velocity_product(words, j, "const Columns6 c")
+        lines += velocity_product(words, j, c)
     else:
-        lines.append("const Columns6 c = Columns6::Zero();")
+        lines.append(f"{c} = Columns6::Zero();")
+    lines += given
+    if rotor:
+        kind, size = words.type_of(j), words.printer.number(rotor)
+        lines.append(f"drive<{kind}>(i.tau, {size}, c);")
+        phi_b = f"with_rotor<{kind}>({phi_b}, {size})"
+    lines += _digits(words, join, phi_a, phi_b)
     lines.append(
         f"if (!join(i.joined, {phi_a}, {phi_b}, i.X * {b_a}, {own}{words.bias(join.b_bias)}, c))"
     )
@@ -59,6 +69,27 @@ def assembly(words: Words, join: Join, *, turned: bool = False) -> list[str]:
     lines.extend(block_updates(words, join))
     lines.extend(bias_updates(words, join))
     return lines
+
+
+def _digits(words: Words, join: Join, phi_a: str, phi_b: str) -> list[str]:
+    """The guard against a loss of all digits, where the links beside the joint were joined bare."""
+    plan = words.plan
+    if plan.joints[join.joint].rotor_inertia or plan.joints[join.joint].prescribed:
+        return []  # the rotor's mobility is added to M; what is prescribed frees nothing
+    child, parent = plan.links[join.joint + 1], plan.links[plan.joints[join.joint].parent]
+    least = [row[k] for k, row in enumerate(child.phi)] or [0.0] * 6
+    if parent.phi:  # at least: 1 / trace of the inertia about any axis, 1 / mass in any direction
+        trace = sum(parent.tensor[k][k] for k in range(3))
+        least = [x + 1.0 / (trace if k < 3 else parent.mass) for k, x in enumerate(least)]
+    if not any(least):
+        return []
+    numbers = words.printer.numbers(KEPT * EPSILON[plan.scalar] * x for x in least)
+    kind = words.type_of(join.joint)
+    return [
+        f"constexpr std::array<Real, 6> least{{{numbers}}};",
+        f"if (!keeps_digits<{kind}>({phi_a}, {phi_b}, least))",
+        f"  fail(w, kGrowth, {join.joint});",
+    ]
 
 
 def velocity_product(words: Words, j: int, target: str) -> list[str]:
@@ -76,6 +107,18 @@ def store(words: Words, j: int, qdd: str) -> str:
     if words.plan.slaved:
         return f"i.qdd = {qdd};"
     return f"store_acceleration(w, {j}, {words.plan.joints[j].v}, {qdd});"
+
+
+def torques(words: Words, j: int, tau: str) -> list[str]:
+    """The lines that set a joint's torques at work; none where its acceleration is prescribed."""
+    joint = words.plan.joints[j]
+    if joint.prescribed:
+        return []
+    return [
+        f"load_torque(w, {j}, {joint.v}, {tau});",
+        *coupling_torques(words, j, tau),
+        *effects.passive_torques(words, j, tau),
+    ]
 
 
 def coupling_torques(words: Words, j: int, tau: str) -> list[str]:
@@ -145,18 +188,26 @@ def disassembly(
     With ``turned``, the part at the child link is not told in the joint's frame: see ``assembly``.
     """
     j = join.joint
-    lines = [f"auto& i = {words.memory(j)};", f"Release<{words.type_of(j)}> release(i.joined);"]
+    kind = effects.joined_type(words, j)
+    lines = [f"auto& i = {words.memory(j)};", f"Release<{kind}> release(i.joined);"]
     for coupling, force in zip(join.couplings, end.forces, strict=True):
         handle = words.links[coupling.handle]
         lines.append(f"release.feel_{coupling.side}(i.at_{handle}, {words.force(force)});")
+    joint = words.plan.joints[j]
     if words.refine:
         kept = f"w.refinement.f[{j}] = release.force();"
         lines.append(f"const Columns6& f = {kept}" if end.updates else kept)
-    elif end.updates:
+    elif end.updates or joint.rotor_inertia:
         lines.append("const Columns6 f = release.force();  // Eq. (8), (10)")
     else:
         lines.append("release.force();  // Eq. (8)")
-    lines.append(f"{store(words, j, 'release.qdd()')}  // Eq. (9)")
+    if joint.prescribed:
+        lines += [*effects.given_acceleration(words, j), store(words, j, "qdd")]
+    elif joint.rotor_inertia:
+        size = words.printer.number(joint.rotor_inertia)
+        lines.append(store(words, j, f"rotor_acceleration<{words.type_of(j)}>(i.tau, {size}, f)"))
+    else:
+        lines.append(f"{store(words, j, 'release.qdd()')}  // Eq. (9)")
     for update in end.updates:
         if update.side == "A":
             change = "i.X.transposed_times(f)"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 
+from adagen.emit import effects
 from adagen.emit.fused import freedoms, type_of
 from adagen.emit.words import Words
 from adagen.plan.steps import (
@@ -46,8 +47,7 @@ class Members:
                 self.lines[joint].append(f"Columns6 {member};  // outer wrench on that chain")
         if plan.right_hand_sides > 1:
             for j, lines in enumerate(self.lines):
-                kind = words.type_of(j)
-                lines.append(f"std::array<std::array<Real, kColumns>, kFree<{kind}>> qdd;")
+                lines.append(f"{effects.freedoms_type(words, j)} qdd;")
 
     def _add(self, step: Step, forces: dict[int, set[Force]]) -> None:
         words = self.words
@@ -60,15 +60,7 @@ class Members:
                 name = words.quoted_link(step.link)
                 self.lines[step.link - 1].append(f"Columns6 b;  // bias of the bare link {name}")
             case Join():
-                kind = words.type_of(step.joint)
-                if isinstance(step, FusedJoin):
-                    kind = type_of(words, step)
-                    run = f"Run<{freedoms(words, step)}> run;"
-                    self.lines[step.joint].append(f"{run}  // that it is joined with")
-                self.lines[step.joint].append(f"Joined<{kind}> joined;")
-                for coupling in step.couplings:
-                    handle = words.links[coupling.handle]
-                    self.lines[step.joint].append(f"Coupled<{kind}> at_{handle};")
+                self._joined(step)
             case Disassemble():
                 for update in step.updates:
                     forces[update.target.joint].add(update.target)
@@ -80,10 +72,24 @@ class Members:
                     "Columns6 a;  // acceleration of the link, relative to free fall",
                 ]
             case Articulate():
-                kind = words.type_of(step.joint)
-                self.lines[step.joint].append(f"Articulated<{kind}> body;")
+                self.lines[step.joint].append(f"{effects.body_type(words, step.joint)} body;")
             case Load():
                 self.lines[step.link - 1].append("Columns6 load;  // what handle forces add")
+
+    def _joined(self, step: Join) -> None:
+        words = self.words
+        kind = effects.joined_type(words, step.joint)
+        if isinstance(step, FusedJoin):
+            kind = type_of(words, step)
+            run = f"Run<{freedoms(words, step)}> run;"
+            self.lines[step.joint].append(f"{run}  // that it is joined with")
+        self.lines[step.joint].append(f"Joined<{kind}> joined;")
+        if words.plan.joints[step.joint].rotor_inertia:
+            own = effects.freedoms_type(words, step.joint)
+            self.lines[step.joint].append(f"{own} tau;  // drives rotor and joint")
+        for coupling in step.couplings:
+            handle = words.links[coupling.handle]
+            self.lines[step.joint].append(f"Coupled<{kind}> at_{handle};")
 
     def _block(self, block: Block) -> None:
         assert block.joint is not None  # bare links' blocks are constants

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from adagen.emit import effects
 from adagen.emit.joints import function_of
 from adagen.emit.stages import stage_rows, stamped_lines
 from adagen.emit.words import Words
@@ -70,11 +71,18 @@ def step_lines(words: Words, process: Process, step: Step) -> list[str]:
     match step:
         case LinkBias():
             memory = words.link_memory(step.link)
-            return [f"link_bias(kLinks[{step.link}], {memory}.v, {memory}.b);"]
+            mobility = words.bare_block(step.link)
+            return [
+                f"link_bias(kLinks[{step.link}], {memory}.v, {memory}.b);",
+                *effects.pushes(words, step.link, f"{memory}.b += {mobility} * {{}};"),
+            ]
         case StartLink():
             memory = words.link_memory(step.link)
             inertia = words.inertia(step.link)
-            return [f"start_link({inertia}, {memory}.v, {memory}.IA, {memory}.pA);"]
+            return [
+                f"start_link({inertia}, {memory}.v, {memory}.IA, {memory}.pA);",
+                *effects.pushes(words, step.link, f"{memory}.pA -= {{}};"),
+            ]
         case InvertRoot():
             memory = words.link_memory(step.link)
             inverse = f"{words.block(step.block)}, {words.bias(step.bias)}"
@@ -190,6 +198,8 @@ def _tables(words: Words, p: int, process: Process) -> list[dict[str, object]]:
         [joints[j].v + k for j in sorted(own) for k in range(words.kind(j).nv)]
         for own in (process.owns, (*process.owns, *process.shares))
     )
+    links = {step.link for step in process.steps if isinstance(step, LinkBias | StartLink)}
+    torques += effects.pushed_entries(words, links)
     return [
         {"name": f"{name}_{p}", "count": len(entries), "entries": ", ".join(map(str, entries))}
         for name, entries in (("kReadQ", q), ("kReadV", v), ("kOwn", own), ("kTorque", torques))

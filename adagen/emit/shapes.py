@@ -14,6 +14,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from adagen.emit import kernels
+from adagen.emit.effects import has_effects
 from adagen.emit.joints import joint_rows
 from adagen.emit.processes import step_rows
 from adagen.emit.refine import add_corrections, refinement_values
@@ -52,6 +53,8 @@ def _joints(words: Words) -> dict[str, object]:
     )
     runtime = ["spatial.hpp", "status.hpp", "joins.hpp"]
     runtime += ["fused.hpp"] * fused + ["articulated.hpp"] * segments
+    if has_effects(words.plan):
+        runtime += ["effects.hpp", *["geared.hpp"] * segments]
     rows = joint_rows(words)
     if words.refine:
         runtime += ["refine.hpp", *["refine_segment.hpp"] * segments]

@@ -18,6 +18,7 @@ class Words:
 
     plan: Plan
     refine: int = 0  # steps of refinement
+    chunk: int = 0  # values of one function in shape unrolled; 0 for its default
 
     @cached_property
     def joints(self) -> tuple[str, ...]:

@@ -54,7 +54,7 @@ def make_plan(
         channel: how processes exchange, one of ``CHANNELS``.
         source_hash: hash of the robot description, for the emitted header.
         meeting: how segments meet, one of ``MEETINGS``: joined at the cuts by Eq. (3)-(10), or
-            gathered at a small core, in one exchange; "auto" gathers where the core is small.
+            gathered at a small core, in one exchange; "auto": as the schedule says.
 
     Raises:
         InputError: a link's inertia cannot be inverted where the form needs it.
@@ -114,8 +114,6 @@ def planner_of(
     clusters = clusters_of(model, runs) if form == "ada" else {}
     if clusters:
         return ClusterPlanner(joints, schedule, runs, clusters)
-    if form == "segment" and meeting != "join":
-        gather = GatherPlanner(joints, schedule)
-        if meeting == "gather" or (gather.suits() and can_gather(model)):
-            return gather
+    if form == "segment" and (schedule.meeting if meeting == "auto" else meeting) == "gather":
+        return GatherPlanner(joints, schedule)
     return FORMS[form](joints, schedule, runs)

@@ -35,7 +35,10 @@ _NEAR = 3  # joints to links that a link's mass is compared with
 
 
 def cuttable_joints(
-    model: Model, scalar: str = "double", joints: Sequence[Run] | None = None
+    model: Model,
+    scalar: str = "double",
+    joints: Sequence[Run] | None = None,
+    limit: float | None = None,
 ) -> tuple[bool, ...]:
     """Return for each joint whether two processes may meet there; length N.
 
@@ -44,13 +47,17 @@ def cuttable_joints(
         scalar: "double" or "float".
         joints: the joints in question, each a run of joints that are joined as one; if not given,
             all joints by themselves.
+        limit: largest growth g at a cut, instead of what suits the scalar.
     """
+    largest = LARGEST_GROWTH[scalar] if limit is None else limit
+    conditioned = max(LARGEST_CONDITION[scalar], 0.0 if limit is None else limit)
+    lightest = SMALLEST_MASS[scalar] if limit is None else 1.0 / limit
     whole = [(j,) for j in range(len(model.joints))] if joints is None else list(joints)
     robot = _Robot(settled(model, [run for run in whole if len(run) > 1]), whole)
     condition = np.maximum(robot.condition(1), robot.condition(2))
     growth = np.maximum(robot.growth(1), robot.growth(2))
-    good = (condition <= LARGEST_CONDITION[scalar]) & (growth <= LARGEST_GROWTH[scalar])
-    heavy = robot.mass_ratios() >= SMALLEST_MASS[scalar]
+    good = (condition <= conditioned) & (growth <= largest)
+    heavy = robot.mass_ratios() >= lightest
     return tuple(
         bool(good[k] and heavy[joint.child] and heavy[joint.parent])
         for k, joint in enumerate(robot.joints)

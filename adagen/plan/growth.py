@@ -55,7 +55,7 @@ def predicted_growth(plan: Plan) -> Growth:
 def _growth(plan: Plan, seed: int) -> Growth:
     q = generic_configuration(plan.joints, seed)
     zero = np.zeros(sum(KINDS[joint.kind].nv for joint in plan.joints))
-    _, memories = execute(plan, q, zero, zero)
+    _, memories = execute(plan, q, zero, np.zeros(len(zero) + 6 * len(plan.wrenches)))
     values: dict[int, float] = {}
     for process, memory in zip(plan.processes, memories, strict=True):
         for step in process.steps:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from adagen.errors import UsageError
-from adagen.plan.steps import LinkBias, StartLink
+from adagen.plan.steps import FusedJoin, LinkBias, StartLink
 from adagen.plan.types import Plan, Process
 
 
@@ -63,6 +63,11 @@ def refinable(plan: Plan) -> Plan:
                 f'joint "{joint.name}" has damping, friction, a spring, a rotor or a prescribed'
                 " motion: that cannot be refined; leave --refine out"
             )
+    if any(isinstance(step, FusedJoin) for p in plan.processes for step in p.steps):
+        raise UsageError(
+            "joints fused over massless links cannot be refined; use form segment or leave"
+            " --refine out"
+        )
     if plan.wrenches:
         raise UsageError("outer forces cannot be refined; leave --refine out")
     processes = tuple(

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import Any
 
 from adagen.model import Model
 from adagen.plan import can_gather, make_plan
 from adagen.plan.clusters import fold_of
+from adagen.plan.constants import joints_of
 from adagen.plan.cuts import cuttable_joints
-from adagen.predict.limbs import limb_schedules
+from adagen.plan.gather import GatherPlanner
+from adagen.predict.limbs import gathering, limb_schedules
 from adagen.predict.simulate import predict
 from adagen.schedule import CostProfile, Schedule, Topology, find_schedule
 
@@ -19,6 +22,8 @@ def best_schedule(
     profile: CostProfile,
     form: str = "segment",
     scalar: str = "double",
+    limit: float | None = None,
+    gather: bool = True,
     **search: Any,
 ) -> Schedule:
     """Return a schedule for a form of the algorithm.
@@ -32,6 +37,8 @@ def best_schedule(
         profile: the costs.
         form: of the algorithm.
         scalar: "double" or "float".
+        limit: largest growth g at a cut of form `segment`, instead of what suits the scalar.
+        gather: whether processes may gather at a core instead of being joined.
         search: further arguments of ``find_schedule``.
 
     Raises:
@@ -50,17 +57,20 @@ def best_schedule(
     if form == "ada":
         found = find_schedule(seen.topology, processes, profile=profile, **search)
         return seen.unfold(found, profile)
-    cuttable = cuttable_joints(model, scalar, seen.joints)
+    cuttable = cuttable_joints(model, scalar, seen.joints, limit)
     found = find_schedule(seen.topology, processes, profile=profile, cuttable=cuttable, **search)
-    return _or_gathered(model, seen.unfold(found, profile), profile)
+    joined = seen.unfold(found, profile)
+    may = gather and profile.steps is not None and can_gather(model)
+    return _or_gathered(model, joined, profile) if may else joined
 
 
 def _or_gathered(model: Model, found: Schedule, profile: CostProfile) -> Schedule:
     """Return a schedule, or one whose processes gather if that is faster when played through."""
-    if profile.steps is None or not can_gather(model):
-        return found
     best, least = found, predict(make_plan(model, found), profile).makespan
-    for schedule, time in limb_schedules(model, found.processes, profile, found):
-        if time < least:
-            best, least = schedule, time
+    candidates = limb_schedules(model, found.processes, profile, found)
+    if GatherPlanner(joints_of(model), found).suits():
+        candidates = chain(gathering(model, [found], profile), candidates)
+    for schedule in candidates:
+        if schedule.makespan < least:
+            best, least = schedule, schedule.makespan
     return best

@@ -8,7 +8,7 @@ exchanged while that helps. The most promising layouts are played through.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from heapq import nsmallest
 
@@ -53,8 +53,8 @@ class Layout:
 
 def limb_schedules(
     model: Model, processes: int, profile: CostProfile, pattern: Schedule
-) -> Iterator[tuple[Schedule, float]]:
-    """Yield schedules that gather, each with the time that it takes when it is played through.
+) -> Iterator[Schedule]:
+    """Return schedules that gather, each with the time that it takes when it is played through.
 
     Args:
         model: a robot on one floating base, which may be rooted anywhere, or on the ground, where
@@ -64,25 +64,28 @@ def limb_schedules(
         pattern: a schedule whose facts (tie, split and so on) they take over.
     """
     search = _Limbs(model, processes, profile)
-    for layout in nsmallest(TRIALS, search.layouts(), key=lambda found: found.time):
-        schedule = search.schedule(layout, pattern)
-        time = predict(make_plan(model, schedule, meeting="gather"), profile).makespan
-        yield _told(schedule, time, search.total / processes), time
+    found = nsmallest(TRIALS, search.layouts(), key=lambda layout: layout.time)
+    return gathering(model, (search.schedule(layout, pattern) for layout in found), profile)
 
 
-def _told(schedule: Schedule, time: float, lower: float) -> Schedule:
-    """Return a schedule with its time as it is played through.
+def gathering(
+    model: Model, schedules: Iterable[Schedule], profile: CostProfile
+) -> Iterator[Schedule]:
+    """Yield schedules as ones whose processes gather, timed by playing them through.
 
-    No schedule of any kind is faster than all work shared out evenly: that is what is proven.
+    What is proven of them: nothing is faster than all work shared out evenly.
     """
-    lower = min(lower, time)
-    return replace(
-        schedule,
-        makespan=time,
-        verdict="optimal" if lower >= time else "gap",
-        gap=time / lower - 1.0,
-        lower_bound=lower,
-    )
+    for schedule in schedules:
+        gathered = replace(schedule, meeting="gather")
+        time = predict(make_plan(model, gathered), profile).makespan
+        lower = min(time, _Limbs(model, schedule.processes, profile).evenly())
+        yield replace(
+            gathered,
+            makespan=time,
+            verdict="optimal" if lower >= time else "gap",
+            gap=time / lower - 1.0,
+            lower_bound=lower,
+        )
 
 
 class _Limbs:
@@ -103,7 +106,7 @@ class _Limbs:
             )
             for j in range(len(self.joints))
         ]
-        self.total = sum(self.weight)
+        self.rate = sum(costs.speed(p) for p in range(processes))
         self.at: dict[int, list[int]] = {}
         self.bases = [j for j, joint in enumerate(self.joints) if joint.parent == 0]
         self.floats = len(self.bases) == 1 and self.joints[self.bases[0]].kind == "floating"
@@ -111,6 +114,10 @@ class _Limbs:
             if not (self.floats and joint.parent == 0):
                 self.at.setdefault(joint.parent, []).append(j)
                 self.at.setdefault(j + 1, []).append(j)
+
+    def evenly(self) -> float:
+        """Time in which all processes together could do the work of all joints, microseconds."""
+        return sum(self.weight) / self.rate
 
     def layouts(self) -> Iterator[Layout]:
         """Yield layouts around every link, each with a core that grows."""

@@ -203,3 +203,6 @@ _FIELDS: dict[str, Callable[[_Reader, Any, _Path], Any]] = {
     "joints": _Reader.joints,
     "point_masses": _Reader.point_masses,
 }
+
+KEYS = tuple(_FIELDS)
+"""What a scene file can say, at its top."""

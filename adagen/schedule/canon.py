@@ -18,6 +18,8 @@ class Canon:
         self.chains = chains
         self._classes: dict[tuple[tuple[int, int], ...], int] = {}
         self._known: dict[Chain, int] = {}
+        self._once: dict[int, list[int]] = {}
+        self._reached: dict[int, int] = {}  # the joint above the last link of these
         self._below: list[list[int]] = [[] for _ in chains.degree]
         for p, link in enumerate(chains.parent):
             self._below[link].append(p)
@@ -41,6 +43,8 @@ class Canon:
     def _find(self, chain: Chain) -> int:
         if not chain.cuts:
             return self._full[chain.top]
+        if len(chain.cuts) == 1:
+            return self._cut_once(chain.top, chain.cuts[0])
         chains = self.chains
         touched = {chain.top}
         for cut in chain.cuts:
@@ -58,3 +62,21 @@ class Canon:
             below.sort()
             made[link] = self._number(below)
         return made[chain.top]
+
+    def _cut_once(self, top: int, cut: int) -> int:
+        """Return the class of all below a link but for one joint and what is below that."""
+        chains = self.chains
+        known = self._once.setdefault(cut, [])  # classes of the links above the cut, upwards
+        steps = chains.depth[chains.parent[cut]] - chains.depth[top]
+        came = self._reached.get(cut, cut)
+        while len(known) <= steps:
+            mark = (self._dofs[came], known[-1]) if known else _CUT
+            link = chains.parent[came]
+            below = [
+                mark if p == came else (self._dofs[p], self._full[p + 1]) for p in self._below[link]
+            ]
+            below.sort()
+            known.append(self._number(below))
+            came = link - 1
+        self._reached[cut] = came
+        return known[steps]

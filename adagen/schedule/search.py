@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from time import monotonic
 from typing import get_args
 
@@ -87,11 +87,14 @@ def find_schedule(
             side). A chain on one process is always in the order of III-D.
         strategy: ``exact``: branch and bound over partial chains; ``astar``: A* over sequences
             with an admissible estimate; ``paper``: the same with the paper's, which is not
-            admissible, so that the schedule may be longer than the best.
+            admissible, so that the schedule may be longer than the best. Both price joints by
+            Eq. (11) even where the profile has costs of steps: the schedule's profile says so, and
+            its verdict is about Eq. (11).
         improved: for A*, the improved NextNodes() instead of the naive one.
         split: ``always``: two descendants divide their range (III-C); ``free``: they may share it
             instead, one after the other; ``any``: the same, and ranges are divided in any way also
-            where P is a power of two: best where many limbs meet (both ``exact`` only).
+            where P is a power of two: best where many limbs meet (both ``exact`` only, and by
+            Eq. (11)).
         expansions: states or nodes the search may expand; the answer depends on nothing else.
         time_budget: seconds after which the search ends too; None for no such limit. Where it
             strikes, the answer depends on the machine.
@@ -113,7 +116,8 @@ def find_schedule(
         return segment_schedule(
             topology, processes, profile, tie, cuttable, expansions=expansions, deadline=deadline
         )
-    profile = profile.joins_only()  # A* and shared ranges follow the paper's costs
+    if profile.steps is not None:  # A* and shared ranges follow the paper's costs, and say so
+        profile = replace(profile.joins_only(), name=f"Eq. (11) of the {profile.name}")
     rules = Rules.of(processes, split)
     space = Space(topology, profile, rules)
     searched = processes if rules.halving else rules.useful(processes, len(topology))
@@ -251,7 +255,8 @@ def _halved(request: Request) -> tuple[int, Draft]:
 
 def _preferred(request: Request, search: ExactSearch, optimum: int) -> tuple[Draft | None, bool]:
     """Return the schedule that the tie-break prefers, if it is found within another budget."""
-    search.budget = _budget(request)
+    # What is proven does not hang on it: no more than half of the time that is left.
+    search.budget = Budget(request.expansions, _half(request.deadline))
     # With shared ranges the time left to one side depends on how the other one is filled: the
     # choice is then made for the second side's best time alone.
     proven = request.space.rules.split == "always"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from typing import Any
 
 from adagen.errors import InputError, printable
@@ -13,6 +14,7 @@ from adagen.schedule.named import as_schedule
 from adagen.schedule.profile import CostProfile
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import (
+    Meeting,
     InvalidSchedule,
     Node,
     Schedule,
@@ -52,6 +54,7 @@ def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:
         "tie": schedule.tie,
         "tie_proven": schedule.tie_proven,
         "split": schedule.split,
+        "meeting": schedule.meeting,
         "expanded": schedule.expanded,
         "root": made[schedule.root.joint],
     }
@@ -67,8 +70,9 @@ def schedule_from_json(
 ) -> Schedule:
     """Return the schedule that a JSON text describes, checked and priced anew.
 
-    Only ``root`` is read: joints by name, their ``processes`` and ``children``. Which side a child
-    is on follows from the robot; where the file tells it, it must agree.
+    Read are ``root``: joints by name, their ``processes`` and ``children``; and ``meeting``, if it
+    is there. Which side a child is on follows from the robot; where the file tells it, it must
+    agree.
 
     Args:
         text: as written by :func:`schedule_to_json`, or by a person.
@@ -89,9 +93,19 @@ def schedule_from_json(
     if not isinstance(root, dict):
         raise InputError('not a schedule: expected {"root": {"joint": ..., ...}}', file)
     try:
-        return as_schedule(_read(root, topology), topology, profile, "file")
+        schedule = as_schedule(_read(root, topology), topology, profile, "file")
+        return replace(schedule, meeting=_meeting(data))
     except InvalidSchedule as error:
         raise InputError(f"{error}: correct the schedule or leave it to adagen", file) from None
+
+
+def _meeting(data: dict[str, Any]) -> Meeting:
+    match data.get("meeting", "join"):
+        case "join":
+            return "join"
+        case "gather":
+            return "gather"
+    raise InvalidSchedule('"meeting" is "join" or "gather"')
 
 
 def _read(root: dict[str, Any], topology: Topology) -> Draft:

@@ -142,16 +142,24 @@ class LeastWork:
                 slots.append((option.end, option.second, limits[1], joint, True, starts[1]))
         return builder.draft
 
-    def _solve(self, chain: Chain, p: int, limit: int) -> Task[int]:
-        """Return the least work within ``limit``, FOREVER if nothing keeps within it."""
-        work = self.space.single.work(chain) if self.space.size(chain) else 0
-        if work <= limit:
-            return work
-        if p == 1 or not self.search.fits(chain, p, limit):
-            return FOREVER
+    def _known(self, chain: Chain, p: int, limit: int) -> int | None:
+        """Return the least work within ``limit`` if that needs no search."""
         known = self._memo.get((chain, p, limit))
         if known is not None:
             return known[0]
+        work = self.space.single.work(chain) if self.space.size(chain) else 0
+        if work <= limit:
+            return work
+        return FOREVER if p == 1 else None
+
+    def _solve(self, chain: Chain, p: int, limit: int) -> Task[int]:
+        """Return the least work within ``limit``, FOREVER if nothing keeps within it."""
+        known = self._known(chain, p, limit)
+        if known is not None:
+            return known
+        if not self.search.fits(chain, p, limit):
+            self._memo[chain, p, limit] = (FOREVER, None, (0, 0))
+            return FOREVER
         self.budget.spend()
         options = self.space.options(chain, p)
         fit = np.flatnonzero(options.bound <= limit)
@@ -164,9 +172,14 @@ class LeastWork:
             if option.shared and option.root_work and option.end_work:
                 end = self.search.time(option.end, option.second, left[0] + 1)
                 left = (left[0] - end, end)
-            value = option.cost + (yield self._solve(option.root, option.first, left[0]))
-            if value < best:
-                value += yield self._solve(option.end, option.second, left[1])
+            value = option.cost
+            for side in (
+                (option.root, option.first, left[0]),
+                (option.end, option.second, left[1]),
+            ):
+                if value < best:
+                    least = self._known(*side)
+                    value += (yield self._solve(*side)) if least is None else least
             if value < best:
                 best, choice, limits = value, option, left
         self._memo[chain, p, limit] = (best, choice, limits)

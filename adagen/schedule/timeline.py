@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from adagen.schedule.profile import TICKS
-from adagen.schedule.tree import Schedule, postorder
+from adagen.schedule.tree import Node, Schedule, postorder
 
 Sweep = Literal["assembly", "disassembly"]
 
@@ -46,8 +46,8 @@ def predict(schedule: Schedule) -> Timeline:
     """Return the predicted timeline of both sweeps.
 
     Eq. (11) prices assembly and disassembly of a joint together; each sweep is shown with half of
-    it. A node is computed by the first process of its range, once its descendants (in the second
-    sweep: its ascendant) and that process's earlier work are done.
+    it where the node does not tell. A node is computed by the first process of its range, once its
+    descendants (in the second sweep: its ascendant) and that process's earlier work are done.
     """
     nodes = list(postorder(schedule.root))
     free = [0] * schedule.processes
@@ -55,28 +55,35 @@ def predict(schedule: Schedule) -> Timeline:
     bars: list[Bar] = []
     messages: list[Message] = []
     for node in nodes:
-        p, cost = node.processes[0], round(node.cost * TICKS)
+        p = node.processes[0]
         start = max([free[p], *(ready[child.joint] for child in node.children)])
         for child in node.children:
             if (q := child.processes[0]) != p:
                 messages.append(_message(q, p, ready[child.joint], start, "assembly"))
-        free[p] = ready[node.joint] = start + cost // 2
+        free[p] = ready[node.joint] = start + _sweeps(node)[0]
         bars.append(_bar(node.joint, p, start, free[p], "assembly"))
     begin: dict[int, int] = {schedule.root.joint: 0}
     sender: dict[int, int] = {}
     for node in reversed(nodes):
-        p, cost = node.processes[0], round(node.cost * TICKS)
+        p = node.processes[0]
         start = max(free[p], begin[node.joint])
         if node.joint in sender:
             sent = begin[node.joint]
             messages.append(_message(sender[node.joint], p, sent, start, "disassembly"))
-        free[p] = start + cost - cost // 2
+        free[p] = start + _sweeps(node)[1]
         bars.append(_bar(node.joint, p, start, free[p], "disassembly"))
         for child in node.children:
             begin[child.joint] = free[p]
             if child.processes[0] != p:
                 sender[child.joint] = p
     return Timeline(tuple(bars), tuple(messages), max(free) / TICKS)
+
+
+def _sweeps(node: Node) -> tuple[int, int]:
+    """Return how long a node takes in each sweep, ticks."""
+    cost, second = round(node.cost * TICKS), round(node.disassembly * TICKS)
+    first = cost - second if second else cost // 2
+    return first, cost - first
 
 
 def _bar(joint: int, process: int, start: int, end: int, sweep: Sweep) -> Bar:

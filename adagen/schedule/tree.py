@@ -14,6 +14,7 @@ Strategy = Literal["exact", "astar", "paper", "file"]
 Named = Literal["balanced", "sequential", "middle-out"]
 Split = Literal["always", "free", "any"]
 Verdict = Literal["optimal", "gap"]
+Meeting = Literal["join", "gather"]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -76,6 +77,8 @@ class Schedule:
             divide it unevenly.
         expanded: partial chains (exact) or search nodes (A*) that were expanded.
         loads: active time of each process; length P.
+        meeting: how its processes meet: joined pair by pair as the tree says (the paper), or all
+            gathering what they have at a small core (adagen.plan.gather).
     """
 
     root: Node
@@ -91,6 +94,7 @@ class Schedule:
     split: Split
     expanded: int
     loads: tuple[float, ...]
+    meeting: Meeting = "join"
 
 
 class Sweeps(NamedTuple):

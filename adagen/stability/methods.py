@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from adagen.errors import AdagenError
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
+from adagen.plan.clusters import fold_of
 from adagen.plan.interpret import interpret
 from adagen.plan.interpret_refine import WideLinks, interpret_refined
 from adagen.schedule import Topology, load_profile, named_schedule
@@ -48,11 +49,22 @@ class Trial:
         """The true accelerations, rounded to double."""
         return true_acceleration(self.model, *self.state)
 
-    def plan(self, form: str) -> Plan:
-        """Return the plan of a form on one process; form ada joins as a balanced tree."""
-        topology = Topology.of(self.model)
-        schedule = named_schedule("balanced", topology, 1, profile=load_profile("paper"))
-        return make_plan(self.model, schedule, form=form)
+    def plan(self, form: str, fused: bool = True) -> Plan:
+        """Return the plan of a form on one process; form ada joins as a balanced tree.
+
+        Args:
+            form: of the algorithm.
+            fused: whether form ada takes joints over massless links as one.
+        """
+        profile = load_profile("paper")
+        if not fused:
+            topology = Topology.of(self.model)
+            return make_plan(
+                self.model, named_schedule("balanced", topology, 1, profile=profile), form=form
+            )
+        seen = fold_of(self.model, form)
+        found = named_schedule("balanced", seen.topology, 1, profile=profile)
+        return make_plan(self.model, seen.unfold(found, profile), form=form)
 
     @cached_property
     def _links(self) -> WideLinks:
@@ -74,8 +86,8 @@ class Trial:
             return np.inf, str(failure).removeprefix("error: ").split(";")[0]
 
 
-def _planned(form: str) -> Callable[[Trial], Array]:
-    return lambda trial: interpret(trial.plan(form), *trial.state)
+def _planned(form: str, fused: bool = True) -> Callable[[Trial], Array]:
+    return lambda trial: interpret(trial.plan(form, fused), *trial.state)
 
 
 def _refined(form: str, steps: int) -> Callable[[Trial], Array]:
@@ -94,6 +106,7 @@ METHODS = {
         Method("articulated bodies, textbook", False, _weak(articulated)),
         Method("articulated bodies, float", False, _weak(articulated, scalar=np.float32)),
         Method("articulated bodies, world frame", False, _weak(articulated, world=True)),
+        Method("form ada, joints not fused", False, _planned("ada", fused=False)),
         Method("form ada", True, _planned("ada")),
         Method("form ada, refined once", True, _refined("ada", 1)),
         Method("form ada, refined twice", True, _refined("ada", 2)),

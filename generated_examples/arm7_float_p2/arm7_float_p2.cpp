@@ -2,7 +2,7 @@
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // options   form segment, shape joints, scalar float, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  elbow_pitch@0-1(base_yaw@1(|shoulder_pitch(|upper_arm_roll)) | forearm_roll@0(|wrist_pitch(|flange_roll(|left_finger_slide(right_finger_slide|)))))
+// schedule  base_yaw@0-1(|shoulder_pitch(|upper_arm_roll(|elbow_pitch(|forearm_roll(|wrist_pitch(|flange_roll(|left_finger_slide(right_finger_slide|))))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -107,9 +107,10 @@ using Real = float;
 constexpr int kProcesses = 2;
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
+constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr int kRefine = 0;  // steps of iterative refinement
-constexpr int kPlanMessages = 2;
+constexpr int kPlanMessages = 0;
 constexpr std::size_t kCacheLine = 64;
 constexpr bool kFloatingBase = false;
 constexpr double kTolerance = 0.001;
@@ -120,6 +121,14 @@ const MPI_Datatype kMpiReal = MPI_FLOAT;
 // ---- 2. model -----------------------------------------------------------------------------------
 
 enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
+
+// What a joint does by itself: of its torque, damping qd + friction tanh(qd / friction_speed)
+// + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
+// tau holds that.
+struct Passive {
+  Real damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  bool prescribed = false;
+};
 
 // A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link
 // has the joint's frame at q = 0.
@@ -132,6 +141,15 @@ struct JointConstants {
   Real translation[3];  // origin of the joint frame in the parent link's frame, m
   int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
   double multiplier, offset;
+  Passive passive{};
+};
+
+// An outer force that is an input, told in the frame of the link that has its name.
+struct OuterForce {
+  const char* name;
+  int link;             // that feels it
+  Real rotation[9];     // from that frame to the link's, row by row
+  Real translation[3];  // its origin in the link's frame, m
 };
 
 struct LinkConstants {
@@ -150,6 +168,8 @@ struct ProcessInfo {
   const int* v_read;
   int v_count;
   const int* v;
+  int outer_count;  // entries of tau that hold outer forces
+  const int* outer;
 };
 
 // What goes from one process to another once in an evaluation.
@@ -221,6 +241,8 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0f, -0.9999999999964793f, -2.65358979335273e-06f, 0.0f, 2.65358979335273e-06f, -0.9999999999964793f, 1.0f, 0.0f, 0.0f},
      {0.0f, 0.0f, 0.13f}, -1, 0.0, 0.0},
 } };
+
+constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 // Slaved joints follow their sources; what was given for them is ignored.
 template <class Number>
@@ -331,6 +353,8 @@ enum Failure : int {
   kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -360,6 +384,18 @@ std::string quoted(const char* text) {
   return result + "\"";
 }
 
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
 std::string describe(int status) {
   const int place = failure_place(status);
   const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
@@ -373,6 +409,12 @@ std::string describe(int status) {
     case kFactorization:
       return joint() +
              "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
     case kEnded:
@@ -495,6 +537,17 @@ bool factorize(std::array<std::array<Real, m>, m>& L) {
       L[i][j] *= inverse;
     }
   }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
   return good;
 }
 
@@ -825,7 +878,11 @@ ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia&
     ADAGEN_FOR (c, 0, kColumns) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
   }
   if constexpr (n == 1) {
-    good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
+    // Beside the inertia about other axes (in other directions), D must be more than rounding.
+    constexpr int row = free[0] < 3 ? 0 : 3;
+    const Real whole = I(row, row) + I(row + 1, row + 1) + I(row + 2, row + 2);
+    good = i.D[0][0] > 8 * std::numeric_limits<Real>::epsilon() * whole &&
+           i.D[0][0] <= std::numeric_limits<Real>::max();
     i.D[0][0] = 1 / i.D[0][0];
   } else {
     good = factorize(i.D);
@@ -943,11 +1000,9 @@ ADAGEN_NOINLINE bool solve_root(const Inertia& I, const Columns6& p, Columns6& a
   return good;
 }
 
-constexpr std::array<MessageInfo, 4> kMessages{ {
-    {1, 0, 42},  // 0: assembled: chain of "base_yaw"
-    {0, 1, 6},  // 1: forces on: chain of "base_yaw"
-    {0, 1, 9},  // 2: state
-    {1, 0, 3},  // 3: accelerations
+constexpr std::array<MessageInfo, 2> kMessages{ {
+    {0, 1, 0},  // 0: state
+    {1, 0, 0},  // 1: accelerations
 } };
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
@@ -1185,14 +1240,6 @@ struct Joint_base_yaw {
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
-  Mat6 Phi_turret;  // of the chain it completes
-  Columns6 b_turret;
-  Mat6 Phi_upper_arm;  // of the chain it completes
-  Columns6 b_upper_arm;
-  Mat6 Phi_elbow_housing;  // of the chain it completes
-  Columns6 b_elbow_housing;
-  Columns6 load;  // what handle forces add
-  Columns6 F_on_elbow_housing;  // outer wrench on that chain
 };
 
 struct Joint_shoulder_pitch {
@@ -1202,7 +1249,6 @@ struct Joint_shoulder_pitch {
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
 };
 
 struct Joint_upper_arm_roll {
@@ -1212,7 +1258,6 @@ struct Joint_upper_arm_roll {
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
 };
 
 struct Joint_elbow_pitch {
@@ -1221,8 +1266,7 @@ struct Joint_elbow_pitch {
   Inertia IA;  // articulated-body inertia of link "forearm"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
-  Joined<Revolute> joined;
-  Columns6 load;  // what handle forces add
+  Articulated<Revolute> body;
 };
 
 struct Joint_forearm_roll {
@@ -1232,9 +1276,6 @@ struct Joint_forearm_roll {
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
-  Mat6 Phi_forearm;  // of the chain it completes
-  Columns6 b_forearm;
-  Columns6 F_on_forearm;  // outer wrench on that chain
 };
 
 struct Joint_wrist_pitch {
@@ -1279,6 +1320,7 @@ struct Workspace {
   const Real* tau = nullptr;
   Real* qdd = nullptr;
   int status = kFine;
+  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   Joint_base_yaw j_base_yaw;
   Joint_shoulder_pitch j_shoulder_pitch;
   Joint_upper_arm_roll j_upper_arm_roll;
@@ -1443,22 +1485,6 @@ void articulate_base_yaw(Workspace& w) {
     fail(w, kFactorization, 0);
 }
 
-void propagate_base_yaw(Workspace& w) {
-  auto& i = w.j_base_yaw;
-  Mat6 Omega = kZero;
-  carry(i.body, Omega);
-  w.j_base_yaw.Phi_turret = Omega;
-  Columns6 a = i.X * kGround;
-  accelerate(i.body, a);
-  w.j_base_yaw.b_turret = a;
-}
-
-void deliver_base_yaw(Workspace& w) {
-  auto& i = w.j_base_yaw;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-}
-
 void accelerate_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   Columns6 a = i.X * kGround;
@@ -1494,23 +1520,6 @@ void articulate_shoulder_pitch(Workspace& w) {
     fail(w, kFactorization, 1);
   add_in_parent(i.X, handed, w.j_base_yaw.IA);
   w.j_base_yaw.pA += i.X.transposed_times(force);
-}
-
-void propagate_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_shoulder_pitch;
-  Mat6 Omega = from_right(i.X * w.j_base_yaw.Phi_turret, i.X);
-  carry(i.body, Omega);
-  w.j_base_yaw.Phi_upper_arm = Omega;
-  Columns6 a = i.X * w.j_base_yaw.b_turret;
-  accelerate(i.body, a);
-  w.j_base_yaw.b_upper_arm = a;
-}
-
-void deliver_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_shoulder_pitch;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-  w.j_base_yaw.load += i.X.transposed_times(load);
 }
 
 void accelerate_shoulder_pitch(Workspace& w) {
@@ -1550,23 +1559,6 @@ void articulate_upper_arm_roll(Workspace& w) {
   w.j_shoulder_pitch.pA += i.X.transposed_times(force);
 }
 
-void propagate_upper_arm_roll(Workspace& w) {
-  auto& i = w.j_upper_arm_roll;
-  Mat6 Omega = from_right(i.X * w.j_base_yaw.Phi_upper_arm, i.X);
-  carry(i.body, Omega);
-  w.j_base_yaw.Phi_elbow_housing = Omega;
-  Columns6 a = i.X * w.j_base_yaw.b_upper_arm;
-  accelerate(i.body, a);
-  w.j_base_yaw.b_elbow_housing = a;
-}
-
-void deliver_upper_arm_roll(Workspace& w) {
-  auto& i = w.j_upper_arm_roll;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-  w.j_shoulder_pitch.load += i.X.transposed_times(load);
-}
-
 void accelerate_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   Columns6 a = i.X * w.j_shoulder_pitch.a;
@@ -1592,24 +1584,24 @@ void kinematics_elbow_pitch(Workspace& w) {
   i.v = i.X * w.j_upper_arm_roll.v + joint_velocity<Revolute>(w.v + 3);
 }
 
-// A: the chain of "base_yaw"; B: the chain of "forearm_roll"; C feels the joint at no link
-void assemble_elbow_pitch(Workspace& w) {
+void articulate_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
-  load_torque(w, 3, 3, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_base_yaw.Phi_elbow_housing;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 3);
-  if (!join(i.joined, Phi_A, w.j_forearm_roll.Phi_forearm, i.X * w.j_base_yaw.b_elbow_housing, w.j_forearm_roll.b_forearm, c))
+  load_torque(w, 3, 3, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 3);
+  Inertia handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 3);
+  add_in_parent(i.X, handed, w.j_upper_arm_roll.IA);
+  w.j_upper_arm_roll.pA += i.X.transposed_times(force);
 }
 
-void disassemble_elbow_pitch(Workspace& w) {
+void accelerate_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
-  Release<Revolute> release(i.joined);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 3, 3, release.qdd());  // Eq. (9)
-  w.j_base_yaw.F_on_elbow_housing = -i.X.transposed_times(f);
-  w.j_forearm_roll.F_on_forearm = f;
+  Columns6 a = i.X * w.j_upper_arm_roll.a;
+  const auto qdd = accelerate(i.body, a);
+  i.a = a;
+  store_acceleration(w, 3, 3, qdd);
 }
 
 // =================================================================================================
@@ -1798,7 +1790,7 @@ void accelerate_right_finger_slide(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 6 of 9 joints: "elbow_pitch", "forearm_roll", "wrist_pitch", "flange_roll", "left_finger_slide", "right_finger_slide"; kinematics of 3 more on the way to the ground
+// Process 0: 9 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_base_yaw(w);
@@ -1811,6 +1803,9 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_left_finger_slide(w);
   kinematics_right_finger_slide(w);
   stamp(1);
+  start_link(kInertia_turret, w.j_base_yaw.v, w.j_base_yaw.IA, w.j_base_yaw.pA);
+  start_link(kInertia_upper_arm, w.j_shoulder_pitch.v, w.j_shoulder_pitch.IA, w.j_shoulder_pitch.pA);
+  start_link(kInertia_elbow_housing, w.j_upper_arm_roll.v, w.j_upper_arm_roll.IA, w.j_upper_arm_roll.pA);
   start_link(kInertia_forearm, w.j_elbow_pitch.v, w.j_elbow_pitch.IA, w.j_elbow_pitch.pA);
   start_link(kInertia_wrist_housing, w.j_forearm_roll.v, w.j_forearm_roll.IA, w.j_forearm_roll.pA);
   start_link(kInertia_wrist, w.j_wrist_pitch.v, w.j_wrist_pitch.IA, w.j_wrist_pitch.pA);
@@ -1822,74 +1817,25 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   articulate_flange_roll(w);
   articulate_wrist_pitch(w);
   articulate_forearm_roll(w);
-  if (!invert(w.j_elbow_pitch.IA, w.j_elbow_pitch.pA, w.j_forearm_roll.Phi_forearm, w.j_forearm_roll.b_forearm))
-    fail(w, kFactorization, 3);
+  articulate_elbow_pitch(w);
+  articulate_upper_arm_roll(w);
+  articulate_shoulder_pitch(w);
+  articulate_base_yaw(w);
   stamp(2);
-  {  // from process 1: assembled: chain of "base_yaw"
-    const Real* from = channel.receive(0, w.status);
-    from = get(from, w.j_base_yaw.Phi_elbow_housing);
-    from = get(from, w.j_base_yaw.b_elbow_housing);
-  }
-  stamp(3);
-  assemble_elbow_pitch(w);
-  stamp(4);
-  disassemble_elbow_pitch(w);
-  stamp(5);
-  {  // to process 1: forces on: chain of "base_yaw"
-    Real* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_base_yaw.F_on_elbow_housing);
-    channel.send(1, w.status);
-  }
-  stamp(6);
-  w.j_elbow_pitch.load = w.j_forearm_roll.F_on_forearm;
-  w.j_elbow_pitch.a = w.j_forearm_roll.b_forearm + w.j_forearm_roll.Phi_forearm * w.j_elbow_pitch.load;
+  accelerate_base_yaw(w);
+  accelerate_shoulder_pitch(w);
+  accelerate_upper_arm_roll(w);
+  accelerate_elbow_pitch(w);
   accelerate_forearm_roll(w);
   accelerate_wrist_pitch(w);
   accelerate_flange_roll(w);
   accelerate_left_finger_slide(w);
   accelerate_right_finger_slide(w);
-  stamp(7);
+  stamp(3);
 }
 
-// Process 1: 3 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll"
+// Process 1: has nothing to do
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  stamp(0);
-  kinematics_base_yaw(w);
-  kinematics_shoulder_pitch(w);
-  kinematics_upper_arm_roll(w);
-  stamp(1);
-  start_link(kInertia_turret, w.j_base_yaw.v, w.j_base_yaw.IA, w.j_base_yaw.pA);
-  start_link(kInertia_upper_arm, w.j_shoulder_pitch.v, w.j_shoulder_pitch.IA, w.j_shoulder_pitch.pA);
-  start_link(kInertia_elbow_housing, w.j_upper_arm_roll.v, w.j_upper_arm_roll.IA, w.j_upper_arm_roll.pA);
-  articulate_upper_arm_roll(w);
-  articulate_shoulder_pitch(w);
-  articulate_base_yaw(w);
-  propagate_base_yaw(w);
-  propagate_shoulder_pitch(w);
-  propagate_upper_arm_roll(w);
-  stamp(2);
-  {  // to process 0: assembled: chain of "base_yaw"
-    Real* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_base_yaw.Phi_elbow_housing);
-    to = put(to, w.j_base_yaw.b_elbow_housing);
-    channel.send(0, w.status);
-  }
-  stamp(3);
-  {  // from process 0: forces on: chain of "base_yaw"
-    const Real* from = channel.receive(1, w.status);
-    from = get(from, w.j_base_yaw.F_on_elbow_housing);
-  }
-  stamp(4);
-  w.j_base_yaw.load = Columns6::Zero();
-  w.j_shoulder_pitch.load = Columns6::Zero();
-  w.j_upper_arm_roll.load = w.j_base_yaw.F_on_elbow_housing;
-  deliver_upper_arm_roll(w);
-  deliver_shoulder_pitch(w);
-  deliver_base_yaw(w);
-  accelerate_base_yaw(w);
-  accelerate_shoulder_pitch(w);
-  accelerate_upper_arm_roll(w);
-  stamp(5);
 }
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
@@ -1897,13 +1843,10 @@ constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run
 // What each process reads of q and v, and the velocity entries whose tau and qdd are its own.
 constexpr std::array<int, 9> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr std::array<int, 9> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 6> kOwn_0{3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 3> kReadQ_1{0, 1, 2};
-constexpr std::array<int, 3> kReadV_1{0, 1, 2};
-constexpr std::array<int, 3> kOwn_1{0, 1, 2};
+constexpr std::array<int, 9> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {9, kReadQ_0.data(), 9, kReadV_0.data(), 6, kOwn_0.data()},
-    {3, kReadQ_1.data(), 3, kReadV_1.data(), 3, kOwn_1.data()},
+    {9, kReadQ_0.data(), 9, kReadV_0.data(), 9, kOwn_0.data(), 0, nullptr},
+    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -1945,6 +1888,7 @@ class Solver {
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
     for (int k = 0; k < own.v_count; ++k) tau_[own.v[k]] = *content++;
+    for (int k = 0; k < own.outer_count; ++k) tau_[own.outer[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     kRun[rank](w, channel);
@@ -1962,6 +1906,7 @@ class Solver {
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
       for (int k = 0; k < other.v_count; ++k) *content++ = tau[other.v[k]];
+      for (int k = 0; k < other.outer_count; ++k) *content++ = tau[other.outer[k]];
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -1994,7 +1939,8 @@ class Solver {
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
   std::array<Real, kNq> q_{};
-  std::array<Real, kNv> v_{}, tau_{}, qdd_{};
+  std::array<Real, kNv> v_{}, qdd_{};
+  std::array<Real, kNtau> tau_{};
 };
 
 }  // namespace
@@ -2142,9 +2088,34 @@ void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linea
   }
 }
 
-// Torques that give accelerations qdd at (q, v); slaved joints count through their sources'
-// torques.
-void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau) {
+// What a joint's damping, friction, spring and rotor take of its torque.
+void add_passive(const JointConstants& joint, const Real* q, const Real* v, const Real* qdd,
+                 double* tau) {
+  const Passive& own = joint.passive;
+  for (int k = 0; k < joint.nv; ++k) {
+    const double rate = double(v[joint.v + k]);
+    tau[k] += double(own.damping) * rate + double(own.rotor) * double(qdd[joint.v + k]) +
+              double(own.friction) * std::tanh(rate / double(own.friction_speed));
+  }
+  if (own.stiffness != 0) tau[0] += double(own.stiffness) * (double(q[joint.q]) - double(own.rest));
+}
+
+// The outer forces push their links.
+void push(const Real* outer, std::array<Body, kLinkCount>& body) {
+  for (const OuterForce& one : kOuterForces) {
+    Body& b = body[static_cast<std::size_t>(one.link)];
+    const Mat turn = mat3(one.rotation);
+    const Vec force = times(turn, vec3(outer)), moment = times(turn, vec3(outer + 3));
+    const Vec lever = cross(vec3(one.translation), force);
+    for (int k = 0; k < 3; ++k) b.f[k] -= force[k], b.n[k] -= moment[k] + lever[k];
+    outer += 6;
+  }
+}
+
+// Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
+// through their sources' torques.
+void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real* outer,
+                      double* tau) {
   static std::array<Body, kLinkCount> body;
   body[0] = {};
   for (int k = 0; k < 3; ++k) body[0].a[k] = -kGravity[k];
@@ -2174,6 +2145,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
     for (int k = 0; k < 3; ++k) b.f[k] = double(link.mass) * at_com[k];
     b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
   }
+  push(outer, body);
   for (int j = kJointCount - 1; j >= 0; --j) {
     const JointConstants& joint = kJoints[j];
     const Body& b = body[j + 1];
@@ -2196,6 +2168,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
         std::copy(b.n.begin(), b.n.end(), t + 3);
         break;
     }
+    add_passive(joint, q, v, qdd, t);
     Body& parent = body[joint.parent];
     const Vec force = times(b.turn, b.f);
     parent.f = parent.f + force;
@@ -2208,10 +2181,13 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
   }
 }
 
-// How far slaved accelerations are from following their sources, relative to their size.
-double slip(const Real* qdd) {
+// How far slaved accelerations are from following their sources, relative to their size, and
+// prescribed ones from what was prescribed.
+double slip(const Real* tau, const Real* qdd) {
   double worst = 0;
   for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      worst = std::max(worst, std::abs(double(qdd[k]) - double(tau[k])));
     if (joint.source < 0) continue;
     const double own = double(qdd[joint.v]);
     const double due = joint.multiplier * double(qdd[kJoints[joint.source].v]);
@@ -2225,10 +2201,14 @@ double slip(const Real* qdd) {
 double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
   static std::array<double, kNv> needed, at_rest;
   static std::array<Real, kNv> zero{};
-  inverse_dynamics(q, v, qdd, needed.data());
-  inverse_dynamics(q, v, zero.data(), at_rest.data());
+  inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
+  inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
   std::array<double, kNv> given{};
   for (int k = 0; k < kNv; ++k) given[k] = double(tau[k]);
+  for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      given[k] = needed[k] = at_rest[k] = 0;  // nobody asks for its torque
+  }
   for (int j = 0; j < kJointCount; ++j) {
     if (kJoints[j].source < 0) continue;
     given[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * given[kJoints[j].v];
@@ -2239,7 +2219,7 @@ double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) 
     error += (needed[k] - given[k]) * (needed[k] - given[k]);
     size += given[k] * given[k] + at_rest[k] * at_rest[k];
   }
-  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(qdd));
+  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(tau, qdd));
 }
 
 }  // namespace check
@@ -2273,11 +2253,14 @@ class StatesReader {
 
   void parse(States& states) {
     std::array<bool, kJointCount> seen{};
+    std::vector<std::vector<double>> forces(kOuterCount);
     bool joints = false;
     object([&](const std::string& key) {
       if (key == "joints") {
         joints = true;
         object([&](const std::string& name) { read_joint(name, seen, states); });
+      } else if (key == "forces" && kOuterCount > 0) {
+        object([&](const std::string& name) { read_force(name, forces); });
       } else if (key == "floating") {
         if (boolean() != kFloatingBase)
           refuse(std::string("\"floating\": this solver's base is ") +
@@ -2297,6 +2280,7 @@ class StatesReader {
       if (!seen[j] && kJoints[j].source < 0)
         refuse("joint " + quoted(kJoints[j].name) + " is missing");
     fill_slaved(states);
+    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
   }
 
   void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
@@ -2307,9 +2291,11 @@ class StatesReader {
     if (seen[j]) refuse(joint + " comes twice");
     seen[j] = true;
     std::array<bool, 3> found{};
+    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
     object([&](const std::string& key) {
-      if (key == "type" || key == "qdd") return skip();  // as in a file of true answers
-      const char* const fields[] = {"q", "v", "tau"};
+      if (key == "type" || (key == "qdd" && key != input))
+        return skip();  // as in a file of true answers
+      const char* const fields[] = {"q", "v", input};
       const auto field = std::find(std::begin(fields), std::end(fields), key);
       if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
       bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
@@ -2319,7 +2305,7 @@ class StatesReader {
       read_field(kJoints[j], key, states);
       where_.clear();
     });
-    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and tau");
+    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
   }
 
   // One of q, v and tau of a joint: an entry for each state.
@@ -2327,7 +2313,7 @@ class StatesReader {
     const bool is_q = key == "q";
     const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
     const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
-    const std::size_t stride = is_q ? kNq : kNv;
+    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
     std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
     int count = 0;
     array([&] {
@@ -2344,6 +2330,30 @@ class StatesReader {
     if (states.count == 0) states.count = count;
     if (count != states.count)
       refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
+  }
+
+  // One link's outer force: six numbers for each state.
+  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
+    std::size_t k = 0;
+    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
+    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
+    where_ = "force on link " + quoted(name.c_str()) + ": ";
+    if (!forces[k].empty()) refuse("comes twice");
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != 6) refuse("needs six numbers for each state");
+      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
+    });
+    where_.clear();
+  }
+
+  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
+    if (given.size() != 6 * static_cast<std::size_t>(states.count))
+      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
+             std::to_string(given.size() / 6) + " states, but the joints have " +
+             std::to_string(states.count));
+    for (std::size_t i = 0; i < given.size(); ++i)
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
   }
 
   static void fill_slaved(States& states) {
@@ -3152,24 +3162,13 @@ class Watch {
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 7> kStages_0{ {
+constexpr std::array<Stage, 3> kStages_0{ {
     {"kinematics", 8, -1},
-    {"assembly", 4, -1},
-    {"receive", -1, 0},
-    {"assembly", 3, -1},
-    {"disassembly", 3, -1},
-    {"send", -1, 1},
-    {"disassembly", 4, -1},
+    {"assembly", 0, -1},
+    {"disassembly", 0, -1},
 } };
-constexpr std::array<Stage, 5> kStages_1{ {
-    {"kinematics", 2, -1},
-    {"assembly", 2, -1},
-    {"send", -1, 0},
-    {"receive", -1, 1},
-    {"disassembly", 2, -1},
-} };
-constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data()};
-constexpr std::array<int, kProcesses> kStageCount{7, 5};
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), nullptr};
+constexpr std::array<int, kProcesses> kStageCount{3, 0};
 
 // What --trace FILE writes: when each stage of each process began and ended, as the medians over
 // many evaluations of random states; ns from the instant at which the processes start together.
@@ -3293,13 +3292,14 @@ States random_states(int count, std::uint64_t seed) {
   };
   states.q.resize(size(kNq));
   states.v.resize(size(kNv));
-  states.tau.resize(size(kNv));
+  states.tau.resize(size(kNtau));
   for (int s = 0; s < count; ++s) {
     Real* q =
         states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     Real* v =
         states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* tau = states.tau.data() + (v - states.v.data());
+    Real* tau = states.tau.data() +
+                size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     for (const JointConstants& joint : kJoints) {
       const bool turns = joint.kind == JointKind::kRevolute;
       for (int k = 0; k < joint.nq; ++k)
@@ -3318,6 +3318,7 @@ States random_states(int count, std::uint64_t seed) {
         tau[joint.v + k] = static_cast<Real>(uniform());
       }
     }
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Real>(uniform());
     slave(q, v);
   }
   return states;
@@ -3350,7 +3351,7 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   };
   share(states.q, kNq);
   share(states.v, kNv);
-  share(states.tau, kNv);
+  share(states.tau, kNtau);
   return status;
 }
 
@@ -3368,7 +3369,7 @@ struct Session {
   MPI_Comm comm() const { return solver.channel.comm(); }
   const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
   const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNv; }
+  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
   Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
 
   void use(States given) {
@@ -3821,6 +3822,7 @@ class Program {
     };
     also(options.time, [this] { return timing_.time_all(); });
     also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (status != kFault) collect_warnings();
     if (session_.rank == 0 && status != kFault) report();
     session_.watch.again();
     session_.solver.channel.close();
@@ -3895,6 +3897,26 @@ class Program {
     return status;
   }
 
+  // What processes have met that costs digits but is no failure, told once.
+  void collect_warnings() {
+    int joint = near_lock(session_.solver.w, 0);
+    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (joint == 0) return;
+    warning_ = "joints " + names_of_run(joint - 1) +
+               ": near gimbal lock at some state: accelerations lose three digits or more";
+    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
+  }
+
+  // Shapes that join no runs of joints as one have nothing to tell.
+  template <class W>
+  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
+    return w.near_lock;
+  }
+  template <class W>
+  static int near_lock(const W&, long) {
+    return 0;
+  }
+
   void report() const {
     const Options& options = session_.options;
     const bool right = residual_max_ <= options.tolerance;
@@ -3903,12 +3925,14 @@ class Program {
                   kProcesses, session_.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
+      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
       if (checked_)
         std::printf(
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
             residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
+                  simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
@@ -3926,6 +3950,7 @@ class Program {
   Corrections corrections_;
   bool checked_ = false;
   int solved_ = 0;
+  std::string warning_;
   double residual_median_ = 0, residual_max_ = 0;
 };
 

@@ -2,7 +2,7 @@
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // options   form segment, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  joint09@0-2(joint05@0-1(joint01@1(|joint02(|joint03(|joint04))) | joint06@0(|joint07(|joint08))) | joint10@2(|joint11(|joint12(|joint13(|joint14(|joint15(|joint16)))))))
+// schedule  joint08@0-2(joint05@1-2(joint01@1(|joint02(|joint03(|joint04))) | joint06@2(|joint07)) | joint09@0(|joint10(|joint11(|joint12(|joint13(|joint14(|joint15(|joint16))))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -107,6 +107,7 @@ using Real = double;
 constexpr int kProcesses = 3;
 constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
 constexpr int kNq = 16, kNv = 16;
+constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr int kRefine = 0;  // steps of iterative refinement
 constexpr int kPlanMessages = 4;
@@ -121,6 +122,14 @@ const MPI_Datatype kMpiReal = MPI_DOUBLE;
 
 enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
 
+// What a joint does by itself: of its torque, damping qd + friction tanh(qd / friction_speed)
+// + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
+// tau holds that.
+struct Passive {
+  Real damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  bool prescribed = false;
+};
+
 // A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link
 // has the joint's frame at q = 0.
 struct JointConstants {
@@ -132,6 +141,15 @@ struct JointConstants {
   Real translation[3];  // origin of the joint frame in the parent link's frame, m
   int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
   double multiplier, offset;
+  Passive passive{};
+};
+
+// An outer force that is an input, told in the frame of the link that has its name.
+struct OuterForce {
+  const char* name;
+  int link;             // that feels it
+  Real rotation[9];     // from that frame to the link's, row by row
+  Real translation[3];  // its origin in the link's frame, m
 };
 
 struct LinkConstants {
@@ -150,6 +168,8 @@ struct ProcessInfo {
   const int* v_read;
   int v_count;
   const int* v;
+  int outer_count;  // entries of tau that hold outer forces
+  const int* outer;
 };
 
 // What goes from one process to another once in an evaluation.
@@ -264,6 +284,8 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 0.0, -0.4}, -1, 0.0, 0.0},
 } };
 
+constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
+
 // Slaved joints follow their sources; what was given for them is ignored.
 template <class Number>
 void slave([[maybe_unused]] Number* q, [[maybe_unused]] Number* v) {
@@ -373,6 +395,8 @@ enum Failure : int {
   kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -402,6 +426,18 @@ std::string quoted(const char* text) {
   return result + "\"";
 }
 
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
 std::string describe(int status) {
   const int place = failure_place(status);
   const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
@@ -415,6 +451,12 @@ std::string describe(int status) {
     case kFactorization:
       return joint() +
              "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
     case kEnded:
@@ -537,6 +579,17 @@ bool factorize(std::array<std::array<Real, m>, m>& L) {
       L[i][j] *= inverse;
     }
   }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
   return good;
 }
 
@@ -867,7 +920,11 @@ ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia&
     ADAGEN_FOR (c, 0, kColumns) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
   }
   if constexpr (n == 1) {
-    good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
+    // Beside the inertia about other axes (in other directions), D must be more than rounding.
+    constexpr int row = free[0] < 3 ? 0 : 3;
+    const Real whole = I(row, row) + I(row + 1, row + 1) + I(row + 2, row + 2);
+    good = i.D[0][0] > 8 * std::numeric_limits<Real>::epsilon() * whole &&
+           i.D[0][0] <= std::numeric_limits<Real>::max();
     i.D[0][0] = 1 / i.D[0][0];
   } else {
     good = factorize(i.D);
@@ -986,14 +1043,14 @@ ADAGEN_NOINLINE bool solve_root(const Inertia& I, const Columns6& p, Columns6& a
 }
 
 constexpr std::array<MessageInfo, 8> kMessages{ {
-    {1, 0, 42},  // 0: assembled: chain of "joint01"
-    {2, 0, 42},  // 1: assembled: chain of "joint10"
-    {0, 2, 6},  // 2: forces on: chain of "joint10"
-    {0, 1, 6},  // 3: forces on: chain of "joint01"
-    {0, 1, 12},  // 4: state
-    {1, 0, 4},  // 5: accelerations
-    {0, 2, 39},  // 6: state
-    {2, 0, 7},  // 7: accelerations
+    {2, 1, 120},  // 0: assembled: chain of "joint06"
+    {1, 0, 42},  // 1: assembled: chain of "joint05"
+    {0, 1, 6},  // 2: forces on: chain of "joint05"
+    {1, 2, 12},  // 3: forces on: chain of "joint06"
+    {0, 1, 15},  // 4: state
+    {1, 0, 5},  // 5: accelerations
+    {0, 2, 16},  // 6: state
+    {2, 0, 2},  // 7: accelerations
 } };
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
@@ -1276,15 +1333,15 @@ struct Joint_joint04 {
 struct Joint_joint05 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod05"
+  Mat6 Phi_rod07;  // of the chain it completes
+  Columns6 b_rod07;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod07;
   Inertia IA;  // articulated-body inertia of link "rod05"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
-  Mat6 Phi_rod08;  // of the chain it completes
-  Columns6 b_rod08;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod08;
   Columns6 load;  // what handle forces add
-  Columns6 F_on_rod08;  // outer wrench on that chain
+  Columns6 F_on_rod07;  // outer wrench on that chain
 };
 
 struct Joint_joint06 {
@@ -1302,9 +1359,6 @@ struct Joint_joint06 {
   Mat6 Phi_rod07;  // of the chain it completes
   Mat6 Phi_rod05_rod07;  // of the chain it completes
   Columns6 b_rod07;
-  Mat6 Phi_rod08;  // of the chain it completes
-  Mat6 Phi_rod05_rod08;  // of the chain it completes
-  Columns6 b_rod08;
   Columns6 load;  // what handle forces add
   Columns6 F_on_rod05;  // outer wrench on that chain
 };
@@ -1325,18 +1379,20 @@ struct Joint_joint08 {
   Inertia IA;  // articulated-body inertia of link "rod08"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
+  Joined<Revolute> joined;
   Columns6 load;  // what handle forces add
 };
 
 struct Joint_joint09 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod09"
-  Joined<Revolute> joined;
   Inertia IA;  // articulated-body inertia of link "rod09"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
-  Columns6 load;  // what handle forces add
+  Articulated<Revolute> body;
+  Mat6 Phi_rod08;  // of the chain it completes
+  Columns6 b_rod08;
+  Columns6 F_on_rod08;  // outer wrench on that chain
 };
 
 struct Joint_joint10 {
@@ -1346,9 +1402,6 @@ struct Joint_joint10 {
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
-  Mat6 Phi_rod09;  // of the chain it completes
-  Columns6 b_rod09;
-  Columns6 F_on_rod09;  // outer wrench on that chain
 };
 
 struct Joint_joint11 {
@@ -1411,6 +1464,7 @@ struct Workspace {
   const Real* tau = nullptr;
   Real* qdd = nullptr;
   int status = kFine;
+  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   Joint_joint01 j_joint01;
   Joint_joint02 j_joint02;
   Joint_joint03 j_joint03;
@@ -1792,7 +1846,7 @@ void kinematics_joint05(Workspace& w) {
   i.v = i.X * w.j_joint04.v + joint_velocity<Revolute>(w.v + 4);
 }
 
-// A: the chain of "joint01"; B: the chain of "joint06"; C feels the joint at "rod08"
+// A: the chain of "joint01"; B: the chain of "joint06"; C feels the joint at "rod07"
 void assemble_joint05(Workspace& w) {
   auto& i = w.j_joint05;
   load_torque(w, 4, 4, i.joined.tau);
@@ -1801,15 +1855,15 @@ void assemble_joint05(Workspace& w) {
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
   if (!join(i.joined, Phi_A, w.j_joint06.Phi_rod05, i.X * w.j_joint01.b_rod04, w.j_joint06.b_rod05, c))
     fail(w, kFactorization, 4);
-  couple(i.joined, w.j_joint06.Phi_rod05_rod08, i.at_rod08);
-  i.Phi_rod08 = w.j_joint06.Phi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (4)
-  i.b_rod08 = w.j_joint06.b_rod08 + bias_change(i.joined, i.at_rod08);  // Eq. (7)
+  couple(i.joined, w.j_joint06.Phi_rod05_rod07, i.at_rod07);
+  i.Phi_rod07 = w.j_joint06.Phi_rod07 - product(i.at_rod07, i.at_rod07);  // Eq. (4)
+  i.b_rod07 = w.j_joint06.b_rod07 + bias_change(i.joined, i.at_rod07);  // Eq. (7)
 }
 
 void disassemble_joint05(Workspace& w) {
   auto& i = w.j_joint05;
   Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod08, w.j_joint05.F_on_rod08);
+  release.feel_B(i.at_rod07, w.j_joint05.F_on_rod07);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
   w.j_joint01.F_on_rod04 = -i.X.transposed_times(f);
@@ -1947,44 +2001,24 @@ void kinematics_joint08(Workspace& w) {
   i.v = i.X * w.j_joint07.v + joint_velocity<Revolute>(w.v + 7);
 }
 
-void articulate_joint08(Workspace& w) {
+// A: the chain of "joint05"; B: the chain of "joint09"; C feels the joint at no link
+void assemble_joint08(Workspace& w) {
   auto& i = w.j_joint08;
-  load_torque(w, 7, 7, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 7);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
+  load_torque(w, 7, 7, i.joined.tau);
+  const Mat6 X_Phi_A = i.X * w.j_joint05.Phi_rod07;
+  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 7);
+  if (!join(i.joined, Phi_A, w.j_joint09.Phi_rod08, i.X * w.j_joint05.b_rod07, w.j_joint09.b_rod08, c))
     fail(w, kFactorization, 7);
-  add_in_parent(i.X, handed, w.j_joint07.IA);
-  w.j_joint07.pA += i.X.transposed_times(force);
 }
 
-void propagate_joint08(Workspace& w) {
+void disassemble_joint08(Workspace& w) {
   auto& i = w.j_joint08;
-  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod07, i.X);
-  carry(i.body, Omega);
-  w.j_joint06.Phi_rod08 = Omega;
-  Columns6 a = i.X * w.j_joint06.b_rod07;
-  accelerate(i.body, a);
-  w.j_joint06.b_rod08 = a;
-  Mat6 Psi_0 = times_transposed(i.X, w.j_joint06.Phi_rod05_rod07);  // with link "rod05"
-  share(i.body, Psi_0);
-  w.j_joint06.Phi_rod05_rod08 = Psi_0.transpose();
-}
-
-void deliver_joint08(Workspace& w) {
-  auto& i = w.j_joint08;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-  w.j_joint07.load += i.X.transposed_times(load);
-}
-
-void accelerate_joint08(Workspace& w) {
-  auto& i = w.j_joint08;
-  Columns6 a = i.X * w.j_joint07.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 7, 7, qdd);
+  Release<Revolute> release(i.joined);
+  const Columns6 f = release.force();  // Eq. (8), (10)
+  store_acceleration(w, 7, 7, release.qdd());  // Eq. (9)
+  w.j_joint05.F_on_rod07 = -i.X.transposed_times(f);
+  w.j_joint09.F_on_rod08 = f;
 }
 
 // =================================================================================================
@@ -2004,24 +2038,24 @@ void kinematics_joint09(Workspace& w) {
   i.v = i.X * w.j_joint08.v + joint_velocity<Revolute>(w.v + 8);
 }
 
-// A: the chain of "joint05"; B: the chain of "joint10"; C feels the joint at no link
-void assemble_joint09(Workspace& w) {
+void articulate_joint09(Workspace& w) {
   auto& i = w.j_joint09;
-  load_torque(w, 8, 8, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint05.Phi_rod08;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 8);
-  if (!join(i.joined, Phi_A, w.j_joint10.Phi_rod09, i.X * w.j_joint05.b_rod08, w.j_joint10.b_rod09, c))
+  load_torque(w, 8, 8, i.body.tau);
+  i.body.c = velocity_product<Revolute>(i.v, w.v + 8);
+  Inertia handed;
+  Columns6 force;
+  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
     fail(w, kFactorization, 8);
+  add_in_parent(i.X, handed, w.j_joint08.IA);
+  w.j_joint08.pA += i.X.transposed_times(force);
 }
 
-void disassemble_joint09(Workspace& w) {
+void accelerate_joint09(Workspace& w) {
   auto& i = w.j_joint09;
-  Release<Revolute> release(i.joined);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 8, 8, release.qdd());  // Eq. (9)
-  w.j_joint05.F_on_rod08 = -i.X.transposed_times(f);
-  w.j_joint10.F_on_rod09 = f;
+  Columns6 a = i.X * w.j_joint08.a;
+  const auto qdd = accelerate(i.body, a);
+  i.a = a;
+  store_acceleration(w, 8, 8, qdd);
 }
 
 // =================================================================================================
@@ -2286,128 +2320,8 @@ void accelerate_joint16(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 5 of 16 joints: "joint05", "joint06", "joint07", "joint08", "joint09"; kinematics of 4 more on the way to the ground
+// Process 0: 9 of 16 joints: "joint08", "joint09", "joint10", "joint11", "joint12", "joint13", ...; kinematics of 7 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  stamp(0);
-  kinematics_joint01(w);
-  kinematics_joint02(w);
-  kinematics_joint03(w);
-  kinematics_joint04(w);
-  kinematics_joint05(w);
-  kinematics_joint06(w);
-  kinematics_joint07(w);
-  kinematics_joint08(w);
-  kinematics_joint09(w);
-  stamp(1);
-  start_link(kInertia_rod05, w.j_joint05.v, w.j_joint05.IA, w.j_joint05.pA);
-  start_link(kInertia_rod06, w.j_joint06.v, w.j_joint06.IA, w.j_joint06.pA);
-  start_link(kInertia_rod07, w.j_joint07.v, w.j_joint07.IA, w.j_joint07.pA);
-  start_link(kInertia_rod08, w.j_joint08.v, w.j_joint08.IA, w.j_joint08.pA);
-  articulate_joint08(w);
-  articulate_joint07(w);
-  articulate_joint06(w);
-  if (!invert(w.j_joint05.IA, w.j_joint05.pA, w.j_joint06.Phi_rod05, w.j_joint06.b_rod05))
-    fail(w, kFactorization, 4);
-  propagate_joint06(w);
-  propagate_joint07(w);
-  propagate_joint08(w);
-  stamp(2);
-  {  // from process 1: assembled: chain of "joint01"
-    const Real* from = channel.receive(0, w.status);
-    from = get(from, w.j_joint01.Phi_rod04);
-    from = get(from, w.j_joint01.b_rod04);
-  }
-  stamp(3);
-  assemble_joint05(w);
-  stamp(4);
-  {  // from process 2: assembled: chain of "joint10"
-    const Real* from = channel.receive(1, w.status);
-    from = get(from, w.j_joint10.Phi_rod09);
-    from = get(from, w.j_joint10.b_rod09);
-  }
-  stamp(5);
-  assemble_joint09(w);
-  stamp(6);
-  disassemble_joint09(w);
-  stamp(7);
-  {  // to process 2: forces on: chain of "joint10"
-    Real* to = channel.outgoing(2, w.status);
-    to = put(to, w.j_joint10.F_on_rod09);
-    channel.send(2, w.status);
-  }
-  stamp(8);
-  disassemble_joint05(w);
-  stamp(9);
-  {  // to process 1: forces on: chain of "joint01"
-    Real* to = channel.outgoing(3, w.status);
-    to = put(to, w.j_joint01.F_on_rod04);
-    channel.send(3, w.status);
-  }
-  stamp(10);
-  w.j_joint05.load = w.j_joint06.F_on_rod05;
-  w.j_joint06.load = Columns6::Zero();
-  w.j_joint07.load = Columns6::Zero();
-  w.j_joint08.load = w.j_joint05.F_on_rod08;
-  deliver_joint08(w);
-  deliver_joint07(w);
-  deliver_joint06(w);
-  w.j_joint05.a = w.j_joint06.b_rod05 + w.j_joint06.Phi_rod05 * w.j_joint05.load;
-  accelerate_joint06(w);
-  accelerate_joint07(w);
-  accelerate_joint08(w);
-  stamp(11);
-}
-
-// Process 1: 4 of 16 joints: "joint01", "joint02", "joint03", "joint04"
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  stamp(0);
-  kinematics_joint01(w);
-  kinematics_joint02(w);
-  kinematics_joint03(w);
-  kinematics_joint04(w);
-  stamp(1);
-  start_link(kInertia_rod01, w.j_joint01.v, w.j_joint01.IA, w.j_joint01.pA);
-  start_link(kInertia_rod02, w.j_joint02.v, w.j_joint02.IA, w.j_joint02.pA);
-  start_link(kInertia_rod03, w.j_joint03.v, w.j_joint03.IA, w.j_joint03.pA);
-  start_link(kInertia_rod04, w.j_joint04.v, w.j_joint04.IA, w.j_joint04.pA);
-  articulate_joint04(w);
-  articulate_joint03(w);
-  articulate_joint02(w);
-  articulate_joint01(w);
-  propagate_joint01(w);
-  propagate_joint02(w);
-  propagate_joint03(w);
-  propagate_joint04(w);
-  stamp(2);
-  {  // to process 0: assembled: chain of "joint01"
-    Real* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_joint01.Phi_rod04);
-    to = put(to, w.j_joint01.b_rod04);
-    channel.send(0, w.status);
-  }
-  stamp(3);
-  {  // from process 0: forces on: chain of "joint01"
-    const Real* from = channel.receive(3, w.status);
-    from = get(from, w.j_joint01.F_on_rod04);
-  }
-  stamp(4);
-  w.j_joint01.load = Columns6::Zero();
-  w.j_joint02.load = Columns6::Zero();
-  w.j_joint03.load = Columns6::Zero();
-  w.j_joint04.load = w.j_joint01.F_on_rod04;
-  deliver_joint04(w);
-  deliver_joint03(w);
-  deliver_joint02(w);
-  deliver_joint01(w);
-  accelerate_joint01(w);
-  accelerate_joint02(w);
-  accelerate_joint03(w);
-  accelerate_joint04(w);
-  stamp(5);
-}
-
-// Process 2: 7 of 16 joints: "joint10", "joint11", "joint12", "joint13", "joint14", "joint15", ...; kinematics of 9 more on the way to the ground
-void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
@@ -2426,6 +2340,7 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint15(w);
   kinematics_joint16(w);
   stamp(1);
+  start_link(kInertia_rod08, w.j_joint08.v, w.j_joint08.IA, w.j_joint08.pA);
   start_link(kInertia_rod09, w.j_joint09.v, w.j_joint09.IA, w.j_joint09.pA);
   start_link(kInertia_rod10, w.j_joint10.v, w.j_joint10.IA, w.j_joint10.pA);
   start_link(kInertia_rod11, w.j_joint11.v, w.j_joint11.IA, w.j_joint11.pA);
@@ -2441,23 +2356,29 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   articulate_joint12(w);
   articulate_joint11(w);
   articulate_joint10(w);
-  if (!invert(w.j_joint09.IA, w.j_joint09.pA, w.j_joint10.Phi_rod09, w.j_joint10.b_rod09))
-    fail(w, kFactorization, 8);
+  articulate_joint09(w);
+  if (!invert(w.j_joint08.IA, w.j_joint08.pA, w.j_joint09.Phi_rod08, w.j_joint09.b_rod08))
+    fail(w, kFactorization, 7);
   stamp(2);
-  {  // to process 0: assembled: chain of "joint10"
-    Real* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_joint10.Phi_rod09);
-    to = put(to, w.j_joint10.b_rod09);
-    channel.send(1, w.status);
+  {  // from process 1: assembled: chain of "joint05"
+    const Real* from = channel.receive(1, w.status);
+    from = get(from, w.j_joint05.Phi_rod07);
+    from = get(from, w.j_joint05.b_rod07);
   }
   stamp(3);
-  {  // from process 0: forces on: chain of "joint10"
-    const Real* from = channel.receive(2, w.status);
-    from = get(from, w.j_joint10.F_on_rod09);
-  }
+  assemble_joint08(w);
   stamp(4);
-  w.j_joint09.load = w.j_joint10.F_on_rod09;
-  w.j_joint09.a = w.j_joint10.b_rod09 + w.j_joint10.Phi_rod09 * w.j_joint09.load;
+  disassemble_joint08(w);
+  stamp(5);
+  {  // to process 1: forces on: chain of "joint05"
+    Real* to = channel.outgoing(2, w.status);
+    to = put(to, w.j_joint05.F_on_rod07);
+    channel.send(2, w.status);
+  }
+  stamp(6);
+  w.j_joint08.load = w.j_joint09.F_on_rod08;
+  w.j_joint08.a = w.j_joint09.b_rod08 + w.j_joint09.Phi_rod08 * w.j_joint08.load;
+  accelerate_joint09(w);
   accelerate_joint10(w);
   accelerate_joint11(w);
   accelerate_joint12(w);
@@ -2465,25 +2386,142 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   accelerate_joint14(w);
   accelerate_joint15(w);
   accelerate_joint16(w);
+  stamp(7);
+}
+
+// Process 1: 5 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05"
+void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
+  kinematics_joint01(w);
+  kinematics_joint02(w);
+  kinematics_joint03(w);
+  kinematics_joint04(w);
+  kinematics_joint05(w);
+  stamp(1);
+  start_link(kInertia_rod01, w.j_joint01.v, w.j_joint01.IA, w.j_joint01.pA);
+  start_link(kInertia_rod02, w.j_joint02.v, w.j_joint02.IA, w.j_joint02.pA);
+  start_link(kInertia_rod03, w.j_joint03.v, w.j_joint03.IA, w.j_joint03.pA);
+  start_link(kInertia_rod04, w.j_joint04.v, w.j_joint04.IA, w.j_joint04.pA);
+  articulate_joint04(w);
+  articulate_joint03(w);
+  articulate_joint02(w);
+  articulate_joint01(w);
+  propagate_joint01(w);
+  propagate_joint02(w);
+  propagate_joint03(w);
+  propagate_joint04(w);
+  stamp(2);
+  {  // from process 2: assembled: chain of "joint06"
+    const Real* from = channel.receive(0, w.status);
+    from = get(from, w.j_joint06.Phi_rod05);
+    from = get(from, w.j_joint06.Phi_rod05_rod07);
+    from = get(from, w.j_joint06.Phi_rod07);
+    from = get(from, w.j_joint06.b_rod05);
+    from = get(from, w.j_joint06.b_rod07);
+  }
+  stamp(3);
+  assemble_joint05(w);
+  stamp(4);
+  {  // to process 0: assembled: chain of "joint05"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.j_joint05.Phi_rod07);
+    to = put(to, w.j_joint05.b_rod07);
+    channel.send(1, w.status);
+  }
+  stamp(5);
+  {  // from process 0: forces on: chain of "joint05"
+    const Real* from = channel.receive(2, w.status);
+    from = get(from, w.j_joint05.F_on_rod07);
+  }
+  stamp(6);
+  disassemble_joint05(w);
+  stamp(7);
+  {  // to process 2: forces on: chain of "joint06"
+    Real* to = channel.outgoing(3, w.status);
+    to = put(to, w.j_joint06.F_on_rod05);
+    to = put(to, w.j_joint05.F_on_rod07);
+    channel.send(3, w.status);
+  }
+  stamp(8);
+  w.j_joint01.load = Columns6::Zero();
+  w.j_joint02.load = Columns6::Zero();
+  w.j_joint03.load = Columns6::Zero();
+  w.j_joint04.load = w.j_joint01.F_on_rod04;
+  deliver_joint04(w);
+  deliver_joint03(w);
+  deliver_joint02(w);
+  deliver_joint01(w);
+  accelerate_joint01(w);
+  accelerate_joint02(w);
+  accelerate_joint03(w);
+  accelerate_joint04(w);
+  stamp(9);
+}
+
+// Process 2: 2 of 16 joints: "joint06", "joint07"; kinematics of 5 more on the way to the ground
+void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
+  kinematics_joint01(w);
+  kinematics_joint02(w);
+  kinematics_joint03(w);
+  kinematics_joint04(w);
+  kinematics_joint05(w);
+  kinematics_joint06(w);
+  kinematics_joint07(w);
+  stamp(1);
+  start_link(kInertia_rod05, w.j_joint05.v, w.j_joint05.IA, w.j_joint05.pA);
+  start_link(kInertia_rod06, w.j_joint06.v, w.j_joint06.IA, w.j_joint06.pA);
+  start_link(kInertia_rod07, w.j_joint07.v, w.j_joint07.IA, w.j_joint07.pA);
+  articulate_joint07(w);
+  articulate_joint06(w);
+  if (!invert(w.j_joint05.IA, w.j_joint05.pA, w.j_joint06.Phi_rod05, w.j_joint06.b_rod05))
+    fail(w, kFactorization, 4);
+  propagate_joint06(w);
+  propagate_joint07(w);
+  stamp(2);
+  {  // to process 1: assembled: chain of "joint06"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.j_joint06.Phi_rod05);
+    to = put(to, w.j_joint06.Phi_rod05_rod07);
+    to = put(to, w.j_joint06.Phi_rod07);
+    to = put(to, w.j_joint06.b_rod05);
+    to = put(to, w.j_joint06.b_rod07);
+    channel.send(0, w.status);
+  }
+  stamp(3);
+  {  // from process 1: forces on: chain of "joint06"
+    const Real* from = channel.receive(3, w.status);
+    from = get(from, w.j_joint06.F_on_rod05);
+    from = get(from, w.j_joint05.F_on_rod07);
+  }
+  stamp(4);
+  w.j_joint05.load = w.j_joint06.F_on_rod05;
+  w.j_joint06.load = Columns6::Zero();
+  w.j_joint07.load = w.j_joint05.F_on_rod07;
+  deliver_joint07(w);
+  deliver_joint06(w);
+  w.j_joint05.a = w.j_joint06.b_rod05 + w.j_joint06.Phi_rod05 * w.j_joint05.load;
+  accelerate_joint06(w);
+  accelerate_joint07(w);
   stamp(5);
 }
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
 
 // What each process reads of q and v, and the velocity entries whose tau and qdd are its own.
-constexpr std::array<int, 9> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 9> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 5> kOwn_0{4, 5, 6, 7, 8};
-constexpr std::array<int, 4> kReadQ_1{0, 1, 2, 3};
-constexpr std::array<int, 4> kReadV_1{0, 1, 2, 3};
-constexpr std::array<int, 4> kOwn_1{0, 1, 2, 3};
-constexpr std::array<int, 16> kReadQ_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr std::array<int, 16> kReadV_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr std::array<int, 7> kOwn_2{9, 10, 11, 12, 13, 14, 15};
+constexpr std::array<int, 16> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+constexpr std::array<int, 16> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+constexpr std::array<int, 9> kOwn_0{7, 8, 9, 10, 11, 12, 13, 14, 15};
+constexpr std::array<int, 5> kReadQ_1{0, 1, 2, 3, 4};
+constexpr std::array<int, 5> kReadV_1{0, 1, 2, 3, 4};
+constexpr std::array<int, 5> kOwn_1{0, 1, 2, 3, 4};
+constexpr std::array<int, 7> kReadQ_2{0, 1, 2, 3, 4, 5, 6};
+constexpr std::array<int, 7> kReadV_2{0, 1, 2, 3, 4, 5, 6};
+constexpr std::array<int, 2> kOwn_2{5, 6};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {9, kReadQ_0.data(), 9, kReadV_0.data(), 5, kOwn_0.data()},
-    {4, kReadQ_1.data(), 4, kReadV_1.data(), 4, kOwn_1.data()},
-    {16, kReadQ_2.data(), 16, kReadV_2.data(), 7, kOwn_2.data()},
+    {16, kReadQ_0.data(), 16, kReadV_0.data(), 9, kOwn_0.data(), 0, nullptr},
+    {5, kReadQ_1.data(), 5, kReadV_1.data(), 5, kOwn_1.data(), 0, nullptr},
+    {7, kReadQ_2.data(), 7, kReadV_2.data(), 2, kOwn_2.data(), 0, nullptr},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -2525,6 +2563,7 @@ class Solver {
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
     for (int k = 0; k < own.v_count; ++k) tau_[own.v[k]] = *content++;
+    for (int k = 0; k < own.outer_count; ++k) tau_[own.outer[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     kRun[rank](w, channel);
@@ -2542,6 +2581,7 @@ class Solver {
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
       for (int k = 0; k < other.v_count; ++k) *content++ = tau[other.v[k]];
+      for (int k = 0; k < other.outer_count; ++k) *content++ = tau[other.outer[k]];
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -2574,7 +2614,8 @@ class Solver {
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
   std::array<Real, kNq> q_{};
-  std::array<Real, kNv> v_{}, tau_{}, qdd_{};
+  std::array<Real, kNv> v_{}, qdd_{};
+  std::array<Real, kNtau> tau_{};
 };
 
 }  // namespace
@@ -2722,9 +2763,34 @@ void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linea
   }
 }
 
-// Torques that give accelerations qdd at (q, v); slaved joints count through their sources'
-// torques.
-void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau) {
+// What a joint's damping, friction, spring and rotor take of its torque.
+void add_passive(const JointConstants& joint, const Real* q, const Real* v, const Real* qdd,
+                 double* tau) {
+  const Passive& own = joint.passive;
+  for (int k = 0; k < joint.nv; ++k) {
+    const double rate = double(v[joint.v + k]);
+    tau[k] += double(own.damping) * rate + double(own.rotor) * double(qdd[joint.v + k]) +
+              double(own.friction) * std::tanh(rate / double(own.friction_speed));
+  }
+  if (own.stiffness != 0) tau[0] += double(own.stiffness) * (double(q[joint.q]) - double(own.rest));
+}
+
+// The outer forces push their links.
+void push(const Real* outer, std::array<Body, kLinkCount>& body) {
+  for (const OuterForce& one : kOuterForces) {
+    Body& b = body[static_cast<std::size_t>(one.link)];
+    const Mat turn = mat3(one.rotation);
+    const Vec force = times(turn, vec3(outer)), moment = times(turn, vec3(outer + 3));
+    const Vec lever = cross(vec3(one.translation), force);
+    for (int k = 0; k < 3; ++k) b.f[k] -= force[k], b.n[k] -= moment[k] + lever[k];
+    outer += 6;
+  }
+}
+
+// Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
+// through their sources' torques.
+void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real* outer,
+                      double* tau) {
   static std::array<Body, kLinkCount> body;
   body[0] = {};
   for (int k = 0; k < 3; ++k) body[0].a[k] = -kGravity[k];
@@ -2754,6 +2820,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
     for (int k = 0; k < 3; ++k) b.f[k] = double(link.mass) * at_com[k];
     b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
   }
+  push(outer, body);
   for (int j = kJointCount - 1; j >= 0; --j) {
     const JointConstants& joint = kJoints[j];
     const Body& b = body[j + 1];
@@ -2776,6 +2843,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
         std::copy(b.n.begin(), b.n.end(), t + 3);
         break;
     }
+    add_passive(joint, q, v, qdd, t);
     Body& parent = body[joint.parent];
     const Vec force = times(b.turn, b.f);
     parent.f = parent.f + force;
@@ -2788,10 +2856,13 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
   }
 }
 
-// How far slaved accelerations are from following their sources, relative to their size.
-double slip(const Real* qdd) {
+// How far slaved accelerations are from following their sources, relative to their size, and
+// prescribed ones from what was prescribed.
+double slip(const Real* tau, const Real* qdd) {
   double worst = 0;
   for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      worst = std::max(worst, std::abs(double(qdd[k]) - double(tau[k])));
     if (joint.source < 0) continue;
     const double own = double(qdd[joint.v]);
     const double due = joint.multiplier * double(qdd[kJoints[joint.source].v]);
@@ -2805,10 +2876,14 @@ double slip(const Real* qdd) {
 double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
   static std::array<double, kNv> needed, at_rest;
   static std::array<Real, kNv> zero{};
-  inverse_dynamics(q, v, qdd, needed.data());
-  inverse_dynamics(q, v, zero.data(), at_rest.data());
+  inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
+  inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
   std::array<double, kNv> given{};
   for (int k = 0; k < kNv; ++k) given[k] = double(tau[k]);
+  for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      given[k] = needed[k] = at_rest[k] = 0;  // nobody asks for its torque
+  }
   for (int j = 0; j < kJointCount; ++j) {
     if (kJoints[j].source < 0) continue;
     given[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * given[kJoints[j].v];
@@ -2819,7 +2894,7 @@ double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) 
     error += (needed[k] - given[k]) * (needed[k] - given[k]);
     size += given[k] * given[k] + at_rest[k] * at_rest[k];
   }
-  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(qdd));
+  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(tau, qdd));
 }
 
 }  // namespace check
@@ -2853,11 +2928,14 @@ class StatesReader {
 
   void parse(States& states) {
     std::array<bool, kJointCount> seen{};
+    std::vector<std::vector<double>> forces(kOuterCount);
     bool joints = false;
     object([&](const std::string& key) {
       if (key == "joints") {
         joints = true;
         object([&](const std::string& name) { read_joint(name, seen, states); });
+      } else if (key == "forces" && kOuterCount > 0) {
+        object([&](const std::string& name) { read_force(name, forces); });
       } else if (key == "floating") {
         if (boolean() != kFloatingBase)
           refuse(std::string("\"floating\": this solver's base is ") +
@@ -2877,6 +2955,7 @@ class StatesReader {
       if (!seen[j] && kJoints[j].source < 0)
         refuse("joint " + quoted(kJoints[j].name) + " is missing");
     fill_slaved(states);
+    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
   }
 
   void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
@@ -2887,9 +2966,11 @@ class StatesReader {
     if (seen[j]) refuse(joint + " comes twice");
     seen[j] = true;
     std::array<bool, 3> found{};
+    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
     object([&](const std::string& key) {
-      if (key == "type" || key == "qdd") return skip();  // as in a file of true answers
-      const char* const fields[] = {"q", "v", "tau"};
+      if (key == "type" || (key == "qdd" && key != input))
+        return skip();  // as in a file of true answers
+      const char* const fields[] = {"q", "v", input};
       const auto field = std::find(std::begin(fields), std::end(fields), key);
       if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
       bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
@@ -2899,7 +2980,7 @@ class StatesReader {
       read_field(kJoints[j], key, states);
       where_.clear();
     });
-    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and tau");
+    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
   }
 
   // One of q, v and tau of a joint: an entry for each state.
@@ -2907,7 +2988,7 @@ class StatesReader {
     const bool is_q = key == "q";
     const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
     const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
-    const std::size_t stride = is_q ? kNq : kNv;
+    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
     std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
     int count = 0;
     array([&] {
@@ -2924,6 +3005,30 @@ class StatesReader {
     if (states.count == 0) states.count = count;
     if (count != states.count)
       refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
+  }
+
+  // One link's outer force: six numbers for each state.
+  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
+    std::size_t k = 0;
+    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
+    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
+    where_ = "force on link " + quoted(name.c_str()) + ": ";
+    if (!forces[k].empty()) refuse("comes twice");
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != 6) refuse("needs six numbers for each state");
+      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
+    });
+    where_.clear();
+  }
+
+  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
+    if (given.size() != 6 * static_cast<std::size_t>(states.count))
+      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
+             std::to_string(given.size() / 6) + " states, but the joints have " +
+             std::to_string(states.count));
+    for (std::size_t i = 0; i < given.size(); ++i)
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
   }
 
   static void fill_slaved(States& states) {
@@ -3732,35 +3837,35 @@ class Watch {
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 11> kStages_0{ {
-    {"kinematics", 8, -1},
+constexpr std::array<Stage, 7> kStages_0{ {
+    {"kinematics", 15, -1},
+    {"assembly", 8, -1},
+    {"receive", -1, 1},
     {"assembly", 7, -1},
+    {"disassembly", 7, -1},
+    {"send", -1, 2},
+    {"disassembly", 8, -1},
+} };
+constexpr std::array<Stage, 9> kStages_1{ {
+    {"kinematics", 4, -1},
+    {"assembly", 3, -1},
     {"receive", -1, 0},
     {"assembly", 4, -1},
-    {"receive", -1, 1},
-    {"assembly", 8, -1},
-    {"disassembly", 8, -1},
-    {"send", -1, 2},
+    {"send", -1, 1},
+    {"receive", -1, 2},
     {"disassembly", 4, -1},
     {"send", -1, 3},
-    {"disassembly", 7, -1},
-} };
-constexpr std::array<Stage, 5> kStages_1{ {
-    {"kinematics", 3, -1},
-    {"assembly", 3, -1},
-    {"send", -1, 0},
-    {"receive", -1, 3},
     {"disassembly", 3, -1},
 } };
 constexpr std::array<Stage, 5> kStages_2{ {
-    {"kinematics", 15, -1},
-    {"assembly", 9, -1},
-    {"send", -1, 1},
-    {"receive", -1, 2},
-    {"disassembly", 9, -1},
+    {"kinematics", 6, -1},
+    {"assembly", 6, -1},
+    {"send", -1, 0},
+    {"receive", -1, 3},
+    {"disassembly", 6, -1},
 } };
 constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data(), kStages_2.data()};
-constexpr std::array<int, kProcesses> kStageCount{11, 5, 5};
+constexpr std::array<int, kProcesses> kStageCount{7, 9, 5};
 
 // What --trace FILE writes: when each stage of each process began and ended, as the medians over
 // many evaluations of random states; ns from the instant at which the processes start together.
@@ -3884,13 +3989,14 @@ States random_states(int count, std::uint64_t seed) {
   };
   states.q.resize(size(kNq));
   states.v.resize(size(kNv));
-  states.tau.resize(size(kNv));
+  states.tau.resize(size(kNtau));
   for (int s = 0; s < count; ++s) {
     Real* q =
         states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     Real* v =
         states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* tau = states.tau.data() + (v - states.v.data());
+    Real* tau = states.tau.data() +
+                size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     for (const JointConstants& joint : kJoints) {
       const bool turns = joint.kind == JointKind::kRevolute;
       for (int k = 0; k < joint.nq; ++k)
@@ -3909,6 +4015,7 @@ States random_states(int count, std::uint64_t seed) {
         tau[joint.v + k] = static_cast<Real>(uniform());
       }
     }
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Real>(uniform());
     slave(q, v);
   }
   return states;
@@ -3941,7 +4048,7 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   };
   share(states.q, kNq);
   share(states.v, kNv);
-  share(states.tau, kNv);
+  share(states.tau, kNtau);
   return status;
 }
 
@@ -3959,7 +4066,7 @@ struct Session {
   MPI_Comm comm() const { return solver.channel.comm(); }
   const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
   const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNv; }
+  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
   Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
 
   void use(States given) {
@@ -4412,6 +4519,7 @@ class Program {
     };
     also(options.time, [this] { return timing_.time_all(); });
     also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (status != kFault) collect_warnings();
     if (session_.rank == 0 && status != kFault) report();
     session_.watch.again();
     session_.solver.channel.close();
@@ -4486,6 +4594,26 @@ class Program {
     return status;
   }
 
+  // What processes have met that costs digits but is no failure, told once.
+  void collect_warnings() {
+    int joint = near_lock(session_.solver.w, 0);
+    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (joint == 0) return;
+    warning_ = "joints " + names_of_run(joint - 1) +
+               ": near gimbal lock at some state: accelerations lose three digits or more";
+    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
+  }
+
+  // Shapes that join no runs of joints as one have nothing to tell.
+  template <class W>
+  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
+    return w.near_lock;
+  }
+  template <class W>
+  static int near_lock(const W&, long) {
+    return 0;
+  }
+
   void report() const {
     const Options& options = session_.options;
     const bool right = residual_max_ <= options.tolerance;
@@ -4494,12 +4622,14 @@ class Program {
                   kProcesses, session_.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
+      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
       if (checked_)
         std::printf(
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
             residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
+                  simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
@@ -4517,6 +4647,7 @@ class Program {
   Corrections corrections_;
   bool checked_ = false;
   int solved_ = 0;
+  std::string warning_;
   double residual_median_ = 0, residual_max_ = 0;
 };
 

@@ -104,6 +104,7 @@ using Real = double;
 constexpr int kProcesses = 4;
 constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
 constexpr int kNq = 16, kNv = 16;
+constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr int kRefine = 0;  // steps of iterative refinement
 constexpr int kPlanMessages = 6;
@@ -118,6 +119,14 @@ const MPI_Datatype kMpiReal = MPI_DOUBLE;
 
 enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
 
+// What a joint does by itself: of its torque, damping qd + friction tanh(qd / friction_speed)
+// + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
+// tau holds that.
+struct Passive {
+  Real damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  bool prescribed = false;
+};
+
 // A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link
 // has the joint's frame at q = 0.
 struct JointConstants {
@@ -129,6 +138,15 @@ struct JointConstants {
   Real translation[3];  // origin of the joint frame in the parent link's frame, m
   int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
   double multiplier, offset;
+  Passive passive{};
+};
+
+// An outer force that is an input, told in the frame of the link that has its name.
+struct OuterForce {
+  const char* name;
+  int link;             // that feels it
+  Real rotation[9];     // from that frame to the link's, row by row
+  Real translation[3];  // its origin in the link's frame, m
 };
 
 struct LinkConstants {
@@ -147,6 +165,8 @@ struct ProcessInfo {
   const int* v_read;
   int v_count;
   const int* v;
+  int outer_count;  // entries of tau that hold outer forces
+  const int* outer;
 };
 
 // What goes from one process to another once in an evaluation.
@@ -261,6 +281,8 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 0.0, -0.4}, -1, 0.0, 0.0},
 } };
 
+constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
+
 // Slaved joints follow their sources; what was given for them is ignored.
 template <class Number>
 void slave([[maybe_unused]] Number* q, [[maybe_unused]] Number* v) {
@@ -370,6 +392,8 @@ enum Failure : int {
   kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -399,6 +423,18 @@ std::string quoted(const char* text) {
   return result + "\"";
 }
 
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
 std::string describe(int status) {
   const int place = failure_place(status);
   const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
@@ -412,6 +448,12 @@ std::string describe(int status) {
     case kFactorization:
       return joint() +
              "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
     case kEnded:
@@ -534,6 +576,17 @@ bool factorize(std::array<std::array<Real, m>, m>& L) {
       L[i][j] *= inverse;
     }
   }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
   return good;
 }
 
@@ -1096,6 +1149,7 @@ struct Workspace {
   const Real* tau = nullptr;
   Real* qdd = nullptr;
   int status = kFine;
+  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   Joint_joint01 j_joint01;
   Joint_joint02 j_joint02;
   Joint_joint03 j_joint03;
@@ -1269,6 +1323,9 @@ void assemble_joint01(Workspace& w) {
   auto& i = w.j_joint01;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
+  constexpr std::array<Real, 6> least{1.0578826286319819e-12, 7.105427357601002e-11, 1.0578826286319819e-12, 5.652615986048129e-14, 1.4210854715202004e-14, 5.652615986048129e-14};
+  if (!keeps_digits<Revolute>(kZero, kPhi_rod01, least))
+    fail(w, kGrowth, 0);
   if (!join(i.joined, kZero, kPhi_rod01, i.X * kGround, w.j_joint01.b, c))
     fail(w, kFactorization, 0);
   couple(i.joined, kPhi_rod01, i.at_rod01);
@@ -1308,6 +1365,9 @@ void assemble_joint02(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_joint01.Phi_rod01;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 1);
+  constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod02, least))
+    fail(w, kGrowth, 1);
   if (!join(i.joined, Phi_A, kPhi_rod02, i.X * w.j_joint01.b_rod01, w.j_joint02.b, c))
     fail(w, kFactorization, 1);
   couple(i.joined, kPhi_rod02, i.at_rod02);
@@ -1348,6 +1408,9 @@ void assemble_joint03(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_joint02.Phi_rod02;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 2);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod03, least))
+    fail(w, kGrowth, 2);
   if (!join(i.joined, Phi_A, kPhi_rod03, i.X * w.j_joint02.b_rod02, w.j_joint03.b, c))
     fail(w, kFactorization, 2);
   couple(i.joined, kPhi_rod03, i.at_rod03);
@@ -1388,6 +1451,9 @@ void assemble_joint04(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_joint03.Phi_rod03;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 3);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint05.Phi_rod04, least))
+    fail(w, kGrowth, 3);
   if (!join(i.joined, Phi_A, w.j_joint05.Phi_rod04, i.X * w.j_joint03.b_rod03, w.j_joint05.b_rod04, c))
     fail(w, kFactorization, 3);
   couple(i.joined, w.j_joint05.Phi_rod04_rod06, i.at_rod06);
@@ -1429,6 +1495,9 @@ void assemble_joint05(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod04;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
+  constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint06.Phi_rod05, least))
+    fail(w, kGrowth, 4);
   if (!join(i.joined, Phi_A, w.j_joint06.Phi_rod05, i.X * w.j_joint04.b, w.j_joint06.b_rod05, c))
     fail(w, kFactorization, 4);
   couple(i.joined, X_Phi_A, i.at_rod04);
@@ -1474,6 +1543,9 @@ void assemble_joint06(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod05;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod06, least))
+    fail(w, kGrowth, 5);
   if (!join(i.joined, Phi_A, kPhi_rod06, i.X * w.j_joint05.b, w.j_joint06.b, c))
     fail(w, kFactorization, 5);
   couple(i.joined, X_Phi_A, i.at_rod05);
@@ -1518,6 +1590,9 @@ void assemble_joint07(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_joint04.Phi_rod06;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod07, least))
+    fail(w, kGrowth, 6);
   if (!join(i.joined, Phi_A, kPhi_rod07, i.X * w.j_joint04.b_rod06, w.j_joint07.b, c))
     fail(w, kFactorization, 6);
   couple(i.joined, kPhi_rod07, i.at_rod07);
@@ -1558,6 +1633,9 @@ void assemble_joint08(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_joint07.Phi_rod07;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 7);
+  constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint12.Phi_rod08, least))
+    fail(w, kGrowth, 7);
   if (!join(i.joined, Phi_A, w.j_joint12.Phi_rod08, i.X * w.j_joint07.b_rod07, w.j_joint12.b_rod08, c))
     fail(w, kFactorization, 7);
 }
@@ -1595,6 +1673,9 @@ void assemble_joint09(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod08;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 8);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint10.Phi_rod09, least))
+    fail(w, kGrowth, 8);
   if (!join(i.joined, Phi_A, w.j_joint10.Phi_rod09, i.X * w.j_joint08.b, w.j_joint10.b_rod09, c))
     fail(w, kFactorization, 8);
   couple(i.joined, X_Phi_A, i.at_rod08);
@@ -1640,6 +1721,9 @@ void assemble_joint10(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod09;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 9);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint11.Phi_rod10, least))
+    fail(w, kGrowth, 9);
   if (!join(i.joined, Phi_A, w.j_joint11.Phi_rod10, i.X * w.j_joint09.b, w.j_joint11.b_rod10, c))
     fail(w, kFactorization, 9);
   couple(i.joined, X_Phi_A, i.at_rod09);
@@ -1685,6 +1769,9 @@ void assemble_joint11(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod10;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 10);
+  constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod11, least))
+    fail(w, kGrowth, 10);
   if (!join(i.joined, Phi_A, kPhi_rod11, i.X * w.j_joint10.b, w.j_joint11.b, c))
     fail(w, kFactorization, 10);
   couple(i.joined, X_Phi_A, i.at_rod10);
@@ -1729,6 +1816,9 @@ void assemble_joint12(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_joint09.Phi_rod11;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 11);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint13.Phi_rod12, least))
+    fail(w, kGrowth, 11);
   if (!join(i.joined, Phi_A, w.j_joint13.Phi_rod12, i.X * w.j_joint09.b_rod11, w.j_joint13.b_rod12, c))
     fail(w, kFactorization, 11);
   couple(i.joined, times_transposed(i.X, w.j_joint09.Phi_rod08_rod11), i.at_rod08);
@@ -1770,6 +1860,9 @@ void assemble_joint13(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod12;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 12);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint14.Phi_rod13, least))
+    fail(w, kGrowth, 12);
   if (!join(i.joined, Phi_A, w.j_joint14.Phi_rod13, i.X * w.j_joint12.b, w.j_joint14.b_rod13, c))
     fail(w, kFactorization, 12);
   couple(i.joined, X_Phi_A, i.at_rod12);
@@ -1810,6 +1903,9 @@ void assemble_joint14(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod13;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 13);
+  constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint15.Phi_rod14, least))
+    fail(w, kGrowth, 13);
   if (!join(i.joined, Phi_A, w.j_joint15.Phi_rod14, i.X * w.j_joint13.b, w.j_joint15.b_rod14, c))
     fail(w, kFactorization, 13);
   couple(i.joined, X_Phi_A, i.at_rod13);
@@ -1850,6 +1946,9 @@ void assemble_joint15(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod14;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 14);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint16.Phi_rod15, least))
+    fail(w, kGrowth, 14);
   if (!join(i.joined, Phi_A, w.j_joint16.Phi_rod15, i.X * w.j_joint14.b, w.j_joint16.b_rod15, c))
     fail(w, kFactorization, 14);
   couple(i.joined, X_Phi_A, i.at_rod14);
@@ -1890,6 +1989,9 @@ void assemble_joint16(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_rod15;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 15);
+  constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod16, least))
+    fail(w, kGrowth, 15);
   if (!join(i.joined, Phi_A, kPhi_rod16, i.X * w.j_joint15.b, w.j_joint16.b, c))
     fail(w, kFactorization, 15);
   couple(i.joined, X_Phi_A, i.at_rod15);
@@ -2132,10 +2234,10 @@ constexpr std::array<int, 16> kReadQ_3{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
 constexpr std::array<int, 16> kReadV_3{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 constexpr std::array<int, 4> kOwn_3{12, 13, 14, 15};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {8, kReadQ_0.data(), 8, kReadV_0.data(), 6, kOwn_0.data()},
-    {6, kReadQ_1.data(), 6, kReadV_1.data(), 2, kOwn_1.data()},
-    {12, kReadQ_2.data(), 12, kReadV_2.data(), 4, kOwn_2.data()},
-    {16, kReadQ_3.data(), 16, kReadV_3.data(), 4, kOwn_3.data()},
+    {8, kReadQ_0.data(), 8, kReadV_0.data(), 6, kOwn_0.data(), 0, nullptr},
+    {6, kReadQ_1.data(), 6, kReadV_1.data(), 2, kOwn_1.data(), 0, nullptr},
+    {12, kReadQ_2.data(), 12, kReadV_2.data(), 4, kOwn_2.data(), 0, nullptr},
+    {16, kReadQ_3.data(), 16, kReadV_3.data(), 4, kOwn_3.data(), 0, nullptr},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -2177,6 +2279,7 @@ class Solver {
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
     for (int k = 0; k < own.v_count; ++k) tau_[own.v[k]] = *content++;
+    for (int k = 0; k < own.outer_count; ++k) tau_[own.outer[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     kRun[rank](w, channel);
@@ -2194,6 +2297,7 @@ class Solver {
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
       for (int k = 0; k < other.v_count; ++k) *content++ = tau[other.v[k]];
+      for (int k = 0; k < other.outer_count; ++k) *content++ = tau[other.outer[k]];
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -2226,7 +2330,8 @@ class Solver {
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
   std::array<Real, kNq> q_{};
-  std::array<Real, kNv> v_{}, tau_{}, qdd_{};
+  std::array<Real, kNv> v_{}, qdd_{};
+  std::array<Real, kNtau> tau_{};
 };
 
 }  // namespace
@@ -2374,9 +2479,34 @@ void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linea
   }
 }
 
-// Torques that give accelerations qdd at (q, v); slaved joints count through their sources'
-// torques.
-void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau) {
+// What a joint's damping, friction, spring and rotor take of its torque.
+void add_passive(const JointConstants& joint, const Real* q, const Real* v, const Real* qdd,
+                 double* tau) {
+  const Passive& own = joint.passive;
+  for (int k = 0; k < joint.nv; ++k) {
+    const double rate = double(v[joint.v + k]);
+    tau[k] += double(own.damping) * rate + double(own.rotor) * double(qdd[joint.v + k]) +
+              double(own.friction) * std::tanh(rate / double(own.friction_speed));
+  }
+  if (own.stiffness != 0) tau[0] += double(own.stiffness) * (double(q[joint.q]) - double(own.rest));
+}
+
+// The outer forces push their links.
+void push(const Real* outer, std::array<Body, kLinkCount>& body) {
+  for (const OuterForce& one : kOuterForces) {
+    Body& b = body[static_cast<std::size_t>(one.link)];
+    const Mat turn = mat3(one.rotation);
+    const Vec force = times(turn, vec3(outer)), moment = times(turn, vec3(outer + 3));
+    const Vec lever = cross(vec3(one.translation), force);
+    for (int k = 0; k < 3; ++k) b.f[k] -= force[k], b.n[k] -= moment[k] + lever[k];
+    outer += 6;
+  }
+}
+
+// Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
+// through their sources' torques.
+void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real* outer,
+                      double* tau) {
   static std::array<Body, kLinkCount> body;
   body[0] = {};
   for (int k = 0; k < 3; ++k) body[0].a[k] = -kGravity[k];
@@ -2406,6 +2536,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
     for (int k = 0; k < 3; ++k) b.f[k] = double(link.mass) * at_com[k];
     b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
   }
+  push(outer, body);
   for (int j = kJointCount - 1; j >= 0; --j) {
     const JointConstants& joint = kJoints[j];
     const Body& b = body[j + 1];
@@ -2428,6 +2559,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
         std::copy(b.n.begin(), b.n.end(), t + 3);
         break;
     }
+    add_passive(joint, q, v, qdd, t);
     Body& parent = body[joint.parent];
     const Vec force = times(b.turn, b.f);
     parent.f = parent.f + force;
@@ -2440,10 +2572,13 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
   }
 }
 
-// How far slaved accelerations are from following their sources, relative to their size.
-double slip(const Real* qdd) {
+// How far slaved accelerations are from following their sources, relative to their size, and
+// prescribed ones from what was prescribed.
+double slip(const Real* tau, const Real* qdd) {
   double worst = 0;
   for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      worst = std::max(worst, std::abs(double(qdd[k]) - double(tau[k])));
     if (joint.source < 0) continue;
     const double own = double(qdd[joint.v]);
     const double due = joint.multiplier * double(qdd[kJoints[joint.source].v]);
@@ -2457,10 +2592,14 @@ double slip(const Real* qdd) {
 double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
   static std::array<double, kNv> needed, at_rest;
   static std::array<Real, kNv> zero{};
-  inverse_dynamics(q, v, qdd, needed.data());
-  inverse_dynamics(q, v, zero.data(), at_rest.data());
+  inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
+  inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
   std::array<double, kNv> given{};
   for (int k = 0; k < kNv; ++k) given[k] = double(tau[k]);
+  for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      given[k] = needed[k] = at_rest[k] = 0;  // nobody asks for its torque
+  }
   for (int j = 0; j < kJointCount; ++j) {
     if (kJoints[j].source < 0) continue;
     given[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * given[kJoints[j].v];
@@ -2471,7 +2610,7 @@ double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) 
     error += (needed[k] - given[k]) * (needed[k] - given[k]);
     size += given[k] * given[k] + at_rest[k] * at_rest[k];
   }
-  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(qdd));
+  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(tau, qdd));
 }
 
 }  // namespace check
@@ -2505,11 +2644,14 @@ class StatesReader {
 
   void parse(States& states) {
     std::array<bool, kJointCount> seen{};
+    std::vector<std::vector<double>> forces(kOuterCount);
     bool joints = false;
     object([&](const std::string& key) {
       if (key == "joints") {
         joints = true;
         object([&](const std::string& name) { read_joint(name, seen, states); });
+      } else if (key == "forces" && kOuterCount > 0) {
+        object([&](const std::string& name) { read_force(name, forces); });
       } else if (key == "floating") {
         if (boolean() != kFloatingBase)
           refuse(std::string("\"floating\": this solver's base is ") +
@@ -2529,6 +2671,7 @@ class StatesReader {
       if (!seen[j] && kJoints[j].source < 0)
         refuse("joint " + quoted(kJoints[j].name) + " is missing");
     fill_slaved(states);
+    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
   }
 
   void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
@@ -2539,9 +2682,11 @@ class StatesReader {
     if (seen[j]) refuse(joint + " comes twice");
     seen[j] = true;
     std::array<bool, 3> found{};
+    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
     object([&](const std::string& key) {
-      if (key == "type" || key == "qdd") return skip();  // as in a file of true answers
-      const char* const fields[] = {"q", "v", "tau"};
+      if (key == "type" || (key == "qdd" && key != input))
+        return skip();  // as in a file of true answers
+      const char* const fields[] = {"q", "v", input};
       const auto field = std::find(std::begin(fields), std::end(fields), key);
       if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
       bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
@@ -2551,7 +2696,7 @@ class StatesReader {
       read_field(kJoints[j], key, states);
       where_.clear();
     });
-    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and tau");
+    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
   }
 
   // One of q, v and tau of a joint: an entry for each state.
@@ -2559,7 +2704,7 @@ class StatesReader {
     const bool is_q = key == "q";
     const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
     const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
-    const std::size_t stride = is_q ? kNq : kNv;
+    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
     std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
     int count = 0;
     array([&] {
@@ -2576,6 +2721,30 @@ class StatesReader {
     if (states.count == 0) states.count = count;
     if (count != states.count)
       refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
+  }
+
+  // One link's outer force: six numbers for each state.
+  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
+    std::size_t k = 0;
+    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
+    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
+    where_ = "force on link " + quoted(name.c_str()) + ": ";
+    if (!forces[k].empty()) refuse("comes twice");
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != 6) refuse("needs six numbers for each state");
+      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
+    });
+    where_.clear();
+  }
+
+  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
+    if (given.size() != 6 * static_cast<std::size_t>(states.count))
+      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
+             std::to_string(given.size() / 6) + " states, but the joints have " +
+             std::to_string(states.count));
+    for (std::size_t i = 0; i < given.size(); ++i)
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
   }
 
   static void fill_slaved(States& states) {
@@ -3547,13 +3716,14 @@ States random_states(int count, std::uint64_t seed) {
   };
   states.q.resize(size(kNq));
   states.v.resize(size(kNv));
-  states.tau.resize(size(kNv));
+  states.tau.resize(size(kNtau));
   for (int s = 0; s < count; ++s) {
     Real* q =
         states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     Real* v =
         states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* tau = states.tau.data() + (v - states.v.data());
+    Real* tau = states.tau.data() +
+                size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     for (const JointConstants& joint : kJoints) {
       const bool turns = joint.kind == JointKind::kRevolute;
       for (int k = 0; k < joint.nq; ++k)
@@ -3572,6 +3742,7 @@ States random_states(int count, std::uint64_t seed) {
         tau[joint.v + k] = static_cast<Real>(uniform());
       }
     }
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Real>(uniform());
     slave(q, v);
   }
   return states;
@@ -3604,7 +3775,7 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   };
   share(states.q, kNq);
   share(states.v, kNv);
-  share(states.tau, kNv);
+  share(states.tau, kNtau);
   return status;
 }
 
@@ -3622,7 +3793,7 @@ struct Session {
   MPI_Comm comm() const { return solver.channel.comm(); }
   const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
   const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNv; }
+  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
   Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
 
   void use(States given) {
@@ -4075,6 +4246,7 @@ class Program {
     };
     also(options.time, [this] { return timing_.time_all(); });
     also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (status != kFault) collect_warnings();
     if (session_.rank == 0 && status != kFault) report();
     session_.watch.again();
     session_.solver.channel.close();
@@ -4149,6 +4321,26 @@ class Program {
     return status;
   }
 
+  // What processes have met that costs digits but is no failure, told once.
+  void collect_warnings() {
+    int joint = near_lock(session_.solver.w, 0);
+    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (joint == 0) return;
+    warning_ = "joints " + names_of_run(joint - 1) +
+               ": near gimbal lock at some state: accelerations lose three digits or more";
+    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
+  }
+
+  // Shapes that join no runs of joints as one have nothing to tell.
+  template <class W>
+  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
+    return w.near_lock;
+  }
+  template <class W>
+  static int near_lock(const W&, long) {
+    return 0;
+  }
+
   void report() const {
     const Options& options = session_.options;
     const bool right = residual_max_ <= options.tolerance;
@@ -4157,12 +4349,14 @@ class Program {
                   kProcesses, session_.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
+      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
       if (checked_)
         std::printf(
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
             residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
+                  simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
@@ -4180,6 +4374,7 @@ class Program {
   Corrections corrections_;
   bool checked_ = false;
   int solved_ = 0;
+  std::string warning_;
   double residual_median_ = 0, residual_max_ = 0;
 };
 

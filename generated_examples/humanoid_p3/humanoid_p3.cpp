@@ -104,6 +104,7 @@ using Real = double;
 constexpr int kProcesses = 3;
 constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 constexpr int kNq = 36, kNv = 35;
+constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr int kRefine = 0;  // steps of iterative refinement
 constexpr int kPlanMessages = 4;
@@ -118,6 +119,14 @@ const MPI_Datatype kMpiReal = MPI_DOUBLE;
 
 enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
 
+// What a joint does by itself: of its torque, damping qd + friction tanh(qd / friction_speed)
+// + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
+// tau holds that.
+struct Passive {
+  Real damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  bool prescribed = false;
+};
+
 // A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link
 // has the joint's frame at q = 0.
 struct JointConstants {
@@ -129,6 +138,15 @@ struct JointConstants {
   Real translation[3];  // origin of the joint frame in the parent link's frame, m
   int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
   double multiplier, offset;
+  Passive passive{};
+};
+
+// An outer force that is an input, told in the frame of the link that has its name.
+struct OuterForce {
+  const char* name;
+  int link;             // that feels it
+  Real rotation[9];     // from that frame to the link's, row by row
+  Real translation[3];  // its origin in the link's frame, m
 };
 
 struct LinkConstants {
@@ -147,6 +165,8 @@ struct ProcessInfo {
   const int* v_read;
   int v_count;
   const int* v;
+  int outer_count;  // entries of tau that hold outer forces
+  const int* outer;
 };
 
 // What goes from one process to another once in an evaluation.
@@ -345,6 +365,8 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
 } };
 
+constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
+
 // Slaved joints follow their sources; what was given for them is ignored.
 template <class Number>
 void slave([[maybe_unused]] Number* q, [[maybe_unused]] Number* v) {
@@ -454,6 +476,8 @@ enum Failure : int {
   kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -483,6 +507,18 @@ std::string quoted(const char* text) {
   return result + "\"";
 }
 
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
 std::string describe(int status) {
   const int place = failure_place(status);
   const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
@@ -496,6 +532,12 @@ std::string describe(int status) {
     case kFactorization:
       return joint() +
              "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
     case kEnded:
@@ -618,6 +660,17 @@ bool factorize(std::array<std::array<Real, m>, m>& L) {
       L[i][j] *= inverse;
     }
   }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
   return good;
 }
 
@@ -1310,6 +1363,7 @@ struct Workspace {
   const Real* tau = nullptr;
   Real* qdd = nullptr;
   int status = kFine;
+  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   Joint_base j_base;
   Joint_left_hip_pitch j_left_hip_pitch;
   Joint_left_hip_roll j_left_hip_roll;
@@ -1508,6 +1562,9 @@ void assemble_base(Workspace& w) {
   auto& i = w.j_base;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
+  constexpr std::array<Real, 6> least{4.379753477303394e-13, 8.089655265475019e-13, 4.0448391455405566e-13, 2.615659551780614e-15, 2.4672634802537493e-15, 2.2920733411616134e-15};
+  if (!keeps_digits<Floating>(kZero, w.j_left_hip_pitch.Phi_pelvis, least))
+    fail(w, kGrowth, 0);
   if (!join(i.joined, kZero, w.j_left_hip_pitch.Phi_pelvis, i.X * kGround, w.j_left_hip_pitch.b_pelvis, c))
     fail(w, kFactorization, 0);
   couple(i.joined, w.j_left_hip_pitch.Phi_pelvis, i.at_pelvis);
@@ -1548,6 +1605,9 @@ void assemble_left_hip_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_right_hip_pitch.Phi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
+  constexpr std::array<Real, 6> least{7.97506041035137e-12, 7.97506041035137e-12, 8.287386887608557e-12, 1.9470029590306893e-14, 1.9470029590306893e-14, 1.2442683852020187e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_hip_roll.Phi_left_hip, least))
+    fail(w, kGrowth, 1);
   if (!join(i.joined, Phi_A, w.j_left_hip_roll.Phi_left_hip, i.X * w.j_right_hip_pitch.b_pelvis, w.j_left_hip_roll.b_left_hip, c))
     fail(w, kFactorization, 1);
   couple(i.joined, X_Phi_A, i.at_pelvis);
@@ -1589,6 +1649,9 @@ void assemble_left_hip_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_hip;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 7);
+  constexpr std::array<Real, 6> least{1.2860158696369453e-11, 1.2860158696369453e-11, 1.2110425354080618e-11, 4.1240689064045116e-14, 2.6082444034496316e-14, 3.835080781740452e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_hip_yaw.Phi_left_groin, least))
+    fail(w, kGrowth, 2);
   if (!join(i.joined, Phi_A, w.j_left_hip_yaw.Phi_left_groin, i.X * w.j_left_hip_pitch.b, w.j_left_hip_yaw.b_left_groin, c))
     fail(w, kFactorization, 2);
   couple(i.joined, X_Phi_A, i.at_left_hip);
@@ -1629,6 +1692,9 @@ void assemble_left_hip_yaw(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_groin;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 8);
+  constexpr std::array<Real, 6> least{4.1568802944704355e-12, 4.1568802944704355e-12, 6.3568005755356835e-12, 2.5673963648465354e-14, 2.5673963648465354e-14, 1.7308092281335775e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_knee.Phi_left_thigh, least))
+    fail(w, kGrowth, 3);
   if (!join(i.joined, Phi_A, w.j_left_knee.Phi_left_thigh, i.X * w.j_left_hip_roll.b, w.j_left_knee.b_left_thigh, c))
     fail(w, kFactorization, 3);
   couple(i.joined, X_Phi_A, i.at_left_groin);
@@ -1669,6 +1735,9 @@ void assemble_left_knee(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_thigh;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 9);
+  constexpr std::array<Real, 6> least{8.16509939297173e-12, 1.4891475962065713e-12, 1.4891475962065713e-12, 1.3472782573236314e-14, 3.231397165528738e-14, 3.3093716769976106e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_ankle_pitch.Phi_left_shank, least))
+    fail(w, kGrowth, 4);
   if (!join(i.joined, Phi_A, w.j_left_ankle_pitch.Phi_left_shank, i.X * w.j_left_hip_yaw.b, w.j_left_ankle_pitch.b_left_shank, c))
     fail(w, kFactorization, 4);
   couple(i.joined, X_Phi_A, i.at_left_thigh);
@@ -1709,6 +1778,9 @@ void assemble_left_ankle_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_shank;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 10);
+  constexpr std::array<Real, 6> least{1.978961112703373e-10, 1.978961112703373e-10, 1.978961112703373e-10, 7.894919286223335e-14, 7.894919286223335e-14, 7.894919286223335e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_ankle_roll.Phi_left_ankle, least))
+    fail(w, kGrowth, 5);
   if (!join(i.joined, Phi_A, w.j_left_ankle_roll.Phi_left_ankle, i.X * w.j_left_knee.b, w.j_left_ankle_roll.b_left_ankle, c))
     fail(w, kFactorization, 5);
   couple(i.joined, X_Phi_A, i.at_left_shank);
@@ -1749,6 +1821,9 @@ void assemble_left_ankle_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_ankle;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 11);
+  constexpr std::array<Real, 6> least{7.100279258824507e-11, 7.03850253111196e-11, 9.499136045271017e-11, 1.192327998641093e-13, 9.350846065275807e-14, 9.350846065275807e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_left_foot, least))
+    fail(w, kGrowth, 6);
   if (!join(i.joined, Phi_A, kPhi_left_foot, i.X * w.j_left_ankle_pitch.b, w.j_left_ankle_roll.b, c))
     fail(w, kFactorization, 6);
   couple(i.joined, X_Phi_A, i.at_left_ankle);
@@ -1788,6 +1863,9 @@ void assemble_right_hip_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 12);
+  constexpr std::array<Real, 6> least{7.97506041035137e-12, 7.97506041035137e-12, 8.287386887608557e-12, 1.9470029590306893e-14, 1.9470029590306893e-14, 1.2442683852020187e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_hip_roll.Phi_right_hip, least))
+    fail(w, kGrowth, 7);
   if (!join(i.joined, Phi_A, w.j_right_hip_roll.Phi_right_hip, i.X * w.j_base.b, w.j_right_hip_roll.b_right_hip, c))
     fail(w, kFactorization, 7);
   couple(i.joined, X_Phi_A, i.at_pelvis);
@@ -1828,6 +1906,9 @@ void assemble_right_hip_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_hip;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 13);
+  constexpr std::array<Real, 6> least{1.2860158696369453e-11, 1.2860158696369453e-11, 1.2110425354080618e-11, 4.1240689064045116e-14, 2.6082444034496316e-14, 3.835080781740452e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_hip_yaw.Phi_right_groin, least))
+    fail(w, kGrowth, 8);
   if (!join(i.joined, Phi_A, w.j_right_hip_yaw.Phi_right_groin, i.X * w.j_right_hip_pitch.b, w.j_right_hip_yaw.b_right_groin, c))
     fail(w, kFactorization, 8);
   couple(i.joined, X_Phi_A, i.at_right_hip);
@@ -1868,6 +1949,9 @@ void assemble_right_hip_yaw(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_groin;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 14);
+  constexpr std::array<Real, 6> least{4.1568802944704355e-12, 4.1568802944704355e-12, 6.3568005755356835e-12, 2.5673963648465354e-14, 2.5673963648465354e-14, 1.7308092281335775e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_knee.Phi_right_thigh, least))
+    fail(w, kGrowth, 9);
   if (!join(i.joined, Phi_A, w.j_right_knee.Phi_right_thigh, i.X * w.j_right_hip_roll.b, w.j_right_knee.b_right_thigh, c))
     fail(w, kFactorization, 9);
   couple(i.joined, X_Phi_A, i.at_right_groin);
@@ -1908,6 +1992,9 @@ void assemble_right_knee(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_thigh;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 15);
+  constexpr std::array<Real, 6> least{8.16509939297173e-12, 1.4891475962065713e-12, 1.4891475962065713e-12, 1.3472782573236314e-14, 3.231397165528738e-14, 3.3093716769976106e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_ankle_pitch.Phi_right_shank, least))
+    fail(w, kGrowth, 10);
   if (!join(i.joined, Phi_A, w.j_right_ankle_pitch.Phi_right_shank, i.X * w.j_right_hip_yaw.b, w.j_right_ankle_pitch.b_right_shank, c))
     fail(w, kFactorization, 10);
   couple(i.joined, X_Phi_A, i.at_right_thigh);
@@ -1948,6 +2035,9 @@ void assemble_right_ankle_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_shank;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 16);
+  constexpr std::array<Real, 6> least{1.978961112703373e-10, 1.978961112703373e-10, 1.978961112703373e-10, 7.894919286223335e-14, 7.894919286223335e-14, 7.894919286223335e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_ankle_roll.Phi_right_ankle, least))
+    fail(w, kGrowth, 11);
   if (!join(i.joined, Phi_A, w.j_right_ankle_roll.Phi_right_ankle, i.X * w.j_right_knee.b, w.j_right_ankle_roll.b_right_ankle, c))
     fail(w, kFactorization, 11);
   couple(i.joined, X_Phi_A, i.at_right_shank);
@@ -1988,6 +2078,9 @@ void assemble_right_ankle_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_ankle;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 17);
+  constexpr std::array<Real, 6> least{7.100279258824507e-11, 7.03850253111196e-11, 9.499136045271017e-11, 1.192327998641093e-13, 9.350846065275807e-14, 9.350846065275807e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_right_foot, least))
+    fail(w, kGrowth, 12);
   if (!join(i.joined, Phi_A, kPhi_right_foot, i.X * w.j_right_ankle_pitch.b, w.j_right_ankle_roll.b, c))
     fail(w, kFactorization, 12);
   couple(i.joined, X_Phi_A, i.at_right_ankle);
@@ -2027,6 +2120,9 @@ void assemble_waist_yaw(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_base.Phi_pelvis;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 18);
+  constexpr std::array<Real, 6> least{1.937075620216765e-11, 1.937075620216765e-11, 1.4377753194123701e-11, 2.77371848244625e-14, 2.77371848244625e-14, 2.005564173516412e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_waist_roll.Phi_waist_link, least))
+    fail(w, kGrowth, 13);
   if (!join(i.joined, Phi_A, w.j_waist_roll.Phi_waist_link, i.X * w.j_base.b_pelvis, w.j_waist_roll.b_waist_link, c))
     fail(w, kFactorization, 13);
 }
@@ -2064,6 +2160,9 @@ void assemble_waist_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_waist_link;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 19);
+  constexpr std::array<Real, 6> least{1.9361698667246485e-11, 1.836205421086137e-11, 1.9361698667246485e-11, 3.9006013092186154e-14, 3.3553406966449176e-14, 3.9006013092186154e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_waist_pitch.Phi_abdomen, least))
+    fail(w, kGrowth, 14);
   if (!join(i.joined, Phi_A, w.j_waist_pitch.Phi_abdomen, i.X * w.j_waist_yaw.b, w.j_waist_pitch.b_abdomen, c))
     fail(w, kFactorization, 14);
   couple(i.joined, X_Phi_A, i.at_waist_link);
@@ -2104,6 +2203,9 @@ void assemble_waist_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_abdomen;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 20);
+  constexpr std::array<Real, 6> least{4.5996590878295124e-12, 4.519586369882674e-12, 4.5541864873908146e-12, 1.7298430910523563e-14, 2.09597444894919e-14, 1.9977061247921946e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_shoulder_pitch.Phi_torso, least))
+    fail(w, kGrowth, 15);
   if (!join(i.joined, Phi_A, w.j_left_shoulder_pitch.Phi_torso, i.X * w.j_waist_roll.b, w.j_left_shoulder_pitch.b_torso, c))
     fail(w, kFactorization, 15);
   couple(i.joined, X_Phi_A, i.at_abdomen);
@@ -2144,6 +2246,9 @@ void assemble_left_shoulder_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_neck_yaw.Phi_torso;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 21);
+  constexpr std::array<Real, 6> least{2.2016408306401386e-11, 2.2016408306401386e-11, 2.2245331597838116e-11, 3.903743131866773e-14, 3.903743131866773e-14, 1.9259447837707977e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_shoulder_roll.Phi_left_shoulder, least))
+    fail(w, kGrowth, 16);
   if (!join(i.joined, Phi_A, w.j_left_shoulder_roll.Phi_left_shoulder, i.X * w.j_neck_yaw.b_torso, w.j_left_shoulder_roll.b_left_shoulder, c))
     fail(w, kFactorization, 16);
   couple(i.joined, X_Phi_A, i.at_torso);
@@ -2185,6 +2290,9 @@ void assemble_left_shoulder_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_shoulder;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 22);
+  constexpr std::array<Real, 6> least{2.765166058115282e-11, 2.765166058115282e-11, 2.765166058115282e-11, 5.633588833526509e-14, 4.009491151789137e-14, 5.836601043743681e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_shoulder_yaw.Phi_left_shoulder_cap, least))
+    fail(w, kGrowth, 17);
   if (!join(i.joined, Phi_A, w.j_left_shoulder_yaw.Phi_left_shoulder_cap, i.X * w.j_left_shoulder_pitch.b, w.j_left_shoulder_yaw.b_left_shoulder_cap, c))
     fail(w, kFactorization, 17);
   couple(i.joined, X_Phi_A, i.at_left_shoulder);
@@ -2225,6 +2333,9 @@ void assemble_left_shoulder_yaw(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_shoulder_cap;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 23);
+  constexpr std::array<Real, 6> least{1.550323694931007e-11, 1.550323694931007e-11, 2.8971534166408843e-11, 5.990519760423054e-14, 5.990519760423054e-14, 3.8064789415719656e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_elbow.Phi_left_upper_arm, least))
+    fail(w, kGrowth, 18);
   if (!join(i.joined, Phi_A, w.j_left_elbow.Phi_left_upper_arm, i.X * w.j_left_shoulder_roll.b, w.j_left_elbow.b_left_upper_arm, c))
     fail(w, kFactorization, 18);
   couple(i.joined, X_Phi_A, i.at_left_shoulder_cap);
@@ -2265,6 +2376,9 @@ void assemble_left_elbow(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_upper_arm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 24);
+  constexpr std::array<Real, 6> least{3.679489269776697e-11, 1.197162751551455e-11, 1.197162751551455e-11, 4.139342360189928e-14, 7.884055819642003e-14, 9.209849845550062e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_wrist_roll.Phi_left_forearm, least))
+    fail(w, kGrowth, 19);
   if (!join(i.joined, Phi_A, w.j_left_wrist_roll.Phi_left_forearm, i.X * w.j_left_shoulder_yaw.b, w.j_left_wrist_roll.b_left_forearm, c))
     fail(w, kFactorization, 19);
   couple(i.joined, X_Phi_A, i.at_left_upper_arm);
@@ -2305,6 +2419,9 @@ void assemble_left_wrist_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_forearm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 25);
+  constexpr std::array<Real, 6> least{1.6766806649289416e-10, 1.6766806649289416e-10, 1.6159511472323679e-10, 1.0775262834713958e-13, 1.0775262834713958e-13, 9.135549459772717e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_left_wrist_pitch.Phi_left_wrist, least))
+    fail(w, kGrowth, 20);
   if (!join(i.joined, Phi_A, w.j_left_wrist_pitch.Phi_left_wrist, i.X * w.j_left_elbow.b, w.j_left_wrist_pitch.b_left_wrist, c))
     fail(w, kFactorization, 20);
   couple(i.joined, X_Phi_A, i.at_left_forearm);
@@ -2345,6 +2462,9 @@ void assemble_left_wrist_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_left_wrist;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 26);
+  constexpr std::array<Real, 6> least{1.0186696105313099e-10, 7.446169233235501e-11, 7.919164165207809e-11, 1.0658141036401503e-13, 1.973963936416274e-13, 1.8036857609062434e-13};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_left_hand, least))
+    fail(w, kGrowth, 21);
   if (!join(i.joined, Phi_A, kPhi_left_hand, i.X * w.j_left_wrist_roll.b, w.j_left_wrist_pitch.b, c))
     fail(w, kFactorization, 21);
   couple(i.joined, X_Phi_A, i.at_left_wrist);
@@ -2384,6 +2504,9 @@ void assemble_neck_yaw(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_right_shoulder_pitch.Phi_torso;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 27);
+  constexpr std::array<Real, 6> least{6.771160784439214e-11, 6.771160784439214e-11, 7.899006396756834e-11, 6.409131092733334e-14, 6.409131092733334e-14, 3.702301623171048e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_neck_pitch.Phi_neck, least))
+    fail(w, kGrowth, 22);
   if (!join(i.joined, Phi_A, w.j_neck_pitch.Phi_neck, i.X * w.j_right_shoulder_pitch.b_torso, w.j_neck_pitch.b_neck, c))
     fail(w, kFactorization, 22);
   couple(i.joined, X_Phi_A, i.at_torso);
@@ -2425,6 +2548,9 @@ void assemble_neck_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_neck;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 28);
+  constexpr std::array<Real, 6> least{2.5512285471221703e-11, 2.5512285471221703e-11, 2.5512285471221703e-11, 4.217933729769319e-14, 5.625129991434126e-14, 5.698231095936195e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_head, least))
+    fail(w, kGrowth, 23);
   if (!join(i.joined, Phi_A, kPhi_head, i.X * w.j_neck_yaw.b, w.j_neck_pitch.b, c))
     fail(w, kFactorization, 23);
   couple(i.joined, X_Phi_A, i.at_neck);
@@ -2464,6 +2590,9 @@ void assemble_right_shoulder_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_torso;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 29);
+  constexpr std::array<Real, 6> least{2.2016408306401386e-11, 2.2016408306401386e-11, 2.2245331597838116e-11, 3.903743131866773e-14, 3.903743131866773e-14, 1.9259447837707977e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_shoulder_roll.Phi_right_shoulder, least))
+    fail(w, kGrowth, 24);
   if (!join(i.joined, Phi_A, w.j_right_shoulder_roll.Phi_right_shoulder, i.X * w.j_waist_pitch.b, w.j_right_shoulder_roll.b_right_shoulder, c))
     fail(w, kFactorization, 24);
   couple(i.joined, X_Phi_A, i.at_torso);
@@ -2504,6 +2633,9 @@ void assemble_right_shoulder_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_shoulder;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 30);
+  constexpr std::array<Real, 6> least{2.765166058115282e-11, 2.765166058115282e-11, 2.765166058115282e-11, 5.633588833526509e-14, 4.009491151789137e-14, 5.836601043743681e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_shoulder_yaw.Phi_right_shoulder_cap, least))
+    fail(w, kGrowth, 25);
   if (!join(i.joined, Phi_A, w.j_right_shoulder_yaw.Phi_right_shoulder_cap, i.X * w.j_right_shoulder_pitch.b, w.j_right_shoulder_yaw.b_right_shoulder_cap, c))
     fail(w, kFactorization, 25);
   couple(i.joined, X_Phi_A, i.at_right_shoulder);
@@ -2544,6 +2676,9 @@ void assemble_right_shoulder_yaw(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_shoulder_cap;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 31);
+  constexpr std::array<Real, 6> least{1.550323694931007e-11, 1.550323694931007e-11, 2.8971534166408843e-11, 5.990519760423054e-14, 5.990519760423054e-14, 3.8064789415719656e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_elbow.Phi_right_upper_arm, least))
+    fail(w, kGrowth, 26);
   if (!join(i.joined, Phi_A, w.j_right_elbow.Phi_right_upper_arm, i.X * w.j_right_shoulder_roll.b, w.j_right_elbow.b_right_upper_arm, c))
     fail(w, kFactorization, 26);
   couple(i.joined, X_Phi_A, i.at_right_shoulder_cap);
@@ -2584,6 +2719,9 @@ void assemble_right_elbow(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_upper_arm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 32);
+  constexpr std::array<Real, 6> least{3.679489269776697e-11, 1.197162751551455e-11, 1.197162751551455e-11, 4.139342360189928e-14, 7.884055819642003e-14, 9.209849845550062e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_wrist_roll.Phi_right_forearm, least))
+    fail(w, kGrowth, 27);
   if (!join(i.joined, Phi_A, w.j_right_wrist_roll.Phi_right_forearm, i.X * w.j_right_shoulder_yaw.b, w.j_right_wrist_roll.b_right_forearm, c))
     fail(w, kFactorization, 27);
   couple(i.joined, X_Phi_A, i.at_right_upper_arm);
@@ -2624,6 +2762,9 @@ void assemble_right_wrist_roll(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_forearm;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 33);
+  constexpr std::array<Real, 6> least{1.6766806649289416e-10, 1.6766806649289416e-10, 1.6159511472323679e-10, 1.0775262834713958e-13, 1.0775262834713958e-13, 9.135549459772717e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_right_wrist_pitch.Phi_right_wrist, least))
+    fail(w, kGrowth, 28);
   if (!join(i.joined, Phi_A, w.j_right_wrist_pitch.Phi_right_wrist, i.X * w.j_right_elbow.b, w.j_right_wrist_pitch.b_right_wrist, c))
     fail(w, kFactorization, 28);
   couple(i.joined, X_Phi_A, i.at_right_forearm);
@@ -2664,6 +2805,9 @@ void assemble_right_wrist_pitch(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_right_wrist;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 34);
+  constexpr std::array<Real, 6> least{1.0186696105313099e-10, 7.446169233235501e-11, 7.919164165207809e-11, 1.0658141036401503e-13, 1.973963936416274e-13, 1.8036857609062434e-13};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_right_hand, least))
+    fail(w, kGrowth, 29);
   if (!join(i.joined, Phi_A, kPhi_right_hand, i.X * w.j_right_wrist_roll.b, w.j_right_wrist_pitch.b, c))
     fail(w, kFactorization, 29);
   couple(i.joined, X_Phi_A, i.at_right_wrist);
@@ -2898,9 +3042,9 @@ constexpr std::array<int, 16> kReadQ_2{0, 1, 2, 3, 4, 5, 6, 19, 20, 21, 22, 23, 
 constexpr std::array<int, 15> kReadV_2{0, 1, 2, 3, 4, 5, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 constexpr std::array<int, 5> kOwn_2{22, 23, 24, 25, 26};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {20, kReadQ_0.data(), 19, kReadV_0.data(), 19, kOwn_0.data()},
-    {19, kReadQ_1.data(), 18, kReadV_1.data(), 11, kOwn_1.data()},
-    {16, kReadQ_2.data(), 15, kReadV_2.data(), 5, kOwn_2.data()},
+    {20, kReadQ_0.data(), 19, kReadV_0.data(), 19, kOwn_0.data(), 0, nullptr},
+    {19, kReadQ_1.data(), 18, kReadV_1.data(), 11, kOwn_1.data(), 0, nullptr},
+    {16, kReadQ_2.data(), 15, kReadV_2.data(), 5, kOwn_2.data(), 0, nullptr},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -2942,6 +3086,7 @@ class Solver {
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
     for (int k = 0; k < own.v_count; ++k) tau_[own.v[k]] = *content++;
+    for (int k = 0; k < own.outer_count; ++k) tau_[own.outer[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     kRun[rank](w, channel);
@@ -2959,6 +3104,7 @@ class Solver {
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
       for (int k = 0; k < other.v_count; ++k) *content++ = tau[other.v[k]];
+      for (int k = 0; k < other.outer_count; ++k) *content++ = tau[other.outer[k]];
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -2991,7 +3137,8 @@ class Solver {
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
   std::array<Real, kNq> q_{};
-  std::array<Real, kNv> v_{}, tau_{}, qdd_{};
+  std::array<Real, kNv> v_{}, qdd_{};
+  std::array<Real, kNtau> tau_{};
 };
 
 }  // namespace
@@ -3139,9 +3286,34 @@ void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linea
   }
 }
 
-// Torques that give accelerations qdd at (q, v); slaved joints count through their sources'
-// torques.
-void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau) {
+// What a joint's damping, friction, spring and rotor take of its torque.
+void add_passive(const JointConstants& joint, const Real* q, const Real* v, const Real* qdd,
+                 double* tau) {
+  const Passive& own = joint.passive;
+  for (int k = 0; k < joint.nv; ++k) {
+    const double rate = double(v[joint.v + k]);
+    tau[k] += double(own.damping) * rate + double(own.rotor) * double(qdd[joint.v + k]) +
+              double(own.friction) * std::tanh(rate / double(own.friction_speed));
+  }
+  if (own.stiffness != 0) tau[0] += double(own.stiffness) * (double(q[joint.q]) - double(own.rest));
+}
+
+// The outer forces push their links.
+void push(const Real* outer, std::array<Body, kLinkCount>& body) {
+  for (const OuterForce& one : kOuterForces) {
+    Body& b = body[static_cast<std::size_t>(one.link)];
+    const Mat turn = mat3(one.rotation);
+    const Vec force = times(turn, vec3(outer)), moment = times(turn, vec3(outer + 3));
+    const Vec lever = cross(vec3(one.translation), force);
+    for (int k = 0; k < 3; ++k) b.f[k] -= force[k], b.n[k] -= moment[k] + lever[k];
+    outer += 6;
+  }
+}
+
+// Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
+// through their sources' torques.
+void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real* outer,
+                      double* tau) {
   static std::array<Body, kLinkCount> body;
   body[0] = {};
   for (int k = 0; k < 3; ++k) body[0].a[k] = -kGravity[k];
@@ -3171,6 +3343,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
     for (int k = 0; k < 3; ++k) b.f[k] = double(link.mass) * at_com[k];
     b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
   }
+  push(outer, body);
   for (int j = kJointCount - 1; j >= 0; --j) {
     const JointConstants& joint = kJoints[j];
     const Body& b = body[j + 1];
@@ -3193,6 +3366,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
         std::copy(b.n.begin(), b.n.end(), t + 3);
         break;
     }
+    add_passive(joint, q, v, qdd, t);
     Body& parent = body[joint.parent];
     const Vec force = times(b.turn, b.f);
     parent.f = parent.f + force;
@@ -3205,10 +3379,13 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
   }
 }
 
-// How far slaved accelerations are from following their sources, relative to their size.
-double slip(const Real* qdd) {
+// How far slaved accelerations are from following their sources, relative to their size, and
+// prescribed ones from what was prescribed.
+double slip(const Real* tau, const Real* qdd) {
   double worst = 0;
   for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      worst = std::max(worst, std::abs(double(qdd[k]) - double(tau[k])));
     if (joint.source < 0) continue;
     const double own = double(qdd[joint.v]);
     const double due = joint.multiplier * double(qdd[kJoints[joint.source].v]);
@@ -3222,10 +3399,14 @@ double slip(const Real* qdd) {
 double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
   static std::array<double, kNv> needed, at_rest;
   static std::array<Real, kNv> zero{};
-  inverse_dynamics(q, v, qdd, needed.data());
-  inverse_dynamics(q, v, zero.data(), at_rest.data());
+  inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
+  inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
   std::array<double, kNv> given{};
   for (int k = 0; k < kNv; ++k) given[k] = double(tau[k]);
+  for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      given[k] = needed[k] = at_rest[k] = 0;  // nobody asks for its torque
+  }
   for (int j = 0; j < kJointCount; ++j) {
     if (kJoints[j].source < 0) continue;
     given[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * given[kJoints[j].v];
@@ -3236,7 +3417,7 @@ double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) 
     error += (needed[k] - given[k]) * (needed[k] - given[k]);
     size += given[k] * given[k] + at_rest[k] * at_rest[k];
   }
-  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(qdd));
+  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(tau, qdd));
 }
 
 }  // namespace check
@@ -3270,11 +3451,14 @@ class StatesReader {
 
   void parse(States& states) {
     std::array<bool, kJointCount> seen{};
+    std::vector<std::vector<double>> forces(kOuterCount);
     bool joints = false;
     object([&](const std::string& key) {
       if (key == "joints") {
         joints = true;
         object([&](const std::string& name) { read_joint(name, seen, states); });
+      } else if (key == "forces" && kOuterCount > 0) {
+        object([&](const std::string& name) { read_force(name, forces); });
       } else if (key == "floating") {
         if (boolean() != kFloatingBase)
           refuse(std::string("\"floating\": this solver's base is ") +
@@ -3294,6 +3478,7 @@ class StatesReader {
       if (!seen[j] && kJoints[j].source < 0)
         refuse("joint " + quoted(kJoints[j].name) + " is missing");
     fill_slaved(states);
+    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
   }
 
   void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
@@ -3304,9 +3489,11 @@ class StatesReader {
     if (seen[j]) refuse(joint + " comes twice");
     seen[j] = true;
     std::array<bool, 3> found{};
+    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
     object([&](const std::string& key) {
-      if (key == "type" || key == "qdd") return skip();  // as in a file of true answers
-      const char* const fields[] = {"q", "v", "tau"};
+      if (key == "type" || (key == "qdd" && key != input))
+        return skip();  // as in a file of true answers
+      const char* const fields[] = {"q", "v", input};
       const auto field = std::find(std::begin(fields), std::end(fields), key);
       if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
       bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
@@ -3316,7 +3503,7 @@ class StatesReader {
       read_field(kJoints[j], key, states);
       where_.clear();
     });
-    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and tau");
+    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
   }
 
   // One of q, v and tau of a joint: an entry for each state.
@@ -3324,7 +3511,7 @@ class StatesReader {
     const bool is_q = key == "q";
     const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
     const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
-    const std::size_t stride = is_q ? kNq : kNv;
+    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
     std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
     int count = 0;
     array([&] {
@@ -3341,6 +3528,30 @@ class StatesReader {
     if (states.count == 0) states.count = count;
     if (count != states.count)
       refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
+  }
+
+  // One link's outer force: six numbers for each state.
+  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
+    std::size_t k = 0;
+    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
+    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
+    where_ = "force on link " + quoted(name.c_str()) + ": ";
+    if (!forces[k].empty()) refuse("comes twice");
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != 6) refuse("needs six numbers for each state");
+      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
+    });
+    where_.clear();
+  }
+
+  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
+    if (given.size() != 6 * static_cast<std::size_t>(states.count))
+      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
+             std::to_string(given.size() / 6) + " states, but the joints have " +
+             std::to_string(states.count));
+    for (std::size_t i = 0; i < given.size(); ++i)
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
   }
 
   static void fill_slaved(States& states) {
@@ -4301,13 +4512,14 @@ States random_states(int count, std::uint64_t seed) {
   };
   states.q.resize(size(kNq));
   states.v.resize(size(kNv));
-  states.tau.resize(size(kNv));
+  states.tau.resize(size(kNtau));
   for (int s = 0; s < count; ++s) {
     Real* q =
         states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     Real* v =
         states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* tau = states.tau.data() + (v - states.v.data());
+    Real* tau = states.tau.data() +
+                size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     for (const JointConstants& joint : kJoints) {
       const bool turns = joint.kind == JointKind::kRevolute;
       for (int k = 0; k < joint.nq; ++k)
@@ -4326,6 +4538,7 @@ States random_states(int count, std::uint64_t seed) {
         tau[joint.v + k] = static_cast<Real>(uniform());
       }
     }
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Real>(uniform());
     slave(q, v);
   }
   return states;
@@ -4358,7 +4571,7 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   };
   share(states.q, kNq);
   share(states.v, kNv);
-  share(states.tau, kNv);
+  share(states.tau, kNtau);
   return status;
 }
 
@@ -4376,7 +4589,7 @@ struct Session {
   MPI_Comm comm() const { return solver.channel.comm(); }
   const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
   const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNv; }
+  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
   Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
 
   void use(States given) {
@@ -4829,6 +5042,7 @@ class Program {
     };
     also(options.time, [this] { return timing_.time_all(); });
     also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (status != kFault) collect_warnings();
     if (session_.rank == 0 && status != kFault) report();
     session_.watch.again();
     session_.solver.channel.close();
@@ -4903,6 +5117,26 @@ class Program {
     return status;
   }
 
+  // What processes have met that costs digits but is no failure, told once.
+  void collect_warnings() {
+    int joint = near_lock(session_.solver.w, 0);
+    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (joint == 0) return;
+    warning_ = "joints " + names_of_run(joint - 1) +
+               ": near gimbal lock at some state: accelerations lose three digits or more";
+    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
+  }
+
+  // Shapes that join no runs of joints as one have nothing to tell.
+  template <class W>
+  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
+    return w.near_lock;
+  }
+  template <class W>
+  static int near_lock(const W&, long) {
+    return 0;
+  }
+
   void report() const {
     const Options& options = session_.options;
     const bool right = residual_max_ <= options.tolerance;
@@ -4911,12 +5145,14 @@ class Program {
                   kProcesses, session_.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
+      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
       if (checked_)
         std::printf(
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
             residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
+                  simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
@@ -4934,6 +5170,7 @@ class Program {
   Corrections corrections_;
   bool checked_ = false;
   int solved_ = 0;
+  std::string warning_;
   double residual_median_ = 0, residual_max_ = 0;
 };
 

@@ -104,6 +104,7 @@ using Real = double;
 constexpr int kProcesses = 3;
 constexpr int kJointCount = 6, kLinkCount = kJointCount + 1;
 constexpr int kNq = 14, kNv = 13;
+constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr int kRefine = 0;  // steps of iterative refinement
 constexpr int kPlanMessages = 4;
@@ -118,6 +119,14 @@ const MPI_Datatype kMpiReal = MPI_DOUBLE;
 
 enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
 
+// What a joint does by itself: of its torque, damping qd + friction tanh(qd / friction_speed)
+// + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
+// tau holds that.
+struct Passive {
+  Real damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  bool prescribed = false;
+};
+
 // A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link
 // has the joint's frame at q = 0.
 struct JointConstants {
@@ -129,6 +138,15 @@ struct JointConstants {
   Real translation[3];  // origin of the joint frame in the parent link's frame, m
   int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
   double multiplier, offset;
+  Passive passive{};
+};
+
+// An outer force that is an input, told in the frame of the link that has its name.
+struct OuterForce {
+  const char* name;
+  int link;             // that feels it
+  Real rotation[9];     // from that frame to the link's, row by row
+  Real translation[3];  // its origin in the link's frame, m
 };
 
 struct LinkConstants {
@@ -147,6 +165,8 @@ struct ProcessInfo {
   const int* v_read;
   int v_count;
   const int* v;
+  int outer_count;  // entries of tau that hold outer forces
+  const int* outer;
 };
 
 // What goes from one process to another once in an evaluation.
@@ -200,6 +220,8 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {-0.19866933079506122, 0.9362933635841992, -0.28962947762551555, 0.0, 0.29552020666133955, 0.955336489125606, 0.9800665778412416, 0.18979606097868743, -0.058710801693826524},
      {0.0, 0.08, 0.1}, -1, 0.0, 0.0},
 } };
+
+constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 // Slaved joints follow their sources; what was given for them is ignored.
 template <class Number>
@@ -310,6 +332,8 @@ enum Failure : int {
   kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -339,6 +363,18 @@ std::string quoted(const char* text) {
   return result + "\"";
 }
 
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
 std::string describe(int status) {
   const int place = failure_place(status);
   const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
@@ -352,6 +388,12 @@ std::string describe(int status) {
     case kFactorization:
       return joint() +
              "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
     case kEnded:
@@ -474,6 +516,17 @@ bool factorize(std::array<std::array<Real, m>, m>& L) {
       L[i][j] *= inverse;
     }
   }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
   return good;
 }
 
@@ -906,6 +959,7 @@ struct Workspace {
   const Real* tau = nullptr;
   Real* qdd = nullptr;
   int status = kFine;
+  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   Joint_drive j_drive;
   Joint_laser_spin j_laser_spin;
   Joint_lift j_lift;
@@ -1059,6 +1113,9 @@ void assemble_drive(Workspace& w) {
   auto& i = w.j_drive;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
+  constexpr std::array<Real, 6> least{7.091631212051937e-15, 5.577240971695595e-15, 1.024275719968536e-14, 6.580610018265472e-16, 7.160970978205855e-16, 4.0467660531582285e-16};
+  if (!keeps_digits<Planar>(kZero, w.j_laser_spin.Phi_cart, least))
+    fail(w, kGrowth, 0);
   if (!join(i.joined, kZero, w.j_laser_spin.Phi_cart, i.X * kGround, w.j_laser_spin.b_cart, c))
     fail(w, kFactorization, 0);
   couple(i.joined, w.j_laser_spin.Phi_cart, i.at_cart);
@@ -1099,6 +1156,9 @@ void assemble_laser_spin(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_cart;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 3);
+  constexpr std::array<Real, 6> least{5.800582863301488e-11, 5.800582863301488e-11, 5.075539255383019e-11, 1.3380832962362383e-13, 1.3380832962362383e-13, 4.1002747810059705e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_laser, least))
+    fail(w, kGrowth, 1);
   if (!join(i.joined, Phi_A, kPhi_laser, i.X * w.j_drive.b, w.j_laser_spin.b, c))
     fail(w, kFactorization, 1);
   couple(i.joined, X_Phi_A, i.at_cart);
@@ -1137,6 +1197,9 @@ void assemble_lift(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_drive.Phi_cart;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Prismatic>(i.v, w.v + 4);
+  constexpr std::array<Real, 6> least{6.835890271117182e-13, 1.038116582277988e-12, 6.835890271117182e-13, 3.783842603578267e-15, 8.143836380054432e-15, 1.041281273311856e-14};
+  if (!keeps_digits<Prismatic>(Phi_A, w.j_wrist.Phi_carriage, least))
+    fail(w, kGrowth, 2);
   if (!join(i.joined, Phi_A, w.j_wrist.Phi_carriage, i.X * w.j_drive.b_cart, w.j_wrist.b_carriage, c))
     fail(w, kFactorization, 2);
 }
@@ -1174,6 +1237,9 @@ void assemble_shoulder(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_carriage;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
+  constexpr std::array<Real, 6> least{7.326281147974468e-12, 8.874467701397844e-13, 1.014099819029905e-12, 1.0131011616088879e-14, 2.6178568065461474e-14, 2.5862909697458403e-14};
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_boom, least))
+    fail(w, kGrowth, 3);
   if (!join(i.joined, Phi_A, kPhi_boom, i.X * w.j_lift.b, w.j_shoulder.b, c))
     fail(w, kFactorization, 3);
   couple(i.joined, X_Phi_A, i.at_carriage);
@@ -1218,6 +1284,9 @@ void assemble_wrist(Workspace& w) {
   const Mat6 X_Phi_A = i.X * w.j_shoulder.Phi_boom;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
+  constexpr std::array<Real, 6> least{6.998215245009065e-12, 3.9559670992390634e-12, 6.998215245009065e-12, 5.871846219128606e-14, 8.914094364898608e-14, 2.1711028037114174e-14};
+  if (!keeps_digits<Revolute>(Phi_A, w.j_loose.Phi_bowl, least))
+    fail(w, kGrowth, 4);
   if (!join(i.joined, Phi_A, w.j_loose.Phi_bowl, i.X * w.j_shoulder.b_boom, w.j_loose.b_bowl, c))
     fail(w, kFactorization, 4);
   couple(i.joined, times_transposed(i.X, w.j_shoulder.Phi_carriage_boom), i.at_carriage);
@@ -1260,6 +1329,9 @@ void assemble_loose(Workspace& w) {
   const Mat6 X_Phi_A = i.X * kPhi_bowl;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Floating>(i.v, w.v + 7);
+  constexpr std::array<Real, 6> least{2.5448985632127736e-11, 2.5448985632127736e-11, 2.5448985632127736e-11, 5.4277570092785434e-14, 4.717214273518443e-14, 5.131697536045168e-14};
+  if (!keeps_digits<Floating>(Phi_A, kPhi_load, least))
+    fail(w, kGrowth, 5);
   if (!join(i.joined, Phi_A, kPhi_load, i.X * w.j_wrist.b, w.j_loose.b, c))
     fail(w, kFactorization, 5);
   couple(i.joined, X_Phi_A, i.at_bowl);
@@ -1397,9 +1469,9 @@ constexpr std::array<int, 13> kReadQ_2{0, 1, 2, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13
 constexpr std::array<int, 12> kReadV_2{0, 1, 2, 4, 5, 6, 7, 8, 9, 10, 11, 12};
 constexpr std::array<int, 6> kOwn_2{7, 8, 9, 10, 11, 12};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {5, kReadQ_0.data(), 5, kReadV_0.data(), 5, kOwn_0.data()},
-    {6, kReadQ_1.data(), 6, kReadV_1.data(), 2, kOwn_1.data()},
-    {13, kReadQ_2.data(), 12, kReadV_2.data(), 6, kOwn_2.data()},
+    {5, kReadQ_0.data(), 5, kReadV_0.data(), 5, kOwn_0.data(), 0, nullptr},
+    {6, kReadQ_1.data(), 6, kReadV_1.data(), 2, kOwn_1.data(), 0, nullptr},
+    {13, kReadQ_2.data(), 12, kReadV_2.data(), 6, kOwn_2.data(), 0, nullptr},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -1441,6 +1513,7 @@ class Solver {
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
     for (int k = 0; k < own.v_count; ++k) tau_[own.v[k]] = *content++;
+    for (int k = 0; k < own.outer_count; ++k) tau_[own.outer[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     kRun[rank](w, channel);
@@ -1458,6 +1531,7 @@ class Solver {
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
       for (int k = 0; k < other.v_count; ++k) *content++ = tau[other.v[k]];
+      for (int k = 0; k < other.outer_count; ++k) *content++ = tau[other.outer[k]];
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -1490,7 +1564,8 @@ class Solver {
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
   std::array<Real, kNq> q_{};
-  std::array<Real, kNv> v_{}, tau_{}, qdd_{};
+  std::array<Real, kNv> v_{}, qdd_{};
+  std::array<Real, kNtau> tau_{};
 };
 
 }  // namespace
@@ -1638,9 +1713,34 @@ void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linea
   }
 }
 
-// Torques that give accelerations qdd at (q, v); slaved joints count through their sources'
-// torques.
-void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau) {
+// What a joint's damping, friction, spring and rotor take of its torque.
+void add_passive(const JointConstants& joint, const Real* q, const Real* v, const Real* qdd,
+                 double* tau) {
+  const Passive& own = joint.passive;
+  for (int k = 0; k < joint.nv; ++k) {
+    const double rate = double(v[joint.v + k]);
+    tau[k] += double(own.damping) * rate + double(own.rotor) * double(qdd[joint.v + k]) +
+              double(own.friction) * std::tanh(rate / double(own.friction_speed));
+  }
+  if (own.stiffness != 0) tau[0] += double(own.stiffness) * (double(q[joint.q]) - double(own.rest));
+}
+
+// The outer forces push their links.
+void push(const Real* outer, std::array<Body, kLinkCount>& body) {
+  for (const OuterForce& one : kOuterForces) {
+    Body& b = body[static_cast<std::size_t>(one.link)];
+    const Mat turn = mat3(one.rotation);
+    const Vec force = times(turn, vec3(outer)), moment = times(turn, vec3(outer + 3));
+    const Vec lever = cross(vec3(one.translation), force);
+    for (int k = 0; k < 3; ++k) b.f[k] -= force[k], b.n[k] -= moment[k] + lever[k];
+    outer += 6;
+  }
+}
+
+// Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
+// through their sources' torques.
+void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real* outer,
+                      double* tau) {
   static std::array<Body, kLinkCount> body;
   body[0] = {};
   for (int k = 0; k < 3; ++k) body[0].a[k] = -kGravity[k];
@@ -1670,6 +1770,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
     for (int k = 0; k < 3; ++k) b.f[k] = double(link.mass) * at_com[k];
     b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
   }
+  push(outer, body);
   for (int j = kJointCount - 1; j >= 0; --j) {
     const JointConstants& joint = kJoints[j];
     const Body& b = body[j + 1];
@@ -1692,6 +1793,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
         std::copy(b.n.begin(), b.n.end(), t + 3);
         break;
     }
+    add_passive(joint, q, v, qdd, t);
     Body& parent = body[joint.parent];
     const Vec force = times(b.turn, b.f);
     parent.f = parent.f + force;
@@ -1704,10 +1806,13 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, double* tau
   }
 }
 
-// How far slaved accelerations are from following their sources, relative to their size.
-double slip(const Real* qdd) {
+// How far slaved accelerations are from following their sources, relative to their size, and
+// prescribed ones from what was prescribed.
+double slip(const Real* tau, const Real* qdd) {
   double worst = 0;
   for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      worst = std::max(worst, std::abs(double(qdd[k]) - double(tau[k])));
     if (joint.source < 0) continue;
     const double own = double(qdd[joint.v]);
     const double due = joint.multiplier * double(qdd[kJoints[joint.source].v]);
@@ -1721,10 +1826,14 @@ double slip(const Real* qdd) {
 double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
   static std::array<double, kNv> needed, at_rest;
   static std::array<Real, kNv> zero{};
-  inverse_dynamics(q, v, qdd, needed.data());
-  inverse_dynamics(q, v, zero.data(), at_rest.data());
+  inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
+  inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
   std::array<double, kNv> given{};
   for (int k = 0; k < kNv; ++k) given[k] = double(tau[k]);
+  for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      given[k] = needed[k] = at_rest[k] = 0;  // nobody asks for its torque
+  }
   for (int j = 0; j < kJointCount; ++j) {
     if (kJoints[j].source < 0) continue;
     given[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * given[kJoints[j].v];
@@ -1735,7 +1844,7 @@ double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) 
     error += (needed[k] - given[k]) * (needed[k] - given[k]);
     size += given[k] * given[k] + at_rest[k] * at_rest[k];
   }
-  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(qdd));
+  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(tau, qdd));
 }
 
 }  // namespace check
@@ -1769,11 +1878,14 @@ class StatesReader {
 
   void parse(States& states) {
     std::array<bool, kJointCount> seen{};
+    std::vector<std::vector<double>> forces(kOuterCount);
     bool joints = false;
     object([&](const std::string& key) {
       if (key == "joints") {
         joints = true;
         object([&](const std::string& name) { read_joint(name, seen, states); });
+      } else if (key == "forces" && kOuterCount > 0) {
+        object([&](const std::string& name) { read_force(name, forces); });
       } else if (key == "floating") {
         if (boolean() != kFloatingBase)
           refuse(std::string("\"floating\": this solver's base is ") +
@@ -1793,6 +1905,7 @@ class StatesReader {
       if (!seen[j] && kJoints[j].source < 0)
         refuse("joint " + quoted(kJoints[j].name) + " is missing");
     fill_slaved(states);
+    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
   }
 
   void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
@@ -1803,9 +1916,11 @@ class StatesReader {
     if (seen[j]) refuse(joint + " comes twice");
     seen[j] = true;
     std::array<bool, 3> found{};
+    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
     object([&](const std::string& key) {
-      if (key == "type" || key == "qdd") return skip();  // as in a file of true answers
-      const char* const fields[] = {"q", "v", "tau"};
+      if (key == "type" || (key == "qdd" && key != input))
+        return skip();  // as in a file of true answers
+      const char* const fields[] = {"q", "v", input};
       const auto field = std::find(std::begin(fields), std::end(fields), key);
       if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
       bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
@@ -1815,7 +1930,7 @@ class StatesReader {
       read_field(kJoints[j], key, states);
       where_.clear();
     });
-    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and tau");
+    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
   }
 
   // One of q, v and tau of a joint: an entry for each state.
@@ -1823,7 +1938,7 @@ class StatesReader {
     const bool is_q = key == "q";
     const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
     const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
-    const std::size_t stride = is_q ? kNq : kNv;
+    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
     std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
     int count = 0;
     array([&] {
@@ -1840,6 +1955,30 @@ class StatesReader {
     if (states.count == 0) states.count = count;
     if (count != states.count)
       refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
+  }
+
+  // One link's outer force: six numbers for each state.
+  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
+    std::size_t k = 0;
+    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
+    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
+    where_ = "force on link " + quoted(name.c_str()) + ": ";
+    if (!forces[k].empty()) refuse("comes twice");
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != 6) refuse("needs six numbers for each state");
+      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
+    });
+    where_.clear();
+  }
+
+  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
+    if (given.size() != 6 * static_cast<std::size_t>(states.count))
+      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
+             std::to_string(given.size() / 6) + " states, but the joints have " +
+             std::to_string(states.count));
+    for (std::size_t i = 0; i < given.size(); ++i)
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
   }
 
   static void fill_slaved(States& states) {
@@ -2800,13 +2939,14 @@ States random_states(int count, std::uint64_t seed) {
   };
   states.q.resize(size(kNq));
   states.v.resize(size(kNv));
-  states.tau.resize(size(kNv));
+  states.tau.resize(size(kNtau));
   for (int s = 0; s < count; ++s) {
     Real* q =
         states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     Real* v =
         states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* tau = states.tau.data() + (v - states.v.data());
+    Real* tau = states.tau.data() +
+                size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     for (const JointConstants& joint : kJoints) {
       const bool turns = joint.kind == JointKind::kRevolute;
       for (int k = 0; k < joint.nq; ++k)
@@ -2825,6 +2965,7 @@ States random_states(int count, std::uint64_t seed) {
         tau[joint.v + k] = static_cast<Real>(uniform());
       }
     }
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Real>(uniform());
     slave(q, v);
   }
   return states;
@@ -2857,7 +2998,7 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   };
   share(states.q, kNq);
   share(states.v, kNv);
-  share(states.tau, kNv);
+  share(states.tau, kNtau);
   return status;
 }
 
@@ -2875,7 +3016,7 @@ struct Session {
   MPI_Comm comm() const { return solver.channel.comm(); }
   const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
   const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNv; }
+  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
   Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
 
   void use(States given) {
@@ -3328,6 +3469,7 @@ class Program {
     };
     also(options.time, [this] { return timing_.time_all(); });
     also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (status != kFault) collect_warnings();
     if (session_.rank == 0 && status != kFault) report();
     session_.watch.again();
     session_.solver.channel.close();
@@ -3402,6 +3544,26 @@ class Program {
     return status;
   }
 
+  // What processes have met that costs digits but is no failure, told once.
+  void collect_warnings() {
+    int joint = near_lock(session_.solver.w, 0);
+    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (joint == 0) return;
+    warning_ = "joints " + names_of_run(joint - 1) +
+               ": near gimbal lock at some state: accelerations lose three digits or more";
+    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
+  }
+
+  // Shapes that join no runs of joints as one have nothing to tell.
+  template <class W>
+  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
+    return w.near_lock;
+  }
+  template <class W>
+  static int near_lock(const W&, long) {
+    return 0;
+  }
+
   void report() const {
     const Options& options = session_.options;
     const bool right = residual_max_ <= options.tolerance;
@@ -3410,12 +3572,14 @@ class Program {
                   kProcesses, session_.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
+      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
       if (checked_)
         std::printf(
             ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
             "\"ok\": %s}",
             residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
+                  simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
@@ -3433,6 +3597,7 @@ class Program {
   Corrections corrections_;
   bool checked_ = false;
   int solved_ = 0;
+  std::string warning_;
   double residual_median_ = 0, residual_max_ = 0;
 };
 

@@ -207,7 +207,11 @@ ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia&
     ADAGEN_FOR (c, 0, kColumns) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
   }
   if constexpr (n == 1) {
-    good = i.D[0][0] > 0 && i.D[0][0] <= std::numeric_limits<Real>::max();
+    // Beside the inertia about other axes (in other directions), D must be more than rounding.
+    constexpr int row = free[0] < 3 ? 0 : 3;
+    const Real whole = I(row, row) + I(row + 1, row + 1) + I(row + 2, row + 2);
+    good = i.D[0][0] > 8 * std::numeric_limits<Real>::epsilon() * whole &&
+           i.D[0][0] <= std::numeric_limits<Real>::max();
     i.D[0][0] = 1 / i.D[0][0];
   } else {
     good = factorize(i.D);

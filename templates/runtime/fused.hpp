@@ -56,11 +56,14 @@ void extend(Run<n>& i, const Transform& X, const Vec6& v, const Real* qd) {
   for (int k = 0; k < kFree<Kind>; ++k) i.S(Kind::Free::row[k], at + k) = 1;
 }
 
+// Below this a run is in gimbal lock, and near it.
+constexpr Real kLocked = std::max(Real(1e-7), 16 * std::numeric_limits<Real>::epsilon());
+constexpr Real kNearLock = Real(1e-3);
+
 // B by Householder's reflections of S, scaled: lengths by the largest distance of an axis from the
 // link's origin, columns to length one. Returns false in gimbal lock.
 template <int n>
 ADAGEN_NOINLINE bool fuse(Run<n>& i) {
-  constexpr Real least = std::max(Real(1e-7), 16 * std::numeric_limits<Real>::epsilon());
   Real squared = 0;
   for (int k = 0; k < n; ++k)
     if (i.S.col(k).template head<3>().squaredNorm() > 0)
@@ -101,5 +104,5 @@ ADAGEN_NOINLINE bool fuse(Run<n>& i) {
   const Columns6 c = i.c;
   i.c.noalias() = i.B * c;
   i.lock = 1 / inverse.norm();
-  return i.lock >= least;
+  return i.lock >= kLocked;
 }

@@ -15,13 +15,14 @@ States random_states(int count, std::uint64_t seed) {
   };
   states.q.resize(size(kNq));
   states.v.resize(size(kNv));
-  states.tau.resize(size(kNv));
+  states.tau.resize(size(kNtau));
   for (int s = 0; s < count; ++s) {
     Real* q =
         states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     Real* v =
         states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* tau = states.tau.data() + (v - states.v.data());
+    Real* tau = states.tau.data() +
+                size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     for (const JointConstants& joint : kJoints) {
       const bool turns = joint.kind == JointKind::kRevolute;
       for (int k = 0; k < joint.nq; ++k)
@@ -40,6 +41,7 @@ States random_states(int count, std::uint64_t seed) {
         tau[joint.v + k] = static_cast<Real>(uniform());
       }
     }
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Real>(uniform());
     slave(q, v);
   }
   return states;
@@ -72,7 +74,7 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   };
   share(states.q, kNq);
   share(states.v, kNv);
-  share(states.tau, kNv);
+  share(states.tau, kNtau);
   return status;
 }
 
@@ -90,7 +92,7 @@ struct Session {
   MPI_Comm comm() const { return solver.channel.comm(); }
   const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
   const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNv; }
+  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
   Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
 
   void use(States given) {

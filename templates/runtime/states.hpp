@@ -27,11 +27,14 @@ class StatesReader {
 
   void parse(States& states) {
     std::array<bool, kJointCount> seen{};
+    std::vector<std::vector<double>> forces(kOuterCount);
     bool joints = false;
     object([&](const std::string& key) {
       if (key == "joints") {
         joints = true;
         object([&](const std::string& name) { read_joint(name, seen, states); });
+      } else if (key == "forces" && kOuterCount > 0) {
+        object([&](const std::string& name) { read_force(name, forces); });
       } else if (key == "floating") {
         if (boolean() != kFloatingBase)
           refuse(std::string("\"floating\": this solver's base is ") +
@@ -51,6 +54,7 @@ class StatesReader {
       if (!seen[j] && kJoints[j].source < 0)
         refuse("joint " + quoted(kJoints[j].name) + " is missing");
     fill_slaved(states);
+    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
   }
 
   void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
@@ -61,9 +65,11 @@ class StatesReader {
     if (seen[j]) refuse(joint + " comes twice");
     seen[j] = true;
     std::array<bool, 3> found{};
+    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
     object([&](const std::string& key) {
-      if (key == "type" || key == "qdd") return skip();  // as in a file of true answers
-      const char* const fields[] = {"q", "v", "tau"};
+      if (key == "type" || (key == "qdd" && key != input))
+        return skip();  // as in a file of true answers
+      const char* const fields[] = {"q", "v", input};
       const auto field = std::find(std::begin(fields), std::end(fields), key);
       if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
       bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
@@ -73,7 +79,7 @@ class StatesReader {
       read_field(kJoints[j], key, states);
       where_.clear();
     });
-    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and tau");
+    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
   }
 
   // One of q, v and tau of a joint: an entry for each state.
@@ -81,7 +87,7 @@ class StatesReader {
     const bool is_q = key == "q";
     const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
     const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
-    const std::size_t stride = is_q ? kNq : kNv;
+    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
     std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
     int count = 0;
     array([&] {
@@ -98,6 +104,30 @@ class StatesReader {
     if (states.count == 0) states.count = count;
     if (count != states.count)
       refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
+  }
+
+  // One link's outer force: six numbers for each state.
+  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
+    std::size_t k = 0;
+    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
+    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
+    where_ = "force on link " + quoted(name.c_str()) + ": ";
+    if (!forces[k].empty()) refuse("comes twice");
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != 6) refuse("needs six numbers for each state");
+      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
+    });
+    where_.clear();
+  }
+
+  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
+    if (given.size() != 6 * static_cast<std::size_t>(states.count))
+      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
+             std::to_string(given.size() / 6) + " states, but the joints have " +
+             std::to_string(states.count));
+    for (std::size_t i = 0; i < given.size(); ++i)
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
   }
 
   static void fill_slaved(States& states) {

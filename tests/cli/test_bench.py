@@ -72,6 +72,16 @@ def test_robots_measured_before_are_kept(arm: Path) -> None:
     assert again.models[0] is first.models[0] and heard == [1, 2]
 
 
+def test_a_robot_that_cannot_be_measured_may_be_left_out(
+    arm: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    entries = [Entry("ghost", tmp_path / "ghost.urdf"), Entry("arm", arm)]
+    rules = Rules(rounds=1, repeat=1)
+    record = contest(entries, rules, ("--procs 1",), (), keep_going=True)
+    assert [model.name for model in record.models] == ["arm"]
+    assert "ghost is left out: " in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("words", "status", "complaint"),
     [

@@ -5,12 +5,19 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from adagen.cli.main import main
+from adagen.reference import forward_dynamics
+from adagen.scene import apply_scene, read_scene
+from adagen.states import random_states, read_result, write_states
+from adagen.urdf import read_robot
+from tests.urdf.texts import joint, link, robot
 
 MODELS = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
 HUMANOID = str(MODELS / "humanoid.urdf")
+PAYLOAD = "arm7_payload.toml"
 LEGS = str(MODELS / "humanoid_legs.toml")
 
 
@@ -95,8 +102,6 @@ def test_a_robot_that_only_the_scene_makes_solvable(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """A massless leaf is refused, unless the scene locks it or gives it mass."""
-    from tests.urdf.texts import joint, link, robot
-
     urdf = tmp_path / "r.urdf"
     urdf.write_text(
         robot(link("a"), link("b"), link("c", ""), joint("j1", "a", "b"), joint("j2", "b", "c"))
@@ -109,3 +114,24 @@ def test_a_robot_that_only_the_scene_makes_solvable(
     massive = '[[point_masses]]\nlink = "c"\nmass = 1\nposition = [0, 0, 1]'
     assert run(str(urdf), *out, "--scene", scene(tmp_path, massive)) == 0
     assert run(str(urdf), *out, "--scene", scene(tmp_path, "[lock]\nj1 = 0")) == 1
+
+
+def test_outer_forces_and_prescribed_motion_are_inputs_of_solve(tmp_path: Path) -> None:
+    """The example scene, from the states file to accelerations, against the reference."""
+    model = apply_scene(
+        read_robot(MODELS / "arm7.urdf", floating=True).model, read_scene(MODELS / PAYLOAD)
+    ).model
+    assert model.joints[0].prescribed
+    assert model.ntau == model.nv + 6
+    states = random_states(model, 2, seed=4)
+    given, result = tmp_path / "states.json", tmp_path / "result.json"
+    write_states(states, model, given)
+    assert set(json.loads(given.read_text())["forces"]) == {"hand"}
+    words = ["--procs", "2", "--scene", str(MODELS / PAYLOAD)]
+    files = ["--states", str(given), "--result", str(result)]
+    assert run("solve", str(MODELS / "arm7.urdf"), *words, *files) == 0
+    found = read_result(result, model)
+    np.testing.assert_array_equal(found[:, 0], states.tau[:, 0])
+    for q, v, tau, qdd in zip(states.q, states.v, states.tau, found, strict=True):
+        want = forward_dynamics(model, q, v, tau)
+        np.testing.assert_allclose(qdd, want, rtol=0, atol=1e-9 * abs(want).max())

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from adagen.emit.unrolled import Simulated, simulate
+from adagen.emit.unrolled import Simulated, pays_unrolled, simulate
 from adagen.graph import Operations
 from adagen.model import FLOATING, REVOLUTE, Inertia, Model
 from adagen.plan import FORMS, Plan, make_plan
@@ -143,3 +143,9 @@ def test_gravity_reaches_a_floating_robot_once() -> None:
 def test_a_floating_body_of_its_own_needs_no_division_by_unknowns() -> None:
     part = Part("__base__", None, FLOATING, rod(1.0, vector(0.3, 0.0, 0.0)))
     assert operations(assemble("body", [part], floating=True)).divide == 1  # of the quaternion
+
+
+def test_a_straight_line_pays_for_arms_and_not_for_crowds() -> None:
+    assert pays_unrolled(plan_of(serial_chain(6), 1))
+    assert not pays_unrolled(plan_of(oblique(7), 1))  # nothing to save
+    assert not pays_unrolled(plan_of(serial_chain(30), 1))  # too long

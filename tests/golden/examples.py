@@ -17,7 +17,7 @@ from adagen.urdf import read_robot
 from tests.golden.make_models import MODELS, ROBOTS
 
 FOLDER = MODELS.parent
-KEPT = ("Makefile", "README.md")
+KEPT = ("Makefile", "README.md", "models/arm7_payload.toml", "models/humanoid_legs.toml")
 """Files of the folder that are written by hand."""
 
 

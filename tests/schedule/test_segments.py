@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from itertools import product
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -162,3 +162,11 @@ def test_small_robots_leave_processes_idle() -> None:
     dear = step_profile((), join__revolute=3.0, disassemble__revolute=3.0)
     found = find_schedule(Topology.serial(6), 4, profile=dear)
     assert found.makespan == find_schedule(Topology.serial(6), 1, profile=dear).makespan
+
+
+@pytest.mark.parametrize("choice", [{"strategy": "astar"}, {"strategy": "paper"}, {"split": "any"}])
+def test_what_is_searched_by_joins_says_so(choice: dict[str, Any]) -> None:
+    found = find_schedule(Topology.serial(12), 2, profile=PROFILE, **choice)
+    assert found.profile == "Eq. (11) of the steps"
+    joins = find_schedule(Topology.serial(12), 2, profile=PROFILE.joins_only(), **choice)
+    assert found.makespan == joins.makespan and joins.profile == "steps"

@@ -34,13 +34,14 @@ def _with_effects(joint: PlanJoint) -> bool:
     return joint.prescribed or any(effects)
 
 
-def unrolled_values(words: Words, chunk: int = CHUNK) -> dict[str, object]:
+def unrolled_values(words: Words, chunk: int = 0) -> dict[str, object]:
     """Return what the template is told of a plan.
 
     Args:
         words: the plan's names.
-        chunk: values that one function computes at most.
+        chunk: values that one function computes at most; by default what the words say, or CHUNK.
     """
+    chunk = chunk or words.chunk or CHUNK
     rows = [
         _ProcessText(words, p, simulated, chunk) for p, simulated in enumerate(simulate(words.plan))
     ]

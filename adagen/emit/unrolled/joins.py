@@ -51,7 +51,7 @@ class JoinMachine:
 
     def link_bias(self, number: int) -> None:
         """Deviation of a bare link from the reference field when nothing acts on it: -Phi p."""
-        p = self.machine.column(self.machine.link_force(number))
+        p = self.machine.column(self.machine.motion.link_force(number))
         self.memory[Bias(None, number)] = -matrix_times(self._block(Block(None, number, number)), p)
 
     def join(self, step: Join) -> None:
@@ -63,7 +63,7 @@ class JoinMachine:
         b_b, phi_b = self.memory[step.b_bias], self._block(step.b)
         phi = phi_b if step.a is None else x.mobility(self._block(step.a)) + phi_b
         beta = -b_b if step.a_bias is None else columnwise(x.motion, self.memory[step.a_bias]) - b_b
-        drift = self.machine.drift(step.joint)
+        drift = self.machine.motion.drift(step.joint)
         if drift is not None:
             beta = beta + drift
         beta = beta - matrix_times(phi[:, free], tau)

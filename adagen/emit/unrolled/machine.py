@@ -15,10 +15,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.emit.unrolled.frames import Dense, Transform, about_z, placed, plus_cross
 from adagen.emit.unrolled.joins import JoinMachine
+from adagen.emit.unrolled.kinematics import KinematicMachine
 from adagen.emit.unrolled.segments import SegmentMachine
-from adagen.graph import Expression, Factors, Graph, dot, factorize, total
+from adagen.graph import Expression, Factors, Graph, factorize, total
 from adagen.model.kinds import KINDS, JointKind
 from adagen.plan import Plan
 from adagen.plan.steps import (
@@ -54,23 +54,6 @@ class Check:
     joint: int
 
 
-@dataclass(frozen=True)
-class Field:
-    """A link's velocity and reference acceleration, in its own frame.
-
-    Attributes:
-        omega: angular velocity, shape (3,).
-        alpha: angular acceleration, shape (3,).
-        a: acceleration of the origin relative to free fall, shape (3,).
-        gradient: H = alpha x + omega x omega x, shape (3, 3): a point at r accelerates by a + H r.
-    """
-
-    omega: Array
-    alpha: Array
-    a: Array
-    gradient: Array
-
-
 class Machine:
     """One process: a graph, a memory and the meaning of each step.
 
@@ -93,6 +76,7 @@ class Machine:
         self.lengths: list[tuple[Expression, int]] = []
         self.results: dict[int, Array] = {}
         self.sent: dict[int, list[Expression]] = {}
+        self.motion = KinematicMachine(self)
         self.segments = SegmentMachine(self)
         self.joins = JoinMachine(self)
 
@@ -104,7 +88,7 @@ class Machine:
             case Send():
                 self._send(step.message)
             case Kinematics():
-                self._kinematics(step.joint)
+                self.motion.kinematics(step.joint)
             case LinkBias():
                 self.joins.link_bias(step.link)
             case Join():
@@ -171,144 +155,6 @@ class Machine:
                 result[0, column] = self.graph.constant(-mimic[1])
         return result
 
-    # -- kinematics -------------------------------------------------------------------------------
-
-    def state(self, j: int) -> tuple[list[Expression], list[Expression]]:
-        """Configuration and velocity of a joint, a slaved one's from its source."""
-        joint, kind = self.plan.joints[j], self.kind(j)
-        if joint.mimic is None:
-            q = [self.graph.input(f"q[{joint.q + k}]") for k in range(kind.nq)]
-            return q, [self.graph.input(f"v[{joint.v + k}]") for k in range(kind.nv)]
-        source, multiplier, offset = joint.mimic
-        (angle, *_), (rate, *_) = self.state(source)
-        return [angle * multiplier + offset], [rate * multiplier]
-
-    def _kinematics(self, j: int) -> None:
-        joint, kind = self.plan.joints[j], self.kind(j)
-        q, v = self.state(j)
-        base = self.constants(joint.rotation)
-        turn, shift = self._placement(j, q)
-        origin = self.constants(joint.translation)
-        if shift is not None:
-            origin = np.array(
-                [total([origin[k], *(base[k] * shift)]) for k in range(3)], dtype=object
-            )
-        x = Transform(placed(base, turn), origin)
-        motion = self.zeros(6)
-        motion[list(kind.free)] = v
-        self.memory["X", j] = x
-        self._advance(j, x, motion[:3], motion[3:])
-
-    def _placement(self, j: int, q: list[Expression]) -> tuple[Any, Array | None]:
-        """Turn and shift of the child frame in the canonical joint frame, None for neither."""
-        kind, zero = self.kind(j), self.graph.constant(0)
-        if kind.quaternion is not None:
-            shift = np.array(q[:3], dtype=object) if kind.quaternion else None
-            return Dense(self._orientation(j, q[kind.quaternion :])), shift
-        if kind.name == "prismatic":
-            return None, np.array([zero, zero, q[0]], dtype=object)
-        shift = np.array([q[0], q[1], zero], dtype=object) if kind.name == "planar" else None
-        return about_z(*self._circular(q[-1])), shift
-
-    def _circular(self, angle: Expression) -> tuple[Expression, Expression]:
-        """Cosine and sine; they are taken of all angles of the process at once."""
-        if angle not in self.angles:
-            self.angles.append(angle)
-        k = self.angles.index(angle)
-        ready = 40  # cycles of the polynomials
-        cosine = self.graph.input(f"cosine[{k}]", ready)
-        return cosine, self.graph.input(f"sine[{k}]", ready)
-
-    def _orientation(self, j: int, quaternion: list[Expression]) -> Array:
-        """Rotation matrix of a quaternion (x, y, z, w) of any length."""
-        squared = total(part * part for part in quaternion)
-        self.lengths.append((squared, j))
-        scale = 2 * self.graph.reciprocal(squared)
-        x, y, z, w = quaternion
-        sx, sy, sz = scale * x, scale * y, scale * z
-        return np.array(
-            [
-                [1 - (sy * y + sz * z), sx * y - sz * w, sx * z + sy * w],
-                [sx * y + sz * w, 1 - (sx * x + sz * z), sy * z - sx * w],
-                [sx * z - sy * w, sy * z + sx * w, 1 - (sx * x + sy * y)],
-            ],
-            dtype=object,
-        )
-
-    def _advance(self, j: int, x: Transform, turning: Array, sliding: Array) -> None:
-        """Velocity and reference acceleration of a joint's child link."""
-        parent = self.plan.joints[j].parent
-        back = x.rotation.transposed()
-        if parent == 0 and self.kind(j).name == "floating":
-            # It falls freely: gravity then enters its own acceleration only, at the very end.
-            omega, alpha, a = turning, self.zeros(3), self.zeros(3)
-            ground = back.vector(self.constants([-g for g in self.plan.gravity]))
-            self.memory["drift", j] = np.concatenate(
-                [self.zeros(3), plus_cross(ground, omega, sliding)]
-            )
-        else:
-            above: Field = self.memory["field", parent] if parent > 0 else self._ground()
-            turned = back.vector(above.omega)
-            omega = turned + turning
-            alpha = plus_cross(back.vector(above.alpha), turned, turning)
-            carried = [total([above.a[k], *(above.gradient[k] * x.origin)]) for k in range(3)]
-            a = back.vector(np.array(carried, dtype=object))
-            a = plus_cross(plus_cross(a, turned + turned, sliding), turning, sliding)
-        self.memory["field", j + 1] = Field(omega, alpha, a, _gradient(omega, alpha))
-
-    def _ground(self) -> Field:
-        nothing = self.zeros(3)
-        upwards = self.constants([-g for g in self.plan.gravity])
-        return Field(nothing, nothing, upwards, self.zeros(3, 3))
-
-    def drift(self, j: int) -> Array | None:
-        """What a joint's sides differ by in the reference field beyond S qdd; None for nothing."""
-        drift = self.memory.get(("drift", j))
-        return None if drift is None else self.column(drift)
-
-    # -- links ------------------------------------------------------------------------------------
-
-    def link_inertia(self, number: int) -> Array:
-        """Spatial inertia at the link's origin, constant, shape (6, 6)."""
-        link = self.plan.links[number]
-        c, mass = self.constants(link.com), self.graph.constant(link.mass)
-        zero = self.graph.constant(0)
-        m = c * mass
-        mx = np.array([[zero, -m[2], m[1]], [m[2], zero, -m[0]], [-m[1], m[0], zero]])
-        inertia = self.zeros(6, 6)
-        inertia[:3, 3:], inertia[3:, :3] = mx, mx.T
-        about_com = self.constants(link.tensor)
-        for i in range(3):
-            inertia[3 + i, 3 + i] = mass
-            for k in range(3):
-                outer = dot(m, c) - m[i] * c[i] if i == k else -(m[i] * c[k])
-                inertia[i, k] = about_com[i, k] + outer
-        return inertia
-
-    def link_force(self, number: int) -> Array:
-        """What the reference field takes to be had by the link alone: [moment; force], shape (6,).
-
-        The moment I alpha + omega x I omega + m c x a, the products in H being used again.
-        """
-        field: Field = self.memory["field", number]
-        inertia = self.link_inertia(number)
-        mass = inertia[3, 3]
-        moment_of_mass = np.array([inertia[2, 4], inertia[0, 5], inertia[1, 3]], dtype=object)
-        h, moment = field.gradient, []
-        for i in range(3):
-            k, m = (i + 1) % 3, (i + 2) % 3
-            terms = [
-                field.alpha[i] * inertia[i, i],
-                (field.omega[k] * field.omega[m]) * (inertia[m, m] - inertia[k, k]),
-                -(h[m, i] * inertia[i, k]),
-                h[k, i] * inertia[i, m],
-                (h[k, k] - h[m, m]) * inertia[k, m],
-            ]
-            moment.append(total(terms))
-        moment_of_force = plus_cross(np.array(moment, dtype=object), moment_of_mass, field.a)
-        force = [total([field.a[k] * mass, *(h[k] * moment_of_mass)]) for k in range(3)]
-        return np.concatenate([moment_of_force, np.array(force, dtype=object)])
-
     # -- messages ---------------------------------------------------------------------------------
 
     def _items(self, message: Message) -> list[Any]:
@@ -371,15 +217,3 @@ class Machine:
                 self.results[name[1]] = np.array(
                     [total([row[0], *(row[1:] * torques)]) for row in qdd], dtype=object
                 )
-
-
-def _gradient(omega: Array, alpha: Array) -> Array:
-    """H = alpha x + omega x omega x, shape (3, 3)."""
-    h = np.empty((3, 3), dtype=object)
-    squares = omega * omega
-    for i in range(3):
-        k, m = (i + 1) % 3, (i + 2) % 3
-        h[i, i] = -(squares[k] + squares[m])
-        product = omega[i] * omega[k]
-        h[i, k], h[k, i] = product - alpha[m], product + alpha[m]
-    return h

@@ -59,8 +59,8 @@ class SegmentMachine:
         """Do one step."""
         match step:
             case StartLink():
-                self.memory["IA", step.link] = self.machine.link_inertia(step.link)
-                force = self.machine.link_force(step.link)
+                self.memory["IA", step.link] = self.machine.motion.link_inertia(step.link)
+                force = self.machine.motion.link_force(step.link)
                 self.memory["pA", step.link] = self.machine.column(force)
             case FreeBase():
                 free = list(self.machine.kind(step.joint).free)
@@ -87,7 +87,7 @@ class SegmentMachine:
                 load = self.memory["load", step.link]
                 self.memory["a", step.link] = b + matrix_times(phi, load)
             case FreeAcceleration():
-                a, drift = self.memory["a", step.joint + 1], self.machine.drift(step.joint)
+                a, drift = self.memory["a", step.joint + 1], self.machine.motion.drift(step.joint)
                 free = list(self.machine.kind(step.joint).free)
                 self.machine.accelerate(step.joint, (a if drift is None else a - drift)[free])
             case Accelerate():
@@ -196,7 +196,7 @@ class SegmentMachine:
             a = self.machine.zeros(6, self.machine.columns)
         else:
             a = near if step.reversed else columnwise(x.motion, near)
-        drift = self.machine.drift(step.joint)
+        drift = self.machine.motion.drift(step.joint)
         if drift is not None:
             a = a + drift * sigma
         far = a.copy()

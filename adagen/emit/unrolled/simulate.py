@@ -7,7 +7,12 @@ from typing import Any
 
 from adagen.emit.unrolled.machine import Machine
 from adagen.graph import Operations, count_operations
+from adagen.model.kinds import KINDS
 from adagen.plan import Plan
+
+_MOST_FREEDOMS = 24
+_MOST_OPERATIONS = 3000  # of one process: about 20 kB of code
+_MOST_EACH = 250  # products and sums for each degree of freedom
 
 
 @dataclass(frozen=True)
@@ -51,3 +56,16 @@ def simulate(plan: Plan) -> tuple[Simulated, ...]:
         if len(reached) < len(process.steps):
             raise RuntimeError(f"process {p} waits for ever at {process.steps[len(reached)]}")
     return tuple(Simulated(*pair) for pair in zip(machines, map(tuple, ends), strict=True))
+
+
+def pays_unrolled(plan: Plan) -> bool:
+    """Return whether a straight line is expected to be the fastest shape (docs/code_shapes.md).
+
+    It wins by what structure saves: few operations for each degree of freedom, and code that stays
+    in the first-level cache.
+    """
+    freedoms = sum(KINDS[joint.kind].nv for joint in plan.joints)
+    if freedoms > _MOST_FREEDOMS:
+        return False
+    work = [one.operations.arithmetic for one in simulate(plan)]
+    return max(work) <= _MOST_OPERATIONS and sum(work) <= _MOST_EACH * freedoms

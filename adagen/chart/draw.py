@@ -1,0 +1,199 @@
+"""Work-precision diagrams as pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from adagen.chart.record import Chart, Point
+from adagen.chart.variants import NAMES
+from adagen.errors import EnvironmentFault
+from adagen.plan.growth import EPSILON
+
+COLOURS = {
+    "segment": "#0072b2",
+    "ada": "#d55e00",
+    "aba": "#999999",
+    "aba_exact": "#555555",
+    "crba": "#cc79a7",
+}
+_PEER_COLOURS = ("#009e73", "#56b4e9", "#e69f00", "#b09000")
+_MARKERS = ("o", "^", "D", "v", "P")  # by steps of refinement
+_LEAST = 1e-17  # errors below are drawn here
+
+
+def pyplot() -> Any:
+    """Return matplotlib's pyplot, drawing to files alone.
+
+    Raises:
+        EnvironmentFault: it is not installed.
+    """
+    try:
+        import matplotlib as mpl
+    except ImportError:
+        raise EnvironmentFault(
+            "charts are drawn by matplotlib, which is not installed: pip install 'adagen[chart]' "
+            "(--no-picture does without)"
+        ) from None
+    mpl.use("Agg")
+    from matplotlib import pyplot as plt
+
+    plt.rcParams.update({"svg.hashsalt": "adagen", "font.size": 9, "svg.fonttype": "path"})
+    return plt
+
+
+def save(figure: Any, path: Path) -> list[Path]:
+    """Write a figure as SVG and PNG beside each other; return both paths.
+
+    Args:
+        figure: matplotlib's.
+        path: without ending.
+
+    Raises:
+        EnvironmentFault: writing failed.
+    """
+    paths = [path.with_name(f"{path.name}{ending}") for ending in (".svg", ".png")]
+    try:
+        figure.savefig(paths[0], metadata={"Date": None}, bbox_inches="tight")
+        figure.savefig(paths[1], dpi=150, bbox_inches="tight")
+    except OSError as error:
+        raise EnvironmentFault(f"cannot write the picture: {error.strerror}") from None
+    finally:
+        pyplot().close(figure)
+    return paths
+
+
+def work_precision(chart: Chart) -> Any:
+    """Return the figure: forward error and torque residual, each against time."""
+    plt = pyplot()
+    figure, axes = plt.subplots(1, 2, figsize=(13, 6.4), sharex=True, width_ratios=(3, 2))
+    colours = _colours(chart.points)
+    _panel(axes[0], chart, "error", colours)
+    _panel(axes[1], chart, "residual", colours)
+    axes[0].set_ylabel(
+        f"largest forward error over {chart.states} states, " r"$\sqrt{e^T H e\,/\,t^T H t}$"
+    )
+    axes[1].set_ylabel("largest torque residual")
+    figure.suptitle(
+        f"{chart.model}, {chart.dof} degrees of freedom: error against time on {chart.machine}\n"
+        f"truth to {chart.digits} digits; medians over {chart.rounds} rounds, by turns"
+    )
+    _legend(axes[0], chart, colours)
+    figure.tight_layout()
+    return figure
+
+
+def _colours(points: Sequence[Point]) -> dict[str, str]:
+    peers = sorted({p.algorithm for p in points} - set(COLOURS))
+    more = {name: _PEER_COLOURS[k % len(_PEER_COLOURS)] for k, name in enumerate(peers)}
+    return {
+        name: c for name, c in (COLOURS | more).items() if any(p.algorithm == name for p in points)
+    }
+
+
+def _panel(axes: Any, chart: Chart, what: str, colours: dict[str, str]) -> None:
+    """Draw one kind of error against time."""
+    times = [p.time_ns for p in chart.points if p.time_ns is not None] or [1e3]
+    right = max(times) * 2.2  # where points without a time go
+    values = [_height(p, what) for p in chart.points if not p.failed]
+    top = max([*values, 1e-6]) * 1e4
+    axes.set(xscale="log", yscale="log", ylim=(_LEAST / 3, top * 6), xlabel="ns per evaluation")
+    axes.set_xlim(min(times) / 1.6, right * 2.4)
+    axes.grid(alpha=0.25, which="major")
+    axes.axvline(right / 1.4, color="black", lw=0.6, ls=":")
+    axes.text(right, _LEAST / 2, "not\ntimed", ha="center", va="bottom", fontsize=7)
+    for point in chart.points:
+        x = right if point.time_ns is None else point.time_ns
+        y = top if point.failed else _height(point, what)
+        _mark(axes, point, x, y, colours[point.algorithm])
+    if what == "error":
+        _guides(axes, chart)
+        _pareto(axes, chart)
+    _failures(axes, chart, top)
+
+
+def _height(point: Point, what: str) -> float:
+    value = point.error if what == "error" else point.residual
+    return max(value or 0.0, _LEAST)
+
+
+def _mark(axes: Any, point: Point, x: float, y: float, colour: str) -> None:
+    marker = "x" if point.failed else _MARKERS[min(point.refine, len(_MARKERS) - 1)]
+    face = colour if point.scalar == "double" or point.failed else "white"
+    axes.plot(x, y, marker, color=colour, mfc=face, ms=7 if point.front else 5.5, alpha=0.85)
+    if point.processes > 1 and not point.failed:
+        axes.annotate(str(point.processes), (x, y), fontsize=6, xytext=(3.5, 2.5),
+                      textcoords="offset points", color=colour)  # fmt: skip
+
+
+def _guides(axes: Any, chart: Chart) -> None:
+    """Draw the rounding of each scalar, and what the joins of form ada are predicted to lose."""
+    left = axes.get_xlim()[0]
+    for scalar in sorted({p.scalar for p in chart.points}):
+        lines = [(EPSILON[scalar], f"eps, {scalar}")]
+        grown = [
+            p.predicted
+            for p in chart.points
+            if p.predicted and p.algorithm == "ada" and p.schedule == "auto"
+            if p.scalar == scalar and p.processes == 1
+        ]
+        lines += [(grown[0], f"eps Σg of form ada, {scalar}")] if grown else []
+        for height, text in lines:
+            axes.axhline(height, color="black", lw=0.7, ls="--", alpha=0.5)
+            axes.text(left * 1.03, height * 1.15, text, fontsize=7, alpha=0.7, va="bottom")
+
+
+def _pareto(axes: Any, chart: Chart) -> None:
+    """Join the points that nothing beats by a staircase, numbered as in the list below it."""
+    on = sorted((p for p in chart.points if p.front), key=lambda p: p.time_ns or 0.0)
+    if not on:
+        return
+    xs, ys = [p.time_ns for p in on], [_height(p, "error") for p in on]
+    axes.step(xs, ys, where="post", color="black", lw=1.1, alpha=0.6, zorder=0)
+    lines = ["Pareto front:"]
+    for k, (point, x, y) in enumerate(zip(on, xs, ys, strict=True), start=1):
+        axes.annotate(f"{k}", (x, y), fontsize=8, weight="bold", xytext=(-9, -11),
+                      textcoords="offset points")  # fmt: skip
+        ratio = "" if point.ratio is None else f", {point.ratio:.2f}x"
+        lines.append(f"{k}  {point.label} ({point.time_ns:.0f} ns{ratio})")
+    axes.text(0.012, 0.985, "\n".join(lines), transform=axes.transAxes, fontsize=7.5, va="top",
+              bbox={"fc": "white", "alpha": 0.85, "lw": 0.4})  # fmt: skip
+
+
+def _failures(axes: Any, chart: Chart, top: float) -> None:
+    """Say at the top edge that points there have no answer; the reasons are listed once."""
+    failed = [p for p in chart.points if p.failed]
+    if not failed:
+        return
+    axes.axhline(top / 4, color="black", lw=0.6, ls=":")
+    axes.text(axes.get_xlim()[0] * 1.03, top * 2.2, "no answer", fontsize=7, va="center")
+    if axes.get_subplotspec().is_first_col():
+        return
+    reasons: dict[str, list[str]] = {}
+    for point in failed:
+        reasons.setdefault(_shortened(point.why or "unknown"), []).append(point.label)
+    lines = [f"{names[0]}{f' and {len(names) - 1} more' if len(names) > 1 else ''}: {why}"
+             for why, names in reasons.items()]  # fmt: skip
+    axes.text(0.02, 0.9, "\n".join(lines[:6]), transform=axes.transAxes, fontsize=6.5, va="top",
+              wrap=True, bbox={"fc": "white", "alpha": 0.85, "lw": 0.4})  # fmt: skip
+
+
+def _shortened(text: str, most: int = 90) -> str:
+    return text if len(text) <= most else f"{text[: most - 1]}…"
+
+
+def _legend(axes: Any, chart: Chart, colours: dict[str, str]) -> None:
+    from matplotlib.lines import Line2D
+
+    def handle(marker: str, colour: str, face: str, text: str) -> Any:
+        return Line2D([], [], marker=marker, color=colour, mfc=face, ls="", label=text)
+
+    rows = [handle("o", c, c, NAMES.get(name, name)) for name, c in colours.items()]
+    if any(p.scalar == "float" for p in chart.points):
+        rows.append(handle("o", "black", "white", "float (hollow)"))
+    for n in sorted({p.refine for p in chart.points if p.refine}):
+        rows.append(handle(_MARKERS[min(n, len(_MARKERS) - 1)], "black", "black", f"refined {n}x"))
+    if any(p.processes > 1 for p in chart.points):
+        rows.append(handle("$2$", "black", "black", "processes (1 if none)"))
+    axes.legend(handles=rows, loc="upper right", fontsize=7.5, framealpha=0.85)

@@ -1,0 +1,199 @@
+"""The ways to compute the same accelerations: algorithm, schedule, scalar, processes, ..."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import get_args
+
+import numpy as np
+
+from adagen.emit import emit
+from adagen.emit.shapes import BASELINES
+from adagen.errors import UsageError
+from adagen.model import Model
+from adagen.plan import Plan, make_plan
+from adagen.predict import best_schedule
+from adagen.schedule import Node, Schedule, Topology, load_profile, named_schedule, validate
+from adagen.schedule.tree import Named
+
+NAMES = {
+    "crba": "CRBA",
+    "aba": "ABA, textbook",
+    "aba_exact": "ABA, exact projection",
+    "ada": "form ada",
+    "segment": "form segment",
+}
+"""Algorithms, and what pictures call them."""
+
+SCHEDULES = ("auto", "balanced", "sequential", "random")
+_SEED = 1  # of the random schedule
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A way to compute the accelerations.
+
+    Attributes:
+        algorithm: a key of ``NAMES``.
+        schedule: one of ``SCHEDULES``; "auto" is searched.
+        scalar: "double" or "float".
+        processes: P.
+        refine: steps of iterative refinement.
+        shape: shape of the code; "auto" is what the compiler chooses.
+    """
+
+    algorithm: str
+    schedule: str = "auto"
+    scalar: str = "double"
+    processes: int = 1
+    refine: int = 0
+    shape: str = "auto"
+
+    @property
+    def baseline(self) -> bool:
+        """Whether this is a textbook algorithm, not what adagen is for."""
+        return self.algorithm in BASELINES
+
+    @property
+    def label(self) -> str:
+        """A name that tells it from all others."""
+        words = [NAMES[self.algorithm]]
+        words += [self.shape] if self.shape != "auto" else []
+        words += [self.schedule] if self.schedule != "auto" else []
+        words += ["float"] if self.scalar == "float" else []
+        words += [f"P={self.processes}"] if self.processes > 1 else []
+        words += [f"refined {self.refine}x"] if self.refine else []
+        return ", ".join(words)
+
+    def plan(self, model: Model, source_hash: str = "") -> tuple[Schedule, Plan]:
+        """Return its schedule and plan of a robot.
+
+        Raises:
+            AdagenError: the robot cannot be treated so.
+        """
+        form = "segment" if self.baseline else self.algorithm
+        schedule = schedule_of(model, self, form)
+        plan = make_plan(model, schedule, form=form, scalar=self.scalar, source_hash=source_hash)
+        return schedule, plan
+
+    def files(self, plan: Plan, name: str | None = None, svg: str | None = None) -> dict[str, str]:
+        """Return what is emitted of its plan, file name to text.
+
+        Raises:
+            UsageError: the plan cannot be emitted so.
+        """
+        shape = self.algorithm if self.baseline else self.shape
+        return emit(plan, name=name, svg=svg, shape=shape, refine=self.refine)
+
+
+REFERENCE = Variant("segment")
+"""The serial articulated-body solver, to which times are told as ratios."""
+
+
+def every_variant(
+    processes: Sequence[int] = (1, 2, 4),
+    scalars: Sequence[str] = ("double", "float"),
+    refinements: Sequence[int] = (0, 1, 2),
+    shapes: Sequence[str] = ("auto",),
+    *,
+    whole: bool = False,
+) -> list[Variant]:
+    """Return what a chart holds, the reference first.
+
+    Schedules are varied in double without refinement, and refinement on the searched schedule,
+    unless the ``whole`` product is asked for. A schedule makes no difference in form segment on one
+    process, and baselines have neither schedule nor processes nor refinement.
+    """
+    found = [REFERENCE, *(Variant(name, scalar=s) for name in BASELINES for s in scalars)]
+    for form in ("segment", "ada"):
+        for p in processes:
+            schedules = SCHEDULES if p > 1 or form == "ada" else SCHEDULES[:1]
+            for scalar in scalars:
+                plain = Variant(form, scalar=scalar, processes=p)
+                found += [replace(plain, shape=shape) for shape in shapes]
+                refined = [replace(plain, refine=n) for n in refinements if n]
+                rescheduled = [replace(plain, schedule=s) for s in schedules[1:]]
+                found += refined
+                if whole:
+                    found += [replace(r, schedule=s.schedule) for r in refined for s in rescheduled]
+                if whole or scalar == "double":
+                    found += rescheduled
+    return list(dict.fromkeys(found))
+
+
+def schedule_of(model: Model, variant: Variant, form: str) -> Schedule:
+    """Return a variant's schedule.
+
+    Raises:
+        AdagenError: there is none.
+    """
+    profile = load_profile("default")
+    if variant.schedule == "auto":
+        return best_schedule(model, variant.processes, profile, form, variant.scalar)
+    if variant.schedule == "random":
+        return random_schedule(model, variant.processes, _SEED)
+    if variant.schedule in get_args(Named):
+        topology = Topology.of(model)
+        costs = profile.joins_only() if form == "ada" else profile
+        name: Named = variant.schedule  # type: ignore[assignment]
+        return named_schedule(name, topology, variant.processes, profile=costs)
+    raise UsageError(f"unknown schedule '{variant.schedule}': expected {', '.join(SCHEDULES)}")
+
+
+def random_schedule(model: Model, processes: int, seed: int) -> Schedule:
+    """Return a schedule whose every cut, and division of processes, is drawn at random.
+
+    Args:
+        model: the robot.
+        processes: P, at least 1.
+        seed: at least 0; the same one gives the same schedule.
+    """
+    rng = np.random.default_rng(seed)
+    root = _random_node(model, frozenset(range(len(model.joints))), (0, processes), rng)
+    assert root is not None  # a robot has joints
+    schedule = Schedule(
+        root=root,
+        processes=processes,
+        makespan=0.0,
+        verdict="gap",
+        gap=0.0,
+        lower_bound=0.0,
+        profile="default",
+        tie="work",
+        tie_proven=False,
+        strategy="file",
+        split="free",
+        expanded=0,
+        loads=(0.0,) * processes,
+    )
+    validate(schedule, Topology.of(model))
+    return schedule
+
+
+def _random_node(
+    model: Model, joints: frozenset[int], span: tuple[int, int], rng: np.random.Generator
+) -> Node | None:
+    if not joints:
+        return None
+    cut = int(rng.choice(sorted(joints)))
+    end = {cut}
+    for j in sorted(joints):
+        if j > cut and model.joints[j].parent - 1 in end:
+            end.add(j)
+    end.discard(cut)
+    root, (first, last) = joints - end - {cut}, span
+    spans = span, span
+    if root and end and last - first > 1:
+        middle = int(rng.integers(first + 1, last))
+        spans = (first, middle), (middle, last)
+    sides = (
+        _random_node(model, root, spans[0], rng),
+        _random_node(model, frozenset(end), spans[1], rng),
+    )
+    links = {link for j in joints for link in (model.joints[j].parent, j + 1)}
+    boundary = sum(
+        j not in joints and bool({joint.parent, j + 1} & links)
+        for j, joint in enumerate(model.joints)
+    )
+    return Node(cut, span, *sides, cost=0.0, boundary=boundary)

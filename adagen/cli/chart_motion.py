@@ -1,0 +1,83 @@
+"""``adagen chart --simulate``: integrators and steps of a robot, charted."""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from adagen.cli.console import Stages, note
+
+if TYPE_CHECKING:
+    from adagen.chart.motion import MotionChart
+
+_HALVINGS = 4
+
+
+def chart_motion(options: argparse.Namespace) -> None:
+    """Simulate one robot with every integrator and step; write, draw and show the chart.
+
+    Raises:
+        AdagenError: the robot is refused, or its reference motion fails.
+    """
+    from adagen.build import build_executable, find_toolchain
+    from adagen.chart.motion import Player, motion_chart
+    from adagen.chart.variants import REFERENCE
+    from adagen.cli import pipeline
+    from adagen.cli.chart import speaking
+    from adagen.emit import stem_of
+
+    model = pipeline.read_model(options, Stages(), options.gravity)
+    toolchain = find_toolchain()
+    with speaking(Path(options.model).stem) as said:
+        _, plan = REFERENCE.plan(model)
+        stem = stem_of(plan)
+        said(f"compiling {stem}")
+        program = build_executable(REFERENCE.files(plan)[f"{stem}.cpp"], stem, toolchain)
+        steps = [options.step / 2**k for k in range(_HALVINGS + 1)]
+        player = Player(model, program, len(plan.processes), toolchain)
+        chart = motion_chart(player, options.simulate, steps, said)
+    _write(chart, options)
+    _show(chart)
+
+
+def _write(chart: MotionChart, options: argparse.Namespace) -> None:
+    from adagen.cli.files import write_file
+
+    options.out.mkdir(parents=True, exist_ok=True)
+    path = options.out / f"chart_motion_{Path(options.model).stem}"
+    data = path.with_name(f"{path.name}.json")
+    write_file(data, json.dumps(dataclasses.asdict(chart), indent=1) + "\n")
+    paths = [data]
+    if options.picture:
+        from adagen.chart.draw import save
+        from adagen.chart.draw_motion import motion_picture
+
+        paths += save(motion_picture(chart), path)
+    note(f"wrote {', '.join(map(str, paths))}")
+
+
+def _show(chart: MotionChart) -> None:
+    """Print fitted orders and the errors at the least step, for people."""
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+
+    from adagen.chart.motion import INTEGRATORS
+
+    title = f"{chart.model}: orders in the step, over {chart.seconds:g} s"
+    table = Table(box=box.SIMPLE, title=title)
+    for column in ("integrator", "state", "energy", "momentum", "error at least step"):
+        table.add_column(column, justify="left" if column == "integrator" else "right")
+    for integrator in INTEGRATORS:
+        orders = [chart.order(integrator, what) for what in ("error", "energy", "momentum")]
+        last = [p for p in chart.points if p.integrator == integrator][-1]
+        error = "failed" if last.error is None else f"{last.error:.1e}"
+        table.add_row(integrator, *("-" if x is None else f"{x:.2f}" for x in orders), error)
+    console = Console()
+    console.print(table)
+    for point in chart.points:
+        if point.why is not None:
+            console.print(f"{point.integrator}, step {point.step:g} s: {point.why}", markup=False)

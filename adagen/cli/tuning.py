@@ -1,0 +1,51 @@
+"""``--tune``: the fastest shape, function length and compiler, found by trying."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from adagen.cli.console import Stages, note, progress
+
+if TYPE_CHECKING:
+    from adagen.build.tune import Candidate
+    from adagen.plan import Plan
+
+
+def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
+    """Return how a plan is emitted fastest on this machine, and say on stderr what was tried.
+
+    Raises:
+        UsageError: the plan cannot be emitted in the shape asked for.
+        EnvironmentFault: nothing could be built and run.
+    """
+    from adagen.build import find_toolchain
+    from adagen.build.tune import candidates, compilers, table, tune
+    from adagen.emit import emit, stem_of
+    from adagen.emit.shapes import SHAPES, chosen_shape
+
+    if options.shape == "auto":
+        shapes = [name for name, shape in SHAPES.items() if shape.why_not(plan) is None]
+    else:
+        shapes = [chosen_shape(plan, options.shape)]
+    if options.refine:
+        shapes = ["joints"]
+    stem = stem_of(plan)
+
+    def text_of(candidate: Candidate) -> str:
+        files = emit(plan, shape=candidate.shape, refine=options.refine, chunk=candidate.chunk)
+        return files[f"{stem}.cpp"]
+
+    with stages.stage("tune"):
+        trials = tune(
+            candidates(shapes, compilers()),
+            text_of,
+            stem,
+            len(plan.processes),
+            find_toolchain(),
+            progress,
+        )
+    note("tried, ns per evaluation with state and result in place:")
+    for line in table(trials).splitlines():
+        note(line)
+    return trials[0].candidate

@@ -1,0 +1,125 @@
+"""What joints do by themselves, prescribed motions and outer forces, as C++ lines.
+
+In emitted code a joint whose acceleration is known frees nothing (``Held``), and so does, at a cut,
+one with a rotor: the rotor's inertia gives way in place of the joint.
+"""
+
+from __future__ import annotations
+
+from adagen.emit.words import Words
+from adagen.plan import Plan
+from adagen.plan.types import PlanJoint
+
+
+def has_effects(plan: Plan) -> bool:
+    """Whether the runtime of effects is needed."""
+    return bool(plan.wrenches) or any(
+        joint.prescribed or joint.rotor_inertia for joint in plan.joints
+    )
+
+
+def joined_type(words: Words, j: int) -> str:
+    """The C++ type that stands for what a joint frees where chains are joined."""
+    joint = words.plan.joints[j]
+    return "Held" if joint.prescribed or joint.rotor_inertia else words.type_of(j)
+
+
+def body_type(words: Words, j: int) -> str:
+    """The C++ type of a joint's share of an articulated body."""
+    joint = words.plan.joints[j]
+    if joint.prescribed:
+        return "Articulated<Held>"
+    return f"{'Geared' if joint.rotor_inertia else 'Articulated'}<{words.type_of(j)}>"
+
+
+def freedoms_type(words: Words, j: int) -> str:
+    """The C++ type of a number for each degree of freedom and right-hand side."""
+    return f"std::array<std::array<Real, kColumns>, kFree<{words.type_of(j)}>>"
+
+
+def passive_torques(words: Words, j: int, tau: str) -> list[str]:
+    """The lines by which damping, friction and a spring take from a joint's torque."""
+    joint, number = words.plan.joints[j], words.printer.number
+    lines = []
+    for k in range(words.kind(j).nv):
+        qd = _rate(words, joint, k)
+        terms = []
+        if joint.damping:
+            terms.append(f"{number(joint.damping)} * ({qd})")
+        if joint.friction:
+            slope = f"({qd}) / {number(joint.friction_speed)}"
+            terms.append(f"{number(joint.friction)} * std::tanh({slope})")
+        if joint.stiffness:
+            terms.append(f"{number(joint.stiffness)} * ({_stretch(words, joint)})")
+        if terms:
+            lines.append(f"{tau}[{k}][0] -= {' + '.join(terms)};")
+    return lines
+
+
+def _rate(words: Words, joint: PlanJoint, k: int) -> str:
+    if joint.mimic is None:
+        return f"w.v[{joint.v + k}]"
+    source, multiplier, _ = joint.mimic
+    return words.printer.linear([(multiplier, f"w.v[{words.plan.joints[source].v}]")])
+
+
+def _stretch(words: Words, joint: PlanJoint) -> str:
+    if joint.mimic is None:
+        return words.printer.linear([(1.0, f"w.q[{joint.q}]")], -joint.rest)
+    source, multiplier, offset = joint.mimic
+    q = words.plan.joints[source].q
+    return words.printer.linear([(multiplier, f"w.q[{q}]")], offset - joint.rest)
+
+
+def prescribe(words: Words, j: int, c: str) -> list[str]:
+    """The lines that add S qdd to c where qdd is prescribed."""
+    joint = words.plan.joints[j]
+    if not joint.prescribed:
+        return []
+    return [
+        f"require_finite(w, w.tau + {joint.v}, {words.kind(j).nv}, {j});",
+        f"prescribe<{words.type_of(j)}>(w.tau + {joint.v}, {c});",
+    ]
+
+
+def given_acceleration(words: Words, j: int) -> list[str]:
+    """The lines that name a prescribed acceleration qdd."""
+    return [
+        f"{freedoms_type(words, j)} qdd;",
+        f"load_torque(w, {j}, {words.plan.joints[j].v}, qdd);  // the prescribed acceleration",
+    ]
+
+
+def pushes(words: Words, link: int, line: str) -> list[str]:
+    """The lines that let the outer forces on a link act; ``line`` says how, of ``{}``."""
+    plan = words.plan
+    start = sum(words.kind(j).nv for j in range(len(plan.joints)))
+    return [
+        line.format(f"outer_force(w, {k}, {start + 6 * k}, {link - 1})")
+        for k, wrench in enumerate(plan.wrenches)
+        if wrench.link == link
+    ]
+
+
+def pushed_entries(words: Words, links: set[int]) -> list[int]:
+    """The entries of tau that hold the outer forces on some links."""
+    plan = words.plan
+    start = sum(words.kind(j).nv for j in range(len(plan.joints)))
+    return [
+        start + 6 * k + i
+        for k, wrench in enumerate(plan.wrenches)
+        if wrench.link in links
+        for i in range(6)
+    ]
+
+
+def constants(words: Words, j: int) -> str:
+    """What the model's table says of a joint's effects; nothing where it has none."""
+    joint, number = words.plan.joints[j], words.printer.number
+    numbers = (joint.damping, joint.friction, joint.friction_speed, joint.stiffness, joint.rest)
+    if not (joint.damping or joint.friction or joint.stiffness):
+        numbers = (0.0, 0.0, 1.0, 0.0, 0.0)
+    if not (any(numbers[k] for k in (0, 1, 3)) or joint.rotor_inertia or joint.prescribed):
+        return ""
+    values = ", ".join(number(x) for x in (*numbers, joint.rotor_inertia))
+    return f", {{{values}, {'true' if joint.prescribed else 'false'}}}"

@@ -1,0 +1,188 @@
+"""Kinematics over expressions: frames, velocities, the reference field, and what it takes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.emit.unrolled.frames import Dense, Transform, Turn, about_z, placed, plus_cross
+from adagen.graph import Expression, dot, total
+
+if TYPE_CHECKING:
+    from adagen.emit.unrolled.machine import Machine
+
+Array = NDArray[Any]
+_READY = 40  # cycles until the polynomials have given sines and cosines
+
+
+@dataclass(frozen=True)
+class Field:
+    """A link's velocity and reference acceleration, in its own frame.
+
+    Attributes:
+        omega: angular velocity, shape (3,).
+        alpha: angular acceleration, shape (3,).
+        a: acceleration of the origin relative to free fall, shape (3,).
+        gradient: H = alpha x + omega x omega x, shape (3, 3): a point at r accelerates by a + H r.
+    """
+
+    omega: Array
+    alpha: Array
+    a: Array
+    gradient: Array
+
+
+class KinematicMachine:
+    """Executes kinematics on a process's memory; what links take of the reference field."""
+
+    def __init__(self, machine: Machine) -> None:
+        self.machine = machine
+
+    def state(self, j: int) -> tuple[list[Expression], list[Expression]]:
+        """Configuration and velocity of a joint, a slaved one's from its source."""
+        joint, kind = self.machine.plan.joints[j], self.machine.kind(j)
+        if joint.mimic is None:
+            q = [self.machine.graph.input(f"q[{joint.q + k}]") for k in range(kind.nq)]
+            return q, [self.machine.graph.input(f"v[{joint.v + k}]") for k in range(kind.nv)]
+        source, multiplier, offset = joint.mimic
+        (angle, *_), (rate, *_) = self.state(source)
+        return [angle * multiplier + offset], [rate * multiplier]
+
+    def kinematics(self, j: int) -> None:
+        """Placement of a joint's child link, its velocity and its reference acceleration."""
+        joint, kind = self.machine.plan.joints[j], self.machine.kind(j)
+        q, v = self.state(j)
+        base = self.machine.constants(joint.rotation)
+        turn, shift = self._placement(j, q)
+        origin = self.machine.constants(joint.translation)
+        if shift is not None:
+            origin = np.array(
+                [total([origin[k], *(base[k] * shift)]) for k in range(3)], dtype=object
+            )
+        x = Transform(placed(base, turn), origin)
+        motion = self.machine.zeros(6)
+        motion[list(kind.free)] = v
+        self.machine.memory["X", j] = x
+        self._advance(j, x, motion[:3], motion[3:])
+
+    def _placement(self, j: int, q: list[Expression]) -> tuple[Turn | Dense | None, Array | None]:
+        """Turn and shift of the child frame in the canonical joint frame, None for neither."""
+        kind, zero = self.machine.kind(j), self.machine.graph.constant(0)
+        if kind.quaternion is not None:
+            shift = np.array(q[:3], dtype=object) if kind.quaternion else None
+            return Dense(self._orientation(j, q[kind.quaternion :])), shift
+        if kind.name == "prismatic":
+            return None, np.array([zero, zero, q[0]], dtype=object)
+        shift = np.array([q[0], q[1], zero], dtype=object) if kind.name == "planar" else None
+        return about_z(*self._circular(q[-1])), shift
+
+    def _circular(self, angle: Expression) -> tuple[Expression, Expression]:
+        """Cosine and sine; they are taken of all angles of the process at once."""
+        if angle not in self.machine.angles:
+            self.machine.angles.append(angle)
+        k = self.machine.angles.index(angle)
+        cosine = self.machine.graph.input(f"cosine[{k}]", _READY)
+        return cosine, self.machine.graph.input(f"sine[{k}]", _READY)
+
+    def _orientation(self, j: int, quaternion: list[Expression]) -> Array:
+        """Rotation matrix of a quaternion (x, y, z, w) of any length."""
+        squared = total(part * part for part in quaternion)
+        self.machine.lengths.append((squared, j))
+        scale = 2 * self.machine.graph.reciprocal(squared)
+        x, y, z, w = quaternion
+        sx, sy, sz = scale * x, scale * y, scale * z
+        return np.array(
+            [
+                [1 - (sy * y + sz * z), sx * y - sz * w, sx * z + sy * w],
+                [sx * y + sz * w, 1 - (sx * x + sz * z), sy * z - sx * w],
+                [sx * z - sy * w, sy * z + sx * w, 1 - (sx * x + sy * y)],
+            ],
+            dtype=object,
+        )
+
+    def _advance(self, j: int, x: Transform, turning: Array, sliding: Array) -> None:
+        """Velocity and reference acceleration of a joint's child link."""
+        parent = self.machine.plan.joints[j].parent
+        back = x.rotation.transposed()
+        if parent == 0 and self.machine.kind(j).name == "floating":
+            # It falls freely: gravity then enters its own acceleration only, at the very end.
+            omega, alpha, a = turning, self.machine.zeros(3), self.machine.zeros(3)
+            ground = back.vector(self.machine.constants([-g for g in self.machine.plan.gravity]))
+            self.machine.memory["drift", j] = np.concatenate(
+                [self.machine.zeros(3), plus_cross(ground, omega, sliding)]
+            )
+        else:
+            above: Field = self.machine.memory["field", parent] if parent > 0 else self._ground()
+            turned = back.vector(above.omega)
+            omega = turned + turning
+            alpha = plus_cross(back.vector(above.alpha), turned, turning)
+            carried = [total([above.a[k], *(above.gradient[k] * x.origin)]) for k in range(3)]
+            a = back.vector(np.array(carried, dtype=object))
+            a = plus_cross(plus_cross(a, turned + turned, sliding), turning, sliding)
+        self.machine.memory["field", j + 1] = Field(omega, alpha, a, _gradient(omega, alpha))
+
+    def _ground(self) -> Field:
+        nothing = self.machine.zeros(3)
+        upwards = self.machine.constants([-g for g in self.machine.plan.gravity])
+        return Field(nothing, nothing, upwards, self.machine.zeros(3, 3))
+
+    def drift(self, j: int) -> Array | None:
+        """What a joint's sides differ by in the reference field beyond S qdd; None for nothing."""
+        drift = self.machine.memory.get(("drift", j))
+        return None if drift is None else self.machine.column(drift)
+
+    def link_inertia(self, number: int) -> Array:
+        """Spatial inertia at the link's origin, constant, shape (6, 6)."""
+        link = self.machine.plan.links[number]
+        c, mass = self.machine.constants(link.com), self.machine.graph.constant(link.mass)
+        zero = self.machine.graph.constant(0)
+        m = c * mass
+        mx = np.array([[zero, -m[2], m[1]], [m[2], zero, -m[0]], [-m[1], m[0], zero]])
+        inertia = self.machine.zeros(6, 6)
+        inertia[:3, 3:], inertia[3:, :3] = mx, mx.T
+        about_com = self.machine.constants(link.tensor)
+        for i in range(3):
+            inertia[3 + i, 3 + i] = mass
+            for k in range(3):
+                outer = dot(m, c) - m[i] * c[i] if i == k else -(m[i] * c[k])
+                inertia[i, k] = about_com[i, k] + outer
+        return inertia
+
+    def link_force(self, number: int) -> Array:
+        """What the reference field takes to be had by the link alone: [moment; force], shape (6,).
+
+        The moment I alpha + omega x I omega + m c x a, the products in H being used again.
+        """
+        field: Field = self.machine.memory["field", number]
+        inertia = self.link_inertia(number)
+        mass = inertia[3, 3]
+        moment_of_mass = np.array([inertia[2, 4], inertia[0, 5], inertia[1, 3]], dtype=object)
+        h, moment = field.gradient, []
+        for i in range(3):
+            k, m = (i + 1) % 3, (i + 2) % 3
+            terms = [
+                field.alpha[i] * inertia[i, i],
+                (field.omega[k] * field.omega[m]) * (inertia[m, m] - inertia[k, k]),
+                -(h[m, i] * inertia[i, k]),
+                h[k, i] * inertia[i, m],
+                (h[k, k] - h[m, m]) * inertia[k, m],
+            ]
+            moment.append(total(terms))
+        moment_of_force = plus_cross(np.array(moment, dtype=object), moment_of_mass, field.a)
+        force = [total([field.a[k] * mass, *(h[k] * moment_of_mass)]) for k in range(3)]
+        return np.concatenate([moment_of_force, np.array(force, dtype=object)])
+
+
+def _gradient(omega: Array, alpha: Array) -> Array:
+    """H = alpha x + omega x omega x, shape (3, 3)."""
+    h = np.empty((3, 3), dtype=object)
+    squares = omega * omega
+    for i in range(3):
+        k, m = (i + 1) % 3, (i + 2) % 3
+        h[i, i] = -(squares[k] + squares[m])
+        product = omega[i] * omega[k]
+        h[i, k], h[k, i] = product - alpha[m], product + alpha[m]
+    return h

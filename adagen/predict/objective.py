@@ -1,0 +1,132 @@
+"""Schedules for time, for accuracy, or for both: what is predicted of the digits decides, too.
+
+In form `segment` digits go where processes meet: g, the growth at a cut, says how many. Cuts above
+a limit are not made, so that the search moves them to other joints. In form `ada` every joint is
+joined, in one order or another; there the orders known by name compete with the searched one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any, get_args
+
+from adagen.model import Model
+from adagen.plan import Plan, make_plan
+from adagen.plan.clusters import fold_of
+from adagen.plan.growth import Growth, predicted_growth
+from adagen.predict.best import best_schedule
+from adagen.schedule import CostProfile, Schedule, named_schedule
+from adagen.schedule.tree import Named
+
+OBJECTIVES = ("time", "accuracy", "both")
+LIMITS = (1e1, 1e2, 1e3, 1e4, 1e5)
+"""Growths that objective `accuracy` lets pass at a cut, one after the other."""
+HARDLY_SINGULAR = {"double": 1e12, "float": 1e5}
+"""Growth that objective `time` lets pass: factorizations still succeed."""
+_BETTER = 0.5  # of the predicted error, for a slower schedule to be taken
+
+
+@dataclass(frozen=True)
+class Digits:
+    """What is predicted of a schedule's accuracy.
+
+    Attributes:
+        objective: it was searched for.
+        error: predicted relative error.
+        growth: the largest growth g where chains are joined.
+        joint: where that is; None where nothing is joined.
+    """
+
+    objective: str
+    error: float
+    growth: float
+    joint: str | None
+
+
+def schedule_for(
+    objective: str,
+    model: Model,
+    processes: int,
+    profile: CostProfile,
+    form: str = "segment",
+    scalar: str = "double",
+    **search: Any,
+) -> Schedule:
+    """Return the schedule that suits an objective, one of ``OBJECTIVES``.
+
+    `time` makes every cut that can be factorized at all; `both`, the default, none at which more
+    than a few digits are lost; `accuracy` takes what loses least on as many processes.
+
+    Args:
+        objective: what counts.
+        model: the robot.
+        processes: P.
+        profile: the costs.
+        form: of the algorithm.
+        scalar: "double" or "float".
+        search: further arguments of ``find_schedule``.
+
+    Raises:
+        InputError: as ``best_schedule``.
+        UsageError: as ``best_schedule``.
+    """
+
+    def best(limit: float | None) -> Schedule:
+        return best_schedule(model, processes, profile, form, scalar, limit, **search)
+
+    if objective == "time":
+        return best(HARDLY_SINGULAR[scalar])
+    found = best(None)
+    if objective == "both" or (form == "segment" and processes == 1):
+        return found
+    others = _orders(model, found, profile) if form == "ada" else map(best, LIMITS)
+    return _most_accurate(model, found, others, form, scalar)
+
+
+def predicted_digits(objective: str, model: Model, plan: Plan) -> Digits:
+    """Return what is predicted of a plan's accuracy.
+
+    Raises:
+        FloatingPointError: a factorization fails already here; the message names the joint.
+    """
+    growth = predicted_growth(plan)
+    joined = growth.largest > 1.0
+    name = model.joints[growth.joint].name if joined else None
+    return Digits(objective, growth.error, growth.largest, name)
+
+
+def _orders(model: Model, found: Schedule, profile: CostProfile) -> Iterator[Schedule]:
+    """Yield the schedules by name."""
+    seen = fold_of(model, "ada")
+    for name in get_args(Named):
+        other = named_schedule(name, seen.topology, found.processes, profile=profile.joins_only())
+        yield seen.unfold(other, profile)
+
+
+def _most_accurate(
+    model: Model, found: Schedule, others: Iterable[Schedule], form: str, scalar: str
+) -> Schedule:
+    """The schedule, or another of as many processes that is predicted to lose much less."""
+    working = _working(model, found, form)
+    best, least = found, _growth(model, found, form, scalar)
+    for candidate in others:
+        growth = _growth(model, candidate, form, scalar)
+        if growth is None or _working(model, candidate, form) < working:
+            continue
+        if least is None or growth.error < _BETTER * least.error:
+            best, least = candidate, growth
+    return best
+
+
+def _growth(model: Model, schedule: Schedule, form: str, scalar: str) -> Growth | None:
+    """What a schedule loses; None where it cannot be carried out at all."""
+    try:
+        return predicted_growth(make_plan(model, schedule, form=form, scalar=scalar))
+    except FloatingPointError:
+        return None
+
+
+def _working(model: Model, schedule: Schedule, form: str) -> int:
+    """How many processes have something to do."""
+    return sum(bool(process.owns) for process in make_plan(model, schedule, form=form).processes)

@@ -1,0 +1,167 @@
+"""Does the schedule change the accuracy? Orders in form ada, cuts in form segment.
+
+    python -m benchmarks.order_and_accuracy [--random 10] [--write docs/schedule_and_accuracy.md]
+
+The paper leaves it open whether the order of assembly matters to the accuracy. Here every order of
+a robot is carried out in double and compared with the truth; then two processes meet at every
+joint of a chain in turn. Errors are in the energy norm, the largest of three states.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import get_args
+
+import numpy as np
+
+from adagen.model import Model
+from adagen.plan import Plan, make_plan
+from adagen.plan.cuts import LARGEST_GROWTH
+from adagen.plan.growth import predicted_growth
+from adagen.plan.interpret import interpret
+from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
+from adagen.schedule import Node, Schedule, Topology, load_profile, named_schedule
+from adagen.schedule.tree import Named
+from adagen.stability import robots
+from adagen.states import random_states
+from adagen.urdf import read_robot
+from tests.schedules import random_schedule, wrapped
+
+ROOT = Path(__file__).resolve().parents[1]
+BEGIN, END = "<!-- benchmarks.order_and_accuracy -->", "<!-- end -->"
+STATES = 3
+NONE = float("inf")
+
+
+class Truth:
+    """A robot, its states and the true accelerations."""
+
+    def __init__(self, name: str, model: Model) -> None:
+        self.name, self.model = name, model
+        states = random_states(model, STATES, seed=1)
+        self.states = list(zip(states.q, states.v, states.tau, strict=True))
+        self.truth = [
+            exact_forward_dynamics(model, *state, digits=25).value for state in self.states
+        ]
+        self.inertia = [joint_space_inertia(model, state[0]) for state in self.states]
+
+    def error(self, plan: Plan) -> float:
+        """Return the largest error of a plan; infinity where a factorization fails."""
+        worst = 0.0
+        for state, truth, inertia in zip(self.states, self.truth, self.inertia, strict=True):
+            try:
+                wrong = interpret(plan, *state) - truth
+            except FloatingPointError:
+                return NONE
+            worst = max(worst, energy_norm_error(inertia, wrong, truth))
+        return worst
+
+
+def subjects() -> Iterator[Truth]:
+    """Yield the robots whose orders are compared."""
+    yield Truth("30 rods", robots.rods(30))
+    yield Truth("coil of 30", robots.coil(30))
+    yield Truth("dill of 16", robots.dill(4))
+    for mass in (1e-4, 1e-8):
+        yield Truth(f"30 rods, one of {mass:g} kg", robots.with_mass(30, 15, mass))
+    yield Truth("30 slender rods", robots.rods(30, radius=5e-4))
+    yield Truth("30 rods, tip of 1e8 kg", robots.with_mass(30, 30, 1e8))
+    for name in ("human40", "humanoid"):
+        yield Truth(name, read_robot(ROOT / f"generated_examples/models/{name}.urdf").model)
+
+
+def orders(model: Model, count: int) -> Iterator[Schedule]:
+    """Yield the schedules by name for one process, then random ones."""
+    for name in get_args(Named):
+        yield named_schedule(name, Topology.of(model), 1, profile=load_profile("paper"))
+    for seed in range(count):
+        yield random_schedule(model, 1, np.random.default_rng(seed))
+
+
+def order_rows(truth: Truth, count: int) -> str:
+    """Return a table row: how errors of form ada spread over schedules."""
+    plans = [make_plan(truth.model, s, form="ada") for s in orders(truth.model, count)]
+    errors = np.array([truth.error(plan) for plan in plans])
+    told = np.median([predicted_growth(plan).error for plan in plans])
+    alone = truth.error(make_plan(truth.model, next(orders(truth.model, 0)), form="segment"))
+    spread = np.log10(errors.max() / errors.min())
+    return (
+        f"| {truth.name} | {len(plans)} | {errors.min():.0e} | {np.median(errors):.0e} | "
+        f"{errors.max():.0e} | {spread:.1f} | {told:.0e} | {alone:.0e} |"
+    )
+
+
+def cut_at(model: Model, joint: int) -> Schedule:
+    """Return the schedule in which two processes meet at one joint of a chain."""
+
+    def sequence(joints: range, process: int) -> Node | None:
+        node = None
+        for j in reversed(joints):
+            boundary = (j > 0) + (process == 0)  # the joint above it, and the cut below
+            node = Node(j, (process, process + 1), None, node, 0.0, boundary)
+        return node
+
+    sides = sequence(range(joint), 0), sequence(range(joint + 1, len(model.joints)), 1)
+    return wrapped(Node(joint, (0, 2), *sides, 0.0, 0), model, 2)
+
+
+def cut_rows(truth: Truth) -> list[str]:
+    """Return table rows: the error of form segment and g, for a cut at each joint of a chain."""
+    rows = []
+    for joint in range(1, len(truth.model.joints) - 1):
+        plan = make_plan(truth.model, cut_at(truth.model, joint), form="segment")
+        error, growth = truth.error(plan), predicted_growth(plan)
+        refused = "no" if growth.largest > LARGEST_GROWTH["double"] else "yes"
+        name = truth.model.joints[joint].name
+        rows.append(
+            f"| {truth.name} | {name} | {growth.largest:.0e} | {growth.error:.0e} | {error:.0e} | "
+            f"{refused} |"
+        )
+    return rows
+
+
+def tables(count: int) -> list[str]:
+    """Return both tables as Markdown."""
+    lines = [
+        "Orders in form `ada`:",
+        "",
+        "| robot | orders | best error | median | worst | decades between | predicted | "
+        "form segment |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    for truth in subjects():
+        print(truth.name, file=sys.stderr)
+        lines.append(order_rows(truth, count))
+    lines += ["", "Cuts in form `segment`, two processes:", ""]
+    lines += [
+        "| robot | cut at | g | predicted | error | g below the limit |",
+        "|---|---|---|---|---|---|",
+    ]
+    for mass in (1.0, 1e-4, 1e-8):
+        lines += cut_rows(Truth(f"12 rods, link 6 of {mass:g} kg", robots.with_mass(12, 6, mass)))
+    return lines
+
+
+def main() -> int:
+    """Print the tables, or put them into a document."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
+    parser.add_argument("--random", type=int, default=10)
+    parser.add_argument("--write", type=Path)
+    options = parser.parse_args()
+    text = "\n".join(tables(options.random))
+    if options.write is None:
+        print(text)
+        return 0
+    held = options.write.read_text(encoding="utf-8")
+    head, tail = held[: held.index(BEGIN)], held[held.index(END) :]
+    options.write.write_text(f"{head}{BEGIN}\n{text}\n{tail}", encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

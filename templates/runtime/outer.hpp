@@ -1,0 +1,18 @@
+// The wrench [moment; force] of outer force k, given as [force; moment] in tau from `at` on, on its
+// link at the link's origin.
+[[maybe_unused]] inline Columns6 outer_force(Workspace& w, int k, int at, int joint) {
+  require_finite(w, w.tau + at, 6, joint);
+  const OuterForce& outer = kOuterForces[static_cast<std::size_t>(k)];
+  const Eigen::Map<const Vec3> given_force(w.tau + at), given_moment(w.tau + at + 3);
+  Mat3 turn;
+  Vec3 place;
+  for (int i = 0; i < 3; ++i) {
+    place[i] = outer.translation[i];
+    for (int c = 0; c < 3; ++c) turn(i, c) = outer.rotation[3 * i + c];
+  }
+  const Vec3 force = turn * given_force;
+  Columns6 result = Columns6::Zero();
+  result.col(0).template head<3>() = turn * given_moment + place.cross(force);
+  result.col(0).template tail<3>() = force;
+  return result;
+}

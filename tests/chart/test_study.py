@@ -1,0 +1,108 @@
+"""What a chart is made of, and one made of real programs."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.chart import Study, Variant, chart_of, every_variant
+from adagen.chart.motion import Player, motion_chart
+from adagen.chart.truth import truth_of
+from adagen.chart.variants import REFERENCE, random_schedule
+from adagen.cli import main
+from adagen.schedule import Topology, schedule_to_json, validate
+from adagen.states import random_states
+from tests.emitted import Builder, plan_of
+from tests.golden.make_models import MODELS
+from tests.models import random_tree, serial_chain, star
+
+
+class TestVariants:
+    def test_every_variant_is_there_once_with_a_name_of_its_own(self) -> None:
+        found = every_variant()
+        labels = [variant.label for variant in found]
+        assert found[0] == REFERENCE
+        assert len(set(labels)) == len(labels)
+        assert {(v.algorithm, v.processes) for v in found} >= {
+            ("crba", 1), ("aba", 1), ("aba_exact", 1), ("ada", 4), ("segment", 2)
+        }  # fmt: skip
+        assert {v.schedule for v in found} == {"auto", "balanced", "sequential", "random"}
+        assert set(found) < set(every_variant(whole=True))
+
+    @pytest.mark.parametrize("processes", [1, 2, 5])
+    def test_a_random_schedule_is_one(self, processes: int) -> None:
+        model = random_tree(np.random.default_rng(1), 9)
+        one, again, other = (random_schedule(model, processes, seed) for seed in (1, 1, 2))
+        topology = Topology.of(model)
+        validate(one, topology)
+        texts = [schedule_to_json(schedule, topology) for schedule in (one, again, other)]
+        assert texts[0] == texts[1] != texts[2]
+
+    @pytest.mark.parametrize("schedule", ["auto", "balanced", "sequential", "random"])
+    @pytest.mark.parametrize("algorithm", ["ada", "segment"])
+    def test_schedules_become_plans(self, algorithm: str, schedule: str) -> None:
+        _, plan = Variant(algorithm, schedule, processes=2).plan(star(3))
+        assert (plan.form, len(plan.processes)) == (algorithm, 2)
+
+
+def test_errors_are_seen_below_the_rounding_of_the_truth() -> None:
+    model = serial_chain(3)
+    truth = truth_of(model, 2)
+    assert truth.digits == 100
+    right = np.array([[float(x) for x in row] for row in truth.exact])
+    forward, residual = truth.errors(right)
+    assert 0 < forward < 2.0**-53 and residual < 1e-14
+    assert truth.errors(right * (1 + 1e-9))[0] == pytest.approx(1e-9, rel=1e-3)
+    assert truth.errors(right * np.nan) == (np.inf, np.inf)
+
+
+def test_a_study_measures_and_tells_why_it_cannot(
+    builder: Builder, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr("adagen.chart.study.cores", lambda: 1)
+    model = serial_chain(2)
+    toolchain = replace(builder.toolchain, flags=("-std=c++17", "-O0"))
+    bad = Variant("ada", "no such one")
+    study = Study([Variant("segment", processes=2), bad], rounds=1, repeat=1)
+    chart = chart_of(model, truth_of(model, 3, digits=30), study, toolchain)
+    reference, two, failed = chart.points
+    assert reference.label == REFERENCE.label and reference.front
+    assert reference.time_ns and reference.ratio == 1.0
+    assert reference.error is not None and reference.error < 1e-14
+    assert two.time_ns is None and two.why == "not timed: 2 processes, 1 cores"
+    assert two.error is not None and two.error < 1e-13
+    assert failed.failed and "unknown schedule" in (failed.why or "")
+
+
+def test_integrators_are_charted_with_their_orders(builder: Builder) -> None:
+    model = random_tree(np.random.default_rng(4), 2, floating=True)
+    player = Player(model, builder.solver(plan_of(model, 1)).executable, 1, builder.toolchain)
+    chart = motion_chart(player, 0.25, [1 / 32, 1 / 64, 1 / 128])
+    assert chart.reference_error < 1e-10
+    for name, least, most in (("euler", 0.7, 1.5), ("semi-implicit", 0.7, 1.5), ("rk4", 3.5, 4.7),
+                              ("rkmk4", 3.5, 4.7)):  # fmt: skip
+        order = chart.order(name, "error")
+        assert order is not None and least < order < most
+    assert all(p.momentum is not None for p in chart.points)
+    assert random_states(model, 1).q.shape == (1, model.nq)
+
+
+@pytest.mark.slow
+def test_the_command_line_draws_and_emits_what_keeps_a_budget(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = [str(MODELS / "chain16.urdf"), "--quick", "--procs", "1", "--scalars", "double"]
+    words += ["--algorithms", "segment,crba", "--budget", "error<1e-10", "--out", str(tmp_path)]
+    assert main(["chart", *words]) == 0
+    assert "form segment: " in capsys.readouterr().out
+    names = {path.name for path in tmp_path.iterdir()}
+    assert names >= {"chart_chain16.svg", "chart_chain16.png", "chart_chain16.csv",
+                     "chain16_p1.cpp", "chain16_p1.plan.json", "Makefile"}  # fmt: skip
+    data = json.loads((tmp_path / "chart_chain16.json").read_text())
+    assert {p["algorithm"] for p in data["points"]} == {"segment", "crba"}
+    assert all(p["time_ns"] > 0 for p in data["points"])

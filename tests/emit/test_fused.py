@@ -1,0 +1,87 @@
+"""Emitted programs that join several joints as one, and what they say near gimbal lock."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.model import Mimic, Model
+from adagen.plan import Plan, make_plan
+from adagen.plan.clusters import fold_of
+from adagen.plan.steps import FusedJoin
+from adagen.schedule import load_profile, named_schedule
+from adagen.states import States, random_states, write_states
+from tests.emitted import Builder, forward_error, truth_of
+from tests.models import three_axis_chain
+
+PROFILE = load_profile("default")
+
+
+def balanced(model: Model, processes: int, form: str) -> Plan:
+    """Return a plan that joins runs of joints as one."""
+    seen = fold_of(model, form)
+    found = named_schedule("balanced", seen.topology, processes, profile=PROFILE)
+    plan = make_plan(model, seen.unfold(found, PROFILE), form=form)
+    assert any(isinstance(step, FusedJoin) for p in plan.processes for step in p.steps)
+    return plan
+
+
+def slaved_chain() -> Model:
+    """Return three balls of three axes, two of which follow others."""
+    model = three_axis_chain(3)
+    joints = list(model.joints)
+    joints[4] = replace(joints[4], mimic=Mimic(1, -0.5, 0.3))
+    joints[8] = replace(joints[8], mimic=Mimic(6, 1.5, 0.1))
+    return replace(model, joints=tuple(joints))
+
+
+@pytest.mark.parametrize(
+    ("model", "form", "processes"),
+    [
+        (three_axis_chain(4), "ada", 1),
+        (three_axis_chain(4), "segment", 3),
+        (slaved_chain(), "ada", 2),
+    ],
+    ids=["ada", "cuts of form segment", "slaved"],
+)
+def test_runs_are_solved(
+    model: Model, form: str, processes: int, builder: Builder, tmp_path: Path
+) -> None:
+    solver = builder.solver(balanced(model, processes, form), ("-O0",), name="runs")
+    states = random_states(model, 4, seed=9)
+    found = solver.solve(model, states, tmp_path, "--check")
+    assert forward_error(found, truth_of(model, states)) < 1e-9
+
+
+def tilted(model: Model, angle: float) -> States:
+    """Return a state in which the second ball is an angle away from gimbal lock."""
+    states = random_states(model, 1, seed=1)
+    q = states.q.copy()
+    q[:, 4] = np.pi / 2 + angle
+    return replace(states, q=q)
+
+
+def test_gimbal_lock_is_told(builder: Builder, tmp_path: Path) -> None:
+    model = three_axis_chain(2)
+    solver = builder.solver(balanced(model, 2, "ada"), ("-O0",), name="runs")
+    names = 'joints "b01x", "b01y", "b01z": '
+    given, result = tmp_path / "s.json", tmp_path / "r.json"
+    write_states(tilted(model, 0.0), model, given)
+    done = solver.run("--states", given, "--result", result)
+    assert (done.status, done.stdout) == (1, "")
+    assert f"state 1: {names}gimbal lock" in done.stderr
+    assert not result.exists()
+    near = tilted(model, 1e-4)
+    write_states(near, model, given)
+    done = solver.run("--states", given, "--result", result, "--json")
+    assert done.status == 0
+    assert done.stderr.splitlines() == [f"warning: {json.loads(done.stdout)['warnings'][0]}"]
+    assert f"warning: {names}near gimbal lock" in done.stderr
+    write_states(tilted(model, 0.1), model, given)
+    done = solver.run("--states", given, "--result", result, "--json")
+    assert (done.status, done.stderr) == (0, "")
+    assert "warnings" not in json.loads(done.stdout)

@@ -1,0 +1,91 @@
+"""What a schedule is searched for: time, accuracy, or both."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from adagen.cli import main
+from adagen.model import Model
+from adagen.plan import make_plan
+from adagen.plan.interpret import interpret
+from adagen.plan.steps import Join
+from adagen.predict.objective import OBJECTIVES, Digits, predicted_digits, schedule_for
+from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
+from adagen.schedule import Schedule, load_profile
+from adagen.stability import robots
+from adagen.states import random_states
+from tests.golden.examples import FOLDER
+
+PROFILE = load_profile("default")
+
+
+def middling(mass: float) -> Model:
+    """Rods whose middle, where two processes would meet, is light."""
+    inertias = [robots.rod(mass if 18 <= i <= 21 else 1.0) for i in range(48)]
+    return robots.chain("light middle", inertias)
+
+
+def found(model: Model, objective: str, form: str = "segment") -> tuple[Schedule, Digits, float]:
+    """Return a schedule for two processes, its predicted digits and the error that it has."""
+    schedule = schedule_for(objective, model, 2, PROFILE, form)
+    plan = make_plan(model, schedule, form=form)
+    assert all(process.owns for process in plan.processes)
+    states = random_states(model, 3, seed=1)
+    error = 0.0
+    for state in zip(states.q, states.v, states.tau, strict=True):
+        truth = exact_forward_dynamics(model, *state, digits=20).value
+        wrong = interpret(plan, *state) - truth
+        error = max(error, energy_norm_error(joint_space_inertia(model, state[0]), wrong, truth))
+    return schedule, predicted_digits(objective, model, plan), error
+
+
+def test_cuts_move_away_from_light_links_as_the_objective_asks() -> None:
+    model = middling(1e-7)
+    schedules = {objective: found(model, objective) for objective in OBJECTIVES}
+    time, both, accuracy = (schedules[name] for name in ("time", "both", "accuracy"))
+    assert time[0].makespan <= both[0].makespan <= accuracy[0].makespan
+    assert time[1].growth > 1e5 > both[1].growth >= accuracy[1].growth
+    assert time[2] > 100 * both[2]
+    assert both[2] < 1e-12
+    for _, digits, error in (both, accuracy):
+        assert error < 30 * digits.error
+
+
+def test_ordinary_robots_are_cut_alike_for_time_and_for_both() -> None:
+    model = robots.rods(48)
+    time, both = (schedule_for(name, model, 2, PROFILE) for name in ("time", "both"))
+    assert time.makespan == both.makespan
+    assert time.root.joint == both.root.joint
+
+
+def test_in_form_ada_the_order_hardly_matters() -> None:
+    model = middling(1e-4)
+    ratio = found(model, "both", "ada")[1].error / found(model, "accuracy", "ada")[1].error
+    assert 1.0 <= ratio < 30.0
+
+
+def test_one_process_joins_nothing() -> None:
+    model = robots.rods(5)
+    plan = make_plan(model, schedule_for("accuracy", model, 1, PROFILE))
+    assert not [step for step in plan.processes[0].steps if isinstance(step, Join)]
+    digits = predicted_digits("accuracy", model, plan)
+    assert digits.joint is None
+    assert digits.error < 1e-15
+
+
+@pytest.mark.parametrize("objective", OBJECTIVES)
+def test_the_command_line_reports_digits(
+    objective: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ["schedule", str(FOLDER / "models" / "humanoid.urdf"), "--procs", "2"]
+    assert main([*words, "--objective", objective, "--json"]) == 0
+    said = json.loads(capsys.readouterr().out)["accuracy"]
+    assert said["objective"] == objective
+    assert said["digits"] == pytest.approx(-np.log10(said["error"]), abs=0.01)
+    assert main([*words, "--objective", objective]) == 0
+    out = capsys.readouterr().out
+    assert f"{said['digits']:.1f} digits predicted" in out
+    assert said["joint"] in out
