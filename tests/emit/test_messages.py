@@ -78,7 +78,7 @@ def test_the_check_sees_what_it_is_for() -> None:
 def test_the_check_sees_an_exchange_that_goes_one_way() -> None:
     """Both processes of an exchange send first, which a single place would not stand."""
     model = serial_chain(6)
-    schedule = find_schedule(Topology.of(model), 2, profile=load_profile("default"))
+    schedule = find_schedule(Topology.of(model), 2, profile=load_profile("paper"))
     plan = make_plan(model, schedule, meeting="gather")
     assert [message.sweep for message in plan.messages] == ["assembly", "assembly"]
     assert unguarded(plan) == []
