@@ -17,6 +17,7 @@ from adagen.emit.processes import describe_message
 from adagen.emit.stages import stamped_groups
 from adagen.emit.words import Words
 from adagen.plan import Plan
+from adagen.plan.gather import why_not_gather
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -57,11 +58,8 @@ def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted in this shape; None where it can."""
     if plan.form != "segment":
         return f"it is for form segment, not {plan.form}"
-    passive = ("damping", "friction", "stiffness", "rotor_inertia", "prescribed")
-    if any(getattr(joint, name) for joint in plan.joints for name in passive) or plan.wrenches:
-        return "it has no passive effects, prescribed motions or outer forces"
-    if plan.slaved:
-        return f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another'
+    if (reason := why_not_gather(plan.joints, plan.wrenches)) is not None:
+        return reason
     for process in plan.processes:
         for step in process.steps:
             if not isinstance(step, _TAKEN):

@@ -8,7 +8,7 @@ from adagen.model.fuse import runs_of, settled
 from adagen.plan.ada import AdaPlanner
 from adagen.plan.clusters import ClusterPlanner, clusters_of
 from adagen.plan.constants import joints_of, links_of, wrenches_of
-from adagen.plan.gather import GatherPlanner
+from adagen.plan.gather import GatherPlanner, why_not_gather
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
@@ -93,10 +93,8 @@ def make_plan(
 
 
 def can_gather(model: Model) -> bool:
-    """Return whether processes may meet by gathering: shape kernels has to know all it needs."""
-    joints = joints_of(model)
-    plain = not any(joint.mimic is not None or joint.prescribed for joint in joints)
-    return plain and not wrenches_of(model)
+    """Return whether processes may meet by gathering."""
+    return why_not_gather(joints_of(model), wrenches_of(model)) is None
 
 
 def planner_of(

@@ -14,9 +14,10 @@ bias b at the root, and (1 + Phi I) a = b - Phi p is solved.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
+from adagen.model.kinds import KINDS
 from adagen.plan.ada import Chain
 from adagen.plan.segment import Component, Edge, SegmentPlanner
 from adagen.plan.steps import (
@@ -37,11 +38,29 @@ from adagen.plan.steps import (
     StartEmpty,
     StartLink,
 )
-from adagen.plan.types import Message, Process
+from adagen.plan.types import Message, PlanJoint, PlanWrench, Process
 from adagen.schedule import postorder
 
 SMALL_CORE = 8
 """A core is small with at most one joint in so many."""
+
+
+def why_not_gather(joints: Sequence[PlanJoint], wrenches: Sequence[PlanWrench]) -> str | None:
+    """Return why processes of a robot cannot gather, None where they can.
+
+    What gathers is emitted in shape kernels, which does not know everything.
+    """
+    if wrenches:
+        return f'an outer force acts on link "{wrenches[0].name}"'
+    for joint in joints:
+        if joint.mimic is not None:
+            return f'joint "{joint.name}" is slaved to another'
+        if joint.prescribed:
+            return f'the motion of joint "{joint.name}" is prescribed'
+        own = joint.damping or joint.friction or joint.stiffness or joint.rotor_inertia
+        if own and KINDS[joint.kind].nv > 1:
+            return f'joint "{joint.name}" has several freedoms and effects of its own'
+    return None
 
 
 @dataclass

@@ -89,6 +89,7 @@ void arm7_unrolled_p2_close(arm7_unrolled_p2_solver* solver);
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
 // A counted loop that is to be unrolled whole, so that indices computed in it become constants.
@@ -106,6 +107,7 @@ constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
 constexpr int kPlanMessages = 2;
 constexpr std::size_t kCacheLine = 64;
@@ -165,8 +167,8 @@ struct ProcessInfo {
   const int* v_read;
   int v_count;
   const int* v;
-  int outer_count;  // entries of tau that hold outer forces
-  const int* outer;
+  int tau_count;
+  const int* tau;  // entries of tau that it reads
 };
 
 // What goes from one process to another once in an evaluation.
@@ -345,9 +347,8 @@ constexpr std::array<MessageInfo, 4> kMessages{ {
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
 // that its source fills and then numbers (release), and that its target reads once it sees the
-// number (acquire). Other pairs exchange MPI messages. A slot is free again when it is next
-// written, because each pair answers each other within an evaluation (assembly up, disassembly
-// down; state, result).
+// number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
+// one is written again, two evaluations later, its target has answered in the one between.
 enum class ChannelMode { kAuto, kWindow, kMessage };
 
 inline void relax() {
@@ -375,7 +376,7 @@ class Channel {
     int missing = 0;
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
-      if (ports_[k].slot || (info.source != rank_ && info.target != rank_)) continue;
+      if (ports_[k].slots || (info.source != rank_ && info.target != rank_)) continue;
       if (mode == ChannelMode::kWindow) ++missing;
       ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
     }
@@ -399,16 +400,17 @@ class Channel {
   // Where to write message k. Waits for an MPI message that is still under way.
   Real* outgoing(int k, int& status) {
     Port& port = ports_[k];
-    if (port.slot) return port.slot->content() + 1;
+    if (port.slots) return port.slot(port.count + 1, k).content() + 1;
     if (port.request != MPI_REQUEST_NULL) wait_for_request(port, kMessages[k].target, status);
     return port.buffer.data() + 1;
   }
 
   void send(int k, int& status) {
     Port& port = ports_[k];
-    if (port.slot) {
-      port.slot->content()[0] = static_cast<Real>(status);
-      port.slot->number.store(++port.count, std::memory_order_release);
+    if (port.slots) {
+      Slot& slot = port.slot(++port.count, k);
+      slot.content()[0] = static_cast<Real>(status);
+      slot.number.store(port.count, std::memory_order_release);
       return;
     }
     port.buffer[0] = static_cast<Real>(status);
@@ -421,11 +423,12 @@ class Channel {
   const Real* receive(int k, int& status) {
     Port& port = ports_[k];
     const Real* content;
-    if (port.slot) {
+    if (port.slots) {
       const std::uint64_t number = ++port.count;
-      if (!wait_until([&] { return port.slot->number.load(std::memory_order_acquire) >= number; }))
+      Slot& slot = port.slot(number, k);
+      if (!wait_until([&] { return slot.number.load(std::memory_order_acquire) >= number; }))
         fail(status, failure(kNoAnswer, kMessages[k].source));
-      content = port.slot->content();
+      content = slot.content();
     } else {
       MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
                 kMessages[k].source, k, comm_, &port.request);
@@ -454,8 +457,11 @@ class Channel {
   };
 
   struct Port {
-    Slot* slot = nullptr;
+    char* slots = nullptr;
     std::uint64_t count = 0;
+    Slot& slot(std::uint64_t number, int k) const {
+      return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
+    }
     std::vector<Real> buffer;
     MPI_Request request = MPI_REQUEST_NULL;
   };
@@ -485,7 +491,7 @@ class Channel {
     };
     std::size_t own = 0;
     for (const MessageInfo& info : kMessages)
-      if (info.source == rank_ && near_pair(info)) own += slot_bytes(info);
+      if (info.source == rank_ && near_pair(info)) own += 2 * slot_bytes(info);
     char* base = nullptr;
     MPI_Info hints;
     MPI_Info_create(&hints);
@@ -504,11 +510,11 @@ class Channel {
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
       if (!near_pair(info)) continue;
-      ports_[k].slot = reinterpret_cast<Slot*>(next[info.source]);
-      next[info.source] += slot_bytes(info);
+      ports_[k].slots = next[info.source];
+      next[info.source] += 2 * slot_bytes(info);
       if (info.source == rank_) {
-        std::memset(static_cast<void*>(ports_[k].slot), 0, slot_bytes(info));  // first touch
-        new (ports_[k].slot) Slot{};
+        std::memset(ports_[k].slots, 0, 2 * slot_bytes(info));  // first touch
+        for (std::uint64_t n : {0, 1}) new (&ports_[k].slot(n, static_cast<int>(k))) Slot{};
       }
     }
     MPI_Win_sync(window_);
@@ -3800,16 +3806,19 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
 
-// What each process reads of q and v, and the velocity entries whose tau and qdd are its own.
+// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
+// reads.
 constexpr std::array<int, 5> kReadQ_0{0, 1, 2, 3, 4};
 constexpr std::array<int, 5> kReadV_0{0, 1, 2, 3, 4};
 constexpr std::array<int, 5> kOwn_0{0, 1, 2, 3, 4};
+constexpr std::array<int, 5> kTorque_0{0, 1, 2, 3, 4};
 constexpr std::array<int, 9> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr std::array<int, 9> kReadV_1{0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr std::array<int, 4> kOwn_1{5, 6, 7, 8};
+constexpr std::array<int, 4> kTorque_1{5, 6, 7, 8};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {5, kReadQ_0.data(), 5, kReadV_0.data(), 5, kOwn_0.data(), 0, nullptr},
-    {9, kReadQ_1.data(), 9, kReadV_1.data(), 4, kOwn_1.data(), 0, nullptr},
+    {5, kReadQ_0.data(), 5, kReadV_0.data(), 5, kOwn_0.data(), 5, kTorque_0.data()},
+    {9, kReadQ_1.data(), 9, kReadV_1.data(), 4, kOwn_1.data(), 4, kTorque_1.data()},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -3850,8 +3859,7 @@ class Solver {
     const Real* content = channel.receive(state_message(rank), status);
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
-    for (int k = 0; k < own.v_count; ++k) tau_[own.v[k]] = *content++;
-    for (int k = 0; k < own.outer_count; ++k) tau_[own.outer[k]] = *content++;
+    for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     kRun[rank](w, channel);
@@ -3868,8 +3876,7 @@ class Solver {
       Real* content = channel.outgoing(state_message(p), status);
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
-      for (int k = 0; k < other.v_count; ++k) *content++ = tau[other.v[k]];
-      for (int k = 0; k < other.outer_count; ++k) *content++ = tau[other.outer[k]];
+      for (int k = 0; k < other.tau_count; ++k) *content++ = tau[other.tau[k]];
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -4993,6 +5000,8 @@ std::string parse_simulation(const std::string& word, const std::string& value, 
 
 // Returns what is wrong with what was asked for together, and settles what was left open.
 std::string settle(bool simulation_words, Options& options) {
+  if (kBatch && (options.simulation.seconds > 0 || !options.trace.empty()))
+    return "a batch solver has neither --simulate nor --trace";
   const bool others = options.check || options.time || !options.trace.empty();
   if (options.simulation.seconds > 0) {
     if (others || !options.result.empty())
@@ -5390,6 +5399,7 @@ class Timing {
   explicit Timing(Session& session) : session_(session) {}
 
   int time_all() {
+    if constexpr (kBatch) return time_batch(session_.solver);
     session_.use(random_states(kRandomStates, session_.options.seed));
     session_.pinned = pin();
     std::vector<double> in_place, at_root;
@@ -5423,6 +5433,46 @@ class Timing {
     // An evaluation is over when its last process is done.
     MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
                   MPI_MAX, session_.comm());
+    in_place_ = statistics(std::move(in_place));
+    at_root_ = statistics(std::move(at_root));
+    timed_ = true;
+    return kDone;
+  }
+
+  // A batch of as many random states for each process; nanoseconds for each state and process.
+  template <class S>
+  int time_batch(S& solver) {
+    constexpr int kCount = kRandomStates * kProcesses;
+    session_.use(random_states(kCount, session_.options.seed));
+    session_.pinned = pin();
+    std::vector<double> in_place, at_root;
+    int failed = kFine;
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
+      session_.watch.again();
+      if constexpr (kBatch) {
+        const int first = kRandomStates * session_.rank;
+        const Clock::time_point start = start_together();
+        failed = solver.solve_batch(kRandomStates, session_.q(first), session_.v(first),
+                                    session_.tau(first), session_.acceleration(first));
+        const double in_place_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+        const Clock::time_point start_root = start_together();
+        const int second = solver.solve_batch_at_root(kCount, session_.q(0), session_.v(0),
+                                                      session_.tau(0), session_.acceleration(0));
+        const double root_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
+        if (failed == kFine) failed = second;
+        if (pass < 0) continue;
+        in_place.push_back(in_place_ns / kRandomStates);
+        at_root.push_back(root_ns / kRandomStates);
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    }
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random states: " + describe(failed));
+    for (std::vector<double>* ns : {&in_place, &at_root})  // over when the last process is done
+      MPI_Allreduce(MPI_IN_PLACE, ns->data(), static_cast<int>(ns->size()), MPI_DOUBLE, MPI_MAX,
+                    session_.comm());
     in_place_ = statistics(std::move(in_place));
     at_root_ = statistics(std::move(at_root));
     timed_ = true;
@@ -5478,12 +5528,16 @@ class Timing {
   void print(std::FILE* out) const {
     if (!timed_) return;
     std::fprintf(out,
-                 "time   %d process%s%s, ns per evaluation: median, minimum, 99th percentile\n",
-                 kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "");
+                 "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
+                 kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "",
+                 kBatch ? "state and process" : "evaluation");
     std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
                  in_place_.median, in_place_.least, in_place_.percentile99);
     std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n", at_root_.median,
                  at_root_.least, at_root_.percentile99);
+    if (kBatch)
+      std::fprintf(out, "       states per second in place      %8.3g (%.3g per process)\n",
+                   1e9 * kProcesses / in_place_.median, 1e9 / in_place_.median);
   }
 
  private:
@@ -5830,6 +5884,7 @@ class Program {
   int solve_all() {
     Session& on = session_;
     on.use(std::move(on.states));
+    if constexpr (kBatch) return solve_shares(on.solver);
     int failed = kFine, at = 0;
     for (int s = 0; s < on.states.count && failed == kFine; ++s) {
       on.watch.again();
@@ -5843,6 +5898,28 @@ class Program {
     if (failed != kFine)
       return on.complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
                          on.options.states);
+    return bring_together();
+  }
+
+  // As many states at once as there are lanes, each process its share.
+  template <class S>
+  int solve_shares(S& solver) {
+    Session& on = session_;
+    int failed = kFine;
+    if constexpr (kBatch) {
+      const int first = S::share(on.states.count, on.rank);
+      const int count = S::share(on.states.count, on.rank + 1) - first;
+      failed = solver.solve_batch(count, on.q(first), on.v(first), on.tau(first),
+                                  on.acceleration(first));
+    }
+    if (failed != kFine)
+      std::fprintf(stderr, "error: process %d: %s\n", on.rank, solver.text.c_str());
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
+    return failed == kFine ? bring_together() : kInputAtFault;
+  }
+
+  int bring_together() {
+    Session& on = session_;
     solved_ = on.states.count;
     // Each process wrote its own joints and left the others zero.
     void* const all = on.qdd.data();

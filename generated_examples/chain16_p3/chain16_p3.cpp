@@ -1,7 +1,7 @@
 // Forward dynamics of "chain16" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
-// options   form segment, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // schedule  joint08@0-2(joint05@1-2(joint01@1(|joint02(|joint03(|joint04))) | joint06@2(|joint07)) | joint09@0(|joint10(|joint11(|joint12(|joint13(|joint14(|joint15(|joint16))))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
@@ -92,6 +92,7 @@ void chain16_p3_close(chain16_p3_solver* solver);
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
 // A counted loop that is to be unrolled whole, so that indices computed in it become constants.
@@ -109,6 +110,7 @@ constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
 constexpr int kNq = 16, kNv = 16;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
 constexpr int kPlanMessages = 4;
 constexpr std::size_t kCacheLine = 64;
@@ -168,8 +170,8 @@ struct ProcessInfo {
   const int* v_read;
   int v_count;
   const int* v;
-  int outer_count;  // entries of tau that hold outer forces
-  const int* outer;
+  int tau_count;
+  const int* tau;  // entries of tau that it reads
 };
 
 // What goes from one process to another once in an evaluation.
@@ -299,6 +301,334 @@ void slave([[maybe_unused]] Number* q, [[maybe_unused]] Number* v) {
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
+// What can go wrong in an evaluation. A status travels with every message, so that all processes
+// learn of a failure and none waits for an answer that cannot come. It must be exact in a float.
+enum Failure : int {
+  kFine = 0,
+  kNotFinite = 1,       // the state of a joint is not a finite number
+  kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
+  kFactorization = 3,   // V^-1 of a joint is not positive definite
+  kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
+  kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
+  kEnded = 6,           // no failure: process 0 has no more to evaluate
+  kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
+};
+
+constexpr int kFailureBase = 1 << 20;
+constexpr int failure(Failure kind, int joint) { return kind * kFailureBase + joint; }
+constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
+constexpr int failure_place(int status) { return status % kFailureBase; }
+
+// Text as a JSON string, in one line.
+std::string quoted(const char* text) {
+  std::string result = "\"";
+  for (; *text != '\0'; ++text) {
+    const unsigned char c = static_cast<unsigned char>(*text);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += *text;
+    } else if (c < 0x20 || c == 0x7F) {
+      char escape[8];
+      std::snprintf(escape, sizeof escape, "\\u%04x", c);
+      result += escape;
+    } else {
+      result += *text;
+    }
+  }
+  return result + "\"";
+}
+
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
+std::string describe(int status) {
+  const int place = failure_place(status);
+  const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
+  switch (failure_kind(status)) {
+    case kFine:
+      return "no error";
+    case kNotFinite:
+      return joint() + "its q, v or tau is not a finite number";
+    case kZeroQuaternion:
+      return joint() + "its quaternion cannot be normalised";
+    case kFactorization:
+      return joint() +
+             "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
+    case kOverflow:
+      return joint() + "its acceleration is not a finite number (overflow)";
+    case kEnded:
+      return "the evaluations are over";
+    case kNotRefined:
+      return "refinement does not converge: the inertias differ too much for the scalar";
+    case kNoAnswer:
+      return "process " + std::to_string(place) + " did not answer within the time limit";
+  }
+  return "unknown failure";
+}
+
+// Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
+constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
+typedef Real Lanes __attribute__((vector_size(64)));
+typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
+typedef Bits LaneBits __attribute__((vector_size(64)));
+
+// Where registers are narrower, gcc tells that vectors are passed in other ways; none is, all is
+// inlined.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+#define ADAGEN_INLINE [[maybe_unused]] inline __attribute__((always_inline))
+
+ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
+ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
+
+// Whether all numbers are positive: false for NaN.
+ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
+ADAGEN_INLINE bool all_positive(const Lanes& x) {
+  bool result = true;
+  for (int k = 0; k < kLanes; ++k) result &= x[k] > 0;
+  return result;
+}
+
+ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
+ADAGEN_INLINE bool all_zero(const Lanes& x) {
+  bool result = true;
+  for (int k = 0; k < kLanes; ++k) result &= x[k] == 0;
+  return result;
+}
+
+// Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
+// three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
+// kLargestAngle; beyond, each lane is left to the C library.
+template <class R>
+struct Trigonometry;
+
+template <>
+struct Trigonometry<double> {
+  [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
+  [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
+  [[maybe_unused]] static constexpr double kParts[3] = {1.57079632673412561417e+00, 6.07710050630396597660e-11,
+                                       2.02226624871116645580e-21};
+  [[maybe_unused]] static constexpr double kSine[6] = {1.58962301576546568060e-10, -2.50507477628578072866e-8,
+                                      2.75573136213857245213e-6,  -1.98412698295895385996e-4,
+                                      8.33333333332211858878e-3,  -1.66666666666666307295e-1};
+  [[maybe_unused]] static constexpr double kCosine[6] = {-1.13585365213876817300e-11, 2.08757008419747316778e-9,
+                                        -2.75573141792967388112e-7,  2.48015872888517045348e-5,
+                                        -1.38888888888730564116e-3,  4.16666666666665929218e-2};
+};
+
+template <>
+struct Trigonometry<float> {
+  [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
+  [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
+  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f, 7.54978995489188216e-8f};
+  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f, -1.6666654611e-1f};
+  [[maybe_unused]] static constexpr float kCosine[3] = {2.443315711809948e-5f, -1.388731625493765e-3f,
+                                       4.166664568298827e-2f};
+};
+
+template <std::size_t n>
+ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
+  Lanes result = coefficients[0] + 0 * x;
+  ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
+  return result;
+}
+
+ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  using Table = Trigonometry<Real>;
+  const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
+  const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
+  const Lanes turns = shifted - Table::kRound;
+  const Lanes rest = ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) -
+                     turns * Table::kParts[2];
+  const Lanes square = rest * rest;
+  const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
+  const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
+  const LaneBits swapped = -(quadrant & 1);
+  const LaneBits s_bits = reinterpret_cast<LaneBits>(s);
+  const LaneBits c_bits = reinterpret_cast<LaneBits>(c);
+  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
+  const LaneBits sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
+  const LaneBits cosine_bits =
+      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
+  sine = reinterpret_cast<Lanes>(sine_bits);
+  cosine = reinterpret_cast<Lanes>(cosine_bits);
+  const LaneBits beyond = (angle > Table::kLargestAngle) | (angle < -Table::kLargestAngle);
+  Bits any = 0;
+  for (int k = 0; k < kLanes; ++k) any |= beyond[k];
+  if (__builtin_expect(any != 0, 0))
+    for (int k = 0; k < kLanes; ++k)
+      if (beyond[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
+// Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
+// computed with: one number, or one for each of several states or links.
+template <class T>
+struct Vector {
+  T x, y, z;
+};
+
+template <class T>
+struct Matrix {
+  Vector<T> x, y, z;  // rows
+};
+
+template <class T>
+struct Symmetric {
+  T xx, xy, xz, yy, yz, zz;
+};
+
+template <class T>
+ADAGEN_INLINE Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Vector<T>& a, const S& s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Vector<T>& a, const Vector<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+template <class T, class S>
+ADAGEN_INLINE T dot(const Vector<T>& a, const Vector<S>& b) {
+  return a.x * b.x + (a.y * b.y + a.z * b.z);
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> cross(const Vector<T>& a, const Vector<S>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Matrix<T>& m, const Vector<S>& a) {
+  return {dot(m.x, a), dot(m.y, a), dot(m.z, a)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> transposed_times(const Matrix<T>& m, const Vector<T>& a) {
+  return {m.x.x * a.x + (m.y.x * a.y + m.z.x * a.z), m.x.y * a.x + (m.y.y * a.y + m.z.y * a.z),
+          m.x.z * a.x + (m.y.z * a.y + m.z.z * a.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> row_times(const Vector<T>& a, const Matrix<S>& m) {
+  return {a.x * m.x.x + (a.y * m.y.x + a.z * m.z.x), a.x * m.x.y + (a.y * m.y.y + a.z * m.z.y),
+          a.x * m.x.z + (a.y * m.y.z + a.z * m.z.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Matrix<T> operator*(const Matrix<T>& a, const Matrix<S>& b) {
+  return {row_times(a.x, b), row_times(a.y, b), row_times(a.z, b)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator*(const Symmetric<T>& m, const Vector<T>& a) {
+  return {m.xx * a.x + (m.xy * a.y + m.xz * a.z), m.xy * a.x + (m.yy * a.y + m.yz * a.z),
+          m.xz * a.x + (m.yz * a.y + m.zz * a.z)};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Symmetric<T>& a, const Symmetric<T>& b) {
+  a.xx += b.xx, a.xy += b.xy, a.xz += b.xz, a.yy += b.yy, a.yz += b.yz, a.zz += b.zz;
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Matrix<T>& a, const Matrix<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+
+// A body about a point: spatial inertia [[A, B], [B^T, C]] (A rotational, C of mass) and bias force
+// [n; f]. It is a link, or a link with all that hangs on it.
+template <class T>
+struct Body {
+  Symmetric<T> A;
+  Matrix<T> B;
+  Symmetric<T> C;
+  Vector<T> n, f;
+};
+
+template <class T>
+ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
+  a.A += b.A, a.B += b.B, a.C += b.C, a.n += b.n, a.f += b.f;
+}
+
+// The body told about the point at -r from the one that it is told about: B + rx C, and
+// A + rx B^T - (B + rx C) rx.
+template <class T>
+ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Matrix<T> B{
+      {X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
+       X.B.x.z + (r.y * C.zz - r.z * C.yz)},
+      {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
+       X.B.y.z + (r.z * C.xz - r.x * C.zz)},
+      {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
+       X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
+  X.A.xx += (r.y * X.B.x.z - r.z * X.B.x.y) - (B.x.y * r.z - B.x.z * r.y);
+  X.A.xy += (r.y * X.B.y.z - r.z * X.B.y.y) - (B.x.z * r.x - B.x.x * r.z);
+  X.A.xz += (r.y * X.B.z.z - r.z * X.B.z.y) - (B.x.x * r.y - B.x.y * r.x);
+  X.A.yy += (r.z * X.B.y.x - r.x * X.B.y.z) - (B.y.z * r.x - B.y.x * r.z);
+  X.A.yz += (r.z * X.B.z.x - r.x * X.B.z.z) - (B.y.x * r.y - B.y.y * r.x);
+  X.A.zz += (r.x * X.B.z.y - r.y * X.B.z.x) - (B.z.x * r.y - B.z.y * r.x);
+  X.B = B;
+  X.n += cross(r, X.f);
+}
+
+// The inertia less U U^T / D, U = [n; f] and e = U / D.
+template <class T>
+ADAGEN_INLINE void subtract(Body<T>& X, const Vector<T>& n, const Vector<T>& f,
+                            const Vector<T>& e_n, const Vector<T>& e_f) {
+  X.A.xx -= e_n.x * n.x, X.A.xy -= e_n.x * n.y, X.A.xz -= e_n.x * n.z;
+  X.A.yy -= e_n.y * n.y, X.A.yz -= e_n.y * n.z, X.A.zz -= e_n.z * n.z;
+  X.B.x.x -= e_n.x * f.x, X.B.x.y -= e_n.x * f.y, X.B.x.z -= e_n.x * f.z;
+  X.B.y.x -= e_n.y * f.x, X.B.y.y -= e_n.y * f.y, X.B.y.z -= e_n.y * f.z;
+  X.B.z.x -= e_n.z * f.x, X.B.z.y -= e_n.z * f.y, X.B.z.z -= e_n.z * f.z;
+  X.C.xx -= e_f.x * f.x, X.C.xy -= e_f.x * f.y, X.C.xz -= e_f.x * f.z;
+  X.C.yy -= e_f.y * f.y, X.C.yz -= e_f.y * f.z, X.C.zz -= e_f.z * f.z;
+}
+
+// Where a point moves that is at r from one that moves as [angular; linear].
+template <class T>
+struct Motion {
+  Vector<T> angular, linear;
+};
+
+template <class T, class S>
+ADAGEN_INLINE void carry(Motion<T>& a, const Vector<S>& r) {
+  a.linear += cross(a.angular, r);
+}
+
+// The rotation that a quaternion x y z w of any length stands for, and its squared length.
+template <class T>
+ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<T>& R) {
+  const T squared = (x * x + y * y) + (z * z + w * w);
+  const T s = 2 / squared;
+  const T xx = s * x * x, yy = s * y * y, zz = s * z * z, xy = s * x * y, xz = s * x * z,
+          yz = s * y * z, xw = s * x * w, yw = s * y * w, zw = s * z * w;
+  R = {{1 - (yy + zz), xy - zw, xz + yw}, {xy + zw, 1 - (xx + zz), yz - xw}, {xz - yw, yz + xw, 1 - (xx + yy)}};
+  return squared;
+}
+
 // Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
 // the motion itself, and one for each slaved joint's coupling torque.
 using Vec3 = Eigen::Matrix<Real, 3, 1>;
@@ -385,88 +715,6 @@ ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, 
   b.setZero();
   b.col(0).template head<3>() = alpha;
   b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
-}
-
-// What can go wrong in an evaluation. A status travels with every message, so that all processes
-// learn of a failure and none waits for an answer that cannot come. It must be exact in a float.
-enum Failure : int {
-  kFine = 0,
-  kNotFinite = 1,       // the state of a joint is not a finite number
-  kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
-  kFactorization = 3,   // V^-1 of a joint is not positive definite
-  kOverflow = 4,        // the acceleration of a joint is not a finite number
-  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
-  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
-  kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
-  kEnded = 6,           // no failure: process 0 has no more to evaluate
-  kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
-};
-
-constexpr int kFailureBase = 1 << 20;
-constexpr int failure(Failure kind, int joint) { return kind * kFailureBase + joint; }
-constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
-constexpr int failure_place(int status) { return status % kFailureBase; }
-
-// Text as a JSON string, in one line.
-std::string quoted(const char* text) {
-  std::string result = "\"";
-  for (; *text != '\0'; ++text) {
-    const unsigned char c = static_cast<unsigned char>(*text);
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += *text;
-    } else if (c < 0x20 || c == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      result += escape;
-    } else {
-      result += *text;
-    }
-  }
-  return result + "\"";
-}
-
-// The names of a joint and of those before it that it is joined with: the links between them have
-// neither mass nor inertia.
-std::string names_of_run(int joint) {
-  std::string names = quoted(kJoints[joint].name);
-  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
-    const LinkConstants& own = kLinks[link];
-    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
-    names = quoted(kJoints[link - 1].name) + ", " + names;
-  }
-  return names;
-}
-
-std::string describe(int status) {
-  const int place = failure_place(status);
-  const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
-  switch (failure_kind(status)) {
-    case kFine:
-      return "no error";
-    case kNotFinite:
-      return joint() + "its q, v or tau is not a finite number";
-    case kZeroQuaternion:
-      return joint() + "its quaternion cannot be normalised";
-    case kFactorization:
-      return joint() +
-             "factorization failed: the inertias beside it differ too much for the scalar";
-    case kGimbalLock:
-      return "joints " + names_of_run(place) +
-             ": gimbal lock: through links without mass, they do not move in as many directions";
-    case kGrowth:
-      return joint() +
-             "no digits left: a link beside it is too light for its neighbours and the scalar";
-    case kOverflow:
-      return joint() + "its acceleration is not a finite number (overflow)";
-    case kEnded:
-      return "the evaluations are over";
-    case kNotRefined:
-      return "refinement does not converge: the inertias differ too much for the scalar";
-    case kNoAnswer:
-      return "process " + std::to_string(place) + " did not answer within the time limit";
-  }
-  return "unknown failure";
 }
 
 // Joint kinds in their canonical frames: the rows of a spatial vector that a joint frees (R, S) and
@@ -711,337 +959,6 @@ class Release {
   std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
 };
 
-// Articulated bodies: what one process does alone between its cuts. A joint is treated in its own
-// frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
-// sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
-
-// A spatial inertia [[A, B], [B^T, C]]: A and C symmetric, their upper triangles row by row; B row
-// by row. 21 numbers, and half the work of a 6x6 matrix.
-struct Inertia {
-  std::array<Real, 6> A, C;
-  std::array<Real, 9> B;
-
-  static constexpr int symmetric(int i, int k) {
-    return i <= k ? i * (5 - i) / 2 + k : symmetric(k, i);
-  }
-
-  constexpr Real operator()(int i, int k) const {
-    if (i < 3 && k < 3) return A[symmetric(i, k)];
-    if (i >= 3 && k >= 3) return C[symmetric(i - 3, k - 3)];
-    return i < 3 ? B[3 * i + k - 3] : B[3 * k + i - 3];
-  }
-
-  // Sets the entries (i, k) and (k, i), which are one.
-  constexpr void set(int i, int k, Real value) {
-    if (i < 3 && k < 3)
-      A[symmetric(i, k)] = value;
-    else if (i >= 3 && k >= 3)
-      C[symmetric(i - 3, k - 3)] = value;
-    else if (i < 3)
-      B[3 * i + k - 3] = value;
-    else
-      B[3 * k + i - 3] = value;
-  }
-
-  Inertia& operator+=(const Inertia& other) {
-    ADAGEN_FOR (k, 0, 6) A[k] += other.A[k], C[k] += other.C[k];
-    ADAGEN_FOR (k, 0, 9) B[k] += other.B[k];
-    return *this;
-  }
-};
-
-// T^T m T for a symmetric m, T being E or, transposed, E^T; both row by row.
-template <bool transposed>
-std::array<Real, 6> rotated(const Mat3& E, const std::array<Real, 6>& m) {
-  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
-  std::array<Real, 9> half;  // m T
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, 0, 3)
-      half[3 * i + k] = m[Inertia::symmetric(i, 0)] * T(0, k) +
-                        m[Inertia::symmetric(i, 1)] * T(1, k) +
-                        m[Inertia::symmetric(i, 2)] * T(2, k);
-  std::array<Real, 6> result;
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, i, 3)
-      result[Inertia::symmetric(i, k)] =
-          T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
-  return result;
-}
-
-template <bool transposed>
-std::array<Real, 9> rotated(const Mat3& E, const std::array<Real, 9>& m) {
-  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
-  std::array<Real, 9> half, result;
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, 0, 3)
-      half[3 * i + k] = m[3 * i] * T(0, k) + m[3 * i + 1] * T(1, k) + m[3 * i + 2] * T(2, k);
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, 0, 3)
-      result[3 * i + k] = T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
-  return result;
-}
-
-// The inertia m told at a point whose origin is at -r from the one it is told at:
-// B + rx C, and A + rx (B + rx C)^T - B rx.
-inline void shift(const Vec3& r, Inertia& m) {
-  const auto& C = m.C;
-  auto& A = m.A;
-  const std::array<Real, 9> B = m.B;
-  auto& S = m.B;
-  const auto c = [&C](int i, int k) { return C[Inertia::symmetric(i, k)]; };
-  ADAGEN_FOR (k, 0, 3) {
-    S[k] += r[1] * c(2, k) - r[2] * c(1, k);
-    S[3 + k] += r[2] * c(0, k) - r[0] * c(2, k);
-    S[6 + k] += r[0] * c(1, k) - r[1] * c(0, k);
-  }
-  A[0] += r[1] * S[2] - r[2] * S[1] - (B[1] * r[2] - B[2] * r[1]);
-  A[1] += r[1] * S[5] - r[2] * S[4] - (B[2] * r[0] - B[0] * r[2]);
-  A[2] += r[1] * S[8] - r[2] * S[7] - (B[0] * r[1] - B[1] * r[0]);
-  A[3] += r[2] * S[3] - r[0] * S[5] - (B[5] * r[0] - B[3] * r[2]);
-  A[4] += r[2] * S[6] - r[0] * S[8] - (B[3] * r[1] - B[4] * r[0]);
-  A[5] += r[0] * S[7] - r[1] * S[6] - (B[6] * r[1] - B[7] * r[0]);
-}
-
-// target += X^T m X: an inertia in the child's frame, felt in the parent's.
-ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Inertia& m, Inertia& target) {
-  Inertia turned{rotated<false>(X.E, m.A), rotated<false>(X.E, m.C), rotated<false>(X.E, m.B)};
-  shift(X.r, turned);
-  target += turned;
-}
-
-// X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
-ADAGEN_NOINLINE Inertia in_child(const Transform& X, const Inertia& m) {
-  Inertia moved = m;
-  shift(-X.r, moved);
-  return {rotated<true>(X.E, moved.A), rotated<true>(X.E, moved.C), rotated<true>(X.E, moved.B)};
-}
-
-// X^-T f: a wrench on the parent, felt in the child's frame.
-[[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
-  Columns6 result;
-  ADAGEN_FOR (k, 0, kColumns) {
-    const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
-    result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
-    result.col(k).template tail<3>() = X.E * force;
-  }
-  return result;
-}
-
-// X^-1 m: motions in the child's frame, told in the parent's.
-template <int columns>
-Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
-                                                 const Eigen::Matrix<Real, 6, columns>& m) {
-  Eigen::Matrix<Real, 6, columns> result;
-  ADAGEN_FOR (k, 0, columns) {
-    const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
-    result.col(k).template head<3>() = angular;
-    result.col(k).template tail<3>() =
-        X.E.transpose() * m.col(k).template tail<3>() + X.r.cross(angular);
-  }
-  return result;
-}
-
-// X^-1 m X^-T: a mobility in the child's frame, told in the parent's.
-ADAGEN_NOINLINE Mat6 congruent_in_parent(const Transform& X, const Mat6& m) {
-  const Mat6 half = motion_in_parent(X, m).transpose();
-  return motion_in_parent(X, half);
-}
-
-template <std::size_t n>
-std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kColumns>, n> x) {
-  for (auto& row : x)
-    for (Real& value : row) value = -value;
-  return x;
-}
-
-// Spatial inertia of a link at its origin.
-Inertia spatial_inertia(const LinkConstants& link) {
-  const Real x = link.com[0], y = link.com[1], z = link.com[2], m = link.mass;
-  const Real* const t = link.tensor;
-  return {{t[0] + m * (y * y + z * z), t[1] - m * x * y, t[2] - m * x * z,
-           t[4] + m * (x * x + z * z), t[5] - m * y * z, t[8] + m * (x * x + y * y)},
-          {m, 0, 0, m, 0, m},
-          {0, -m * z, m * y, m * z, 0, -m * x, -m * y, m * x, 0}};
-}
-
-// I^A and p^A of a link start as its own inertia and v x* I v.
-ADAGEN_NOINLINE void start_link(const Inertia& inertia, const Vec6& velocity, Inertia& IA,
-                                Columns6& pA) {
-  IA = inertia;
-  const auto& A = inertia.A;
-  const Vec3 w = velocity.head<3>(), v = velocity.tail<3>();
-  const Real mass = inertia.C[0];
-  const Vec3 mc(inertia.B[7], inertia.B[2], inertia.B[3]);  // mass times centre of mass
-  const Vec3 angular =
-      Vec3(A[0] * w[0] + A[1] * w[1] + A[2] * w[2], A[1] * w[0] + A[3] * w[1] + A[4] * w[2],
-           A[2] * w[0] + A[4] * w[1] + A[5] * w[2]) +
-      mc.cross(v);
-  const Vec3 linear = mass * v + w.cross(mc);
-  if constexpr (kColumns > 1) pA.setZero();
-  pA.col(0).template head<3>() = w.cross(angular) + v.cross(linear);
-  pA.col(0).template tail<3>() = w.cross(linear);
-}
-
-template <class Kind>
-struct Articulated {
-  static constexpr int n = kFree<Kind>;
-  std::array<std::array<Real, n>, n> D;         // for n = 1 the inverse of D = S^T I^A S, else its
-                                                // Cholesky factor, the diagonal inverted
-  std::array<std::array<Real, 6>, n> E;         // D^-1 S^T I^A at the constrained rows, else zero
-  std::array<std::array<Real, kColumns>, n> u;  // sigma tau - S^T p^A
-  std::array<std::array<Real, kColumns>, n> tau;
-  Columns6 c;  // sigma c
-
-  template <std::size_t k>
-  void solve(std::array<std::array<Real, k>, n>& x) const {
-    if constexpr (n == 1) {
-      for (Real& value : x[0]) value *= D[0][0];
-    } else {
-      forward_substitute(D, x);
-      backward_substitute(D, x);
-    }
-  }
-};
-
-// The joint's share of the articulated body with inertia I and bias p on its far side: what it
-// hands on to its near side, by exact projection: nothing along S but the torque. Returns false
-// where D cannot be factorized.
-template <class Kind>
-ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia& I,
-                                const Columns6& p, Inertia& handed, Columns6& force) {
-  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
-  constexpr auto& free = Kind::Free::row;
-  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
-  bool good = true;
-  ADAGEN_FOR (k, 0, n) {
-    ADAGEN_FOR (l, 0, n) i.D[k][l] = I(free[k], free[l]);
-    i.E[k] = {};
-    ADAGEN_FOR (l, 0, m) i.E[k][constrained[l]] = I(free[k], constrained[l]);
-    ADAGEN_FOR (c, 0, kColumns) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
-  }
-  if constexpr (n == 1) {
-    // Beside the inertia about other axes (in other directions), D must be more than rounding.
-    constexpr int row = free[0] < 3 ? 0 : 3;
-    const Real whole = I(row, row) + I(row + 1, row + 1) + I(row + 2, row + 2);
-    good = i.D[0][0] > 8 * std::numeric_limits<Real>::epsilon() * whole &&
-           i.D[0][0] <= std::numeric_limits<Real>::max();
-    i.D[0][0] = 1 / i.D[0][0];
-  } else {
-    good = factorize(i.D);
-  }
-  i.solve(i.E);
-  auto moved = i.u;
-  i.solve(moved);
-  ADAGEN_FOR (k, 0, n)
-    ADAGEN_FOR (l, 0, 6) handed.set(free[k], l, 0);
-  if constexpr (m > 0) {
-    ADAGEN_FOR (r, 0, m)
-      ADAGEN_FOR (s, r, m) {
-        Real x = I(constrained[r], constrained[s]);
-        ADAGEN_FOR (k, 0, n) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
-        handed.set(constrained[r], constrained[s], x);
-      }
-    ADAGEN_FOR (c, 0, kColumns)
-      ADAGEN_FOR (r, 0, m) {
-        Real x = p(constrained[r], c);
-        ADAGEN_FOR (k, 0, n) x += I(constrained[r], free[k]) * moved[k][c];
-        ADAGEN_FOR (s, 0, m) x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
-        force(constrained[r], c) = x;
-      }
-  }
-  ADAGEN_FOR (k, 0, n)
-    ADAGEN_FOR (c, 0, kColumns) force(free[k], c) = sigma * i.tau[k][c];
-  return good;
-}
-
-// a becomes the far link's acceleration (joint frame) from the near link's; returns sigma qdd.
-template <class Kind>
-std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated<Kind>& i,
-                                                               Columns6& a) {
-  a += i.c;
-  auto moved = i.u;
-  i.solve(moved);
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    ADAGEN_FOR (c, 0, kColumns) {
-      const int row = Kind::Free::row[k];
-      Real x = moved[k][c];
-      for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
-      moved[k][c] = x - a(row, c);
-    }
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    ADAGEN_FOR (c, 0, kColumns) a(Kind::Free::row[k], c) += moved[k][c];
-  return moved;
-}
-
-// K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
-template <class Kind>
-ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
-  ADAGEN_FOR (k, 0, (kFree<Kind>)) m.row(Kind::Free::row[k]).setZero();
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
-}
-
-// Omega of the far side: K m K^T + S D^-1 S^T, m being the near side's (zero: the ground's).
-template <class Kind>
-ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
-  constexpr int n = kFree<Kind>;
-  share(i, m);
-  m.transposeInPlace();
-  share(i, m);
-  std::array<std::array<Real, n>, n> inverse{};
-  ADAGEN_FOR (k, 0, n) inverse[k][k] = 1;
-  i.solve(inverse);
-  ADAGEN_FOR (k, 0, n)
-    ADAGEN_FOR (l, 0, n) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
-}
-
-// A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
-template <class Kind>
-void deliver(Articulated<Kind>& i, Columns6& load) {
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    ADAGEN_FOR (c, 0, kColumns) {
-      Real& along = load(Kind::Free::row[k], c);
-      i.u[k][c] += along;
-      for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
-      along = 0;
-    }
-}
-
-// Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
-ADAGEN_NOINLINE bool invert(const Inertia& I, const Columns6& p, Mat6& Phi, Columns6& b) {
-  std::array<std::array<Real, 6>, 6> L, x{};
-  ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
-    x[i][i] = 1;
-  }
-  const bool good = factorize(L);
-  forward_substitute(L, x);
-  ADAGEN_FOR (i, 0, 6)
-    ADAGEN_FOR (k, i, 6) {
-      Real sum = 0;
-      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
-      Phi(i, k) = Phi(k, i) = sum;
-    }
-  b.noalias() = -Phi * p;
-  return good;
-}
-
-// a with I^A a = -p^A: nothing else acts on the link.
-ADAGEN_NOINLINE bool solve_root(const Inertia& I, const Columns6& p, Columns6& a) {
-  std::array<std::array<Real, 6>, 6> L;
-  std::array<std::array<Real, kColumns>, 6> x;
-  ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
-    ADAGEN_FOR (c, 0, kColumns) x[i][c] = -p(i, c);
-  }
-  const bool good = factorize(L);
-  forward_substitute(L, x);
-  backward_substitute(L, x);
-  ADAGEN_FOR (i, 0, 6)
-    ADAGEN_FOR (c, 0, kColumns) a(i, c) = x[i][c];
-  return good;
-}
-
 constexpr std::array<MessageInfo, 8> kMessages{ {
     {2, 1, 120},  // 0: assembled: chain of "joint06"
     {1, 0, 42},  // 1: assembled: chain of "joint05"
@@ -1055,9 +972,8 @@ constexpr std::array<MessageInfo, 8> kMessages{ {
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
 // that its source fills and then numbers (release), and that its target reads once it sees the
-// number (acquire). Other pairs exchange MPI messages. A slot is free again when it is next
-// written, because each pair answers each other within an evaluation (assembly up, disassembly
-// down; state, result).
+// number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
+// one is written again, two evaluations later, its target has answered in the one between.
 enum class ChannelMode { kAuto, kWindow, kMessage };
 
 inline void relax() {
@@ -1085,7 +1001,7 @@ class Channel {
     int missing = 0;
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
-      if (ports_[k].slot || (info.source != rank_ && info.target != rank_)) continue;
+      if (ports_[k].slots || (info.source != rank_ && info.target != rank_)) continue;
       if (mode == ChannelMode::kWindow) ++missing;
       ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
     }
@@ -1109,16 +1025,17 @@ class Channel {
   // Where to write message k. Waits for an MPI message that is still under way.
   Real* outgoing(int k, int& status) {
     Port& port = ports_[k];
-    if (port.slot) return port.slot->content() + 1;
+    if (port.slots) return port.slot(port.count + 1, k).content() + 1;
     if (port.request != MPI_REQUEST_NULL) wait_for_request(port, kMessages[k].target, status);
     return port.buffer.data() + 1;
   }
 
   void send(int k, int& status) {
     Port& port = ports_[k];
-    if (port.slot) {
-      port.slot->content()[0] = static_cast<Real>(status);
-      port.slot->number.store(++port.count, std::memory_order_release);
+    if (port.slots) {
+      Slot& slot = port.slot(++port.count, k);
+      slot.content()[0] = static_cast<Real>(status);
+      slot.number.store(port.count, std::memory_order_release);
       return;
     }
     port.buffer[0] = static_cast<Real>(status);
@@ -1131,11 +1048,12 @@ class Channel {
   const Real* receive(int k, int& status) {
     Port& port = ports_[k];
     const Real* content;
-    if (port.slot) {
+    if (port.slots) {
       const std::uint64_t number = ++port.count;
-      if (!wait_until([&] { return port.slot->number.load(std::memory_order_acquire) >= number; }))
+      Slot& slot = port.slot(number, k);
+      if (!wait_until([&] { return slot.number.load(std::memory_order_acquire) >= number; }))
         fail(status, failure(kNoAnswer, kMessages[k].source));
-      content = port.slot->content();
+      content = slot.content();
     } else {
       MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
                 kMessages[k].source, k, comm_, &port.request);
@@ -1164,8 +1082,11 @@ class Channel {
   };
 
   struct Port {
-    Slot* slot = nullptr;
+    char* slots = nullptr;
     std::uint64_t count = 0;
+    Slot& slot(std::uint64_t number, int k) const {
+      return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
+    }
     std::vector<Real> buffer;
     MPI_Request request = MPI_REQUEST_NULL;
   };
@@ -1195,7 +1116,7 @@ class Channel {
     };
     std::size_t own = 0;
     for (const MessageInfo& info : kMessages)
-      if (info.source == rank_ && near_pair(info)) own += slot_bytes(info);
+      if (info.source == rank_ && near_pair(info)) own += 2 * slot_bytes(info);
     char* base = nullptr;
     MPI_Info hints;
     MPI_Info_create(&hints);
@@ -1214,11 +1135,11 @@ class Channel {
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
       if (!near_pair(info)) continue;
-      ports_[k].slot = reinterpret_cast<Slot*>(next[info.source]);
-      next[info.source] += slot_bytes(info);
+      ports_[k].slots = next[info.source];
+      next[info.source] += 2 * slot_bytes(info);
       if (info.source == rank_) {
-        std::memset(static_cast<void*>(ports_[k].slot), 0, slot_bytes(info));  // first touch
-        new (ports_[k].slot) Slot{};
+        std::memset(ports_[k].slots, 0, 2 * slot_bytes(info));  // first touch
+        for (std::uint64_t n : {0, 1}) new (&ports_[k].slot(n, static_cast<int>(k))) Slot{};
       }
     }
     MPI_Win_sync(window_);
@@ -1276,251 +1197,1075 @@ inline void stamp(int k) {
   if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
 }
 
-// ---- 4. joints ----------------------------------------------------------------------------------
+// ---- 4. kernels ---------------------------------------------------------------------------------
+// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
+// base's link), about each link's own origin. Links move as they would were all joint accelerations
+// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
 
-// The memory of a process. Whatever belongs to a joint is kept with it.
-struct Workspace;
+// What is computed with.
+using Value = Real;
 
+// A link's mass, that times its centre of mass, and its pseudo-inertia, sum of m x x^T: xx xy xz yy
+// yz zz. About the link's origin.
+struct LinkInertia {
+  Real mass, moments[3], tensor[6];
+};
+constexpr std::array<LinkInertia, kJointCount> kInertias{ {
+    {1.0, {0.0, -0.2, 0.0},
+     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
+    {1.0, {-0.2, 0.0, 0.0},
+     {0.05333330000000001, 0.0, 0.0, 0.0001, 0.0, 0.0001}},
+    {1.0, {0.0, 0.0, -0.2},
+     {0.0001, 0.0, 0.0, 0.0001, 0.0, 0.05333330000000001}},
+    {1.0, {0.0, -0.2, 0.0},
+     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
+    {1.0, {-0.2, 0.0, 0.0},
+     {0.05333330000000001, 0.0, 0.0, 0.0001, 0.0, 0.0001}},
+    {1.0, {0.0, 0.0, -0.2},
+     {0.0001, 0.0, 0.0, 0.0001, 0.0, 0.05333330000000001}},
+    {1.0, {0.0, -0.2, 0.0},
+     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
+    {1.0, {-0.2, 0.0, 0.0},
+     {0.05333330000000001, 0.0, 0.0, 0.0001, 0.0, 0.0001}},
+    {1.0, {0.0, 0.0, -0.2},
+     {0.0001, 0.0, 0.0, 0.0001, 0.0, 0.05333330000000001}},
+    {1.0, {0.0, -0.2, 0.0},
+     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
+    {1.0, {-0.2, 0.0, 0.0},
+     {0.05333330000000001, 0.0, 0.0, 0.0001, 0.0, 0.0001}},
+    {1.0, {0.0, 0.0, -0.2},
+     {0.0001, 0.0, 0.0, 0.0001, 0.0, 0.05333330000000001}},
+    {1.0, {0.0, -0.2, 0.0},
+     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
+    {1.0, {-0.2, 0.0, 0.0},
+     {0.05333330000000001, 0.0, 0.0, 0.0001, 0.0, 0.0001}},
+    {1.0, {0.0, 0.0, -0.2},
+     {0.0001, 0.0, 0.0, 0.0001, 0.0, 0.05333330000000001}},
+    {1.0, {0.0, -0.2, 0.0},
+     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
+} };
+
+// What a process does at a link.
+struct LinkRole {
+  bool gathers;   // paths meet at it inwards
+  bool adds_own;  // its own inertia is this process's to add
+  bool parts;     // paths part at it outwards
+};
+constexpr LinkRole kRoles[kProcesses][kLinkCount]{
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
+    {{1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+};
+
+// What is kept where segments meet, with the joint that it belongs to.
 struct Joint_joint01 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod01"
-  Inertia IA;  // articulated-body inertia of link "rod01"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Mat6 Phi_rod01;  // of the chain it completes
+  Mat6 Phi_rod01;
   Columns6 b_rod01;
-  Mat6 Phi_rod02;  // of the chain it completes
+  Mat6 Phi_rod02;
   Columns6 b_rod02;
-  Mat6 Phi_rod03;  // of the chain it completes
+  Mat6 Phi_rod03;
   Columns6 b_rod03;
-  Mat6 Phi_rod04;  // of the chain it completes
+  Mat6 Phi_rod04;
   Columns6 b_rod04;
-  Columns6 load;  // what handle forces add
-  Columns6 F_on_rod04;  // outer wrench on that chain
+  Columns6 F_on_rod04;
 };
-
-struct Joint_joint02 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod02"
-  Inertia IA;  // articulated-body inertia of link "rod02"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
-};
-
-struct Joint_joint03 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod03"
-  Inertia IA;  // articulated-body inertia of link "rod03"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
-};
-
-struct Joint_joint04 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod04"
-  Inertia IA;  // articulated-body inertia of link "rod04"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
-};
-
 struct Joint_joint05 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod05"
-  Mat6 Phi_rod07;  // of the chain it completes
+  Mat6 Phi_rod07;
   Columns6 b_rod07;
+  Transform X, Y;  // to the joint's frame, about its two links' origins
   Joined<Revolute> joined;
   Coupled<Revolute> at_rod07;
-  Inertia IA;  // articulated-body inertia of link "rod05"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Columns6 load;  // what handle forces add
-  Columns6 F_on_rod07;  // outer wrench on that chain
+  Columns6 F_on_rod07;
 };
-
 struct Joint_joint06 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod06"
-  Inertia IA;  // articulated-body inertia of link "rod06"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Mat6 Phi_rod05;  // of the chain it completes
+  Mat6 Phi_rod05;
   Columns6 b_rod05;
-  Mat6 Phi_rod06;  // of the chain it completes
-  Mat6 Phi_rod05_rod06;  // of the chain it completes
+  Mat6 Phi_rod06;
+  Mat6 Phi_rod05_rod06;
   Columns6 b_rod06;
-  Mat6 Phi_rod07;  // of the chain it completes
-  Mat6 Phi_rod05_rod07;  // of the chain it completes
+  Mat6 Phi_rod07;
+  Mat6 Phi_rod05_rod07;
   Columns6 b_rod07;
-  Columns6 load;  // what handle forces add
-  Columns6 F_on_rod05;  // outer wrench on that chain
+  Columns6 F_on_rod05;
 };
-
-struct Joint_joint07 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod07"
-  Inertia IA;  // articulated-body inertia of link "rod07"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
-};
-
 struct Joint_joint08 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod08"
-  Inertia IA;  // articulated-body inertia of link "rod08"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
+  Transform X, Y;  // to the joint's frame, about its two links' origins
   Joined<Revolute> joined;
-  Columns6 load;  // what handle forces add
 };
-
 struct Joint_joint09 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod09"
-  Inertia IA;  // articulated-body inertia of link "rod09"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Mat6 Phi_rod08;  // of the chain it completes
+  Mat6 Phi_rod08;
   Columns6 b_rod08;
-  Columns6 F_on_rod08;  // outer wrench on that chain
+  Columns6 F_on_rod08;
 };
-
-struct Joint_joint10 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod10"
-  Inertia IA;  // articulated-body inertia of link "rod10"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_joint11 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod11"
-  Inertia IA;  // articulated-body inertia of link "rod11"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_joint12 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod12"
-  Inertia IA;  // articulated-body inertia of link "rod12"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_joint13 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod13"
-  Inertia IA;  // articulated-body inertia of link "rod13"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_joint14 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod14"
-  Inertia IA;  // articulated-body inertia of link "rod14"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_joint15 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod15"
-  Inertia IA;  // articulated-body inertia of link "rod15"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_joint16 {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "rod16"
-  Inertia IA;  // articulated-body inertia of link "rod16"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Workspace {
-  const Real* q = nullptr;
-  const Real* v = nullptr;
-  const Real* tau = nullptr;
-  Real* qdd = nullptr;
-  int status = kFine;
-  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
+struct Cuts {
   Joint_joint01 j_joint01;
-  Joint_joint02 j_joint02;
-  Joint_joint03 j_joint03;
-  Joint_joint04 j_joint04;
   Joint_joint05 j_joint05;
   Joint_joint06 j_joint06;
-  Joint_joint07 j_joint07;
   Joint_joint08 j_joint08;
   Joint_joint09 j_joint09;
-  Joint_joint10 j_joint10;
-  Joint_joint11 j_joint11;
-  Joint_joint12 j_joint12;
-  Joint_joint13 j_joint13;
-  Joint_joint14 j_joint14;
-  Joint_joint15 j_joint15;
-  Joint_joint16 j_joint16;
-
+  std::array<Columns6, kLinkCount> loads;  // wrenches on links, from handle forces
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
+
+// The memory of a process. What is set up for many links at once lies in blocks, side by side.
+constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
+constexpr int kBlockCount = (kJointCount + kPerBlock - 1) / kPerBlock;
+
+// What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
+enum Entry : int {
+  kTurn = 0,          // rotation from the child's to the parent link's axes, row by row
+  kAxes = 9,          // the link's orientation R, row by row: its z is the joint's axis
+  kOmega = 18,        // angular velocity
+  kAlpha = 21,        // angular acceleration and
+  kAcceleration = 24, // acceleration of its origin less gravity, were all joint accelerations zero
+  kRotational = 27,   // A of the bare link
+  kMoments = 33,      // mass times centre of mass: B of the bare link is its cross product
+  kTorque = 36,       // bias force n
+  kForce = 39,        // and f of the bare link
+  kEntries = 42
+};
+
+struct alignas(64) Block {
+  Value entries[kEntries][kPerBlock];
+};
+
+// What is kept of a joint from the inward to the outward sweep.
+template <int n>
+struct Eliminated {
+  Vector<Value> r;  // from the parent link's origin to the child link's
+  Value e[n];       // of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp
+};
+// Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
+[[maybe_unused]] constexpr bool any_of(JointKind kind) {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
+[[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
+[[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
+using Memory = Eliminated<kAnyPlanar ? 24 : kAnySpherical ? 18 : 8>;
+
+// A link's orientation and how it moves, were all joint accelerations zero.
+struct Frame {
+  Matrix<Value> R;
+  Vector<Value> omega, alpha, a;
+};
+
+struct Workspace : Cuts {
+  const Value* q = nullptr;
+  const Value* v = nullptr;
+  const Value* tau = nullptr;
+  Value* qdd = nullptr;
+  int status = kFine;
+  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
+  std::array<Block, kBlockCount> blocks{};
+  std::array<Memory, kJointCount> joints{};
+  std::array<Body<Value>, kLinkCount> bodies{};    // what hangs on a link, where paths meet
+  std::array<Motion<Value>, kLinkCount> motions{}; // accelerations beyond those of a Frame
+  std::array<Value, kNv> answer{};
+
+  Workspace() {
+    for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
+      for (int k = 0; k < 9; ++k)
+        of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
+  }
+
+  Value* of(int joint, Entry entry) {
+    return &blocks[static_cast<std::size_t>(joint / kPerBlock)].entries[entry][joint % kPerBlock];
+  }
+};
+
+ADAGEN_INLINE Vector<Value> vector_at(const Value* x) {
+  return {x[0], x[kPerBlock], x[2 * kPerBlock]};
+}
+ADAGEN_INLINE void put_at(Value* x, const Vector<Value>& a) {
+  x[0] = a.x, x[kPerBlock] = a.y, x[2 * kPerBlock] = a.z;
+}
+ADAGEN_INLINE Matrix<Value> matrix_at(const Value* x) {
+  return {vector_at(x), vector_at(x + 3 * kPerBlock), vector_at(x + 6 * kPerBlock)};
+}
+ADAGEN_INLINE void put_at(Value* x, const Matrix<Value>& m) {
+  put_at(x, m.x), put_at(x + 3 * kPerBlock, m.y), put_at(x + 6 * kPerBlock, m.z);
+}
+ADAGEN_INLINE Vector<Value> axis_at(const Value* R) {
+  return {R[2 * kPerBlock], R[5 * kPerBlock], R[8 * kPerBlock]};
+}
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
-// x - x is zero for finite x only.
-inline void require_finite(Workspace& w, const Real* x, int count, int joint) {
-  Real sum = 0;
-  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
-  if (!(sum == 0)) fail(w, kNotFinite, joint);
+// A body in a message.
+[[maybe_unused]] constexpr int kBodyNumbers = 27;
+template <class T>
+ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
+  static_assert(sizeof X == kBodyNumbers * sizeof(Real));
+  std::memcpy(to, &X, sizeof X);
+  return to + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* get(const Real* from, Body<T>& X) {
+  std::memcpy(&X, from, sizeof X);
+  return from + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* add(const Real* from, Body<T>& X) {
+  Body<T> other;
+  from = get(from, other);
+  X += other;
+  return from;
 }
 
-[[maybe_unused]] inline void require_length(Workspace& w, Real squared, int joint) {
-  if (!(squared >= std::numeric_limits<Real>::min() && squared <= std::numeric_limits<Real>::max()))
+ADAGEN_INLINE Lanes wide(const Value* x) {
+  Lanes result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+
+// x - x is zero for finite x only.
+ADAGEN_INLINE bool finite(const Value* x, int count) {
+  Lanes sum{};
+  Value rest{};
+  int k = 0;
+  for (; k + kPerBlock <= count; k += kPerBlock) sum += wide(x + k) - wide(x + k);
+  for (; k < count; ++k) rest += x[k] - x[k];
+  return all_zero(sum) && all_zero(rest);
+}
+
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite;
+// place says where a joint's entries start.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::*place, Failure kind) {
+  if (__builtin_expect(finite(x + first, count), 1)) return;
+  while (finite(x + first, 1)) ++first;
+  int joint = 0;
+  for (int j = 0; j < kJointCount; ++j)
+    if (kJoints[static_cast<std::size_t>(j)].*place <= first) joint = j;
+  fail(w, kind, joint);
+}
+
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!all_positive(squared - std::numeric_limits<Real>::min()) ||
+      !all_positive(std::numeric_limits<Real>::max() - squared))
     fail(w, kZeroQuaternion, joint);
 }
 
-template <std::size_t n>
-void load_torque(Workspace& w, int joint, int v, std::array<std::array<Real, kColumns>, n>& tau) {
-  require_finite(w, w.tau + v, static_cast<int>(n), joint);
-  for (std::size_t k = 0; k < n; ++k) {
-    tau[k] = {};
-    tau[k][0] = w.tau[v + static_cast<int>(k)];
+// Accelerations are given only where all went well.
+inline void give(Workspace& w, int first, int count) {
+  if (w.status == kFine) std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
+}
+
+[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
+[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
+  for (int k = 0; k < 9; ++k)
+    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
+  return true;
+}
+
+// What needs no recursion, for as many links at once as a register holds.
+
+// A number of each joint of a block, as constants of the model are kept.
+using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
+
+struct alignas(64) BlockConstants {
+  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
+  PerJoint mass, moments[3], tensor[6];
+};
+
+const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
+  std::array<BlockConstants, kBlockCount> result{};
+  for (int j = 0; j < kJointCount; ++j) {
+    BlockConstants& block = result[static_cast<std::size_t>(j / kPerBlock)];
+    const std::size_t lane = static_cast<std::size_t>(j % kPerBlock);
+    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
+    for (int k = 0; k < 6; ++k)
+      block.rotation[k][lane] = kJoints[static_cast<std::size_t>(j)].rotation[k % 3 * 3 + k / 3];
+    block.mass[lane] = link.mass;
+    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
+    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
+  }
+  return result;
+}();
+
+ADAGEN_INLINE Lanes wide(const PerJoint& x) {
+  Lanes result;
+  if constexpr (sizeof(PerJoint) == sizeof(Lanes))
+    std::memcpy(&result, x.data(), sizeof result);
+  else
+    result = x[0] + Lanes{};
+  return result;
+}
+ADAGEN_INLINE void narrow(const Lanes& x, Value* to) { std::memcpy(to, &x, sizeof x); }
+ADAGEN_INLINE Vector<Lanes> wide_vector(const Value (*x)[kPerBlock]) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE Vector<Lanes> wide_vector(const PerJoint* x) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE void narrow(const Vector<Lanes>& a, Value (*x)[kPerBlock]) {
+  narrow(a.x, x[0]), narrow(a.y, x[1]), narrow(a.z, x[2]);
+}
+
+// Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
+template <int first, int last>
+void turn(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    Lanes s, c;
+    sine_and_cosine(wide(&w.angle[static_cast<std::size_t>(b * kPerBlock)]), s, c);
+    ADAGEN_FOR (k, 0, 3) {
+      const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
+      narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
+      narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
+    }
   }
 }
 
-// An acceleration is given only where all went well.
-template <std::size_t n>
-void store_acceleration(Workspace& w, int joint, int v,
-                        const std::array<std::array<Real, kColumns>, n>& qdd) {
-  Real sum = 0;
-  for (std::size_t k = 0; k < n; ++k) sum += qdd[k][0] - qdd[k][0];
-  if (!(sum == 0)) fail(w, kOverflow, joint);
-  if (w.status != kFine) return;
-  for (std::size_t k = 0; k < n; ++k) w.qdd[v + static_cast<int>(k)] = qdd[k][0];
+// Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
+// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J, and the bias
+// force is that of the acceleration field a + H x, H = alpha x + omega x omega x.
+template <int first, int last>
+void set_up_links(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const auto& entries = block.entries;
+    const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
+                          wide_vector(entries + kAxes + 6)};
+    const Symmetric<Lanes> T{wide(constants.tensor[0]), wide(constants.tensor[1]),
+                             wide(constants.tensor[2]), wide(constants.tensor[3]),
+                             wide(constants.tensor[4]), wide(constants.tensor[5])};
+    const Matrix<Lanes> RT{T * R.x, T * R.y, T * R.z};  // rows of R T
+    const Symmetric<Lanes> J{dot(RT.x, R.x), dot(RT.x, R.y), dot(RT.x, R.z),
+                             dot(RT.y, R.y), dot(RT.y, R.z), dot(RT.z, R.z)};
+    narrow(J.yy + J.zz, block.entries[kRotational]);
+    narrow(-J.xy, block.entries[kRotational + 1]);
+    narrow(-J.xz, block.entries[kRotational + 2]);
+    narrow(J.xx + J.zz, block.entries[kRotational + 3]);
+    narrow(-J.yz, block.entries[kRotational + 4]);
+    narrow(J.xx + J.yy, block.entries[kRotational + 5]);
+    const Vector<Lanes> c = R * wide_vector(constants.moments);
+    narrow(c, block.entries + kMoments);
+
+    const Vector<Lanes> w_ = wide_vector(entries + kOmega), al = wide_vector(entries + kAlpha);
+    const Lanes xx = w_.x * w_.x, yy = w_.y * w_.y, zz = w_.z * w_.z;
+    const Lanes xy = w_.x * w_.y, xz = w_.x * w_.z, yz = w_.y * w_.z;
+    const Matrix<Lanes> H{{-(yy + zz), xy - al.z, xz + al.y},
+                          {xy + al.z, -(xx + zz), yz - al.x},
+                          {xz - al.y, yz + al.x, -(xx + yy)}};
+    const Vector<Lanes> a = wide_vector(entries + kAcceleration);
+    const Vector<Lanes> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
+    Vector<Lanes> n = cross(c, a);
+    n += Vector<Lanes>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
+                       dot(H.y, Jx) - dot(H.x, Jy)};
+    narrow(n, block.entries + kTorque);
+    narrow(a * wide(constants.mass) + H * c, block.entries + kForce);
+  }
 }
 
+// From the base outwards: where links are and how they would move without joint accelerations.
+
+ADAGEN_INLINE Frame frame_of(Workspace& w, int joint) {
+  const Value* R = w.of(joint, kAxes);
+  return {matrix_at(R), vector_at(w.of(joint, kOmega)), vector_at(w.of(joint, kAlpha)),
+          vector_at(w.of(joint, kAcceleration))};
+}
+
+ADAGEN_INLINE void keep(Workspace& w, int joint, const Frame& frame) {
+  put_at(w.of(joint, kAxes), frame.R);
+  put_at(w.of(joint, kOmega), frame.omega);
+  put_at(w.of(joint, kAlpha), frame.alpha);
+  put_at(w.of(joint, kAcceleration), frame.a);
+}
+
+// The ground accelerates against gravity: accelerations are relative to free fall.
+ADAGEN_INLINE Frame ground() {
+  const Value one = Value{} + 1, none{};
+  return {{{one, none, none}, {none, one, none}, {none, none, one}},
+          {none, none, none},
+          {none, none, none},
+          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
+}
+
+// The axes of a floating base are the link's own: only gravity is turned.
+template <int j>
+void free_base_frame(Workspace& w) {
+  constexpr const JointConstants& joint = kJoints[j];
+  const Value* q = w.q + joint.q + 3;
+  Matrix<Value> turn;
+  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
+  Frame frame = ground();
+  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
+  const Real* const P = joint.rotation;
+  const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
+                           P[1] * gravity.x + P[4] * gravity.y + P[7] * gravity.z,
+                           P[2] * gravity.x + P[5] * gravity.y + P[8] * gravity.z};
+  const Value none{};
+  frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
+  const Value* v = w.v + joint.v + 3;
+  frame.omega = {v[0], v[1], v[2]};
+  keep(w, j, frame);
+}
+
+ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
+  const Real* const P = joint.rotation;
+  return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
+}
+
+// The turn of a joint with a quaternion.
+template <int j>
+void orient(Workspace& w) {
+  constexpr const JointConstants& joint = kJoints[j];
+  const Value* q = w.q + joint.q + joint.nq - 4;
+  Matrix<Value> turn;
+  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
+  if constexpr (!is_identity(joint.rotation)) {
+    const Matrix<Real> P = placement(joint);
+    turn = {turn.x * P.x.x + turn.y * P.x.y + turn.z * P.x.z,
+            turn.x * P.y.x + turn.y * P.y.y + turn.z * P.y.z,
+            turn.x * P.z.x + turn.y * P.z.y + turn.z * P.z.z};
+  }
+  put_at(w.of(j, kTurn), turn);
+}
+
+// One joint outwards from its parent link's frame.
+ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  const Value* v = w.v + joint.v;
+  Vector<Real> origin{joint.translation[0], joint.translation[1], joint.translation[2]};
+  const Matrix<Value> R = at.R * matrix_at(w.of(j, kTurn));
+  const Vector<Value> axis{R.x.z, R.y.z, R.z.z};
+  Vector<Value> r = at.R * origin;
+  const Vector<Value> omega = at.omega;
+  const auto turn_with = [&](const Vector<Value>& relative) {
+    at.omega += relative;
+    return cross(omega, relative);
+  };
+  const auto ride_along = [&] {
+    at.a += cross(omega, cross(omega, r));
+    at.a += cross(at.alpha, r);
+  };
+  const auto slide_and_spin = [&](const Vector<Value>& q, const Vector<Value>& slide,
+                                  const Vector<Value>& spin) {
+    const Matrix<Real> P = placement(joint);
+    r += at.R * Vector<Value>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
+    ride_along();
+    at.a += cross(omega + omega + spin, slide);
+    at.alpha += turn_with(spin);
+  };
+  switch (joint.kind) {
+    case JointKind::kRevolute:
+      ride_along();
+      at.alpha += turn_with(axis * v[0]);
+      break;
+    case JointKind::kPrismatic:
+      r += axis * w.q[joint.q];
+      ride_along();
+      at.a += cross(omega, axis * (v[0] + v[0]));
+      break;
+    case JointKind::kSpherical:
+      ride_along();
+      at.alpha += turn_with(R * Vector<Value>{v[0], v[1], v[2]});
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar) {
+        const Value* q = w.q + joint.q;
+        const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
+        slide_and_spin(Vector<Value>{q[0], q[1], Value{}}, x * v[0] + y * v[1], axis * v[2]);
+      }
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating) {
+        const Value* q = w.q + joint.q;
+        slide_and_spin(Vector<Value>{q[0], q[1], q[2]}, R * Vector<Value>{v[0], v[1], v[2]},
+                       R * Vector<Value>{v[3], v[4], v[5]});
+      }
+      break;
+  }
+  at.R = R;
+  w.joints[static_cast<std::size_t>(j)].r = r;
+  keep(w, j, at);
+}
+
+// Joints first .. last, each on the link of the one before.
+template <int first, int last>
+void outward(Workspace& w) {
+  constexpr int parent = kJoints[first].parent - 1;
+  Frame at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  for (int j = first; j <= last; ++j) step_outward(w, j, at);
+}
+
+// Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
+// is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
+// near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
+
+ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Body<Value>& X) {
+  const int j = link - 1;
+  const Value *A = w.of(j, kRotational), *c = w.of(j, kMoments);
+  const Real mass = kInertias[static_cast<std::size_t>(j)].mass;
+  constexpr int n = kPerBlock;
+  X.A += Symmetric<Value>{A[0], A[n], A[2 * n], A[3 * n], A[4 * n], A[5 * n]};
+  X.B.x.y -= c[2 * n], X.B.x.z += c[n], X.B.y.x += c[2 * n];
+  X.B.y.z -= c[0], X.B.z.x -= c[n], X.B.z.y += c[0];
+  X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
+  X.n += vector_at(w.of(j, kTorque));
+  X.f += vector_at(w.of(j, kForce));
+}
+
+// Takes one freedom out of the body, which is shifted by r before the subtraction, so that the
+// division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the joint has
+// the acceleration u / D - (U / D) a, a being the near link's.
+template <bool along, bool reversed>
+ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<Value>& s,
+                             const Vector<Value>& r, const Value& tau, Value* e) {
+  if constexpr (reversed) shift(X, -r);
+  Vector<Value> n = along ? X.B * s : X.A * s;
+  const Vector<Value> f = along ? X.C * s : transposed_times(X.B, s);
+  const Value D = dot(s, along ? f : n);
+  const Value inverse = 1 / D;
+  const Value u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  if (__builtin_expect(!all_positive(D), 0)) fail(w, kFactorization, j);
+  if constexpr (!reversed) {
+    shift(X, r);
+    n += cross(r, f);
+  }
+  const Vector<Value> e_n = n * inverse, e_f = f * inverse;
+  e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
+  e[7] = inverse;
+  subtract(X, n, f, e_n, e_f);
+  X.n += n * u;
+  X.f += f * u;
+}
+
+// A x = b, by the factors 1 / D and L of A = L D L^T.
+ADAGEN_INLINE Vector<Value> solve_rotations(const Value* factors, const Vector<Value>& b) {
+  const Value *d = factors, *l = factors + 3;  // l: 10, 20, 21
+  const Value y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
+  const Value z = y2 * d[2], y = y1 * d[1] - l[2] * z;
+  return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
+}
+
+// Takes the three rotations out of the body: what is left of it is C and f, so that no rounding
+// stays behind. e gets K = A^-1 B, y = A^-1 (tau - n) and the factors of A.
+template <bool reversed>
+ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
+                                       const Value* tau, Value* e) {
+  if constexpr (reversed) shift(X, -r);
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  Vector<Value> torque = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) torque = -torque;
+  const Value d0 = 1 / X.A.xx, l10 = X.A.xy * d0, l20 = X.A.xz * d0;
+  const Value p1 = X.A.yy - l10 * X.A.xy, d1 = 1 / p1, t = X.A.yz - l20 * X.A.xy, l21 = t * d1;
+  const Value p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
+  if (__builtin_expect(!(all_positive(X.A.xx) && all_positive(p1) && all_positive(p2)), 0))
+    fail(w, kFactorization, j);
+  Value* const factors = e + 12;
+  factors[0] = d0, factors[1] = d1, factors[2] = d2;
+  factors[3] = l10, factors[4] = l20, factors[5] = l21;
+  const auto solve = [&](const Vector<Value>& b) { return solve_rotations(factors, b); };
+  const Matrix<Value>& B = X.B;
+  const Vector<Value> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
+  const Vector<Value> Kx = solve(Bx), Ky = solve(By), Kz = solve(Bz), y = solve(torque - X.n);
+  e[0] = Kx.x, e[1] = Ky.x, e[2] = Kz.x, e[3] = Kx.y, e[4] = Ky.y, e[5] = Kz.y;
+  e[6] = Kx.z, e[7] = Ky.z, e[8] = Kz.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
+  X.C.xx -= dot(Bx, Kx), X.C.xy -= dot(Bx, Ky), X.C.xz -= dot(Bx, Kz);
+  X.C.yy -= dot(By, Ky), X.C.yz -= dot(By, Kz), X.C.zz -= dot(Bz, Kz);
+  X.f += transposed_times(B, y);
+  X.A = Symmetric<Value>{}, X.B = Matrix<Value>{};
+  X.n = torque;
+  if constexpr (!reversed) shift(X, r);
+}
+
+// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), by L D L^T. Whether that
+// could be done.
+ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
+  Value L[6][6] = {{X.A.xx},
+                   {X.A.xy, X.A.yy},
+                   {X.A.xz, X.A.yz, X.A.zz},
+                   {X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx},
+                   {X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy},
+                   {X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz}};
+  Value x[6] = {-X.n.x, -X.n.y, -X.n.z, -X.f.x, -X.f.y, -X.f.z}, inverse[6];
+  bool fine = true;
+  ADAGEN_FOR (c, 0, 6) {
+    fine &= all_positive(L[c][c]);
+    inverse[c] = 1 / L[c][c];
+    ADAGEN_FOR (i, c + 1, 6) {
+      const Value l = L[i][c] * inverse[c];
+      ADAGEN_FOR (k, c + 1, i + 1) L[i][k] -= l * L[k][c];
+      x[i] -= l * x[c];
+    }
+  }
+  ADAGEN_FOR (c, 0, 6) {
+    const int i = 5 - c;
+    x[i] *= inverse[i];
+    ADAGEN_FOR (k, i + 1, 6) x[i] -= L[k][i] * inverse[i] * x[k];
+  }
+  a = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
+  return fine;
+}
+
+// A joint with all freedoms hands on its force alone; e gets the acceleration of the body beyond.
+template <bool reversed>
+ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
+                            const Value* tau, Value* e) {
+  if constexpr (reversed) shift(X, -r);
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
+  Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) n = -n, f = -f;
+  X.n += -n, X.f += -f;
+  Motion<Value> a;
+  if (!solve_free(X, a)) fail(w, kFactorization, j);
+  e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
+  e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
+  X = Body<Value>{};
+  X.n = n, X.f = f;
+  if constexpr (!reversed) shift(X, r);
+}
+
+template <bool reversed>
+ADAGEN_INLINE void step_inward(Workspace& w, int j, Body<Value>& X) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* tau = w.tau + joint.v;
+  const Value* R = w.of(j, kAxes);
+  const Vector<Value> none{};
+  switch (joint.kind) {
+    case JointKind::kRevolute:
+      eliminate<false, reversed>(w, j, X, axis_at(R), memory.r, tau[0], memory.e);
+      break;
+    case JointKind::kPrismatic:
+      eliminate<true, reversed>(w, j, X, axis_at(R), memory.r, tau[0], memory.e);
+      break;
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, j, X, memory.r, tau, memory.e);
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar) {
+        const Vector<Value> x{R[0], R[3 * kPerBlock], R[6 * kPerBlock]};
+        const Vector<Value> y{R[kPerBlock], R[4 * kPerBlock], R[7 * kPerBlock]};
+        if constexpr (reversed) shift(X, -memory.r);
+        eliminate<true, false>(w, j, X, x, none, reversed ? -tau[0] : tau[0], memory.e);
+        eliminate<true, false>(w, j, X, y, none, reversed ? -tau[1] : tau[1], memory.e + 8);
+        eliminate<false, false>(w, j, X, axis_at(R), none, reversed ? -tau[2] : tau[2],
+                                memory.e + 16);
+        if constexpr (!reversed) shift(X, memory.r);
+      }
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating) set_free<reversed>(w, j, X, memory.r, tau, memory.e);
+      break;
+  }
+}
+
+// Adds to a body what the sweep finds at a link.
+template <int p>
+ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
+  if (role.adds_own) add_bare_link(w, link, X);
+}
+
+template <bool starts>
+ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
+  Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
+  if constexpr (starts)
+    body = X;
+  else
+    body += X;
+}
+
+// Process p takes joints last .. first inwards, each on the link of the one before.
+template <int p, int first, int last, bool starts>
+void inward(Workspace& w) {
+  Body<Value> X{};
+  for (int j = last; j >= first; --j) {
+    meet<p>(w, j + 1, X);
+    step_inward<false>(w, j, X);
+  }
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave<starts>(w, near, X);
+}
+
+// The same for a root beyond joint last: from the parent link of joint first to the child of last.
+template <int p, int first, int last, bool starts>
+void inward_reversed(Workspace& w) {
+  Body<Value> X{};
+  for (int j = first; j <= last; ++j) {
+    meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    step_inward<true>(w, j, X);
+  }
+  leave<starts>(w, last + 1, X);
+}
+
+// Adds a link itself to what was found at it.
+template <int link, bool starts>
+void place(Workspace& w) {
+  Body<Value> X{};
+  add_bare_link(w, link, X);
+  leave<starts>(w, link, X);
+}
+
+// A floating joint on the ground only adds its torque to the link.
+template <int j, bool starts>
+void free_base(Workspace& w) {
+  const Value* tau = w.tau + kJoints[j].v;
+  Body<Value> X{};
+  X.n = {-tau[3], -tau[4], -tau[5]};
+  X.f = {-tau[0], -tau[1], -tau[2]};
+  leave<starts>(w, j + 1, X);
+}
+
+// What was left at a link, with the link itself where it is this process's to add.
+template <int p, int link>
+ADAGEN_INLINE Body<Value> whole(Workspace& w) {
+  Body<Value> X{};
+  meet<p>(w, link, X);
+  return X;
+}
+
+// Acceleration of a root that nothing holds.
+template <int p, int link>
+void solve_root(Workspace& w) {
+  if (!solve_free(whole<p, link>(w), w.motions[link])) fail(w, kFactorization, link - 1);
+}
+
+// Outwards again: the joints' accelerations.
+
+ADAGEN_INLINE Value freedom(const Value* e, const Motion<Value>& a) {
+  return (e[6] - (e[0] * a.angular.x + e[1] * a.angular.y)) -
+         ((e[2] * a.angular.z + e[3] * a.linear.x) + (e[4] * a.linear.y + e[5] * a.linear.z));
+}
+
+// The same for joints with several freedoms, told at the joint's origin throughout.
+template <bool reversed>
+ADAGEN_INLINE void move_at_joint(Workspace& w, int j, Motion<Value>& a) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  [[maybe_unused]] const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  [[maybe_unused]] const Value* R = w.of(j, kAxes);
+  [[maybe_unused]] Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+  switch (joint.kind) {
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) {
+        const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+        const Vector<Value> far = Vector<Value>{e[9], e[10], e[11]} - K * a.linear;
+        const Vector<Value> x = transposed_times(matrix_at(R), far - a.angular);
+        qdd[0] = reversed ? -x.x : x.x, qdd[1] = reversed ? -x.y : x.y;
+        qdd[2] = reversed ? -x.z : x.z;
+        a.angular = far;
+      }
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar) {
+        const Value spin = freedom(e + 16, a);
+        a.angular += axis_at(R) * spin;
+        const Value y = freedom(e + 8, a);
+        a.linear += Vector<Value>{R[kPerBlock], R[4 * kPerBlock], R[7 * kPerBlock]} * y;
+        const Value x = freedom(e, a);
+        a.linear += Vector<Value>{R[0], R[3 * kPerBlock], R[6 * kPerBlock]} * x;
+        qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
+      }
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating) {
+        const Matrix<Value> axes = matrix_at(R);
+        const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+        const Vector<Value> slide = transposed_times(axes, far.linear - a.linear);
+        const Vector<Value> spin = transposed_times(axes, far.angular - a.angular);
+        const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
+        ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
+        a = far;
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+// A joint's acceleration from the near link's, which becomes the far link's; each is told at its
+// own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
+template <bool reversed>
+ADAGEN_INLINE void move(Workspace& w, int j, Motion<Value>& a) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  const Value* R = w.of(j, kAxes);
+  Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+  switch (joint.kind) {
+    case JointKind::kRevolute: {
+      const Vector<Value> axis = axis_at(R);
+      const Value x = freedom(e, a);
+      qdd[0] = reversed ? -x : x;
+      carry(a, reversed ? -r : r);
+      a.angular += axis * x;
+      if constexpr (reversed) a.linear += cross(r, axis) * x;
+      break;
+    }
+    case JointKind::kPrismatic: {
+      const Value x = freedom(e, a);
+      qdd[0] = reversed ? -x : x;
+      carry(a, reversed ? -r : r);
+      a.linear += axis_at(R) * x;
+      break;
+    }
+    default:
+      if constexpr (!reversed) carry(a, r);
+      move_at_joint<reversed>(w, j, a);
+      if constexpr (reversed) carry(a, -r);
+  }
+}
+
+// Joints first .. last outwards; what moves along with a link is kept where other paths start.
+template <int p, int first, int last>
+void accelerate(Workspace& w) {
+  Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  for (int j = first; j <= last; ++j) {
+    move<false>(w, j, a);
+    if (kRoles[p][static_cast<std::size_t>(j + 1)].parts)
+      w.motions[static_cast<std::size_t>(j + 1)] = a;
+  }
+}
+
+template <int p, int first, int last>
+void accelerate_reversed(Workspace& w) {
+  Motion<Value> a = w.motions[last + 1];
+  for (int j = last; j >= first; --j) {
+    move<true>(w, j, a);
+    const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  }
+}
+
+// A floating base's joint acceleration, [linear; angular] in its own axes.
+template <int j>
+void free_acceleration(Workspace& w) {
+  const Motion<Value>& a = w.motions[j + 1];
+  const Value* v = w.v + kJoints[j].v;
+  const Vector<Value> omega{v[3], v[4], v[5]}, linear{v[0], v[1], v[2]};
+  const Vector<Value> x = a.linear - cross(omega, linear);
+  Value* qdd = &w.answer[kJoints[j].v];
+  qdd[0] = x.x, qdd[1] = x.y, qdd[2] = x.z;
+  qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
+}
+
+// Nothing on the ground moves beyond its Frame, and the ground does not yield.
+const Mat6 kZero = Mat6::Zero();
+const Columns6 kGround = Columns6::Zero();
+
+// Mobility: what a segment shows at its handles, and what forces there do inside it. Phi and b are
+// in the axes of the base about the handles' origins; b are accelerations beyond those of a Frame.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+
+ADAGEN_INLINE Motion<Value> motion_of(const Columns6& a) {
+  return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
+}
+ADAGEN_INLINE Columns6 columns_of(const Motion<Value>& a) {
+  Columns6 result;
+  result << a.angular.x, a.angular.y, a.angular.z, a.linear.x, a.linear.y, a.linear.z;
+  return result;
+}
+
+inline Mat6 inertia_of(const Body<Value>& X) {
+  Mat6 I;
+  I << X.A.xx, X.A.xy, X.A.xz, X.B.x.x, X.B.x.y, X.B.x.z,  //
+      X.A.xy, X.A.yy, X.A.yz, X.B.y.x, X.B.y.y, X.B.y.z,   //
+      X.A.xz, X.A.yz, X.A.zz, X.B.z.x, X.B.z.y, X.B.z.z,   //
+      X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx, X.C.xy, X.C.xz,   //
+      X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy, X.C.yz,   //
+      X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz;
+  return I;
+}
+inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
+
+// Phi = (I^A)^-1 and b = -Phi p^A of a segment's root, by Cholesky's factorization.
+inline bool invert(const Body<Value>& X, Mat6& Phi, Columns6& b) {
+  const Mat6 I = inertia_of(X);
+  std::array<std::array<Real, 6>, 6> L, x{};
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
+    x[i][i] = 1;
+  }
+  const bool good = factorize(L);
+  forward_substitute(L, x);
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, i, 6) {
+      Real sum = 0;
+      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
+      Phi(i, k) = Phi(k, i) = sum;
+    }
+  b.noalias() = -Phi * force_of(X);
+  return good;
+}
+
+template <int p, int link>
+void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
+  if (!invert(whole<p, link>(w), Phi, b)) fail(w, kFactorization, link - 1);
+}
+
+// Six columns of motions of a link, side by side: L times them are the far link's.
+template <bool reversed>
+ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value> axis = axis_at(w.of(j, kAxes));
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      if constexpr (!reversed) carry(a, memory.r);
+      const Vector<Lanes> v = a.linear;
+      a.angular = {-(e[0] * v.x + e[1] * v.y + e[2] * v.z), -(e[3] * v.x + e[4] * v.y + e[5] * v.z),
+                   -(e[6] * v.x + e[7] * v.y + e[8] * v.z)};
+      if constexpr (reversed) carry(a, -memory.r);
+    }
+    return;
+  }
+  const Lanes x = -((e[0] * a.angular.x + e[1] * a.angular.y) +
+                    (e[2] * a.angular.z + e[3] * a.linear.x) +
+                    (e[4] * a.linear.y + e[5] * a.linear.z));
+  const Vector<Lanes> moved{axis.x * x, axis.y * x, axis.z * x};
+  if constexpr (!reversed) carry(a, memory.r);
+  if (kind == JointKind::kPrismatic)
+    a.linear += moved;
+  else
+    a.angular += moved;
+  if constexpr (reversed) carry(a, -memory.r);
+}
+
+ADAGEN_INLINE Motion<Lanes> rows_of(const Mat6& transposed) {
+  const auto row = [&transposed](int k) {
+    Lanes result{};
+    std::memcpy(&result, transposed.data() + 6 * k, 6 * sizeof(Real));
+    return result;
+  };
+  return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}};
+}
+ADAGEN_INLINE Mat6 from_rows(const Motion<Lanes>& a) {  // transposed
+  Mat6 result;
+  const Lanes* rows[6] = {&a.angular.x, &a.angular.y, &a.angular.z,
+                          &a.linear.x,  &a.linear.y,  &a.linear.z};
+  for (int k = 0; k < 6; ++k) std::memcpy(result.data() + 6 * k, rows[k], 6 * sizeof(Real));
+  return result;
+}
+
+// L m, m being told with the near link in its rows.
+template <bool reversed>
+Mat6 passed(Workspace& w, int j, const Mat6& m) {
+  Motion<Lanes> rows = rows_of(m.transpose());
+  pass<reversed>(w, j, rows);
+  return from_rows(rows).transpose();
+}
+
+// S D^-1 S^T at the far link's origin.
+template <bool reversed>
+Mat6 own_mobility(Workspace& w, int j) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  Mat6 result = Mat6::Zero();
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      for (int k = 0; k < 3; ++k) {
+        const Vector<Value> unit{Value(k == 0), Value(k == 1), Value(k == 2)};
+        const Vector<Value> x = solve_rotations(memory.e + 12, unit);
+        result(0, k) = x.x, result(1, k) = x.y, result(2, k) = x.z;
+      }
+    }
+    if constexpr (reversed) {
+      Mat6 shifted = Mat6::Identity();
+      const Vector<Value> r = -memory.r;  // linear += angular x r
+      shifted(3, 1) = r.z, shifted(3, 2) = -r.y, shifted(4, 0) = -r.z;
+      shifted(4, 2) = r.x, shifted(5, 0) = r.y, shifted(5, 1) = -r.x;
+      result = shifted * result * shifted.transpose();
+    }
+    return result;
+  }
+  Motion<Value> S{};
+  (kind == JointKind::kPrismatic ? S.linear : S.angular) = axis_at(w.of(j, kAxes));
+  if constexpr (reversed) carry(S, -memory.r);
+  const Columns6 s = columns_of(S);
+  return s * memory.e[7] * s.transpose();
+}
+
+// Omega and b outwards across a joint: L Omega L^T + S D^-1 S^T. Nothing is subtracted.
+template <bool reversed>
+void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias, Mat6& far,
+               Columns6& far_bias) {
+  const Mat6 half = passed<reversed>(w, j, near);
+  far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
+  Motion<Value> a = motion_of(near_bias);
+  move<reversed>(w, j, a);
+  far_bias = columns_of(a);
+}
+
+// A wrench on the far link: the joint feels S^T of it, the near link L^T.
+template <bool reversed>
+void deliver(Workspace& w, int j, const Columns6& load, Columns6& handed) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  Value* const e = memory.e;
+  Vector<Value> n{load[0], load[1], load[2]}, f{load[3], load[4], load[5]};
+  if constexpr (reversed) n += cross(f, memory.r);
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      const Vector<Value> y = solve_rotations(e + 12, n);
+      e[9] += y.x, e[10] += y.y, e[11] += y.z;
+      const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+      f += -transposed_times(K, n);
+      n = Vector<Value>{};
+      if constexpr (!reversed) n += cross(memory.r, f);
+    }
+  } else {
+    const Value x = dot(axis_at(w.of(j, kAxes)), kind == JointKind::kPrismatic ? f : n);
+    e[6] += x * e[7];
+    if constexpr (!reversed) n += cross(memory.r, f);
+    n += -(Vector<Value>{e[0], e[1], e[2]} * x);
+    f += -(Vector<Value>{e[3], e[4], e[5]} * x);
+  }
+  handed += columns_of({n, f});
+}
+
+// A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
+template <int link>
+void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  const Body<Value>& X = w.bodies[link];
+  const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
+  w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
+}
+
+// What a link whose acceleration is known is loaded with.
+template <int link>
+Columns6 load_of_root(Workspace& w) {
+  const Body<Value>& X = w.bodies[link];
+  return -(inertia_of(X) * columns_of(w.motions[link]) + force_of(X));
+}
+
+// --- joins: adapters to the joints' own frames ---------------------------------------------------
+
+// From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
+inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  X.E << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
+  Y.E = X.E;
+  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  X.r << r.x, r.y, r.z;
+  Y.r.setZero();
+}
+
+template <std::size_t n>
+void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
+  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
+}
+
+template <std::size_t n>
+void store_acceleration(Workspace& w, int, int v,
+                        const std::array<std::array<Real, kColumns>, n>& qdd) {
+  for (std::size_t k = 0; k < n; ++k) w.answer[static_cast<std::size_t>(v) + k] = qdd[k][0];
+}
+
+// What goes into a message, and out of one.
 template <class M>
 Real* put(Real* to, const M& m) {
   Eigen::Map<M>{to} = m;
@@ -1544,821 +2289,21 @@ const Real* get(const Real* from, std::array<Real, n>& x) {
   return from + n;
 }
 
-const Mat6 kZero = Mat6::Zero();
-
-// The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
-  Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
-  return result;
-}();
-
-// Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
-[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
-  Mat6 result;
-  std::size_t k = 0;
-  for (int i = 0; i < 6; ++i)
-    for (int j = i; j < 6; ++j) result(i, j) = result(j, i) = upper[k++];
-  return result;
-}
-
-// One row of A qdd = 0, which keeps a slaved joint in step with its source.
-[[maybe_unused]] inline void coupling_row(std::array<Real, kColumns>& row,
-                                          const std::array<Real, kColumns>& slaved,
-                                          const std::array<Real, kColumns>& source,
-                                          double multiplier) {
-  for (std::size_t k = 0; k < kColumns; ++k) row[k] = slaved[k] - Real(multiplier) * source[k];
-}
-
-// The torques that make A qdd zero: (A H^-1 A^T) torques = -A qdd, by Cholesky's factorization.
-template <std::size_t m>
-void solve_coupling(Workspace& w, int joint, const std::array<std::array<Real, m + 1>, m>& rows,
-                    std::array<Real, m>& torques) {
-  std::array<std::array<Real, m>, m> L;
-  std::array<std::array<Real, 1>, m> x;
-  for (std::size_t i = 0; i < m; ++i) {
-    x[i][0] = -rows[i][0];
-    for (std::size_t k = 0; k < m; ++k) L[i][k] = rows[i][k + 1];
-  }
-  if (!factorize(L)) fail(w, kFactorization, joint);
-  forward_substitute(L, x);
-  backward_substitute(L, x);
-  for (std::size_t i = 0; i < m; ++i) torques[i] = x[i][0];
-}
-
-// Accelerations of all right-hand sides, added up with the coupling torques.
-template <std::size_t n, std::size_t m>
-void store_coupled(Workspace& w, int joint, int v,
-                   const std::array<std::array<Real, kColumns>, n>& qdd,
-                   const std::array<Real, m>& torques) {
-  std::array<std::array<Real, kColumns>, n> sum{};
-  for (std::size_t k = 0; k < n; ++k) {
-    sum[k][0] = qdd[k][0];
-    for (std::size_t c = 0; c < m; ++c) sum[k][0] += qdd[k][c + 1] * torques[c];
-  }
-  store_acceleration(w, joint, v, sum);
-}
-
-const Inertia kInertia_rod01 = spatial_inertia(kLinks[1]);
-const Inertia kInertia_rod02 = spatial_inertia(kLinks[2]);
-const Inertia kInertia_rod03 = spatial_inertia(kLinks[3]);
-const Inertia kInertia_rod04 = spatial_inertia(kLinks[4]);
-const Inertia kInertia_rod05 = spatial_inertia(kLinks[5]);
-const Inertia kInertia_rod06 = spatial_inertia(kLinks[6]);
-const Inertia kInertia_rod07 = spatial_inertia(kLinks[7]);
-const Inertia kInertia_rod08 = spatial_inertia(kLinks[8]);
-const Inertia kInertia_rod09 = spatial_inertia(kLinks[9]);
-const Inertia kInertia_rod10 = spatial_inertia(kLinks[10]);
-const Inertia kInertia_rod11 = spatial_inertia(kLinks[11]);
-const Inertia kInertia_rod12 = spatial_inertia(kLinks[12]);
-const Inertia kInertia_rod13 = spatial_inertia(kLinks[13]);
-const Inertia kInertia_rod14 = spatial_inertia(kLinks[14]);
-const Inertia kInertia_rod15 = spatial_inertia(kLinks[15]);
-const Inertia kInertia_rod16 = spatial_inertia(kLinks[16]);
-
-// =================================================================================================
-// Joint 0 "joint01": revolute, between links "ceiling" and "rod01"
-// =================================================================================================
-
-void kinematics_joint01(Workspace& w) {
-  auto& i = w.j_joint01;
-  require_finite(w, w.q + 0, 1, 0);
-  require_finite(w, w.v + 0, 1, 0);
-  const Real q = w.q[0];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.0, 0.0, 0.0;
-  i.v = joint_velocity<Revolute>(w.v + 0);
-}
-
-void articulate_joint01(Workspace& w) {
-  auto& i = w.j_joint01;
-  load_torque(w, 0, 0, i.body.tau);
-  i.body.c = Columns6::Zero();
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 0);
-}
-
-void propagate_joint01(Workspace& w) {
-  auto& i = w.j_joint01;
-  Mat6 Omega = kZero;
-  carry(i.body, Omega);
-  w.j_joint01.Phi_rod01 = Omega;
-  Columns6 a = i.X * kGround;
-  accelerate(i.body, a);
-  w.j_joint01.b_rod01 = a;
-}
-
-void deliver_joint01(Workspace& w) {
-  auto& i = w.j_joint01;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-}
-
-void accelerate_joint01(Workspace& w) {
-  auto& i = w.j_joint01;
-  Columns6 a = i.X * kGround;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 0, 0, qdd);
-}
-
-// =================================================================================================
-// Joint 1 "joint02": revolute, between links "rod01" and "rod02"
-// =================================================================================================
-
-void kinematics_joint02(Workspace& w) {
-  auto& i = w.j_joint02;
-  require_finite(w, w.q + 1, 1, 1);
-  require_finite(w, w.v + 1, 1, 1);
-  const Real q = w.q[1];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.0, -0.4, 0.0;
-  i.v = i.X * w.j_joint01.v + joint_velocity<Revolute>(w.v + 1);
-}
-
-void articulate_joint02(Workspace& w) {
-  auto& i = w.j_joint02;
-  load_torque(w, 1, 1, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 1);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 1);
-  add_in_parent(i.X, handed, w.j_joint01.IA);
-  w.j_joint01.pA += i.X.transposed_times(force);
-}
-
-void propagate_joint02(Workspace& w) {
-  auto& i = w.j_joint02;
-  Mat6 Omega = from_right(i.X * w.j_joint01.Phi_rod01, i.X);
-  carry(i.body, Omega);
-  w.j_joint01.Phi_rod02 = Omega;
-  Columns6 a = i.X * w.j_joint01.b_rod01;
-  accelerate(i.body, a);
-  w.j_joint01.b_rod02 = a;
-}
-
-void deliver_joint02(Workspace& w) {
-  auto& i = w.j_joint02;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-  w.j_joint01.load += i.X.transposed_times(load);
-}
-
-void accelerate_joint02(Workspace& w) {
-  auto& i = w.j_joint02;
-  Columns6 a = i.X * w.j_joint01.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 1, 1, qdd);
-}
-
-// =================================================================================================
-// Joint 2 "joint03": revolute, between links "rod02" and "rod03"
-// =================================================================================================
-
-void kinematics_joint03(Workspace& w) {
-  auto& i = w.j_joint03;
-  require_finite(w, w.q + 2, 1, 2);
-  require_finite(w, w.v + 2, 1, 2);
-  const Real q = w.q[2];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << -0.4, 0.0, 0.0;
-  i.v = i.X * w.j_joint02.v + joint_velocity<Revolute>(w.v + 2);
-}
-
-void articulate_joint03(Workspace& w) {
-  auto& i = w.j_joint03;
-  load_torque(w, 2, 2, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 2);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 2);
-  add_in_parent(i.X, handed, w.j_joint02.IA);
-  w.j_joint02.pA += i.X.transposed_times(force);
-}
-
-void propagate_joint03(Workspace& w) {
-  auto& i = w.j_joint03;
-  Mat6 Omega = from_right(i.X * w.j_joint01.Phi_rod02, i.X);
-  carry(i.body, Omega);
-  w.j_joint01.Phi_rod03 = Omega;
-  Columns6 a = i.X * w.j_joint01.b_rod02;
-  accelerate(i.body, a);
-  w.j_joint01.b_rod03 = a;
-}
-
-void deliver_joint03(Workspace& w) {
-  auto& i = w.j_joint03;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-  w.j_joint02.load += i.X.transposed_times(load);
-}
-
-void accelerate_joint03(Workspace& w) {
-  auto& i = w.j_joint03;
-  Columns6 a = i.X * w.j_joint02.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 2, 2, qdd);
-}
-
-// =================================================================================================
-// Joint 3 "joint04": revolute, between links "rod03" and "rod04"
-// =================================================================================================
-
-void kinematics_joint04(Workspace& w) {
-  auto& i = w.j_joint04;
-  require_finite(w, w.q + 3, 1, 3);
-  require_finite(w, w.v + 3, 1, 3);
-  const Real q = w.q[3];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.0, 0.0, -0.4;
-  i.v = i.X * w.j_joint03.v + joint_velocity<Revolute>(w.v + 3);
-}
-
-void articulate_joint04(Workspace& w) {
-  auto& i = w.j_joint04;
-  load_torque(w, 3, 3, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 3);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 3);
-  add_in_parent(i.X, handed, w.j_joint03.IA);
-  w.j_joint03.pA += i.X.transposed_times(force);
-}
-
-void propagate_joint04(Workspace& w) {
-  auto& i = w.j_joint04;
-  Mat6 Omega = from_right(i.X * w.j_joint01.Phi_rod03, i.X);
-  carry(i.body, Omega);
-  w.j_joint01.Phi_rod04 = Omega;
-  Columns6 a = i.X * w.j_joint01.b_rod03;
-  accelerate(i.body, a);
-  w.j_joint01.b_rod04 = a;
-}
-
-void deliver_joint04(Workspace& w) {
-  auto& i = w.j_joint04;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-  w.j_joint03.load += i.X.transposed_times(load);
-}
-
-void accelerate_joint04(Workspace& w) {
-  auto& i = w.j_joint04;
-  Columns6 a = i.X * w.j_joint03.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 3, 3, qdd);
-}
-
-// =================================================================================================
-// Joint 4 "joint05": revolute, between links "rod04" and "rod05"
-// =================================================================================================
-
-void kinematics_joint05(Workspace& w) {
-  auto& i = w.j_joint05;
-  require_finite(w, w.q + 4, 1, 4);
-  require_finite(w, w.v + 4, 1, 4);
-  const Real q = w.q[4];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.0, -0.4, 0.0;
-  i.v = i.X * w.j_joint04.v + joint_velocity<Revolute>(w.v + 4);
-}
-
-// A: the chain of "joint01"; B: the chain of "joint06"; C feels the joint at "rod07"
-void assemble_joint05(Workspace& w) {
-  auto& i = w.j_joint05;
-  load_torque(w, 4, 4, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint01.Phi_rod04;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
-  if (!join(i.joined, Phi_A, w.j_joint06.Phi_rod05, i.X * w.j_joint01.b_rod04, w.j_joint06.b_rod05, c))
-    fail(w, kFactorization, 4);
-  couple(i.joined, w.j_joint06.Phi_rod05_rod07, i.at_rod07);
-  i.Phi_rod07 = w.j_joint06.Phi_rod07 - product(i.at_rod07, i.at_rod07);  // Eq. (4)
-  i.b_rod07 = w.j_joint06.b_rod07 + bias_change(i.joined, i.at_rod07);  // Eq. (7)
-}
-
-void disassemble_joint05(Workspace& w) {
-  auto& i = w.j_joint05;
-  Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod07, w.j_joint05.F_on_rod07);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
-  w.j_joint01.F_on_rod04 = -i.X.transposed_times(f);
-  w.j_joint06.F_on_rod05 = f;
-}
-
-// =================================================================================================
-// Joint 5 "joint06": revolute, between links "rod05" and "rod06"
-// =================================================================================================
-
-void kinematics_joint06(Workspace& w) {
-  auto& i = w.j_joint06;
-  require_finite(w, w.q + 5, 1, 5);
-  require_finite(w, w.v + 5, 1, 5);
-  const Real q = w.q[5];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << -0.4, 0.0, 0.0;
-  i.v = i.X * w.j_joint05.v + joint_velocity<Revolute>(w.v + 5);
-}
-
-void articulate_joint06(Workspace& w) {
-  auto& i = w.j_joint06;
-  load_torque(w, 5, 5, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 5);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 5);
-  add_in_parent(i.X, handed, w.j_joint05.IA);
-  w.j_joint05.pA += i.X.transposed_times(force);
-}
-
-void propagate_joint06(Workspace& w) {
-  auto& i = w.j_joint06;
-  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod05, i.X);
-  carry(i.body, Omega);
-  w.j_joint06.Phi_rod06 = Omega;
-  Columns6 a = i.X * w.j_joint06.b_rod05;
-  accelerate(i.body, a);
-  w.j_joint06.b_rod06 = a;
-  Mat6 Psi_0 = i.X * w.j_joint06.Phi_rod05;  // with link "rod05"
-  share(i.body, Psi_0);
-  w.j_joint06.Phi_rod05_rod06 = Psi_0.transpose();
-}
-
-void deliver_joint06(Workspace& w) {
-  auto& i = w.j_joint06;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-  w.j_joint05.load += i.X.transposed_times(load);
-}
-
-void accelerate_joint06(Workspace& w) {
-  auto& i = w.j_joint06;
-  Columns6 a = i.X * w.j_joint05.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 5, 5, qdd);
-}
-
-// =================================================================================================
-// Joint 6 "joint07": revolute, between links "rod06" and "rod07"
-// =================================================================================================
-
-void kinematics_joint07(Workspace& w) {
-  auto& i = w.j_joint07;
-  require_finite(w, w.q + 6, 1, 6);
-  require_finite(w, w.v + 6, 1, 6);
-  const Real q = w.q[6];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.0, 0.0, -0.4;
-  i.v = i.X * w.j_joint06.v + joint_velocity<Revolute>(w.v + 6);
-}
-
-void articulate_joint07(Workspace& w) {
-  auto& i = w.j_joint07;
-  load_torque(w, 6, 6, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 6);
-  add_in_parent(i.X, handed, w.j_joint06.IA);
-  w.j_joint06.pA += i.X.transposed_times(force);
-}
-
-void propagate_joint07(Workspace& w) {
-  auto& i = w.j_joint07;
-  Mat6 Omega = from_right(i.X * w.j_joint06.Phi_rod06, i.X);
-  carry(i.body, Omega);
-  w.j_joint06.Phi_rod07 = Omega;
-  Columns6 a = i.X * w.j_joint06.b_rod06;
-  accelerate(i.body, a);
-  w.j_joint06.b_rod07 = a;
-  Mat6 Psi_0 = times_transposed(i.X, w.j_joint06.Phi_rod05_rod06);  // with link "rod05"
-  share(i.body, Psi_0);
-  w.j_joint06.Phi_rod05_rod07 = Psi_0.transpose();
-}
-
-void deliver_joint07(Workspace& w) {
-  auto& i = w.j_joint07;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-  w.j_joint06.load += i.X.transposed_times(load);
-}
-
-void accelerate_joint07(Workspace& w) {
-  auto& i = w.j_joint07;
-  Columns6 a = i.X * w.j_joint06.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 6, 6, qdd);
-}
-
-// =================================================================================================
-// Joint 7 "joint08": revolute, between links "rod07" and "rod08"
-// =================================================================================================
-
-void kinematics_joint08(Workspace& w) {
-  auto& i = w.j_joint08;
-  require_finite(w, w.q + 7, 1, 7);
-  require_finite(w, w.v + 7, 1, 7);
-  const Real q = w.q[7];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.0, -0.4, 0.0;
-  i.v = i.X * w.j_joint07.v + joint_velocity<Revolute>(w.v + 7);
-}
-
-// A: the chain of "joint05"; B: the chain of "joint09"; C feels the joint at no link
-void assemble_joint08(Workspace& w) {
-  auto& i = w.j_joint08;
-  load_torque(w, 7, 7, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint05.Phi_rod07;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 7);
-  if (!join(i.joined, Phi_A, w.j_joint09.Phi_rod08, i.X * w.j_joint05.b_rod07, w.j_joint09.b_rod08, c))
-    fail(w, kFactorization, 7);
-}
-
-void disassemble_joint08(Workspace& w) {
-  auto& i = w.j_joint08;
-  Release<Revolute> release(i.joined);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 7, 7, release.qdd());  // Eq. (9)
-  w.j_joint05.F_on_rod07 = -i.X.transposed_times(f);
-  w.j_joint09.F_on_rod08 = f;
-}
-
-// =================================================================================================
-// Joint 8 "joint09": revolute, between links "rod08" and "rod09"
-// =================================================================================================
-
-void kinematics_joint09(Workspace& w) {
-  auto& i = w.j_joint09;
-  require_finite(w, w.q + 8, 1, 8);
-  require_finite(w, w.v + 8, 1, 8);
-  const Real q = w.q[8];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << -0.4, 0.0, 0.0;
-  i.v = i.X * w.j_joint08.v + joint_velocity<Revolute>(w.v + 8);
-}
-
-void articulate_joint09(Workspace& w) {
-  auto& i = w.j_joint09;
-  load_torque(w, 8, 8, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 8);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 8);
-  add_in_parent(i.X, handed, w.j_joint08.IA);
-  w.j_joint08.pA += i.X.transposed_times(force);
-}
-
-void accelerate_joint09(Workspace& w) {
-  auto& i = w.j_joint09;
-  Columns6 a = i.X * w.j_joint08.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 8, 8, qdd);
-}
-
-// =================================================================================================
-// Joint 9 "joint10": revolute, between links "rod09" and "rod10"
-// =================================================================================================
-
-void kinematics_joint10(Workspace& w) {
-  auto& i = w.j_joint10;
-  require_finite(w, w.q + 9, 1, 9);
-  require_finite(w, w.v + 9, 1, 9);
-  const Real q = w.q[9];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.0, 0.0, -0.4;
-  i.v = i.X * w.j_joint09.v + joint_velocity<Revolute>(w.v + 9);
-}
-
-void articulate_joint10(Workspace& w) {
-  auto& i = w.j_joint10;
-  load_torque(w, 9, 9, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 9);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 9);
-  add_in_parent(i.X, handed, w.j_joint09.IA);
-  w.j_joint09.pA += i.X.transposed_times(force);
-}
-
-void accelerate_joint10(Workspace& w) {
-  auto& i = w.j_joint10;
-  Columns6 a = i.X * w.j_joint09.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 9, 9, qdd);
-}
-
-// =================================================================================================
-// Joint 10 "joint11": revolute, between links "rod10" and "rod11"
-// =================================================================================================
-
-void kinematics_joint11(Workspace& w) {
-  auto& i = w.j_joint11;
-  require_finite(w, w.q + 10, 1, 10);
-  require_finite(w, w.v + 10, 1, 10);
-  const Real q = w.q[10];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.0, -0.4, 0.0;
-  i.v = i.X * w.j_joint10.v + joint_velocity<Revolute>(w.v + 10);
-}
-
-void articulate_joint11(Workspace& w) {
-  auto& i = w.j_joint11;
-  load_torque(w, 10, 10, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 10);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 10);
-  add_in_parent(i.X, handed, w.j_joint10.IA);
-  w.j_joint10.pA += i.X.transposed_times(force);
-}
-
-void accelerate_joint11(Workspace& w) {
-  auto& i = w.j_joint11;
-  Columns6 a = i.X * w.j_joint10.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 10, 10, qdd);
-}
-
-// =================================================================================================
-// Joint 11 "joint12": revolute, between links "rod11" and "rod12"
-// =================================================================================================
-
-void kinematics_joint12(Workspace& w) {
-  auto& i = w.j_joint12;
-  require_finite(w, w.q + 11, 1, 11);
-  require_finite(w, w.v + 11, 1, 11);
-  const Real q = w.q[11];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << -0.4, 0.0, 0.0;
-  i.v = i.X * w.j_joint11.v + joint_velocity<Revolute>(w.v + 11);
-}
-
-void articulate_joint12(Workspace& w) {
-  auto& i = w.j_joint12;
-  load_torque(w, 11, 11, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 11);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 11);
-  add_in_parent(i.X, handed, w.j_joint11.IA);
-  w.j_joint11.pA += i.X.transposed_times(force);
-}
-
-void accelerate_joint12(Workspace& w) {
-  auto& i = w.j_joint12;
-  Columns6 a = i.X * w.j_joint11.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 11, 11, qdd);
-}
-
-// =================================================================================================
-// Joint 12 "joint13": revolute, between links "rod12" and "rod13"
-// =================================================================================================
-
-void kinematics_joint13(Workspace& w) {
-  auto& i = w.j_joint13;
-  require_finite(w, w.q + 12, 1, 12);
-  require_finite(w, w.v + 12, 1, 12);
-  const Real q = w.q[12];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.0, 0.0, -0.4;
-  i.v = i.X * w.j_joint12.v + joint_velocity<Revolute>(w.v + 12);
-}
-
-void articulate_joint13(Workspace& w) {
-  auto& i = w.j_joint13;
-  load_torque(w, 12, 12, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 12);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 12);
-  add_in_parent(i.X, handed, w.j_joint12.IA);
-  w.j_joint12.pA += i.X.transposed_times(force);
-}
-
-void accelerate_joint13(Workspace& w) {
-  auto& i = w.j_joint13;
-  Columns6 a = i.X * w.j_joint12.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 12, 12, qdd);
-}
-
-// =================================================================================================
-// Joint 13 "joint14": revolute, between links "rod13" and "rod14"
-// =================================================================================================
-
-void kinematics_joint14(Workspace& w) {
-  auto& i = w.j_joint14;
-  require_finite(w, w.q + 13, 1, 13);
-  require_finite(w, w.v + 13, 1, 13);
-  const Real q = w.q[13];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.0, -0.4, 0.0;
-  i.v = i.X * w.j_joint13.v + joint_velocity<Revolute>(w.v + 13);
-}
-
-void articulate_joint14(Workspace& w) {
-  auto& i = w.j_joint14;
-  load_torque(w, 13, 13, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 13);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 13);
-  add_in_parent(i.X, handed, w.j_joint13.IA);
-  w.j_joint13.pA += i.X.transposed_times(force);
-}
-
-void accelerate_joint14(Workspace& w) {
-  auto& i = w.j_joint14;
-  Columns6 a = i.X * w.j_joint13.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 13, 13, qdd);
-}
-
-// =================================================================================================
-// Joint 14 "joint15": revolute, between links "rod14" and "rod15"
-// =================================================================================================
-
-void kinematics_joint15(Workspace& w) {
-  auto& i = w.j_joint15;
-  require_finite(w, w.q + 14, 1, 14);
-  require_finite(w, w.v + 14, 1, 14);
-  const Real q = w.q[14];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << -0.4, 0.0, 0.0;
-  i.v = i.X * w.j_joint14.v + joint_velocity<Revolute>(w.v + 14);
-}
-
-void articulate_joint15(Workspace& w) {
-  auto& i = w.j_joint15;
-  load_torque(w, 14, 14, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 14);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 14);
-  add_in_parent(i.X, handed, w.j_joint14.IA);
-  w.j_joint14.pA += i.X.transposed_times(force);
-}
-
-void accelerate_joint15(Workspace& w) {
-  auto& i = w.j_joint15;
-  Columns6 a = i.X * w.j_joint14.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 14, 14, qdd);
-}
-
-// =================================================================================================
-// Joint 15 "joint16": revolute, between links "rod15" and "rod16"
-// =================================================================================================
-
-void kinematics_joint16(Workspace& w) {
-  auto& i = w.j_joint16;
-  require_finite(w, w.q + 15, 1, 15);
-  require_finite(w, w.v + 15, 1, 15);
-  const Real q = w.q[15];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.0, 0.0, -0.4;
-  i.v = i.X * w.j_joint15.v + joint_velocity<Revolute>(w.v + 15);
-}
-
-void articulate_joint16(Workspace& w) {
-  auto& i = w.j_joint16;
-  load_torque(w, 15, 15, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 15);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 15);
-  add_in_parent(i.X, handed, w.j_joint15.IA);
-  w.j_joint15.pA += i.X.transposed_times(force);
-}
-
-void accelerate_joint16(Workspace& w) {
-  auto& i = w.j_joint16;
-  Columns6 a = i.X * w.j_joint15.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 15, 15, qdd);
-}
-
-
 // ---- 5. processes -------------------------------------------------------------------------------
 
 // Process 0: 9 of 16 joints: "joint08", "joint09", "joint10", "joint11", "joint12", "joint13", ...; kinematics of 7 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 16, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 16, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 7, 9, &JointConstants::v, kNotFinite);
   stamp(0);
-  kinematics_joint01(w);
-  kinematics_joint02(w);
-  kinematics_joint03(w);
-  kinematics_joint04(w);
-  kinematics_joint05(w);
-  kinematics_joint06(w);
-  kinematics_joint07(w);
-  kinematics_joint08(w);
-  kinematics_joint09(w);
-  kinematics_joint10(w);
-  kinematics_joint11(w);
-  kinematics_joint12(w);
-  kinematics_joint13(w);
-  kinematics_joint14(w);
-  kinematics_joint15(w);
-  kinematics_joint16(w);
+  std::copy_n(w.q + 0, 16, w.angle.data() + 0);
+  turn<block(0), block(15) + 1>(w);
+  outward<0, 15>(w);  // "joint01" .. "joint16"
   stamp(1);
-  start_link(kInertia_rod08, w.j_joint08.v, w.j_joint08.IA, w.j_joint08.pA);
-  start_link(kInertia_rod09, w.j_joint09.v, w.j_joint09.IA, w.j_joint09.pA);
-  start_link(kInertia_rod10, w.j_joint10.v, w.j_joint10.IA, w.j_joint10.pA);
-  start_link(kInertia_rod11, w.j_joint11.v, w.j_joint11.IA, w.j_joint11.pA);
-  start_link(kInertia_rod12, w.j_joint12.v, w.j_joint12.IA, w.j_joint12.pA);
-  start_link(kInertia_rod13, w.j_joint13.v, w.j_joint13.IA, w.j_joint13.pA);
-  start_link(kInertia_rod14, w.j_joint14.v, w.j_joint14.IA, w.j_joint14.pA);
-  start_link(kInertia_rod15, w.j_joint15.v, w.j_joint15.IA, w.j_joint15.pA);
-  start_link(kInertia_rod16, w.j_joint16.v, w.j_joint16.IA, w.j_joint16.pA);
-  articulate_joint16(w);
-  articulate_joint15(w);
-  articulate_joint14(w);
-  articulate_joint13(w);
-  articulate_joint12(w);
-  articulate_joint11(w);
-  articulate_joint10(w);
-  articulate_joint09(w);
-  if (!invert(w.j_joint08.IA, w.j_joint08.pA, w.j_joint09.Phi_rod08, w.j_joint09.b_rod08))
-    fail(w, kFactorization, 7);
+  set_up_links<block(7), block(15) + 1>(w);
+  inward<0, 8, 15, true>(w);  // "joint09" .. "joint16"
+  invert_root<0, 8>(w, w.j_joint09.Phi_rod08, w.j_joint09.b_rod08);
   stamp(2);
   {  // from process 1: assembled: chain of "joint05"
     const Real* from = channel.receive(1, w.status);
@@ -2366,9 +2311,26 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_joint05.b_rod07);
   }
   stamp(3);
-  assemble_joint08(w);
+  {
+    auto& i = w.j_joint08;
+    set_transforms(w, 7, i.X, i.Y);
+    load_torque(w, 7, 7, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_joint05.Phi_rod07;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_joint09.Phi_rod08, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_joint05.b_rod07, i.Y * w.j_joint09.b_rod08, c))
+      fail(w, kFactorization, 7);
+  }
   stamp(4);
-  disassemble_joint08(w);
+  {
+    auto& i = w.j_joint08;
+    Release<Revolute> release(i.joined);
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    store_acceleration(w, 7, 7, release.qdd());  // Eq. (9)
+    w.j_joint05.F_on_rod07 = -i.X.transposed_times(f);
+    w.j_joint09.F_on_rod08 = i.Y.transposed_times(f);
+  }
   stamp(5);
   {  // to process 1: forces on: chain of "joint05"
     Real* to = channel.outgoing(2, w.status);
@@ -2376,40 +2338,30 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(2, w.status);
   }
   stamp(6);
-  w.j_joint08.load = w.j_joint09.F_on_rod08;
-  w.j_joint08.a = w.j_joint09.b_rod08 + w.j_joint09.Phi_rod08 * w.j_joint08.load;
-  accelerate_joint09(w);
-  accelerate_joint10(w);
-  accelerate_joint11(w);
-  accelerate_joint12(w);
-  accelerate_joint13(w);
-  accelerate_joint14(w);
-  accelerate_joint15(w);
-  accelerate_joint16(w);
+  w.loads[8] = w.j_joint09.F_on_rod08;
+  w.motions[8] = motion_of(w.j_joint09.b_rod08 + w.j_joint09.Phi_rod08 * w.loads[8]);
+  accelerate<0, 8, 15>(w);  // "joint09" .. "joint16"
   stamp(7);
+  require_finite(w, w.answer.data(), 7, 9, &JointConstants::v, kOverflow);
+  give(w, 7, 9);
 }
 
 // Process 1: 5 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05"
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 5, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 5, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 5, &JointConstants::v, kNotFinite);
   stamp(0);
-  kinematics_joint01(w);
-  kinematics_joint02(w);
-  kinematics_joint03(w);
-  kinematics_joint04(w);
-  kinematics_joint05(w);
+  std::copy_n(w.q + 0, 5, w.angle.data() + 0);
+  turn<block(0), block(4) + 1>(w);
+  outward<0, 4>(w);  // "joint01" .. "joint05"
   stamp(1);
-  start_link(kInertia_rod01, w.j_joint01.v, w.j_joint01.IA, w.j_joint01.pA);
-  start_link(kInertia_rod02, w.j_joint02.v, w.j_joint02.IA, w.j_joint02.pA);
-  start_link(kInertia_rod03, w.j_joint03.v, w.j_joint03.IA, w.j_joint03.pA);
-  start_link(kInertia_rod04, w.j_joint04.v, w.j_joint04.IA, w.j_joint04.pA);
-  articulate_joint04(w);
-  articulate_joint03(w);
-  articulate_joint02(w);
-  articulate_joint01(w);
-  propagate_joint01(w);
-  propagate_joint02(w);
-  propagate_joint03(w);
-  propagate_joint04(w);
+  set_up_links<block(0), block(3) + 1>(w);
+  inward<1, 0, 3, true>(w);  // "joint01" .. "joint04"
+  propagate<false>(w, 0, kZero, kGround, w.j_joint01.Phi_rod01, w.j_joint01.b_rod01);
+  propagate<false>(w, 1, w.j_joint01.Phi_rod01, w.j_joint01.b_rod01, w.j_joint01.Phi_rod02, w.j_joint01.b_rod02);
+  propagate<false>(w, 2, w.j_joint01.Phi_rod02, w.j_joint01.b_rod02, w.j_joint01.Phi_rod03, w.j_joint01.b_rod03);
+  propagate<false>(w, 3, w.j_joint01.Phi_rod03, w.j_joint01.b_rod03, w.j_joint01.Phi_rod04, w.j_joint01.b_rod04);
   stamp(2);
   {  // from process 2: assembled: chain of "joint06"
     const Real* from = channel.receive(0, w.status);
@@ -2420,7 +2372,20 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_joint06.b_rod07);
   }
   stamp(3);
-  assemble_joint05(w);
+  {
+    auto& i = w.j_joint05;
+    set_transforms(w, 4, i.X, i.Y);
+    load_torque(w, 4, 4, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_joint01.Phi_rod04;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_joint06.Phi_rod05, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_joint01.b_rod04, i.Y * w.j_joint06.b_rod05, c))
+      fail(w, kFactorization, 4);
+    couple(i.joined, i.Y * w.j_joint06.Phi_rod05_rod07, i.at_rod07);
+    i.Phi_rod07 = w.j_joint06.Phi_rod07 - product(i.at_rod07, i.at_rod07);  // Eq. (4)
+    i.b_rod07 = w.j_joint06.b_rod07 + bias_change(i.joined, i.at_rod07);  // Eq. (7)
+  }
   stamp(4);
   {  // to process 0: assembled: chain of "joint05"
     Real* to = channel.outgoing(1, w.status);
@@ -2434,7 +2399,15 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_joint05.F_on_rod07);
   }
   stamp(6);
-  disassemble_joint05(w);
+  {
+    auto& i = w.j_joint05;
+    Release<Revolute> release(i.joined);
+    release.feel_B(i.at_rod07, w.j_joint05.F_on_rod07);
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
+    w.j_joint01.F_on_rod04 = -i.X.transposed_times(f);
+    w.j_joint06.F_on_rod05 = i.Y.transposed_times(f);
+  }
   stamp(7);
   {  // to process 2: forces on: chain of "joint06"
     Real* to = channel.outgoing(3, w.status);
@@ -2443,41 +2416,37 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(3, w.status);
   }
   stamp(8);
-  w.j_joint01.load = Columns6::Zero();
-  w.j_joint02.load = Columns6::Zero();
-  w.j_joint03.load = Columns6::Zero();
-  w.j_joint04.load = w.j_joint01.F_on_rod04;
-  deliver_joint04(w);
-  deliver_joint03(w);
-  deliver_joint02(w);
-  deliver_joint01(w);
-  accelerate_joint01(w);
-  accelerate_joint02(w);
-  accelerate_joint03(w);
-  accelerate_joint04(w);
+  w.loads[1] = Columns6::Zero();
+  w.loads[2] = Columns6::Zero();
+  w.loads[3] = Columns6::Zero();
+  w.loads[4] = w.j_joint01.F_on_rod04;
+  deliver<false>(w, 3, w.loads[4], w.loads[3]);
+  deliver<false>(w, 2, w.loads[3], w.loads[2]);
+  deliver<false>(w, 1, w.loads[2], w.loads[1]);
+  deliver<false>(w, 0, w.loads[1], w.loads[0]);
+  accelerate<1, 0, 3>(w);  // "joint01" .. "joint04"
   stamp(9);
+  require_finite(w, w.answer.data(), 0, 5, &JointConstants::v, kOverflow);
+  give(w, 0, 5);
 }
 
 // Process 2: 2 of 16 joints: "joint06", "joint07"; kinematics of 5 more on the way to the ground
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 7, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 5, 2, &JointConstants::v, kNotFinite);
   stamp(0);
-  kinematics_joint01(w);
-  kinematics_joint02(w);
-  kinematics_joint03(w);
-  kinematics_joint04(w);
-  kinematics_joint05(w);
-  kinematics_joint06(w);
-  kinematics_joint07(w);
+  std::copy_n(w.q + 0, 7, w.angle.data() + 0);
+  turn<block(0), block(6) + 1>(w);
+  outward<0, 6>(w);  // "joint01" .. "joint07"
   stamp(1);
-  start_link(kInertia_rod05, w.j_joint05.v, w.j_joint05.IA, w.j_joint05.pA);
-  start_link(kInertia_rod06, w.j_joint06.v, w.j_joint06.IA, w.j_joint06.pA);
-  start_link(kInertia_rod07, w.j_joint07.v, w.j_joint07.IA, w.j_joint07.pA);
-  articulate_joint07(w);
-  articulate_joint06(w);
-  if (!invert(w.j_joint05.IA, w.j_joint05.pA, w.j_joint06.Phi_rod05, w.j_joint06.b_rod05))
-    fail(w, kFactorization, 4);
-  propagate_joint06(w);
-  propagate_joint07(w);
+  set_up_links<block(4), block(6) + 1>(w);
+  inward<2, 5, 6, true>(w);  // "joint06" .. "joint07"
+  invert_root<2, 5>(w, w.j_joint06.Phi_rod05, w.j_joint06.b_rod05);
+  propagate<false>(w, 5, w.j_joint06.Phi_rod05, w.j_joint06.b_rod05, w.j_joint06.Phi_rod06, w.j_joint06.b_rod06);
+  w.j_joint06.Phi_rod05_rod06 = passed<false>(w, 5, w.j_joint06.Phi_rod05).transpose();  // with link "rod05"
+  propagate<false>(w, 6, w.j_joint06.Phi_rod06, w.j_joint06.b_rod06, w.j_joint06.Phi_rod07, w.j_joint06.b_rod07);
+  w.j_joint06.Phi_rod05_rod07 = passed<false>(w, 6, w.j_joint06.Phi_rod05_rod06.transpose()).transpose();  // with link "rod05"
   stamp(2);
   {  // to process 1: assembled: chain of "joint06"
     Real* to = channel.outgoing(0, w.status);
@@ -2495,33 +2464,38 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_joint05.F_on_rod07);
   }
   stamp(4);
-  w.j_joint05.load = w.j_joint06.F_on_rod05;
-  w.j_joint06.load = Columns6::Zero();
-  w.j_joint07.load = w.j_joint05.F_on_rod07;
-  deliver_joint07(w);
-  deliver_joint06(w);
-  w.j_joint05.a = w.j_joint06.b_rod05 + w.j_joint06.Phi_rod05 * w.j_joint05.load;
-  accelerate_joint06(w);
-  accelerate_joint07(w);
+  w.loads[5] = w.j_joint06.F_on_rod05;
+  w.loads[6] = Columns6::Zero();
+  w.loads[7] = w.j_joint05.F_on_rod07;
+  deliver<false>(w, 6, w.loads[7], w.loads[6]);
+  deliver<false>(w, 5, w.loads[6], w.loads[5]);
+  w.motions[5] = motion_of(w.j_joint06.b_rod05 + w.j_joint06.Phi_rod05 * w.loads[5]);
+  accelerate<2, 5, 6>(w);  // "joint06" .. "joint07"
   stamp(5);
+  require_finite(w, w.answer.data(), 5, 2, &JointConstants::v, kOverflow);
+  give(w, 5, 2);
 }
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
 
-// What each process reads of q and v, and the velocity entries whose tau and qdd are its own.
+// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
+// reads.
 constexpr std::array<int, 16> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 constexpr std::array<int, 16> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 constexpr std::array<int, 9> kOwn_0{7, 8, 9, 10, 11, 12, 13, 14, 15};
+constexpr std::array<int, 9> kTorque_0{7, 8, 9, 10, 11, 12, 13, 14, 15};
 constexpr std::array<int, 5> kReadQ_1{0, 1, 2, 3, 4};
 constexpr std::array<int, 5> kReadV_1{0, 1, 2, 3, 4};
 constexpr std::array<int, 5> kOwn_1{0, 1, 2, 3, 4};
+constexpr std::array<int, 5> kTorque_1{0, 1, 2, 3, 4};
 constexpr std::array<int, 7> kReadQ_2{0, 1, 2, 3, 4, 5, 6};
 constexpr std::array<int, 7> kReadV_2{0, 1, 2, 3, 4, 5, 6};
 constexpr std::array<int, 2> kOwn_2{5, 6};
+constexpr std::array<int, 2> kTorque_2{5, 6};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {16, kReadQ_0.data(), 16, kReadV_0.data(), 9, kOwn_0.data(), 0, nullptr},
-    {5, kReadQ_1.data(), 5, kReadV_1.data(), 5, kOwn_1.data(), 0, nullptr},
-    {7, kReadQ_2.data(), 7, kReadV_2.data(), 2, kOwn_2.data(), 0, nullptr},
+    {16, kReadQ_0.data(), 16, kReadV_0.data(), 9, kOwn_0.data(), 9, kTorque_0.data()},
+    {5, kReadQ_1.data(), 5, kReadV_1.data(), 5, kOwn_1.data(), 5, kTorque_1.data()},
+    {7, kReadQ_2.data(), 7, kReadV_2.data(), 2, kOwn_2.data(), 2, kTorque_2.data()},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -2562,8 +2536,7 @@ class Solver {
     const Real* content = channel.receive(state_message(rank), status);
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
-    for (int k = 0; k < own.v_count; ++k) tau_[own.v[k]] = *content++;
-    for (int k = 0; k < own.outer_count; ++k) tau_[own.outer[k]] = *content++;
+    for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     kRun[rank](w, channel);
@@ -2580,8 +2553,7 @@ class Solver {
       Real* content = channel.outgoing(state_message(p), status);
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
-      for (int k = 0; k < other.v_count; ++k) *content++ = tau[other.v[k]];
-      for (int k = 0; k < other.outer_count; ++k) *content++ = tau[other.outer[k]];
+      for (int k = 0; k < other.tau_count; ++k) *content++ = tau[other.tau[k]];
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -3705,6 +3677,8 @@ std::string parse_simulation(const std::string& word, const std::string& value, 
 
 // Returns what is wrong with what was asked for together, and settles what was left open.
 std::string settle(bool simulation_words, Options& options) {
+  if (kBatch && (options.simulation.seconds > 0 || !options.trace.empty()))
+    return "a batch solver has neither --simulate nor --trace";
   const bool others = options.check || options.time || !options.trace.empty();
   if (options.simulation.seconds > 0) {
     if (others || !options.result.empty())
@@ -4113,6 +4087,7 @@ class Timing {
   explicit Timing(Session& session) : session_(session) {}
 
   int time_all() {
+    if constexpr (kBatch) return time_batch(session_.solver);
     session_.use(random_states(kRandomStates, session_.options.seed));
     session_.pinned = pin();
     std::vector<double> in_place, at_root;
@@ -4146,6 +4121,46 @@ class Timing {
     // An evaluation is over when its last process is done.
     MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
                   MPI_MAX, session_.comm());
+    in_place_ = statistics(std::move(in_place));
+    at_root_ = statistics(std::move(at_root));
+    timed_ = true;
+    return kDone;
+  }
+
+  // A batch of as many random states for each process; nanoseconds for each state and process.
+  template <class S>
+  int time_batch(S& solver) {
+    constexpr int kCount = kRandomStates * kProcesses;
+    session_.use(random_states(kCount, session_.options.seed));
+    session_.pinned = pin();
+    std::vector<double> in_place, at_root;
+    int failed = kFine;
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
+      session_.watch.again();
+      if constexpr (kBatch) {
+        const int first = kRandomStates * session_.rank;
+        const Clock::time_point start = start_together();
+        failed = solver.solve_batch(kRandomStates, session_.q(first), session_.v(first),
+                                    session_.tau(first), session_.acceleration(first));
+        const double in_place_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+        const Clock::time_point start_root = start_together();
+        const int second = solver.solve_batch_at_root(kCount, session_.q(0), session_.v(0),
+                                                      session_.tau(0), session_.acceleration(0));
+        const double root_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
+        if (failed == kFine) failed = second;
+        if (pass < 0) continue;
+        in_place.push_back(in_place_ns / kRandomStates);
+        at_root.push_back(root_ns / kRandomStates);
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    }
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random states: " + describe(failed));
+    for (std::vector<double>* ns : {&in_place, &at_root})  // over when the last process is done
+      MPI_Allreduce(MPI_IN_PLACE, ns->data(), static_cast<int>(ns->size()), MPI_DOUBLE, MPI_MAX,
+                    session_.comm());
     in_place_ = statistics(std::move(in_place));
     at_root_ = statistics(std::move(at_root));
     timed_ = true;
@@ -4201,12 +4216,16 @@ class Timing {
   void print(std::FILE* out) const {
     if (!timed_) return;
     std::fprintf(out,
-                 "time   %d process%s%s, ns per evaluation: median, minimum, 99th percentile\n",
-                 kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "");
+                 "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
+                 kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "",
+                 kBatch ? "state and process" : "evaluation");
     std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
                  in_place_.median, in_place_.least, in_place_.percentile99);
     std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n", at_root_.median,
                  at_root_.least, at_root_.percentile99);
+    if (kBatch)
+      std::fprintf(out, "       states per second in place      %8.3g (%.3g per process)\n",
+                   1e9 * kProcesses / in_place_.median, 1e9 / in_place_.median);
   }
 
  private:
@@ -4553,6 +4572,7 @@ class Program {
   int solve_all() {
     Session& on = session_;
     on.use(std::move(on.states));
+    if constexpr (kBatch) return solve_shares(on.solver);
     int failed = kFine, at = 0;
     for (int s = 0; s < on.states.count && failed == kFine; ++s) {
       on.watch.again();
@@ -4566,6 +4586,28 @@ class Program {
     if (failed != kFine)
       return on.complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
                          on.options.states);
+    return bring_together();
+  }
+
+  // As many states at once as there are lanes, each process its share.
+  template <class S>
+  int solve_shares(S& solver) {
+    Session& on = session_;
+    int failed = kFine;
+    if constexpr (kBatch) {
+      const int first = S::share(on.states.count, on.rank);
+      const int count = S::share(on.states.count, on.rank + 1) - first;
+      failed = solver.solve_batch(count, on.q(first), on.v(first), on.tau(first),
+                                  on.acceleration(first));
+    }
+    if (failed != kFine)
+      std::fprintf(stderr, "error: process %d: %s\n", on.rank, solver.text.c_str());
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
+    return failed == kFine ? bring_together() : kInputAtFault;
+  }
+
+  int bring_together() {
+    Session& on = session_;
     solved_ = on.states.count;
     // Each process wrote its own joints and left the others zero.
     void* const all = on.qdd.data();

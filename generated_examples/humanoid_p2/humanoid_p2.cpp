@@ -1,7 +1,7 @@
 // Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
-// options   form segment, shape joints, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
+// options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // schedule  waist_pitch@0-1(__base__@1(|left_hip_pitch(right_hip_pitch(waist_yaw(|waist_roll) | right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll)))))) | left_shoulder_pitch@0(neck_yaw(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
@@ -92,6 +92,7 @@ void humanoid_p2_close(humanoid_p2_solver* solver);
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
 // A counted loop that is to be unrolled whole, so that indices computed in it become constants.
@@ -109,6 +110,7 @@ constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 constexpr int kNq = 36, kNv = 35;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
 constexpr int kPlanMessages = 2;
 constexpr std::size_t kCacheLine = 64;
@@ -168,8 +170,8 @@ struct ProcessInfo {
   const int* v_read;
   int v_count;
   const int* v;
-  int outer_count;  // entries of tau that hold outer forces
-  const int* outer;
+  int tau_count;
+  const int* tau;  // entries of tau that it reads
 };
 
 // What goes from one process to another once in an evaluation.
@@ -383,94 +385,6 @@ void slave([[maybe_unused]] Number* q, [[maybe_unused]] Number* v) {
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
-// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
-// the motion itself, and one for each slaved joint's coupling torque.
-using Vec3 = Eigen::Matrix<Real, 3, 1>;
-using Mat3 = Eigen::Matrix<Real, 3, 3>;
-using Vec6 = Eigen::Matrix<Real, 6, 1>;
-using Mat6 = Eigen::Matrix<Real, 6, 6>;
-using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
-
-// Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
-struct Transform {
-  Mat3 E;  // rotates parent coordinates into child coordinates
-  Vec3 r;  // origin of the child frame in parent coordinates
-
-  template <class M>
-  void times(const M& m, M& result) const {
-    for (int k = 0; k < M::ColsAtCompileTime; ++k) {
-      const Vec3 angular = m.col(k).template head<3>();
-      const Vec3 linear = m.col(k).template tail<3>();
-      result.col(k).template head<3>().noalias() = E * angular;
-      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
-    }
-  }
-
-  // X^T m: takes a wrench on the child to the same wrench on the parent.
-  Columns6 transposed_times(const Columns6& m) const {
-    Columns6 result;
-    for (int k = 0; k < kColumns; ++k) {
-      const Vec3 force = E.transpose() * m.col(k).template tail<3>();
-      result.col(k).template head<3>() =
-          E.transpose() * m.col(k).template head<3>() + r.cross(force);
-      result.col(k).template tail<3>() = force;
-    }
-    return result;
-  }
-};
-
-ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
-  Mat6 result;
-  X.times(m, result);
-  return result;
-}
-
-ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
-  Mat6 transposed, result;
-  transposed.noalias() = m.transpose();
-  X.times(transposed, result);
-  return result;
-}
-
-// m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
-ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
-  Mat6 result = times_transposed(X, m);
-  result.transposeInPlace();
-  return result;
-}
-
-template <int columns>
-Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
-                                          const Eigen::Matrix<Real, 6, columns>& m) {
-  Eigen::Matrix<Real, 6, columns> result;
-  X.times(m, result);
-  return result;
-}
-
-// Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
-// quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
-[[maybe_unused]] Real conjugate_rotation(const Real* quaternion, Mat3& E) {
-  const Real x = quaternion[0], y = quaternion[1], z = quaternion[2], w = quaternion[3];
-  const Real squared = x * x + y * y + z * z + w * w;
-  const Real s = 2 / squared;
-  E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
-      s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w),   //
-      s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y);
-  return squared;
-}
-
-// b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
-ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
-  using Constant3 = Eigen::Map<const Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>>;
-  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
-  const Vec3 c(link.com[0], link.com[1], link.com[2]);
-  const Vec3 momentum = Constant3(link.tensor) * omega;
-  const Vec3 alpha = Constant3(link.tensor_inverse) * momentum.cross(omega);
-  b.setZero();
-  b.col(0).template head<3>() = alpha;
-  b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
-}
-
 // What can go wrong in an evaluation. A status travels with every message, so that all processes
 // learn of a failure and none waits for an answer that cannot come. It must be exact in a float.
 enum Failure : int {
@@ -553,591 +467,263 @@ std::string describe(int status) {
   return "unknown failure";
 }
 
-// Joint kinds in their canonical frames: the rows of a spatial vector that a joint frees (R, S) and
-// those it constrains (N). Both are selections, so N and R cost nothing and round nothing.
-template <int... Rows>
-struct Selection {
-  static constexpr int count = sizeof...(Rows);
-  static constexpr std::array<int, sizeof...(Rows)> row{Rows...};
-};
+// Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
+constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
+typedef Real Lanes __attribute__((vector_size(64)));
+typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
+typedef Bits LaneBits __attribute__((vector_size(64)));
 
-struct Revolute {
-  using Free = Selection<2>;
-  using Constrained = Selection<0, 1, 3, 4, 5>;
-};
-struct Prismatic {
-  using Free = Selection<5>;
-  using Constrained = Selection<0, 1, 2, 3, 4>;
-};
-struct Spherical {
-  using Free = Selection<0, 1, 2>;
-  using Constrained = Selection<3, 4, 5>;
-};
-struct Planar {
-  using Free = Selection<3, 4, 2>;
-  using Constrained = Selection<0, 1, 5>;
-};
-struct Floating {
-  using Free = Selection<3, 4, 5, 0, 1, 2>;
-  using Constrained = Selection<>;
-};
+// Where registers are narrower, gcc tells that vectors are passed in other ways; none is, all is
+// inlined.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
 
-template <class Kind>
-constexpr int kFree = Kind::Free::count;
-template <class Kind>
-constexpr int kConstrained = Kind::Constrained::count;
+#define ADAGEN_INLINE [[maybe_unused]] inline __attribute__((always_inline))
 
-// S qd, the velocity across a joint.
-template <class Kind>
-Vec6 joint_velocity(const Real* qd) {
-  Vec6 result = Vec6::Zero();
-  for (int k = 0; k < kFree<Kind>; ++k) result[Kind::Free::row[k]] = qd[k];
+ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
+ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
+
+// Whether all numbers are positive: false for NaN.
+ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
+ADAGEN_INLINE bool all_positive(const Lanes& x) {
+  bool result = true;
+  for (int k = 0; k < kLanes; ++k) result &= x[k] > 0;
   return result;
 }
 
-// c_i = v_i x S qd, the part of the acceleration across a joint that qdd has no say in.
-template <class Kind>
-Columns6 velocity_product(const Vec6& velocity, const Real* qd) {
-  const Vec6 motion = joint_velocity<Kind>(qd);
-  Columns6 result = Columns6::Zero();
-  result.col(0).template head<3>() = velocity.head<3>().cross(motion.head<3>());
-  result.col(0).template tail<3>() =
-      velocity.head<3>().cross(motion.tail<3>()) + velocity.tail<3>().cross(motion.head<3>());
+ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
+ADAGEN_INLINE bool all_zero(const Lanes& x) {
+  bool result = true;
+  for (int k = 0; k < kLanes; ++k) result &= x[k] == 0;
   return result;
 }
 
-// What disassembly needs of a joint i that was assembled.
-template <class Kind>
-struct Joined {
-  static constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
-  std::array<std::array<Real, m>, m> L;         // Cholesky factor of V_i^-1; its diagonal inverted
-  std::array<std::array<Real, m>, n> RPN;       // R_i (Phi_Ai + Phi_Bi) N_i^T
-  std::array<std::array<Real, kColumns>, m> z;  // L^-1 N_i beta_i
-  std::array<std::array<Real, kColumns>, n> R_beta;  // R_i beta_i
-  std::array<std::array<Real, kColumns>, n> tau;
+// Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
+// three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
+// kLargestAngle; beyond, each lane is left to the C library.
+template <class R>
+struct Trigonometry;
+
+template <>
+struct Trigonometry<double> {
+  [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
+  [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
+  [[maybe_unused]] static constexpr double kParts[3] = {1.57079632673412561417e+00, 6.07710050630396597660e-11,
+                                       2.02226624871116645580e-21};
+  [[maybe_unused]] static constexpr double kSine[6] = {1.58962301576546568060e-10, -2.50507477628578072866e-8,
+                                      2.75573136213857245213e-6,  -1.98412698295895385996e-4,
+                                      8.33333333332211858878e-3,  -1.66666666666666307295e-1};
+  [[maybe_unused]] static constexpr double kCosine[6] = {-1.13585365213876817300e-11, 2.08757008419747316778e-9,
+                                        -2.75573141792967388112e-7,  2.48015872888517045348e-5,
+                                        -1.38888888888730564116e-3,  4.16666666666665929218e-2};
 };
 
-// How a joint i and a handle j of one chain feel each other: Z = L^-1 N_i Phi_ij, Y = R_i Phi_ij.
-template <class Kind>
-struct Coupled {
-  std::array<std::array<Real, 6>, kConstrained<Kind>> Z;
-  std::array<std::array<Real, 6>, kFree<Kind>> Y;
+template <>
+struct Trigonometry<float> {
+  [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
+  [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
+  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f, 7.54978995489188216e-8f};
+  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f, -1.6666654611e-1f};
+  [[maybe_unused]] static constexpr float kCosine[3] = {2.443315711809948e-5f, -1.388731625493765e-3f,
+                                       4.166664568298827e-2f};
 };
-
-// x <- L^-1 x, row by row.
-template <std::size_t m, std::size_t k>
-void forward_substitute(const std::array<std::array<Real, m>, m>& L,
-                        std::array<std::array<Real, k>, m>& x) {
-  for (std::size_t i = 0; i < m; ++i) {
-    for (std::size_t j = 0; j < i; ++j)
-      for (std::size_t c = 0; c < k; ++c) x[i][c] -= L[i][j] * x[j][c];
-    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
-  }
-}
-
-// x <- L^-T x.
-template <std::size_t m, std::size_t k>
-void backward_substitute(const std::array<std::array<Real, m>, m>& L,
-                         std::array<std::array<Real, k>, m>& x) {
-  for (std::size_t i = m; i-- > 0;) {
-    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
-    for (std::size_t j = 0; j < i; ++j)
-      for (std::size_t c = 0; c < k; ++c) x[j][c] -= L[i][j] * x[i][c];
-  }
-}
-
-// Cholesky's factorization in place, the inverse of the diagonal in its place. False where a pivot
-// has lost every digit, or was none to begin with.
-template <std::size_t m>
-bool factorize(std::array<std::array<Real, m>, m>& L) {
-  bool good = true;
-  for (std::size_t j = 0; j < m; ++j) {
-    Real pivot = L[j][j];
-    const Real least = 8 * std::numeric_limits<Real>::epsilon() * pivot;
-    for (std::size_t k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
-    good = good && pivot > least && pivot <= std::numeric_limits<Real>::max();
-    const Real inverse = 1 / std::sqrt(pivot);
-    L[j][j] = inverse;
-    for (std::size_t i = j + 1; i < m; ++i) {
-      for (std::size_t k = 0; k < j; ++k) L[i][j] -= L[i][k] * L[j][k];
-      L[i][j] *= inverse;
-    }
-  }
-  return good;
-}
-
-// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
-// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
-// each row, is 64 eps times that.
-template <class Kind>
-bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
-  bool good = true;
-  for (int k : Kind::Constrained::row)
-    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
-  return good;
-}
-
-// V_i and beta_i of Eq. (3)-(7): Phi_A and Phi_B are those of the joint's two sides in its frame,
-// b_A, b_B and c the accelerations there. Returns false where the factorization fails.
-template <class Kind>
-ADAGEN_NOINLINE bool join(Joined<Kind>& i, const Mat6& Phi_A, const Mat6& Phi_B,
-                          const Columns6& b_A, const Columns6& b_B, const Columns6& c) {
-  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
-  constexpr auto& free = Kind::Free::row;
-  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
-  const Mat6 Phi = Phi_A + Phi_B;
-  Columns6 beta = b_A - b_B + c;
-  for (int k = 0; k < n; ++k)
-    for (int column = 0; column < kColumns; ++column)
-      beta.col(column) -= Phi.col(free[k]) * i.tau[k][column];
-  for (int row = 0; row < n; ++row) {
-    for (int column = 0; column < kColumns; ++column)
-      i.R_beta[row][column] = beta(free[row], column);
-    for (int k = 0; k < m; ++k) i.RPN[row][k] = Phi(free[row], constrained[k]);
-  }
-  if constexpr (m > 0) {
-    for (int row = 0; row < m; ++row) {
-      for (int k = 0; k <= row; ++k) i.L[row][k] = Phi(constrained[row], constrained[k]);
-      for (int column = 0; column < kColumns; ++column)
-        i.z[row][column] = beta(constrained[row], column);
-    }
-    const bool good = factorize(i.L);
-    forward_substitute(i.L, i.z);
-    return good;
-  }
-  return true;
-}
-
-// Z and Y of a handle j, Phi_ij being given with the joint's frame on its left.
-template <class Kind>
-ADAGEN_NOINLINE void couple(const Joined<Kind>& i, const Mat6& Phi_ij, Coupled<Kind>& j) {
-  for (int row = 0; row < kFree<Kind>; ++row)
-    for (int k = 0; k < 6; ++k) j.Y[row][k] = Phi_ij(Kind::Free::row[row], k);
-  if constexpr (kConstrained<Kind> > 0) {
-    for (int row = 0; row < kConstrained<Kind>; ++row)
-      for (int k = 0; k < 6; ++k) j.Z[row][k] = Phi_ij(Kind::Constrained::row[row], k);
-    forward_substitute(i.L, j.Z);
-  }
-}
-
-// Phi_Aji W_i Phi_Aik = Z_j^T Z_k: what Eq. (3) and (4) subtract and Eq. (5) is.
-template <class Kind>
-ADAGEN_NOINLINE Mat6 product([[maybe_unused]] const Coupled<Kind>& j,
-                             [[maybe_unused]] const Coupled<Kind>& k) {
-  Mat6 result = Mat6::Zero();
-  if constexpr (kConstrained<Kind> > 0) {
-    for (int row = 0; row < kConstrained<Kind>; ++row) {
-      const Vec6 left = Eigen::Map<const Vec6>(j.Z[row].data());
-      const Vec6 right = Eigen::Map<const Vec6>(k.Z[row].data());
-      result.noalias() += left * right.transpose();
-    }
-  }
-  return result;
-}
-
-// Phi_ji gamma_i = Z^T z + Y^T tau: the change of b_j in Eq. (6) and (7).
-template <class Kind>
-Columns6 bias_change(const Joined<Kind>& i, const Coupled<Kind>& j) {
-  Columns6 result = Columns6::Zero();
-  for (int column = 0; column < kColumns; ++column) {
-    for (int row = 0; row < kConstrained<Kind>; ++row)
-      result.col(column) += Eigen::Map<const Vec6>(j.Z[row].data()) * i.z[row][column];
-    for (int row = 0; row < kFree<Kind>; ++row)
-      result.col(column) += Eigen::Map<const Vec6>(j.Y[row].data()) * i.tau[row][column];
-  }
-  return result;
-}
-
-// Disassembly of a joint: collects what the outer forces do to it, then gives its acceleration and
-// its force.
-template <class Kind>
-class Release {
- public:
-  explicit Release(const Joined<Kind>& i) : i_(i), z_(i.z), qdd_(i.R_beta) {
-    for (auto& row : qdd_)
-      for (Real& x : row) x = -x;
-  }
-
-  void feel_A(const Coupled<Kind>& j, const Columns6& f) { feel(j, f, Real(1)); }
-  void feel_B(const Coupled<Kind>& k, const Columns6& f) { feel(k, f, Real(-1)); }
-
-  // f_i, Eq. (10); on the way n_i, Eq. (8), and qdd_i, Eq. (9).
-  Columns6 force() {
-    if constexpr (kConstrained<Kind> > 0) backward_substitute(i_.L, z_);
-    Columns6 f;
-    for (int column = 0; column < kColumns; ++column) {
-      for (int k = 0; k < kConstrained<Kind>; ++k)
-        f(Kind::Constrained::row[k], column) = z_[k][column];
-      for (int k = 0; k < kFree<Kind>; ++k) {
-        f(Kind::Free::row[k], column) = i_.tau[k][column];
-        for (int l = 0; l < kConstrained<Kind>; ++l)
-          qdd_[k][column] += i_.RPN[k][l] * z_[l][column];
-      }
-    }
-    return f;
-  }
-
-  const std::array<std::array<Real, kColumns>, kFree<Kind>>& qdd() const { return qdd_; }
-
- private:
-  void feel(const Coupled<Kind>& j, const Columns6& f, Real sign) {
-    for (int column = 0; column < kColumns; ++column) {
-      const Vec6 signed_f = sign * f.col(column);
-      for (int row = 0; row < kConstrained<Kind>; ++row)
-        z_[row][column] += Eigen::Map<const Vec6>(j.Z[row].data()).dot(signed_f);
-      for (int row = 0; row < kFree<Kind>; ++row)
-        qdd_[row][column] -= Eigen::Map<const Vec6>(j.Y[row].data()).dot(signed_f);
-    }
-  }
-
-  const Joined<Kind>& i_;
-  std::array<std::array<Real, kColumns>, kConstrained<Kind>> z_;
-  std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
-};
-
-// Articulated bodies: what one process does alone between its cuts. A joint is treated in its own
-// frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
-// sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
-
-// A spatial inertia [[A, B], [B^T, C]]: A and C symmetric, their upper triangles row by row; B row
-// by row. 21 numbers, and half the work of a 6x6 matrix.
-struct Inertia {
-  std::array<Real, 6> A, C;
-  std::array<Real, 9> B;
-
-  static constexpr int symmetric(int i, int k) {
-    return i <= k ? i * (5 - i) / 2 + k : symmetric(k, i);
-  }
-
-  constexpr Real operator()(int i, int k) const {
-    if (i < 3 && k < 3) return A[symmetric(i, k)];
-    if (i >= 3 && k >= 3) return C[symmetric(i - 3, k - 3)];
-    return i < 3 ? B[3 * i + k - 3] : B[3 * k + i - 3];
-  }
-
-  // Sets the entries (i, k) and (k, i), which are one.
-  constexpr void set(int i, int k, Real value) {
-    if (i < 3 && k < 3)
-      A[symmetric(i, k)] = value;
-    else if (i >= 3 && k >= 3)
-      C[symmetric(i - 3, k - 3)] = value;
-    else if (i < 3)
-      B[3 * i + k - 3] = value;
-    else
-      B[3 * k + i - 3] = value;
-  }
-
-  Inertia& operator+=(const Inertia& other) {
-    ADAGEN_FOR (k, 0, 6) A[k] += other.A[k], C[k] += other.C[k];
-    ADAGEN_FOR (k, 0, 9) B[k] += other.B[k];
-    return *this;
-  }
-};
-
-// T^T m T for a symmetric m, T being E or, transposed, E^T; both row by row.
-template <bool transposed>
-std::array<Real, 6> rotated(const Mat3& E, const std::array<Real, 6>& m) {
-  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
-  std::array<Real, 9> half;  // m T
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, 0, 3)
-      half[3 * i + k] = m[Inertia::symmetric(i, 0)] * T(0, k) +
-                        m[Inertia::symmetric(i, 1)] * T(1, k) +
-                        m[Inertia::symmetric(i, 2)] * T(2, k);
-  std::array<Real, 6> result;
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, i, 3)
-      result[Inertia::symmetric(i, k)] =
-          T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
-  return result;
-}
-
-template <bool transposed>
-std::array<Real, 9> rotated(const Mat3& E, const std::array<Real, 9>& m) {
-  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
-  std::array<Real, 9> half, result;
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, 0, 3)
-      half[3 * i + k] = m[3 * i] * T(0, k) + m[3 * i + 1] * T(1, k) + m[3 * i + 2] * T(2, k);
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, 0, 3)
-      result[3 * i + k] = T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
-  return result;
-}
-
-// The inertia m told at a point whose origin is at -r from the one it is told at:
-// B + rx C, and A + rx (B + rx C)^T - B rx.
-inline void shift(const Vec3& r, Inertia& m) {
-  const auto& C = m.C;
-  auto& A = m.A;
-  const std::array<Real, 9> B = m.B;
-  auto& S = m.B;
-  const auto c = [&C](int i, int k) { return C[Inertia::symmetric(i, k)]; };
-  ADAGEN_FOR (k, 0, 3) {
-    S[k] += r[1] * c(2, k) - r[2] * c(1, k);
-    S[3 + k] += r[2] * c(0, k) - r[0] * c(2, k);
-    S[6 + k] += r[0] * c(1, k) - r[1] * c(0, k);
-  }
-  A[0] += r[1] * S[2] - r[2] * S[1] - (B[1] * r[2] - B[2] * r[1]);
-  A[1] += r[1] * S[5] - r[2] * S[4] - (B[2] * r[0] - B[0] * r[2]);
-  A[2] += r[1] * S[8] - r[2] * S[7] - (B[0] * r[1] - B[1] * r[0]);
-  A[3] += r[2] * S[3] - r[0] * S[5] - (B[5] * r[0] - B[3] * r[2]);
-  A[4] += r[2] * S[6] - r[0] * S[8] - (B[3] * r[1] - B[4] * r[0]);
-  A[5] += r[0] * S[7] - r[1] * S[6] - (B[6] * r[1] - B[7] * r[0]);
-}
-
-// target += X^T m X: an inertia in the child's frame, felt in the parent's.
-ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Inertia& m, Inertia& target) {
-  Inertia turned{rotated<false>(X.E, m.A), rotated<false>(X.E, m.C), rotated<false>(X.E, m.B)};
-  shift(X.r, turned);
-  target += turned;
-}
-
-// X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
-ADAGEN_NOINLINE Inertia in_child(const Transform& X, const Inertia& m) {
-  Inertia moved = m;
-  shift(-X.r, moved);
-  return {rotated<true>(X.E, moved.A), rotated<true>(X.E, moved.C), rotated<true>(X.E, moved.B)};
-}
-
-// X^-T f: a wrench on the parent, felt in the child's frame.
-[[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
-  Columns6 result;
-  ADAGEN_FOR (k, 0, kColumns) {
-    const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
-    result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
-    result.col(k).template tail<3>() = X.E * force;
-  }
-  return result;
-}
-
-// X^-1 m: motions in the child's frame, told in the parent's.
-template <int columns>
-Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
-                                                 const Eigen::Matrix<Real, 6, columns>& m) {
-  Eigen::Matrix<Real, 6, columns> result;
-  ADAGEN_FOR (k, 0, columns) {
-    const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
-    result.col(k).template head<3>() = angular;
-    result.col(k).template tail<3>() =
-        X.E.transpose() * m.col(k).template tail<3>() + X.r.cross(angular);
-  }
-  return result;
-}
-
-// X^-1 m X^-T: a mobility in the child's frame, told in the parent's.
-ADAGEN_NOINLINE Mat6 congruent_in_parent(const Transform& X, const Mat6& m) {
-  const Mat6 half = motion_in_parent(X, m).transpose();
-  return motion_in_parent(X, half);
-}
 
 template <std::size_t n>
-std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kColumns>, n> x) {
-  for (auto& row : x)
-    for (Real& value : row) value = -value;
-  return x;
+ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
+  Lanes result = coefficients[0] + 0 * x;
+  ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
+  return result;
 }
 
-// Spatial inertia of a link at its origin.
-Inertia spatial_inertia(const LinkConstants& link) {
-  const Real x = link.com[0], y = link.com[1], z = link.com[2], m = link.mass;
-  const Real* const t = link.tensor;
-  return {{t[0] + m * (y * y + z * z), t[1] - m * x * y, t[2] - m * x * z,
-           t[4] + m * (x * x + z * z), t[5] - m * y * z, t[8] + m * (x * x + y * y)},
-          {m, 0, 0, m, 0, m},
-          {0, -m * z, m * y, m * z, 0, -m * x, -m * y, m * x, 0}};
+ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  using Table = Trigonometry<Real>;
+  const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
+  const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
+  const Lanes turns = shifted - Table::kRound;
+  const Lanes rest = ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) -
+                     turns * Table::kParts[2];
+  const Lanes square = rest * rest;
+  const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
+  const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
+  const LaneBits swapped = -(quadrant & 1);
+  const LaneBits s_bits = reinterpret_cast<LaneBits>(s);
+  const LaneBits c_bits = reinterpret_cast<LaneBits>(c);
+  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
+  const LaneBits sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
+  const LaneBits cosine_bits =
+      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
+  sine = reinterpret_cast<Lanes>(sine_bits);
+  cosine = reinterpret_cast<Lanes>(cosine_bits);
+  const LaneBits beyond = (angle > Table::kLargestAngle) | (angle < -Table::kLargestAngle);
+  Bits any = 0;
+  for (int k = 0; k < kLanes; ++k) any |= beyond[k];
+  if (__builtin_expect(any != 0, 0))
+    for (int k = 0; k < kLanes; ++k)
+      if (beyond[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
 }
 
-// I^A and p^A of a link start as its own inertia and v x* I v.
-ADAGEN_NOINLINE void start_link(const Inertia& inertia, const Vec6& velocity, Inertia& IA,
-                                Columns6& pA) {
-  IA = inertia;
-  const auto& A = inertia.A;
-  const Vec3 w = velocity.head<3>(), v = velocity.tail<3>();
-  const Real mass = inertia.C[0];
-  const Vec3 mc(inertia.B[7], inertia.B[2], inertia.B[3]);  // mass times centre of mass
-  const Vec3 angular =
-      Vec3(A[0] * w[0] + A[1] * w[1] + A[2] * w[2], A[1] * w[0] + A[3] * w[1] + A[4] * w[2],
-           A[2] * w[0] + A[4] * w[1] + A[5] * w[2]) +
-      mc.cross(v);
-  const Vec3 linear = mass * v + w.cross(mc);
-  if constexpr (kColumns > 1) pA.setZero();
-  pA.col(0).template head<3>() = w.cross(angular) + v.cross(linear);
-  pA.col(0).template tail<3>() = w.cross(linear);
-}
-
-template <class Kind>
-struct Articulated {
-  static constexpr int n = kFree<Kind>;
-  std::array<std::array<Real, n>, n> D;         // for n = 1 the inverse of D = S^T I^A S, else its
-                                                // Cholesky factor, the diagonal inverted
-  std::array<std::array<Real, 6>, n> E;         // D^-1 S^T I^A at the constrained rows, else zero
-  std::array<std::array<Real, kColumns>, n> u;  // sigma tau - S^T p^A
-  std::array<std::array<Real, kColumns>, n> tau;
-  Columns6 c;  // sigma c
-
-  template <std::size_t k>
-  void solve(std::array<std::array<Real, k>, n>& x) const {
-    if constexpr (n == 1) {
-      for (Real& value : x[0]) value *= D[0][0];
-    } else {
-      forward_substitute(D, x);
-      backward_substitute(D, x);
-    }
-  }
+// Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
+// computed with: one number, or one for each of several states or links.
+template <class T>
+struct Vector {
+  T x, y, z;
 };
 
-// The joint's share of the articulated body with inertia I and bias p on its far side: what it
-// hands on to its near side, by exact projection: nothing along S but the torque. Returns false
-// where D cannot be factorized.
-template <class Kind>
-ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia& I,
-                                const Columns6& p, Inertia& handed, Columns6& force) {
-  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
-  constexpr auto& free = Kind::Free::row;
-  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
-  bool good = true;
-  ADAGEN_FOR (k, 0, n) {
-    ADAGEN_FOR (l, 0, n) i.D[k][l] = I(free[k], free[l]);
-    i.E[k] = {};
-    ADAGEN_FOR (l, 0, m) i.E[k][constrained[l]] = I(free[k], constrained[l]);
-    ADAGEN_FOR (c, 0, kColumns) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
-  }
-  if constexpr (n == 1) {
-    // Beside the inertia about other axes (in other directions), D must be more than rounding.
-    constexpr int row = free[0] < 3 ? 0 : 3;
-    const Real whole = I(row, row) + I(row + 1, row + 1) + I(row + 2, row + 2);
-    good = i.D[0][0] > 8 * std::numeric_limits<Real>::epsilon() * whole &&
-           i.D[0][0] <= std::numeric_limits<Real>::max();
-    i.D[0][0] = 1 / i.D[0][0];
-  } else {
-    good = factorize(i.D);
-  }
-  i.solve(i.E);
-  auto moved = i.u;
-  i.solve(moved);
-  ADAGEN_FOR (k, 0, n)
-    ADAGEN_FOR (l, 0, 6) handed.set(free[k], l, 0);
-  if constexpr (m > 0) {
-    ADAGEN_FOR (r, 0, m)
-      ADAGEN_FOR (s, r, m) {
-        Real x = I(constrained[r], constrained[s]);
-        ADAGEN_FOR (k, 0, n) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
-        handed.set(constrained[r], constrained[s], x);
-      }
-    ADAGEN_FOR (c, 0, kColumns)
-      ADAGEN_FOR (r, 0, m) {
-        Real x = p(constrained[r], c);
-        ADAGEN_FOR (k, 0, n) x += I(constrained[r], free[k]) * moved[k][c];
-        ADAGEN_FOR (s, 0, m) x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
-        force(constrained[r], c) = x;
-      }
-  }
-  ADAGEN_FOR (k, 0, n)
-    ADAGEN_FOR (c, 0, kColumns) force(free[k], c) = sigma * i.tau[k][c];
-  return good;
+template <class T>
+struct Matrix {
+  Vector<T> x, y, z;  // rows
+};
+
+template <class T>
+struct Symmetric {
+  T xx, xy, xz, yy, yz, zz;
+};
+
+template <class T>
+ADAGEN_INLINE Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Vector<T>& a, const S& s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Vector<T>& a, const Vector<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+template <class T, class S>
+ADAGEN_INLINE T dot(const Vector<T>& a, const Vector<S>& b) {
+  return a.x * b.x + (a.y * b.y + a.z * b.z);
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> cross(const Vector<T>& a, const Vector<S>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// a becomes the far link's acceleration (joint frame) from the near link's; returns sigma qdd.
-template <class Kind>
-std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated<Kind>& i,
-                                                               Columns6& a) {
-  a += i.c;
-  auto moved = i.u;
-  i.solve(moved);
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    ADAGEN_FOR (c, 0, kColumns) {
-      const int row = Kind::Free::row[k];
-      Real x = moved[k][c];
-      for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
-      moved[k][c] = x - a(row, c);
-    }
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    ADAGEN_FOR (c, 0, kColumns) a(Kind::Free::row[k], c) += moved[k][c];
-  return moved;
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Matrix<T>& m, const Vector<S>& a) {
+  return {dot(m.x, a), dot(m.y, a), dot(m.z, a)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> transposed_times(const Matrix<T>& m, const Vector<T>& a) {
+  return {m.x.x * a.x + (m.y.x * a.y + m.z.x * a.z), m.x.y * a.x + (m.y.y * a.y + m.z.y * a.z),
+          m.x.z * a.x + (m.y.z * a.y + m.z.z * a.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> row_times(const Vector<T>& a, const Matrix<S>& m) {
+  return {a.x * m.x.x + (a.y * m.y.x + a.z * m.z.x), a.x * m.x.y + (a.y * m.y.y + a.z * m.z.y),
+          a.x * m.x.z + (a.y * m.y.z + a.z * m.z.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Matrix<T> operator*(const Matrix<T>& a, const Matrix<S>& b) {
+  return {row_times(a.x, b), row_times(a.y, b), row_times(a.z, b)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator*(const Symmetric<T>& m, const Vector<T>& a) {
+  return {m.xx * a.x + (m.xy * a.y + m.xz * a.z), m.xy * a.x + (m.yy * a.y + m.yz * a.z),
+          m.xz * a.x + (m.yz * a.y + m.zz * a.z)};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Symmetric<T>& a, const Symmetric<T>& b) {
+  a.xx += b.xx, a.xy += b.xy, a.xz += b.xz, a.yy += b.yy, a.yz += b.yz, a.zz += b.zz;
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Matrix<T>& a, const Matrix<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
 }
 
-// K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
-template <class Kind>
-ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
-  ADAGEN_FOR (k, 0, (kFree<Kind>)) m.row(Kind::Free::row[k]).setZero();
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
+// A body about a point: spatial inertia [[A, B], [B^T, C]] (A rotational, C of mass) and bias force
+// [n; f]. It is a link, or a link with all that hangs on it.
+template <class T>
+struct Body {
+  Symmetric<T> A;
+  Matrix<T> B;
+  Symmetric<T> C;
+  Vector<T> n, f;
+};
+
+template <class T>
+ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
+  a.A += b.A, a.B += b.B, a.C += b.C, a.n += b.n, a.f += b.f;
 }
 
-// Omega of the far side: K m K^T + S D^-1 S^T, m being the near side's (zero: the ground's).
-template <class Kind>
-ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
-  constexpr int n = kFree<Kind>;
-  share(i, m);
-  m.transposeInPlace();
-  share(i, m);
-  std::array<std::array<Real, n>, n> inverse{};
-  ADAGEN_FOR (k, 0, n) inverse[k][k] = 1;
-  i.solve(inverse);
-  ADAGEN_FOR (k, 0, n)
-    ADAGEN_FOR (l, 0, n) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
+// The body told about the point at -r from the one that it is told about: B + rx C, and
+// A + rx B^T - (B + rx C) rx.
+template <class T>
+ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Matrix<T> B{
+      {X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
+       X.B.x.z + (r.y * C.zz - r.z * C.yz)},
+      {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
+       X.B.y.z + (r.z * C.xz - r.x * C.zz)},
+      {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
+       X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
+  X.A.xx += (r.y * X.B.x.z - r.z * X.B.x.y) - (B.x.y * r.z - B.x.z * r.y);
+  X.A.xy += (r.y * X.B.y.z - r.z * X.B.y.y) - (B.x.z * r.x - B.x.x * r.z);
+  X.A.xz += (r.y * X.B.z.z - r.z * X.B.z.y) - (B.x.x * r.y - B.x.y * r.x);
+  X.A.yy += (r.z * X.B.y.x - r.x * X.B.y.z) - (B.y.z * r.x - B.y.x * r.z);
+  X.A.yz += (r.z * X.B.z.x - r.x * X.B.z.z) - (B.y.x * r.y - B.y.y * r.x);
+  X.A.zz += (r.x * X.B.z.y - r.y * X.B.z.x) - (B.z.x * r.y - B.z.y * r.x);
+  X.B = B;
+  X.n += cross(r, X.f);
 }
 
-// A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
-template <class Kind>
-void deliver(Articulated<Kind>& i, Columns6& load) {
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    ADAGEN_FOR (c, 0, kColumns) {
-      Real& along = load(Kind::Free::row[k], c);
-      i.u[k][c] += along;
-      for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
-      along = 0;
-    }
+// The inertia less U U^T / D, U = [n; f] and e = U / D.
+template <class T>
+ADAGEN_INLINE void subtract(Body<T>& X, const Vector<T>& n, const Vector<T>& f,
+                            const Vector<T>& e_n, const Vector<T>& e_f) {
+  X.A.xx -= e_n.x * n.x, X.A.xy -= e_n.x * n.y, X.A.xz -= e_n.x * n.z;
+  X.A.yy -= e_n.y * n.y, X.A.yz -= e_n.y * n.z, X.A.zz -= e_n.z * n.z;
+  X.B.x.x -= e_n.x * f.x, X.B.x.y -= e_n.x * f.y, X.B.x.z -= e_n.x * f.z;
+  X.B.y.x -= e_n.y * f.x, X.B.y.y -= e_n.y * f.y, X.B.y.z -= e_n.y * f.z;
+  X.B.z.x -= e_n.z * f.x, X.B.z.y -= e_n.z * f.y, X.B.z.z -= e_n.z * f.z;
+  X.C.xx -= e_f.x * f.x, X.C.xy -= e_f.x * f.y, X.C.xz -= e_f.x * f.z;
+  X.C.yy -= e_f.y * f.y, X.C.yz -= e_f.y * f.z, X.C.zz -= e_f.z * f.z;
 }
 
-// Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
-ADAGEN_NOINLINE bool invert(const Inertia& I, const Columns6& p, Mat6& Phi, Columns6& b) {
-  std::array<std::array<Real, 6>, 6> L, x{};
-  ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
-    x[i][i] = 1;
-  }
-  const bool good = factorize(L);
-  forward_substitute(L, x);
-  ADAGEN_FOR (i, 0, 6)
-    ADAGEN_FOR (k, i, 6) {
-      Real sum = 0;
-      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
-      Phi(i, k) = Phi(k, i) = sum;
-    }
-  b.noalias() = -Phi * p;
-  return good;
+// Where a point moves that is at r from one that moves as [angular; linear].
+template <class T>
+struct Motion {
+  Vector<T> angular, linear;
+};
+
+template <class T, class S>
+ADAGEN_INLINE void carry(Motion<T>& a, const Vector<S>& r) {
+  a.linear += cross(a.angular, r);
 }
 
-// a with I^A a = -p^A: nothing else acts on the link.
-ADAGEN_NOINLINE bool solve_root(const Inertia& I, const Columns6& p, Columns6& a) {
-  std::array<std::array<Real, 6>, 6> L;
-  std::array<std::array<Real, kColumns>, 6> x;
-  ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
-    ADAGEN_FOR (c, 0, kColumns) x[i][c] = -p(i, c);
-  }
-  const bool good = factorize(L);
-  forward_substitute(L, x);
-  backward_substitute(L, x);
-  ADAGEN_FOR (i, 0, 6)
-    ADAGEN_FOR (c, 0, kColumns) a(i, c) = x[i][c];
-  return good;
+// The rotation that a quaternion x y z w of any length stands for, and its squared length.
+template <class T>
+ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<T>& R) {
+  const T squared = (x * x + y * y) + (z * z + w * w);
+  const T s = 2 / squared;
+  const T xx = s * x * x, yy = s * y * y, zz = s * z * z, xy = s * x * y, xz = s * x * z,
+          yz = s * y * z, xw = s * x * w, yw = s * y * w, zw = s * z * w;
+  R = {{1 - (yy + zz), xy - zw, xz + yw}, {xy + zw, 1 - (xx + zz), yz - xw}, {xz - yw, yz + xw, 1 - (xx + yy)}};
+  return squared;
 }
 
 constexpr std::array<MessageInfo, 4> kMessages{ {
-    {1, 0, 42},  // 0: assembled: chain of "__base__"
-    {0, 1, 6},  // 1: forces on: chain of "__base__"
+    {0, 1, 27},  // 0: what hangs on "abdomen"
+    {1, 0, 27},  // 1: what hangs on "abdomen"
     {0, 1, 61},  // 2: state
     {1, 0, 20},  // 3: accelerations
 } };
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
 // that its source fills and then numbers (release), and that its target reads once it sees the
-// number (acquire). Other pairs exchange MPI messages. A slot is free again when it is next
-// written, because each pair answers each other within an evaluation (assembly up, disassembly
-// down; state, result).
+// number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
+// one is written again, two evaluations later, its target has answered in the one between.
 enum class ChannelMode { kAuto, kWindow, kMessage };
 
 inline void relax() {
@@ -1165,7 +751,7 @@ class Channel {
     int missing = 0;
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
-      if (ports_[k].slot || (info.source != rank_ && info.target != rank_)) continue;
+      if (ports_[k].slots || (info.source != rank_ && info.target != rank_)) continue;
       if (mode == ChannelMode::kWindow) ++missing;
       ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
     }
@@ -1189,16 +775,17 @@ class Channel {
   // Where to write message k. Waits for an MPI message that is still under way.
   Real* outgoing(int k, int& status) {
     Port& port = ports_[k];
-    if (port.slot) return port.slot->content() + 1;
+    if (port.slots) return port.slot(port.count + 1, k).content() + 1;
     if (port.request != MPI_REQUEST_NULL) wait_for_request(port, kMessages[k].target, status);
     return port.buffer.data() + 1;
   }
 
   void send(int k, int& status) {
     Port& port = ports_[k];
-    if (port.slot) {
-      port.slot->content()[0] = static_cast<Real>(status);
-      port.slot->number.store(++port.count, std::memory_order_release);
+    if (port.slots) {
+      Slot& slot = port.slot(++port.count, k);
+      slot.content()[0] = static_cast<Real>(status);
+      slot.number.store(port.count, std::memory_order_release);
       return;
     }
     port.buffer[0] = static_cast<Real>(status);
@@ -1211,11 +798,12 @@ class Channel {
   const Real* receive(int k, int& status) {
     Port& port = ports_[k];
     const Real* content;
-    if (port.slot) {
+    if (port.slots) {
       const std::uint64_t number = ++port.count;
-      if (!wait_until([&] { return port.slot->number.load(std::memory_order_acquire) >= number; }))
+      Slot& slot = port.slot(number, k);
+      if (!wait_until([&] { return slot.number.load(std::memory_order_acquire) >= number; }))
         fail(status, failure(kNoAnswer, kMessages[k].source));
-      content = port.slot->content();
+      content = slot.content();
     } else {
       MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
                 kMessages[k].source, k, comm_, &port.request);
@@ -1244,8 +832,11 @@ class Channel {
   };
 
   struct Port {
-    Slot* slot = nullptr;
+    char* slots = nullptr;
     std::uint64_t count = 0;
+    Slot& slot(std::uint64_t number, int k) const {
+      return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
+    }
     std::vector<Real> buffer;
     MPI_Request request = MPI_REQUEST_NULL;
   };
@@ -1275,7 +866,7 @@ class Channel {
     };
     std::size_t own = 0;
     for (const MessageInfo& info : kMessages)
-      if (info.source == rank_ && near_pair(info)) own += slot_bytes(info);
+      if (info.source == rank_ && near_pair(info)) own += 2 * slot_bytes(info);
     char* base = nullptr;
     MPI_Info hints;
     MPI_Info_create(&hints);
@@ -1294,11 +885,11 @@ class Channel {
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
       if (!near_pair(info)) continue;
-      ports_[k].slot = reinterpret_cast<Slot*>(next[info.source]);
-      next[info.source] += slot_bytes(info);
+      ports_[k].slots = next[info.source];
+      next[info.source] += 2 * slot_bytes(info);
       if (info.source == rank_) {
-        std::memset(static_cast<void*>(ports_[k].slot), 0, slot_bytes(info));  // first touch
-        new (ports_[k].slot) Slot{};
+        std::memset(ports_[k].slots, 0, 2 * slot_bytes(info));  // first touch
+        for (std::uint64_t n : {0, 1}) new (&ports_[k].slot(n, static_cast<int>(k))) Slot{};
       }
     }
     MPI_Win_sync(window_);
@@ -1356,1774 +947,952 @@ inline void stamp(int k) {
   if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
 }
 
-// ---- 4. joints ----------------------------------------------------------------------------------
+// ---- 4. kernels ---------------------------------------------------------------------------------
+// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
+// base's link), about each link's own origin. Links move as they would were all joint accelerations
+// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
 
-// The memory of a process. Whatever belongs to a joint is kept with it.
-struct Workspace;
+// What is computed with.
+using Value = Real;
 
-struct Joint_base {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "pelvis"
-  Inertia IA;  // articulated-body inertia of link "pelvis"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Mat6 Phi_abdomen;  // of the chain it completes
-  Columns6 b_abdomen;
-  Columns6 F_on_abdomen;  // outer wrench on that chain
+// A link's mass, that times its centre of mass, and its pseudo-inertia, sum of m x x^T: xx xy xz yy
+// yz zz. About the link's origin.
+struct LinkInertia {
+  Real mass, moments[3], tensor[6];
+};
+constexpr std::array<LinkInertia, kJointCount> kInertias{ {
+    {6.2, {0.0, 0.0, 0.12400000000000001},
+     {0.01012665, 0.0, 0.0, 0.02500665, 0.0, 0.009920050000000001}},
+    {1.4, {0.0, 0.0, 0.041999999999999996},
+     {0.000875, 0.0, 0.0, 0.000875, 0.0, 0.002205}},
+    {1.2, {0.0, -0.048, 0.024},
+     {0.00075, 0.0, 0.0, 0.00267, -0.00096, 0.00112}},
+    {2.6, {0.0, 0.0, -0.26},
+     {0.00234, 0.0, 0.0, 0.00234, 0.0, 0.0406467}},
+    {1.8, {-0.234, 0.018000000000000002, 0.0},
+     {0.042180050000000004, -0.00234, 0.0, 0.00109125, 0.0, 0.00091125}},
+    {0.2, {0.0, 0.0, 0.0},
+     {3.6e-05, 0.0, 0.0, 3.6e-05, 0.0, 3.6e-05}},
+    {0.8, {0.0, -0.024, 0.024},
+     {0.0004266635, 0.0, 0.0, 0.0007800035, -0.0007199999999999999, 0.0033866665}},
+    {1.4, {0.0, 0.0, -0.041999999999999996},
+     {0.000875, 0.0, 0.0, 0.000875, 0.0, 0.002205}},
+    {1.2, {0.0, -0.048, 0.024},
+     {0.00075, 0.0, 0.0, 0.00267, -0.00096, 0.00112}},
+    {2.6, {0.0, 0.0, -0.26},
+     {0.00234, 0.0, 0.0, 0.00234, 0.0, 0.0406467}},
+    {1.8, {-0.234, 0.018000000000000002, 0.0},
+     {0.042180050000000004, -0.00234, 0.0, 0.00109125, 0.0, 0.00091125}},
+    {0.2, {0.0, 0.0, 0.0},
+     {3.6e-05, 0.0, 0.0, 3.6e-05, 0.0, 3.6e-05}},
+    {0.8, {0.0, -0.024, 0.024},
+     {0.0004266635, 0.0, 0.0, 0.0007800035, -0.0007199999999999999, 0.0033866665}},
+    {0.8, {0.0, 0.0, 0.016},
+     {0.0005, 0.0, 0.0, 0.0005, 0.0, 0.0005600000000000001}},
+    {0.9, {0.0, 0.018000000000000002, 0.0},
+     {0.0005625, 0.0, 0.0, 0.0008400000000000001, 0.0, 0.0005625}},
+    {9.5, {1.6150000000000002, 0.095, 0.0},
+     {0.36606635000000004, 0.01615, 0.0, 0.021216649999999997, 0.0, 0.06206665}},
+    {0.8, {0.0, 0.0, 0.024},
+     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0010466669999999998}},
+    {0.7, {0.006999999999999999, -0.020999999999999998, 0.0},
+     {0.00042, -0.00020999999999999998, 0.0, 0.00098, 0.0, 0.00035}},
+    {0.8, {0.0, 0.0, -0.04000000000000001},
+     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0033066700000000003}},
+    {0.7, {-0.049, 0.013999999999999999, 0.0},
+     {0.004923335000000001, -0.00098, 0.0, 0.000494375, 0.0, 0.000214375}},
+    {0.2, {0.0, 0.0, -0.002},
+     {4.5e-05, 0.0, 0.0, 4.5e-05, 0.0, 6.16667e-05}},
+    {0.4, {-0.024, 0.0, 0.0},
+     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
+    {0.4, {0.0, 0.0, 0.008},
+     {9e-05, 0.0, 0.0, 9e-05, 0.0, 0.00028000000000000003}},
+    {2.4, {0.216, 0.048, 0.0},
+     {0.023327999999999998, 0.00432, 0.0, 0.004848, 0.0, 0.003888}},
+    {0.8, {0.0, 0.0, -0.024},
+     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0010466669999999998}},
+    {0.7, {-0.006999999999999999, -0.020999999999999998, 0.0},
+     {0.00042, 0.00020999999999999998, 0.0, 0.00098, 0.0, 0.00035}},
+    {0.8, {0.0, 0.0, -0.04000000000000001},
+     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0033066700000000003}},
+    {0.7, {-0.049, 0.013999999999999999, 0.0},
+     {0.004923335000000001, -0.00098, 0.0, 0.000494375, 0.0, 0.000214375}},
+    {0.2, {0.0, 0.0, -0.002},
+     {4.5e-05, 0.0, 0.0, 4.5e-05, 0.0, 6.16667e-05}},
+    {0.4, {-0.024, 0.0, 0.0},
+     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
+} };
+
+// What a process does at a link.
+struct LinkRole {
+  bool gathers;   // paths meet at it inwards
+  bool adds_own;  // its own inertia is this process's to add
+  bool parts;     // paths part at it outwards
+};
+constexpr LinkRole kRoles[kProcesses][kLinkCount]{
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
+    {{0, 0, 0}, {1, 1, 1}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
 };
 
-struct Joint_left_hip_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_hip"
-  Inertia IA;  // articulated-body inertia of link "left_hip"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
+// What is kept where segments meet, with the joint that it belongs to.
+struct Cuts {
 };
 
-struct Joint_left_hip_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_groin"
-  Inertia IA;  // articulated-body inertia of link "left_groin"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
+// The memory of a process. What is set up for many links at once lies in blocks, side by side.
+constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
+constexpr int kBlockCount = (kJointCount + kPerBlock - 1) / kPerBlock;
+
+// What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
+enum Entry : int {
+  kTurn = 0,          // rotation from the child's to the parent link's axes, row by row
+  kAxes = 9,          // the link's orientation R, row by row: its z is the joint's axis
+  kOmega = 18,        // angular velocity
+  kAlpha = 21,        // angular acceleration and
+  kAcceleration = 24, // acceleration of its origin less gravity, were all joint accelerations zero
+  kRotational = 27,   // A of the bare link
+  kMoments = 33,      // mass times centre of mass: B of the bare link is its cross product
+  kTorque = 36,       // bias force n
+  kForce = 39,        // and f of the bare link
+  kEntries = 42
 };
 
-struct Joint_left_hip_yaw {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_thigh"
-  Inertia IA;  // articulated-body inertia of link "left_thigh"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
+struct alignas(64) Block {
+  Value entries[kEntries][kPerBlock];
 };
 
-struct Joint_left_knee {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_shank"
-  Inertia IA;  // articulated-body inertia of link "left_shank"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
+// What is kept of a joint from the inward to the outward sweep.
+template <int n>
+struct Eliminated {
+  Vector<Value> r;  // from the parent link's origin to the child link's
+  Value e[n];       // of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp
+};
+// Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
+[[maybe_unused]] constexpr bool any_of(JointKind kind) {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
+[[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
+[[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
+using Memory = Eliminated<kAnyPlanar ? 24 : kAnySpherical ? 18 : 8>;
+
+// A link's orientation and how it moves, were all joint accelerations zero.
+struct Frame {
+  Matrix<Value> R;
+  Vector<Value> omega, alpha, a;
 };
 
-struct Joint_left_ankle_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_ankle"
-  Inertia IA;  // articulated-body inertia of link "left_ankle"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_left_ankle_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_foot"
-  Inertia IA;  // articulated-body inertia of link "left_foot"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_right_hip_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_hip"
-  Inertia IA;  // articulated-body inertia of link "right_hip"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_right_hip_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_groin"
-  Inertia IA;  // articulated-body inertia of link "right_groin"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_right_hip_yaw {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_thigh"
-  Inertia IA;  // articulated-body inertia of link "right_thigh"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_right_knee {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_shank"
-  Inertia IA;  // articulated-body inertia of link "right_shank"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_right_ankle_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_ankle"
-  Inertia IA;  // articulated-body inertia of link "right_ankle"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_right_ankle_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_foot"
-  Inertia IA;  // articulated-body inertia of link "right_foot"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_waist_yaw {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "waist_link"
-  Inertia IA;  // articulated-body inertia of link "waist_link"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_waist_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "abdomen"
-  Inertia IA;  // articulated-body inertia of link "abdomen"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
-};
-
-struct Joint_waist_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "torso"
-  Inertia IA;  // articulated-body inertia of link "torso"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Joined<Revolute> joined;
-  Columns6 load;  // what handle forces add
-};
-
-struct Joint_left_shoulder_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_shoulder"
-  Inertia IA;  // articulated-body inertia of link "left_shoulder"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Mat6 Phi_torso;  // of the chain it completes
-  Columns6 b_torso;
-  Columns6 F_on_torso;  // outer wrench on that chain
-};
-
-struct Joint_left_shoulder_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_shoulder_cap"
-  Inertia IA;  // articulated-body inertia of link "left_shoulder_cap"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_left_shoulder_yaw {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_upper_arm"
-  Inertia IA;  // articulated-body inertia of link "left_upper_arm"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_left_elbow {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_forearm"
-  Inertia IA;  // articulated-body inertia of link "left_forearm"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_left_wrist_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_wrist"
-  Inertia IA;  // articulated-body inertia of link "left_wrist"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_left_wrist_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_hand"
-  Inertia IA;  // articulated-body inertia of link "left_hand"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_neck_yaw {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "neck"
-  Inertia IA;  // articulated-body inertia of link "neck"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_neck_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "head"
-  Inertia IA;  // articulated-body inertia of link "head"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_right_shoulder_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_shoulder"
-  Inertia IA;  // articulated-body inertia of link "right_shoulder"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_right_shoulder_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_shoulder_cap"
-  Inertia IA;  // articulated-body inertia of link "right_shoulder_cap"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_right_shoulder_yaw {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_upper_arm"
-  Inertia IA;  // articulated-body inertia of link "right_upper_arm"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_right_elbow {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_forearm"
-  Inertia IA;  // articulated-body inertia of link "right_forearm"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_right_wrist_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_wrist"
-  Inertia IA;  // articulated-body inertia of link "right_wrist"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_right_wrist_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_hand"
-  Inertia IA;  // articulated-body inertia of link "right_hand"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Workspace {
-  const Real* q = nullptr;
-  const Real* v = nullptr;
-  const Real* tau = nullptr;
-  Real* qdd = nullptr;
+struct Workspace : Cuts {
+  const Value* q = nullptr;
+  const Value* v = nullptr;
+  const Value* tau = nullptr;
+  Value* qdd = nullptr;
   int status = kFine;
-  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
-  Joint_base j_base;
-  Joint_left_hip_pitch j_left_hip_pitch;
-  Joint_left_hip_roll j_left_hip_roll;
-  Joint_left_hip_yaw j_left_hip_yaw;
-  Joint_left_knee j_left_knee;
-  Joint_left_ankle_pitch j_left_ankle_pitch;
-  Joint_left_ankle_roll j_left_ankle_roll;
-  Joint_right_hip_pitch j_right_hip_pitch;
-  Joint_right_hip_roll j_right_hip_roll;
-  Joint_right_hip_yaw j_right_hip_yaw;
-  Joint_right_knee j_right_knee;
-  Joint_right_ankle_pitch j_right_ankle_pitch;
-  Joint_right_ankle_roll j_right_ankle_roll;
-  Joint_waist_yaw j_waist_yaw;
-  Joint_waist_roll j_waist_roll;
-  Joint_waist_pitch j_waist_pitch;
-  Joint_left_shoulder_pitch j_left_shoulder_pitch;
-  Joint_left_shoulder_roll j_left_shoulder_roll;
-  Joint_left_shoulder_yaw j_left_shoulder_yaw;
-  Joint_left_elbow j_left_elbow;
-  Joint_left_wrist_roll j_left_wrist_roll;
-  Joint_left_wrist_pitch j_left_wrist_pitch;
-  Joint_neck_yaw j_neck_yaw;
-  Joint_neck_pitch j_neck_pitch;
-  Joint_right_shoulder_pitch j_right_shoulder_pitch;
-  Joint_right_shoulder_roll j_right_shoulder_roll;
-  Joint_right_shoulder_yaw j_right_shoulder_yaw;
-  Joint_right_elbow j_right_elbow;
-  Joint_right_wrist_roll j_right_wrist_roll;
-  Joint_right_wrist_pitch j_right_wrist_pitch;
+  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
+  std::array<Block, kBlockCount> blocks{};
+  std::array<Memory, kJointCount> joints{};
+  std::array<Body<Value>, kLinkCount> bodies{};    // what hangs on a link, where paths meet
+  std::array<Motion<Value>, kLinkCount> motions{}; // accelerations beyond those of a Frame
+  std::array<Value, kNv> answer{};
 
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  Workspace() {
+    for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
+      for (int k = 0; k < 9; ++k)
+        of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
+  }
+
+  Value* of(int joint, Entry entry) {
+    return &blocks[static_cast<std::size_t>(joint / kPerBlock)].entries[entry][joint % kPerBlock];
+  }
 };
+
+ADAGEN_INLINE Vector<Value> vector_at(const Value* x) {
+  return {x[0], x[kPerBlock], x[2 * kPerBlock]};
+}
+ADAGEN_INLINE void put_at(Value* x, const Vector<Value>& a) {
+  x[0] = a.x, x[kPerBlock] = a.y, x[2 * kPerBlock] = a.z;
+}
+ADAGEN_INLINE Matrix<Value> matrix_at(const Value* x) {
+  return {vector_at(x), vector_at(x + 3 * kPerBlock), vector_at(x + 6 * kPerBlock)};
+}
+ADAGEN_INLINE void put_at(Value* x, const Matrix<Value>& m) {
+  put_at(x, m.x), put_at(x + 3 * kPerBlock, m.y), put_at(x + 6 * kPerBlock, m.z);
+}
+ADAGEN_INLINE Vector<Value> axis_at(const Value* R) {
+  return {R[2 * kPerBlock], R[5 * kPerBlock], R[8 * kPerBlock]};
+}
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
-// x - x is zero for finite x only.
-inline void require_finite(Workspace& w, const Real* x, int count, int joint) {
-  Real sum = 0;
-  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
-  if (!(sum == 0)) fail(w, kNotFinite, joint);
+// A body in a message.
+[[maybe_unused]] constexpr int kBodyNumbers = 27;
+template <class T>
+ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
+  static_assert(sizeof X == kBodyNumbers * sizeof(Real));
+  std::memcpy(to, &X, sizeof X);
+  return to + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* get(const Real* from, Body<T>& X) {
+  std::memcpy(&X, from, sizeof X);
+  return from + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* add(const Real* from, Body<T>& X) {
+  Body<T> other;
+  from = get(from, other);
+  X += other;
+  return from;
 }
 
-[[maybe_unused]] inline void require_length(Workspace& w, Real squared, int joint) {
-  if (!(squared >= std::numeric_limits<Real>::min() && squared <= std::numeric_limits<Real>::max()))
+ADAGEN_INLINE Lanes wide(const Value* x) {
+  Lanes result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+
+// x - x is zero for finite x only.
+ADAGEN_INLINE bool finite(const Value* x, int count) {
+  Lanes sum{};
+  Value rest{};
+  int k = 0;
+  for (; k + kPerBlock <= count; k += kPerBlock) sum += wide(x + k) - wide(x + k);
+  for (; k < count; ++k) rest += x[k] - x[k];
+  return all_zero(sum) && all_zero(rest);
+}
+
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite;
+// place says where a joint's entries start.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::*place, Failure kind) {
+  if (__builtin_expect(finite(x + first, count), 1)) return;
+  while (finite(x + first, 1)) ++first;
+  int joint = 0;
+  for (int j = 0; j < kJointCount; ++j)
+    if (kJoints[static_cast<std::size_t>(j)].*place <= first) joint = j;
+  fail(w, kind, joint);
+}
+
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!all_positive(squared - std::numeric_limits<Real>::min()) ||
+      !all_positive(std::numeric_limits<Real>::max() - squared))
     fail(w, kZeroQuaternion, joint);
 }
 
-template <std::size_t n>
-void load_torque(Workspace& w, int joint, int v, std::array<std::array<Real, kColumns>, n>& tau) {
-  require_finite(w, w.tau + v, static_cast<int>(n), joint);
-  for (std::size_t k = 0; k < n; ++k) {
-    tau[k] = {};
-    tau[k][0] = w.tau[v + static_cast<int>(k)];
+// Accelerations are given only where all went well.
+inline void give(Workspace& w, int first, int count) {
+  if (w.status == kFine) std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
+}
+
+[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
+[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
+  for (int k = 0; k < 9; ++k)
+    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
+  return true;
+}
+
+// What needs no recursion, for as many links at once as a register holds.
+
+// A number of each joint of a block, as constants of the model are kept.
+using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
+
+struct alignas(64) BlockConstants {
+  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
+  PerJoint mass, moments[3], tensor[6];
+};
+
+const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
+  std::array<BlockConstants, kBlockCount> result{};
+  for (int j = 0; j < kJointCount; ++j) {
+    BlockConstants& block = result[static_cast<std::size_t>(j / kPerBlock)];
+    const std::size_t lane = static_cast<std::size_t>(j % kPerBlock);
+    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
+    for (int k = 0; k < 6; ++k)
+      block.rotation[k][lane] = kJoints[static_cast<std::size_t>(j)].rotation[k % 3 * 3 + k / 3];
+    block.mass[lane] = link.mass;
+    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
+    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
   }
-}
-
-// An acceleration is given only where all went well.
-template <std::size_t n>
-void store_acceleration(Workspace& w, int joint, int v,
-                        const std::array<std::array<Real, kColumns>, n>& qdd) {
-  Real sum = 0;
-  for (std::size_t k = 0; k < n; ++k) sum += qdd[k][0] - qdd[k][0];
-  if (!(sum == 0)) fail(w, kOverflow, joint);
-  if (w.status != kFine) return;
-  for (std::size_t k = 0; k < n; ++k) w.qdd[v + static_cast<int>(k)] = qdd[k][0];
-}
-
-template <class M>
-Real* put(Real* to, const M& m) {
-  Eigen::Map<M>{to} = m;
-  return to + M::SizeAtCompileTime;
-}
-
-template <class M>
-const Real* get(const Real* from, M& m) {
-  m = Eigen::Map<const M>(from);
-  return from + M::SizeAtCompileTime;
-}
-
-template <std::size_t n>
-Real* put(Real* to, const std::array<Real, n>& x) {
-  return std::copy(x.begin(), x.end(), to);
-}
-
-template <std::size_t n>
-const Real* get(const Real* from, std::array<Real, n>& x) {
-  std::copy(from, from + n, x.begin());
-  return from + n;
-}
-
-const Mat6 kZero = Mat6::Zero();
-
-// The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
-  Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
   return result;
 }();
 
-// Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
-[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
-  Mat6 result;
-  std::size_t k = 0;
-  for (int i = 0; i < 6; ++i)
-    for (int j = i; j < 6; ++j) result(i, j) = result(j, i) = upper[k++];
+ADAGEN_INLINE Lanes wide(const PerJoint& x) {
+  Lanes result;
+  if constexpr (sizeof(PerJoint) == sizeof(Lanes))
+    std::memcpy(&result, x.data(), sizeof result);
+  else
+    result = x[0] + Lanes{};
   return result;
 }
-
-// One row of A qdd = 0, which keeps a slaved joint in step with its source.
-[[maybe_unused]] inline void coupling_row(std::array<Real, kColumns>& row,
-                                          const std::array<Real, kColumns>& slaved,
-                                          const std::array<Real, kColumns>& source,
-                                          double multiplier) {
-  for (std::size_t k = 0; k < kColumns; ++k) row[k] = slaved[k] - Real(multiplier) * source[k];
+ADAGEN_INLINE void narrow(const Lanes& x, Value* to) { std::memcpy(to, &x, sizeof x); }
+ADAGEN_INLINE Vector<Lanes> wide_vector(const Value (*x)[kPerBlock]) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE Vector<Lanes> wide_vector(const PerJoint* x) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE void narrow(const Vector<Lanes>& a, Value (*x)[kPerBlock]) {
+  narrow(a.x, x[0]), narrow(a.y, x[1]), narrow(a.z, x[2]);
 }
 
-// The torques that make A qdd zero: (A H^-1 A^T) torques = -A qdd, by Cholesky's factorization.
-template <std::size_t m>
-void solve_coupling(Workspace& w, int joint, const std::array<std::array<Real, m + 1>, m>& rows,
-                    std::array<Real, m>& torques) {
-  std::array<std::array<Real, m>, m> L;
-  std::array<std::array<Real, 1>, m> x;
-  for (std::size_t i = 0; i < m; ++i) {
-    x[i][0] = -rows[i][0];
-    for (std::size_t k = 0; k < m; ++k) L[i][k] = rows[i][k + 1];
+// Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
+template <int first, int last>
+void turn(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    Lanes s, c;
+    sine_and_cosine(wide(&w.angle[static_cast<std::size_t>(b * kPerBlock)]), s, c);
+    ADAGEN_FOR (k, 0, 3) {
+      const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
+      narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
+      narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
+    }
   }
-  if (!factorize(L)) fail(w, kFactorization, joint);
-  forward_substitute(L, x);
-  backward_substitute(L, x);
-  for (std::size_t i = 0; i < m; ++i) torques[i] = x[i][0];
 }
 
-// Accelerations of all right-hand sides, added up with the coupling torques.
-template <std::size_t n, std::size_t m>
-void store_coupled(Workspace& w, int joint, int v,
-                   const std::array<std::array<Real, kColumns>, n>& qdd,
-                   const std::array<Real, m>& torques) {
-  std::array<std::array<Real, kColumns>, n> sum{};
-  for (std::size_t k = 0; k < n; ++k) {
-    sum[k][0] = qdd[k][0];
-    for (std::size_t c = 0; c < m; ++c) sum[k][0] += qdd[k][c + 1] * torques[c];
+// Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
+// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J, and the bias
+// force is that of the acceleration field a + H x, H = alpha x + omega x omega x.
+template <int first, int last>
+void set_up_links(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const auto& entries = block.entries;
+    const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
+                          wide_vector(entries + kAxes + 6)};
+    const Symmetric<Lanes> T{wide(constants.tensor[0]), wide(constants.tensor[1]),
+                             wide(constants.tensor[2]), wide(constants.tensor[3]),
+                             wide(constants.tensor[4]), wide(constants.tensor[5])};
+    const Matrix<Lanes> RT{T * R.x, T * R.y, T * R.z};  // rows of R T
+    const Symmetric<Lanes> J{dot(RT.x, R.x), dot(RT.x, R.y), dot(RT.x, R.z),
+                             dot(RT.y, R.y), dot(RT.y, R.z), dot(RT.z, R.z)};
+    narrow(J.yy + J.zz, block.entries[kRotational]);
+    narrow(-J.xy, block.entries[kRotational + 1]);
+    narrow(-J.xz, block.entries[kRotational + 2]);
+    narrow(J.xx + J.zz, block.entries[kRotational + 3]);
+    narrow(-J.yz, block.entries[kRotational + 4]);
+    narrow(J.xx + J.yy, block.entries[kRotational + 5]);
+    const Vector<Lanes> c = R * wide_vector(constants.moments);
+    narrow(c, block.entries + kMoments);
+
+    const Vector<Lanes> w_ = wide_vector(entries + kOmega), al = wide_vector(entries + kAlpha);
+    const Lanes xx = w_.x * w_.x, yy = w_.y * w_.y, zz = w_.z * w_.z;
+    const Lanes xy = w_.x * w_.y, xz = w_.x * w_.z, yz = w_.y * w_.z;
+    const Matrix<Lanes> H{{-(yy + zz), xy - al.z, xz + al.y},
+                          {xy + al.z, -(xx + zz), yz - al.x},
+                          {xz - al.y, yz + al.x, -(xx + yy)}};
+    const Vector<Lanes> a = wide_vector(entries + kAcceleration);
+    const Vector<Lanes> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
+    Vector<Lanes> n = cross(c, a);
+    n += Vector<Lanes>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
+                       dot(H.y, Jx) - dot(H.x, Jy)};
+    narrow(n, block.entries + kTorque);
+    narrow(a * wide(constants.mass) + H * c, block.entries + kForce);
   }
-  store_acceleration(w, joint, v, sum);
 }
 
-const Inertia kInertia_pelvis = spatial_inertia(kLinks[1]);
-const Inertia kInertia_left_hip = spatial_inertia(kLinks[2]);
-const Inertia kInertia_left_groin = spatial_inertia(kLinks[3]);
-const Inertia kInertia_left_thigh = spatial_inertia(kLinks[4]);
-const Inertia kInertia_left_shank = spatial_inertia(kLinks[5]);
-const Inertia kInertia_left_ankle = spatial_inertia(kLinks[6]);
-const Inertia kInertia_left_foot = spatial_inertia(kLinks[7]);
-const Inertia kInertia_right_hip = spatial_inertia(kLinks[8]);
-const Inertia kInertia_right_groin = spatial_inertia(kLinks[9]);
-const Inertia kInertia_right_thigh = spatial_inertia(kLinks[10]);
-const Inertia kInertia_right_shank = spatial_inertia(kLinks[11]);
-const Inertia kInertia_right_ankle = spatial_inertia(kLinks[12]);
-const Inertia kInertia_right_foot = spatial_inertia(kLinks[13]);
-const Inertia kInertia_waist_link = spatial_inertia(kLinks[14]);
-const Inertia kInertia_abdomen = spatial_inertia(kLinks[15]);
-const Inertia kInertia_torso = spatial_inertia(kLinks[16]);
-const Inertia kInertia_left_shoulder = spatial_inertia(kLinks[17]);
-const Inertia kInertia_left_shoulder_cap = spatial_inertia(kLinks[18]);
-const Inertia kInertia_left_upper_arm = spatial_inertia(kLinks[19]);
-const Inertia kInertia_left_forearm = spatial_inertia(kLinks[20]);
-const Inertia kInertia_left_wrist = spatial_inertia(kLinks[21]);
-const Inertia kInertia_left_hand = spatial_inertia(kLinks[22]);
-const Inertia kInertia_neck = spatial_inertia(kLinks[23]);
-const Inertia kInertia_head = spatial_inertia(kLinks[24]);
-const Inertia kInertia_right_shoulder = spatial_inertia(kLinks[25]);
-const Inertia kInertia_right_shoulder_cap = spatial_inertia(kLinks[26]);
-const Inertia kInertia_right_upper_arm = spatial_inertia(kLinks[27]);
-const Inertia kInertia_right_forearm = spatial_inertia(kLinks[28]);
-const Inertia kInertia_right_wrist = spatial_inertia(kLinks[29]);
-const Inertia kInertia_right_hand = spatial_inertia(kLinks[30]);
-
-// =================================================================================================
-// Joint 0 "__base__": floating, between links "__world__" and "pelvis"
-// =================================================================================================
-
-void kinematics_base(Workspace& w) {
-  auto& i = w.j_base;
-  require_finite(w, w.q + 0, 7, 0);
-  require_finite(w, w.v + 0, 6, 0);
-  const Real* const q = w.q + 0;
-  require_length(w, conjugate_rotation(q + 3, i.X.E), 0);
-  i.X.r << q[0], q[1], q[2];
-  i.v = joint_velocity<Floating>(w.v + 0);
+// From the base outwards: where links are and how they would move without joint accelerations.
+
+ADAGEN_INLINE Frame frame_of(Workspace& w, int joint) {
+  const Value* R = w.of(joint, kAxes);
+  return {matrix_at(R), vector_at(w.of(joint, kOmega)), vector_at(w.of(joint, kAlpha)),
+          vector_at(w.of(joint, kAcceleration))};
+}
+
+ADAGEN_INLINE void keep(Workspace& w, int joint, const Frame& frame) {
+  put_at(w.of(joint, kAxes), frame.R);
+  put_at(w.of(joint, kOmega), frame.omega);
+  put_at(w.of(joint, kAlpha), frame.alpha);
+  put_at(w.of(joint, kAcceleration), frame.a);
+}
+
+// The ground accelerates against gravity: accelerations are relative to free fall.
+ADAGEN_INLINE Frame ground() {
+  const Value one = Value{} + 1, none{};
+  return {{{one, none, none}, {none, one, none}, {none, none, one}},
+          {none, none, none},
+          {none, none, none},
+          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
+}
+
+// The axes of a floating base are the link's own: only gravity is turned.
+template <int j>
+void free_base_frame(Workspace& w) {
+  constexpr const JointConstants& joint = kJoints[j];
+  const Value* q = w.q + joint.q + 3;
+  Matrix<Value> turn;
+  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
+  Frame frame = ground();
+  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
+  const Real* const P = joint.rotation;
+  const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
+                           P[1] * gravity.x + P[4] * gravity.y + P[7] * gravity.z,
+                           P[2] * gravity.x + P[5] * gravity.y + P[8] * gravity.z};
+  const Value none{};
+  frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
+  const Value* v = w.v + joint.v + 3;
+  frame.omega = {v[0], v[1], v[2]};
+  keep(w, j, frame);
+}
+
+ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
+  const Real* const P = joint.rotation;
+  return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
+}
+
+// The turn of a joint with a quaternion.
+template <int j>
+void orient(Workspace& w) {
+  constexpr const JointConstants& joint = kJoints[j];
+  const Value* q = w.q + joint.q + joint.nq - 4;
+  Matrix<Value> turn;
+  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
+  if constexpr (!is_identity(joint.rotation)) {
+    const Matrix<Real> P = placement(joint);
+    turn = {turn.x * P.x.x + turn.y * P.x.y + turn.z * P.x.z,
+            turn.x * P.y.x + turn.y * P.y.y + turn.z * P.y.z,
+            turn.x * P.z.x + turn.y * P.z.y + turn.z * P.z.z};
+  }
+  put_at(w.of(j, kTurn), turn);
+}
+
+// One joint outwards from its parent link's frame.
+ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  const Value* v = w.v + joint.v;
+  Vector<Real> origin{joint.translation[0], joint.translation[1], joint.translation[2]};
+  const Matrix<Value> R = at.R * matrix_at(w.of(j, kTurn));
+  const Vector<Value> axis{R.x.z, R.y.z, R.z.z};
+  Vector<Value> r = at.R * origin;
+  const Vector<Value> omega = at.omega;
+  const auto turn_with = [&](const Vector<Value>& relative) {
+    at.omega += relative;
+    return cross(omega, relative);
+  };
+  const auto ride_along = [&] {
+    at.a += cross(omega, cross(omega, r));
+    at.a += cross(at.alpha, r);
+  };
+  const auto slide_and_spin = [&](const Vector<Value>& q, const Vector<Value>& slide,
+                                  const Vector<Value>& spin) {
+    const Matrix<Real> P = placement(joint);
+    r += at.R * Vector<Value>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
+    ride_along();
+    at.a += cross(omega + omega + spin, slide);
+    at.alpha += turn_with(spin);
+  };
+  switch (joint.kind) {
+    case JointKind::kRevolute:
+      ride_along();
+      at.alpha += turn_with(axis * v[0]);
+      break;
+    case JointKind::kPrismatic:
+      r += axis * w.q[joint.q];
+      ride_along();
+      at.a += cross(omega, axis * (v[0] + v[0]));
+      break;
+    case JointKind::kSpherical:
+      ride_along();
+      at.alpha += turn_with(R * Vector<Value>{v[0], v[1], v[2]});
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar) {
+        const Value* q = w.q + joint.q;
+        const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
+        slide_and_spin(Vector<Value>{q[0], q[1], Value{}}, x * v[0] + y * v[1], axis * v[2]);
+      }
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating) {
+        const Value* q = w.q + joint.q;
+        slide_and_spin(Vector<Value>{q[0], q[1], q[2]}, R * Vector<Value>{v[0], v[1], v[2]},
+                       R * Vector<Value>{v[3], v[4], v[5]});
+      }
+      break;
+  }
+  at.R = R;
+  w.joints[static_cast<std::size_t>(j)].r = r;
+  keep(w, j, at);
+}
+
+// Joints first .. last, each on the link of the one before.
+template <int first, int last>
+void outward(Workspace& w) {
+  constexpr int parent = kJoints[first].parent - 1;
+  Frame at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  for (int j = first; j <= last; ++j) step_outward(w, j, at);
+}
+
+// Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
+// is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
+// near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
+
+ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Body<Value>& X) {
+  const int j = link - 1;
+  const Value *A = w.of(j, kRotational), *c = w.of(j, kMoments);
+  const Real mass = kInertias[static_cast<std::size_t>(j)].mass;
+  constexpr int n = kPerBlock;
+  X.A += Symmetric<Value>{A[0], A[n], A[2 * n], A[3 * n], A[4 * n], A[5 * n]};
+  X.B.x.y -= c[2 * n], X.B.x.z += c[n], X.B.y.x += c[2 * n];
+  X.B.y.z -= c[0], X.B.z.x -= c[n], X.B.z.y += c[0];
+  X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
+  X.n += vector_at(w.of(j, kTorque));
+  X.f += vector_at(w.of(j, kForce));
+}
+
+// Takes one freedom out of the body, which is shifted by r before the subtraction, so that the
+// division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the joint has
+// the acceleration u / D - (U / D) a, a being the near link's.
+template <bool along, bool reversed>
+ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<Value>& s,
+                             const Vector<Value>& r, const Value& tau, Value* e) {
+  if constexpr (reversed) shift(X, -r);
+  Vector<Value> n = along ? X.B * s : X.A * s;
+  const Vector<Value> f = along ? X.C * s : transposed_times(X.B, s);
+  const Value D = dot(s, along ? f : n);
+  const Value inverse = 1 / D;
+  const Value u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  if (__builtin_expect(!all_positive(D), 0)) fail(w, kFactorization, j);
+  if constexpr (!reversed) {
+    shift(X, r);
+    n += cross(r, f);
+  }
+  const Vector<Value> e_n = n * inverse, e_f = f * inverse;
+  e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
+  e[7] = inverse;
+  subtract(X, n, f, e_n, e_f);
+  X.n += n * u;
+  X.f += f * u;
+}
+
+// A x = b, by the factors 1 / D and L of A = L D L^T.
+ADAGEN_INLINE Vector<Value> solve_rotations(const Value* factors, const Vector<Value>& b) {
+  const Value *d = factors, *l = factors + 3;  // l: 10, 20, 21
+  const Value y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
+  const Value z = y2 * d[2], y = y1 * d[1] - l[2] * z;
+  return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
+}
+
+// Takes the three rotations out of the body: what is left of it is C and f, so that no rounding
+// stays behind. e gets K = A^-1 B, y = A^-1 (tau - n) and the factors of A.
+template <bool reversed>
+ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
+                                       const Value* tau, Value* e) {
+  if constexpr (reversed) shift(X, -r);
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  Vector<Value> torque = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) torque = -torque;
+  const Value d0 = 1 / X.A.xx, l10 = X.A.xy * d0, l20 = X.A.xz * d0;
+  const Value p1 = X.A.yy - l10 * X.A.xy, d1 = 1 / p1, t = X.A.yz - l20 * X.A.xy, l21 = t * d1;
+  const Value p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
+  if (__builtin_expect(!(all_positive(X.A.xx) && all_positive(p1) && all_positive(p2)), 0))
+    fail(w, kFactorization, j);
+  Value* const factors = e + 12;
+  factors[0] = d0, factors[1] = d1, factors[2] = d2;
+  factors[3] = l10, factors[4] = l20, factors[5] = l21;
+  const auto solve = [&](const Vector<Value>& b) { return solve_rotations(factors, b); };
+  const Matrix<Value>& B = X.B;
+  const Vector<Value> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
+  const Vector<Value> Kx = solve(Bx), Ky = solve(By), Kz = solve(Bz), y = solve(torque - X.n);
+  e[0] = Kx.x, e[1] = Ky.x, e[2] = Kz.x, e[3] = Kx.y, e[4] = Ky.y, e[5] = Kz.y;
+  e[6] = Kx.z, e[7] = Ky.z, e[8] = Kz.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
+  X.C.xx -= dot(Bx, Kx), X.C.xy -= dot(Bx, Ky), X.C.xz -= dot(Bx, Kz);
+  X.C.yy -= dot(By, Ky), X.C.yz -= dot(By, Kz), X.C.zz -= dot(Bz, Kz);
+  X.f += transposed_times(B, y);
+  X.A = Symmetric<Value>{}, X.B = Matrix<Value>{};
+  X.n = torque;
+  if constexpr (!reversed) shift(X, r);
+}
+
+// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), by L D L^T. Whether that
+// could be done.
+ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
+  Value L[6][6] = {{X.A.xx},
+                   {X.A.xy, X.A.yy},
+                   {X.A.xz, X.A.yz, X.A.zz},
+                   {X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx},
+                   {X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy},
+                   {X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz}};
+  Value x[6] = {-X.n.x, -X.n.y, -X.n.z, -X.f.x, -X.f.y, -X.f.z}, inverse[6];
+  bool fine = true;
+  ADAGEN_FOR (c, 0, 6) {
+    fine &= all_positive(L[c][c]);
+    inverse[c] = 1 / L[c][c];
+    ADAGEN_FOR (i, c + 1, 6) {
+      const Value l = L[i][c] * inverse[c];
+      ADAGEN_FOR (k, c + 1, i + 1) L[i][k] -= l * L[k][c];
+      x[i] -= l * x[c];
+    }
+  }
+  ADAGEN_FOR (c, 0, 6) {
+    const int i = 5 - c;
+    x[i] *= inverse[i];
+    ADAGEN_FOR (k, i + 1, 6) x[i] -= L[k][i] * inverse[i] * x[k];
+  }
+  a = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
+  return fine;
+}
+
+// A joint with all freedoms hands on its force alone; e gets the acceleration of the body beyond.
+template <bool reversed>
+ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
+                            const Value* tau, Value* e) {
+  if constexpr (reversed) shift(X, -r);
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
+  Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) n = -n, f = -f;
+  X.n += -n, X.f += -f;
+  Motion<Value> a;
+  if (!solve_free(X, a)) fail(w, kFactorization, j);
+  e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
+  e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
+  X = Body<Value>{};
+  X.n = n, X.f = f;
+  if constexpr (!reversed) shift(X, r);
+}
+
+template <bool reversed>
+ADAGEN_INLINE void step_inward(Workspace& w, int j, Body<Value>& X) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* tau = w.tau + joint.v;
+  const Value* R = w.of(j, kAxes);
+  const Vector<Value> none{};
+  switch (joint.kind) {
+    case JointKind::kRevolute:
+      eliminate<false, reversed>(w, j, X, axis_at(R), memory.r, tau[0], memory.e);
+      break;
+    case JointKind::kPrismatic:
+      eliminate<true, reversed>(w, j, X, axis_at(R), memory.r, tau[0], memory.e);
+      break;
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, j, X, memory.r, tau, memory.e);
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar) {
+        const Vector<Value> x{R[0], R[3 * kPerBlock], R[6 * kPerBlock]};
+        const Vector<Value> y{R[kPerBlock], R[4 * kPerBlock], R[7 * kPerBlock]};
+        if constexpr (reversed) shift(X, -memory.r);
+        eliminate<true, false>(w, j, X, x, none, reversed ? -tau[0] : tau[0], memory.e);
+        eliminate<true, false>(w, j, X, y, none, reversed ? -tau[1] : tau[1], memory.e + 8);
+        eliminate<false, false>(w, j, X, axis_at(R), none, reversed ? -tau[2] : tau[2],
+                                memory.e + 16);
+        if constexpr (!reversed) shift(X, memory.r);
+      }
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating) set_free<reversed>(w, j, X, memory.r, tau, memory.e);
+      break;
+  }
+}
+
+// Adds to a body what the sweep finds at a link.
+template <int p>
+ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
+  if (role.adds_own) add_bare_link(w, link, X);
+}
+
+template <bool starts>
+ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
+  Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
+  if constexpr (starts)
+    body = X;
+  else
+    body += X;
+}
+
+// Process p takes joints last .. first inwards, each on the link of the one before.
+template <int p, int first, int last, bool starts>
+void inward(Workspace& w) {
+  Body<Value> X{};
+  for (int j = last; j >= first; --j) {
+    meet<p>(w, j + 1, X);
+    step_inward<false>(w, j, X);
+  }
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave<starts>(w, near, X);
+}
+
+// The same for a root beyond joint last: from the parent link of joint first to the child of last.
+template <int p, int first, int last, bool starts>
+void inward_reversed(Workspace& w) {
+  Body<Value> X{};
+  for (int j = first; j <= last; ++j) {
+    meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    step_inward<true>(w, j, X);
+  }
+  leave<starts>(w, last + 1, X);
+}
+
+// Adds a link itself to what was found at it.
+template <int link, bool starts>
+void place(Workspace& w) {
+  Body<Value> X{};
+  add_bare_link(w, link, X);
+  leave<starts>(w, link, X);
+}
+
+// A floating joint on the ground only adds its torque to the link.
+template <int j, bool starts>
+void free_base(Workspace& w) {
+  const Value* tau = w.tau + kJoints[j].v;
+  Body<Value> X{};
+  X.n = {-tau[3], -tau[4], -tau[5]};
+  X.f = {-tau[0], -tau[1], -tau[2]};
+  leave<starts>(w, j + 1, X);
+}
+
+// What was left at a link, with the link itself where it is this process's to add.
+template <int p, int link>
+ADAGEN_INLINE Body<Value> whole(Workspace& w) {
+  Body<Value> X{};
+  meet<p>(w, link, X);
+  return X;
+}
+
+// Acceleration of a root that nothing holds.
+template <int p, int link>
+void solve_root(Workspace& w) {
+  if (!solve_free(whole<p, link>(w), w.motions[link])) fail(w, kFactorization, link - 1);
+}
+
+// Outwards again: the joints' accelerations.
+
+ADAGEN_INLINE Value freedom(const Value* e, const Motion<Value>& a) {
+  return (e[6] - (e[0] * a.angular.x + e[1] * a.angular.y)) -
+         ((e[2] * a.angular.z + e[3] * a.linear.x) + (e[4] * a.linear.y + e[5] * a.linear.z));
+}
+
+// The same for joints with several freedoms, told at the joint's origin throughout.
+template <bool reversed>
+ADAGEN_INLINE void move_at_joint(Workspace& w, int j, Motion<Value>& a) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  [[maybe_unused]] const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  [[maybe_unused]] const Value* R = w.of(j, kAxes);
+  [[maybe_unused]] Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+  switch (joint.kind) {
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) {
+        const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+        const Vector<Value> far = Vector<Value>{e[9], e[10], e[11]} - K * a.linear;
+        const Vector<Value> x = transposed_times(matrix_at(R), far - a.angular);
+        qdd[0] = reversed ? -x.x : x.x, qdd[1] = reversed ? -x.y : x.y;
+        qdd[2] = reversed ? -x.z : x.z;
+        a.angular = far;
+      }
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar) {
+        const Value spin = freedom(e + 16, a);
+        a.angular += axis_at(R) * spin;
+        const Value y = freedom(e + 8, a);
+        a.linear += Vector<Value>{R[kPerBlock], R[4 * kPerBlock], R[7 * kPerBlock]} * y;
+        const Value x = freedom(e, a);
+        a.linear += Vector<Value>{R[0], R[3 * kPerBlock], R[6 * kPerBlock]} * x;
+        qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
+      }
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating) {
+        const Matrix<Value> axes = matrix_at(R);
+        const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+        const Vector<Value> slide = transposed_times(axes, far.linear - a.linear);
+        const Vector<Value> spin = transposed_times(axes, far.angular - a.angular);
+        const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
+        ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
+        a = far;
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+// A joint's acceleration from the near link's, which becomes the far link's; each is told at its
+// own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
+template <bool reversed>
+ADAGEN_INLINE void move(Workspace& w, int j, Motion<Value>& a) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  const Value* R = w.of(j, kAxes);
+  Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+  switch (joint.kind) {
+    case JointKind::kRevolute: {
+      const Vector<Value> axis = axis_at(R);
+      const Value x = freedom(e, a);
+      qdd[0] = reversed ? -x : x;
+      carry(a, reversed ? -r : r);
+      a.angular += axis * x;
+      if constexpr (reversed) a.linear += cross(r, axis) * x;
+      break;
+    }
+    case JointKind::kPrismatic: {
+      const Value x = freedom(e, a);
+      qdd[0] = reversed ? -x : x;
+      carry(a, reversed ? -r : r);
+      a.linear += axis_at(R) * x;
+      break;
+    }
+    default:
+      if constexpr (!reversed) carry(a, r);
+      move_at_joint<reversed>(w, j, a);
+      if constexpr (reversed) carry(a, -r);
+  }
+}
+
+// Joints first .. last outwards; what moves along with a link is kept where other paths start.
+template <int p, int first, int last>
+void accelerate(Workspace& w) {
+  Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  for (int j = first; j <= last; ++j) {
+    move<false>(w, j, a);
+    if (kRoles[p][static_cast<std::size_t>(j + 1)].parts)
+      w.motions[static_cast<std::size_t>(j + 1)] = a;
+  }
+}
+
+template <int p, int first, int last>
+void accelerate_reversed(Workspace& w) {
+  Motion<Value> a = w.motions[last + 1];
+  for (int j = last; j >= first; --j) {
+    move<true>(w, j, a);
+    const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  }
+}
+
+// A floating base's joint acceleration, [linear; angular] in its own axes.
+template <int j>
+void free_acceleration(Workspace& w) {
+  const Motion<Value>& a = w.motions[j + 1];
+  const Value* v = w.v + kJoints[j].v;
+  const Vector<Value> omega{v[3], v[4], v[5]}, linear{v[0], v[1], v[2]};
+  const Vector<Value> x = a.linear - cross(omega, linear);
+  Value* qdd = &w.answer[kJoints[j].v];
+  qdd[0] = x.x, qdd[1] = x.y, qdd[2] = x.z;
+  qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
 }
-
-void free_base_base(Workspace& w) {
-  auto& i = w.j_base;
-  std::array<std::array<Real, kColumns>, 6> tau;
-  load_torque(w, 0, 0, tau);
-  for (std::size_t k = 0; k < 6; ++k)
-    for (int c = 0; c < kColumns; ++c)
-      i.pA(Floating::Free::row[k], c) -= tau[k][static_cast<std::size_t>(c)];
-}
-
-void free_acceleration_base(Workspace& w) {
-  auto& i = w.j_base;
-  const Columns6 a = i.a - i.X * kGround;
-  std::array<std::array<Real, kColumns>, 6> qdd;
-  for (std::size_t k = 0; k < 6; ++k)
-    for (int c = 0; c < kColumns; ++c)
-      qdd[k][static_cast<std::size_t>(c)] = a(Floating::Free::row[k], c);
-  store_acceleration(w, 0, 0, qdd);
-}
-
-// =================================================================================================
-// Joint 1 "left_hip_pitch": revolute, between links "pelvis" and "left_hip"
-// =================================================================================================
-
-void kinematics_left_hip_pitch(Workspace& w) {
-  auto& i = w.j_left_hip_pitch;
-  require_finite(w, w.q + 7, 1, 1);
-  require_finite(w, w.v + 6, 1, 1);
-  const Real q = w.q[7];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, 0.09, -0.05;
-  i.v = i.X * w.j_base.v + joint_velocity<Revolute>(w.v + 6);
-}
-
-void articulate_left_hip_pitch(Workspace& w) {
-  auto& i = w.j_left_hip_pitch;
-  load_torque(w, 1, 6, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 1);
-  add_in_parent(i.X, handed, w.j_base.IA);
-  w.j_base.pA += i.X.transposed_times(force);
-}
-
-void accelerate_left_hip_pitch(Workspace& w) {
-  auto& i = w.j_left_hip_pitch;
-  Columns6 a = i.X * w.j_base.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 1, 6, qdd);
-}
-
-// =================================================================================================
-// Joint 2 "left_hip_roll": revolute, between links "left_hip" and "left_groin"
-// =================================================================================================
-
-void kinematics_left_hip_roll(Workspace& w) {
-  auto& i = w.j_left_hip_roll;
-  require_finite(w, w.q + 8, 1, 2);
-  require_finite(w, w.v + 7, 1, 2);
-  const Real q = w.q[8];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, 0.0, 0.04;
-  i.v = i.X * w.j_left_hip_pitch.v + joint_velocity<Revolute>(w.v + 7);
-}
-
-void articulate_left_hip_roll(Workspace& w) {
-  auto& i = w.j_left_hip_roll;
-  load_torque(w, 2, 7, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 7);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 2);
-  add_in_parent(i.X, handed, w.j_left_hip_pitch.IA);
-  w.j_left_hip_pitch.pA += i.X.transposed_times(force);
-}
-
-void accelerate_left_hip_roll(Workspace& w) {
-  auto& i = w.j_left_hip_roll;
-  Columns6 a = i.X * w.j_left_hip_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 2, 7, qdd);
-}
-
-// =================================================================================================
-// Joint 3 "left_hip_yaw": revolute, between links "left_groin" and "left_thigh"
-// =================================================================================================
-
-void kinematics_left_hip_yaw(Workspace& w) {
-  auto& i = w.j_left_hip_yaw;
-  require_finite(w, w.q + 9, 1, 3);
-  require_finite(w, w.v + 8, 1, 3);
-  const Real q = w.q[9];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, -0.12, 0.0;
-  i.v = i.X * w.j_left_hip_roll.v + joint_velocity<Revolute>(w.v + 8);
-}
-
-void articulate_left_hip_yaw(Workspace& w) {
-  auto& i = w.j_left_hip_yaw;
-  load_torque(w, 3, 8, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 8);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 3);
-  add_in_parent(i.X, handed, w.j_left_hip_roll.IA);
-  w.j_left_hip_roll.pA += i.X.transposed_times(force);
-}
-
-void accelerate_left_hip_yaw(Workspace& w) {
-  auto& i = w.j_left_hip_yaw;
-  Columns6 a = i.X * w.j_left_hip_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 3, 8, qdd);
-}
-
-// =================================================================================================
-// Joint 4 "left_knee": revolute, between links "left_thigh" and "left_shank"
-// =================================================================================================
-
-void kinematics_left_knee(Workspace& w) {
-  auto& i = w.j_left_knee;
-  require_finite(w, w.q + 10, 1, 4);
-  require_finite(w, w.v + 9, 1, 4);
-  const Real q = w.q[10];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, 0.0, -0.24;
-  i.v = i.X * w.j_left_hip_yaw.v + joint_velocity<Revolute>(w.v + 9);
-}
-
-void articulate_left_knee(Workspace& w) {
-  auto& i = w.j_left_knee;
-  load_torque(w, 4, 9, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 9);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 4);
-  add_in_parent(i.X, handed, w.j_left_hip_yaw.IA);
-  w.j_left_hip_yaw.pA += i.X.transposed_times(force);
-}
-
-void accelerate_left_knee(Workspace& w) {
-  auto& i = w.j_left_knee;
-  Columns6 a = i.X * w.j_left_hip_yaw.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 4, 9, qdd);
-}
-
-// =================================================================================================
-// Joint 5 "left_ankle_pitch": revolute, between links "left_shank" and "left_ankle"
-// =================================================================================================
-
-void kinematics_left_ankle_pitch(Workspace& w) {
-  auto& i = w.j_left_ankle_pitch;
-  require_finite(w, w.q + 11, 1, 5);
-  require_finite(w, w.v + 10, 1, 5);
-  const Real q = w.q[11];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
-  i.X.r << -0.3, 0.0, 0.0;
-  i.v = i.X * w.j_left_knee.v + joint_velocity<Revolute>(w.v + 10);
-}
-
-void articulate_left_ankle_pitch(Workspace& w) {
-  auto& i = w.j_left_ankle_pitch;
-  load_torque(w, 5, 10, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 10);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 5);
-  add_in_parent(i.X, handed, w.j_left_knee.IA);
-  w.j_left_knee.pA += i.X.transposed_times(force);
-}
-
-void accelerate_left_ankle_pitch(Workspace& w) {
-  auto& i = w.j_left_ankle_pitch;
-  Columns6 a = i.X * w.j_left_knee.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 5, 10, qdd);
-}
-
-// =================================================================================================
-// Joint 6 "left_ankle_roll": revolute, between links "left_ankle" and "left_foot"
-// =================================================================================================
-
-void kinematics_left_ankle_roll(Workspace& w) {
-  auto& i = w.j_left_ankle_roll;
-  require_finite(w, w.q + 12, 1, 6);
-  require_finite(w, w.v + 11, 1, 6);
-  const Real q = w.q[12];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << -0.02, 0.0, 0.0;
-  i.v = i.X * w.j_left_ankle_pitch.v + joint_velocity<Revolute>(w.v + 11);
-}
-
-void articulate_left_ankle_roll(Workspace& w) {
-  auto& i = w.j_left_ankle_roll;
-  load_torque(w, 6, 11, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 11);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 6);
-  add_in_parent(i.X, handed, w.j_left_ankle_pitch.IA);
-  w.j_left_ankle_pitch.pA += i.X.transposed_times(force);
-}
-
-void accelerate_left_ankle_roll(Workspace& w) {
-  auto& i = w.j_left_ankle_roll;
-  Columns6 a = i.X * w.j_left_ankle_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 6, 11, qdd);
-}
-
-// =================================================================================================
-// Joint 7 "right_hip_pitch": revolute, between links "pelvis" and "right_hip"
-// =================================================================================================
-
-void kinematics_right_hip_pitch(Workspace& w) {
-  auto& i = w.j_right_hip_pitch;
-  require_finite(w, w.q + 13, 1, 7);
-  require_finite(w, w.v + 12, 1, 7);
-  const Real q = w.q[13];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, -0.09, -0.05;
-  i.v = i.X * w.j_base.v + joint_velocity<Revolute>(w.v + 12);
-}
-
-void articulate_right_hip_pitch(Workspace& w) {
-  auto& i = w.j_right_hip_pitch;
-  load_torque(w, 7, 12, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 12);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 7);
-  add_in_parent(i.X, handed, w.j_base.IA);
-  w.j_base.pA += i.X.transposed_times(force);
-}
-
-void accelerate_right_hip_pitch(Workspace& w) {
-  auto& i = w.j_right_hip_pitch;
-  Columns6 a = i.X * w.j_base.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 7, 12, qdd);
-}
-
-// =================================================================================================
-// Joint 8 "right_hip_roll": revolute, between links "right_hip" and "right_groin"
-// =================================================================================================
-
-void kinematics_right_hip_roll(Workspace& w) {
-  auto& i = w.j_right_hip_roll;
-  require_finite(w, w.q + 14, 1, 8);
-  require_finite(w, w.v + 13, 1, 8);
-  const Real q = w.q[14];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, 0.0, -0.04;
-  i.v = i.X * w.j_right_hip_pitch.v + joint_velocity<Revolute>(w.v + 13);
-}
-
-void articulate_right_hip_roll(Workspace& w) {
-  auto& i = w.j_right_hip_roll;
-  load_torque(w, 8, 13, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 13);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 8);
-  add_in_parent(i.X, handed, w.j_right_hip_pitch.IA);
-  w.j_right_hip_pitch.pA += i.X.transposed_times(force);
-}
-
-void accelerate_right_hip_roll(Workspace& w) {
-  auto& i = w.j_right_hip_roll;
-  Columns6 a = i.X * w.j_right_hip_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 8, 13, qdd);
-}
-
-// =================================================================================================
-// Joint 9 "right_hip_yaw": revolute, between links "right_groin" and "right_thigh"
-// =================================================================================================
-
-void kinematics_right_hip_yaw(Workspace& w) {
-  auto& i = w.j_right_hip_yaw;
-  require_finite(w, w.q + 15, 1, 9);
-  require_finite(w, w.v + 14, 1, 9);
-  const Real q = w.q[15];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, -0.12, 0.0;
-  i.v = i.X * w.j_right_hip_roll.v + joint_velocity<Revolute>(w.v + 14);
-}
-
-void articulate_right_hip_yaw(Workspace& w) {
-  auto& i = w.j_right_hip_yaw;
-  load_torque(w, 9, 14, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 14);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 9);
-  add_in_parent(i.X, handed, w.j_right_hip_roll.IA);
-  w.j_right_hip_roll.pA += i.X.transposed_times(force);
-}
-
-void accelerate_right_hip_yaw(Workspace& w) {
-  auto& i = w.j_right_hip_yaw;
-  Columns6 a = i.X * w.j_right_hip_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 9, 14, qdd);
-}
-
-// =================================================================================================
-// Joint 10 "right_knee": revolute, between links "right_thigh" and "right_shank"
-// =================================================================================================
-
-void kinematics_right_knee(Workspace& w) {
-  auto& i = w.j_right_knee;
-  require_finite(w, w.q + 16, 1, 10);
-  require_finite(w, w.v + 15, 1, 10);
-  const Real q = w.q[16];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, 0.0, -0.24;
-  i.v = i.X * w.j_right_hip_yaw.v + joint_velocity<Revolute>(w.v + 15);
-}
-
-void articulate_right_knee(Workspace& w) {
-  auto& i = w.j_right_knee;
-  load_torque(w, 10, 15, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 15);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 10);
-  add_in_parent(i.X, handed, w.j_right_hip_yaw.IA);
-  w.j_right_hip_yaw.pA += i.X.transposed_times(force);
-}
-
-void accelerate_right_knee(Workspace& w) {
-  auto& i = w.j_right_knee;
-  Columns6 a = i.X * w.j_right_hip_yaw.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 10, 15, qdd);
-}
-
-// =================================================================================================
-// Joint 11 "right_ankle_pitch": revolute, between links "right_shank" and "right_ankle"
-// =================================================================================================
-
-void kinematics_right_ankle_pitch(Workspace& w) {
-  auto& i = w.j_right_ankle_pitch;
-  require_finite(w, w.q + 17, 1, 11);
-  require_finite(w, w.v + 16, 1, 11);
-  const Real q = w.q[17];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
-  i.X.r << -0.3, 0.0, 0.0;
-  i.v = i.X * w.j_right_knee.v + joint_velocity<Revolute>(w.v + 16);
-}
-
-void articulate_right_ankle_pitch(Workspace& w) {
-  auto& i = w.j_right_ankle_pitch;
-  load_torque(w, 11, 16, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 16);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 11);
-  add_in_parent(i.X, handed, w.j_right_knee.IA);
-  w.j_right_knee.pA += i.X.transposed_times(force);
-}
-
-void accelerate_right_ankle_pitch(Workspace& w) {
-  auto& i = w.j_right_ankle_pitch;
-  Columns6 a = i.X * w.j_right_knee.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 11, 16, qdd);
-}
-
-// =================================================================================================
-// Joint 12 "right_ankle_roll": revolute, between links "right_ankle" and "right_foot"
-// =================================================================================================
-
-void kinematics_right_ankle_roll(Workspace& w) {
-  auto& i = w.j_right_ankle_roll;
-  require_finite(w, w.q + 18, 1, 12);
-  require_finite(w, w.v + 17, 1, 12);
-  const Real q = w.q[18];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << -0.02, 0.0, 0.0;
-  i.v = i.X * w.j_right_ankle_pitch.v + joint_velocity<Revolute>(w.v + 17);
-}
-
-void articulate_right_ankle_roll(Workspace& w) {
-  auto& i = w.j_right_ankle_roll;
-  load_torque(w, 12, 17, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 17);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 12);
-  add_in_parent(i.X, handed, w.j_right_ankle_pitch.IA);
-  w.j_right_ankle_pitch.pA += i.X.transposed_times(force);
-}
-
-void accelerate_right_ankle_roll(Workspace& w) {
-  auto& i = w.j_right_ankle_roll;
-  Columns6 a = i.X * w.j_right_ankle_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 12, 17, qdd);
-}
-
-// =================================================================================================
-// Joint 13 "waist_yaw": revolute, between links "pelvis" and "waist_link"
-// =================================================================================================
-
-void kinematics_waist_yaw(Workspace& w) {
-  auto& i = w.j_waist_yaw;
-  require_finite(w, w.q + 19, 1, 13);
-  require_finite(w, w.v + 18, 1, 13);
-  const Real q = w.q[19];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
-  i.X.r << 0.0, 0.0, 0.09;
-  i.v = i.X * w.j_base.v + joint_velocity<Revolute>(w.v + 18);
-}
-
-void articulate_waist_yaw(Workspace& w) {
-  auto& i = w.j_waist_yaw;
-  load_torque(w, 13, 18, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 18);
-  i.body.c = -i.body.c;
-  const Inertia IA = in_child(i.X, w.j_base.IA);
-  const Columns6 pA = wrench_in_child(i.X, w.j_base.pA);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, -1, IA, pA, handed, force))
-    fail(w, kFactorization, 13);
-  i.IA += handed;
-  i.pA += force;
-}
-
-void accelerate_waist_yaw(Workspace& w) {
-  auto& i = w.j_waist_yaw;
-  Columns6 a = i.a;
-  const auto qdd = accelerate(i.body, a);
-  w.j_base.a = motion_in_parent(i.X, a);
-  store_acceleration(w, 13, 18, negated(qdd));
-}
-
-// =================================================================================================
-// Joint 14 "waist_roll": revolute, between links "waist_link" and "abdomen"
-// =================================================================================================
-
-void kinematics_waist_roll(Workspace& w) {
-  auto& i = w.j_waist_roll;
-  require_finite(w, w.q + 20, 1, 14);
-  require_finite(w, w.v + 19, 1, 14);
-  const Real q = w.q[20];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.0, 0.0, 0.05;
-  i.v = i.X * w.j_waist_yaw.v + joint_velocity<Revolute>(w.v + 19);
-}
-
-void articulate_waist_roll(Workspace& w) {
-  auto& i = w.j_waist_roll;
-  load_torque(w, 14, 19, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 19);
-  i.body.c = -i.body.c;
-  const Inertia IA = in_child(i.X, w.j_waist_yaw.IA);
-  const Columns6 pA = wrench_in_child(i.X, w.j_waist_yaw.pA);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, -1, IA, pA, handed, force))
-    fail(w, kFactorization, 14);
-  i.IA += handed;
-  i.pA += force;
-}
-
-void accelerate_waist_roll(Workspace& w) {
-  auto& i = w.j_waist_roll;
-  Columns6 a = i.a;
-  const auto qdd = accelerate(i.body, a);
-  w.j_waist_yaw.a = motion_in_parent(i.X, a);
-  store_acceleration(w, 14, 19, negated(qdd));
-}
-
-// =================================================================================================
-// Joint 15 "waist_pitch": revolute, between links "abdomen" and "torso"
-// =================================================================================================
-
-void kinematics_waist_pitch(Workspace& w) {
-  auto& i = w.j_waist_pitch;
-  require_finite(w, w.q + 21, 1, 15);
-  require_finite(w, w.v + 20, 1, 15);
-  const Real q = w.q[21];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.0, 0.04, 0.0;
-  i.v = i.X * w.j_waist_roll.v + joint_velocity<Revolute>(w.v + 20);
-}
-
-// A: the chain of "__base__"; B: the chain of "left_shoulder_pitch"; C feels the joint at no link
-void assemble_waist_pitch(Workspace& w) {
-  auto& i = w.j_waist_pitch;
-  load_torque(w, 15, 20, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_base.Phi_abdomen;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 20);
-  if (!join(i.joined, Phi_A, w.j_left_shoulder_pitch.Phi_torso, i.X * w.j_base.b_abdomen, w.j_left_shoulder_pitch.b_torso, c))
-    fail(w, kFactorization, 15);
-}
-
-void disassemble_waist_pitch(Workspace& w) {
-  auto& i = w.j_waist_pitch;
-  Release<Revolute> release(i.joined);
-  const Columns6 f = release.force();  // Eq. (8), (10)
-  store_acceleration(w, 15, 20, release.qdd());  // Eq. (9)
-  w.j_base.F_on_abdomen = -i.X.transposed_times(f);
-  w.j_left_shoulder_pitch.F_on_torso = f;
-}
-
-// =================================================================================================
-// Joint 16 "left_shoulder_pitch": revolute, between links "torso" and "left_shoulder"
-// =================================================================================================
-
-void kinematics_left_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_left_shoulder_pitch;
-  require_finite(w, w.q + 22, 1, 16);
-  require_finite(w, w.v + 21, 1, 16);
-  const Real q = w.q[22];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
-  i.X.r << 0.29, 0.0, 0.15;
-  i.v = i.X * w.j_waist_pitch.v + joint_velocity<Revolute>(w.v + 21);
-}
-
-void articulate_left_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_left_shoulder_pitch;
-  load_torque(w, 16, 21, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 21);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 16);
-  add_in_parent(i.X, handed, w.j_waist_pitch.IA);
-  w.j_waist_pitch.pA += i.X.transposed_times(force);
-}
-
-void accelerate_left_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_left_shoulder_pitch;
-  Columns6 a = i.X * w.j_waist_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 16, 21, qdd);
-}
-
-// =================================================================================================
-// Joint 17 "left_shoulder_roll": revolute, between links "left_shoulder" and "left_shoulder_cap"
-// =================================================================================================
-
-void kinematics_left_shoulder_roll(Workspace& w) {
-  auto& i = w.j_left_shoulder_roll;
-  require_finite(w, w.q + 23, 1, 17);
-  require_finite(w, w.v + 22, 1, 17);
-  const Real q = w.q[23];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, 0.0, 0.05;
-  i.v = i.X * w.j_left_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 22);
-}
-
-void articulate_left_shoulder_roll(Workspace& w) {
-  auto& i = w.j_left_shoulder_roll;
-  load_torque(w, 17, 22, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 22);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 17);
-  add_in_parent(i.X, handed, w.j_left_shoulder_pitch.IA);
-  w.j_left_shoulder_pitch.pA += i.X.transposed_times(force);
-}
-
-void accelerate_left_shoulder_roll(Workspace& w) {
-  auto& i = w.j_left_shoulder_roll;
-  Columns6 a = i.X * w.j_left_shoulder_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 17, 22, qdd);
-}
-
-// =================================================================================================
-// Joint 18 "left_shoulder_yaw": revolute, between links "left_shoulder_cap" and "left_upper_arm"
-// =================================================================================================
-
-void kinematics_left_shoulder_yaw(Workspace& w) {
-  auto& i = w.j_left_shoulder_yaw;
-  require_finite(w, w.q + 24, 1, 18);
-  require_finite(w, w.v + 23, 1, 18);
-  const Real q = w.q[24];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, -0.1, 0.0;
-  i.v = i.X * w.j_left_shoulder_roll.v + joint_velocity<Revolute>(w.v + 23);
-}
-
-void articulate_left_shoulder_yaw(Workspace& w) {
-  auto& i = w.j_left_shoulder_yaw;
-  load_torque(w, 18, 23, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 23);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 18);
-  add_in_parent(i.X, handed, w.j_left_shoulder_roll.IA);
-  w.j_left_shoulder_roll.pA += i.X.transposed_times(force);
-}
-
-void accelerate_left_shoulder_yaw(Workspace& w) {
-  auto& i = w.j_left_shoulder_yaw;
-  Columns6 a = i.X * w.j_left_shoulder_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 18, 23, qdd);
-}
-
-// =================================================================================================
-// Joint 19 "left_elbow": revolute, between links "left_upper_arm" and "left_forearm"
-// =================================================================================================
-
-void kinematics_left_elbow(Workspace& w) {
-  auto& i = w.j_left_elbow;
-  require_finite(w, w.q + 25, 1, 19);
-  require_finite(w, w.v + 24, 1, 19);
-  const Real q = w.q[25];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, 0.0, -0.11;
-  i.v = i.X * w.j_left_shoulder_yaw.v + joint_velocity<Revolute>(w.v + 24);
-}
-
-void articulate_left_elbow(Workspace& w) {
-  auto& i = w.j_left_elbow;
-  load_torque(w, 19, 24, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 24);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 19);
-  add_in_parent(i.X, handed, w.j_left_shoulder_yaw.IA);
-  w.j_left_shoulder_yaw.pA += i.X.transposed_times(force);
-}
-
-void accelerate_left_elbow(Workspace& w) {
-  auto& i = w.j_left_elbow;
-  Columns6 a = i.X * w.j_left_shoulder_yaw.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 19, 24, qdd);
-}
-
-// =================================================================================================
-// Joint 20 "left_wrist_roll": revolute, between links "left_forearm" and "left_wrist"
-// =================================================================================================
-
-void kinematics_left_wrist_roll(Workspace& w) {
-  auto& i = w.j_left_wrist_roll;
-  require_finite(w, w.q + 26, 1, 20);
-  require_finite(w, w.v + 25, 1, 20);
-  const Real q = w.q[26];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << -0.16, 0.01, 0.0;
-  i.v = i.X * w.j_left_elbow.v + joint_velocity<Revolute>(w.v + 25);
-}
-
-void articulate_left_wrist_roll(Workspace& w) {
-  auto& i = w.j_left_wrist_roll;
-  load_torque(w, 20, 25, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 25);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 20);
-  add_in_parent(i.X, handed, w.j_left_elbow.IA);
-  w.j_left_elbow.pA += i.X.transposed_times(force);
-}
-
-void accelerate_left_wrist_roll(Workspace& w) {
-  auto& i = w.j_left_wrist_roll;
-  Columns6 a = i.X * w.j_left_elbow.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 20, 25, qdd);
-}
-
-// =================================================================================================
-// Joint 21 "left_wrist_pitch": revolute, between links "left_wrist" and "left_hand"
-// =================================================================================================
-
-void kinematics_left_wrist_pitch(Workspace& w) {
-  auto& i = w.j_left_wrist_pitch;
-  require_finite(w, w.q + 27, 1, 21);
-  require_finite(w, w.v + 26, 1, 21);
-  const Real q = w.q[27];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, 0.0, -0.04;
-  i.v = i.X * w.j_left_wrist_roll.v + joint_velocity<Revolute>(w.v + 26);
-}
-
-void articulate_left_wrist_pitch(Workspace& w) {
-  auto& i = w.j_left_wrist_pitch;
-  load_torque(w, 21, 26, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 26);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 21);
-  add_in_parent(i.X, handed, w.j_left_wrist_roll.IA);
-  w.j_left_wrist_roll.pA += i.X.transposed_times(force);
-}
-
-void accelerate_left_wrist_pitch(Workspace& w) {
-  auto& i = w.j_left_wrist_pitch;
-  Columns6 a = i.X * w.j_left_wrist_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 21, 26, qdd);
-}
-
-// =================================================================================================
-// Joint 22 "neck_yaw": revolute, between links "torso" and "neck"
-// =================================================================================================
-
-void kinematics_neck_yaw(Workspace& w) {
-  auto& i = w.j_neck_yaw;
-  require_finite(w, w.q + 28, 1, 22);
-  require_finite(w, w.v + 27, 1, 22);
-  const Real q = w.q[28];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << 0.38, 0.0, 0.0;
-  i.v = i.X * w.j_waist_pitch.v + joint_velocity<Revolute>(w.v + 27);
-}
-
-void articulate_neck_yaw(Workspace& w) {
-  auto& i = w.j_neck_yaw;
-  load_torque(w, 22, 27, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 27);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 22);
-  add_in_parent(i.X, handed, w.j_waist_pitch.IA);
-  w.j_waist_pitch.pA += i.X.transposed_times(force);
-}
-
-void accelerate_neck_yaw(Workspace& w) {
-  auto& i = w.j_neck_yaw;
-  Columns6 a = i.X * w.j_waist_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 22, 27, qdd);
-}
-
-// =================================================================================================
-// Joint 23 "neck_pitch": revolute, between links "neck" and "head"
-// =================================================================================================
-
-void kinematics_neck_pitch(Workspace& w) {
-  auto& i = w.j_neck_pitch;
-  require_finite(w, w.q + 29, 1, 23);
-  require_finite(w, w.v + 28, 1, 23);
-  const Real q = w.q[29];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, 0.0, 0.06;
-  i.v = i.X * w.j_neck_yaw.v + joint_velocity<Revolute>(w.v + 28);
-}
-
-void articulate_neck_pitch(Workspace& w) {
-  auto& i = w.j_neck_pitch;
-  load_torque(w, 23, 28, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 28);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 23);
-  add_in_parent(i.X, handed, w.j_neck_yaw.IA);
-  w.j_neck_yaw.pA += i.X.transposed_times(force);
-}
-
-void accelerate_neck_pitch(Workspace& w) {
-  auto& i = w.j_neck_pitch;
-  Columns6 a = i.X * w.j_neck_yaw.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 23, 28, qdd);
-}
-
-// =================================================================================================
-// Joint 24 "right_shoulder_pitch": revolute, between links "torso" and "right_shoulder"
-// =================================================================================================
-
-void kinematics_right_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_right_shoulder_pitch;
-  require_finite(w, w.q + 30, 1, 24);
-  require_finite(w, w.v + 29, 1, 24);
-  const Real q = w.q[30];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
-  i.X.r << 0.29, 0.0, -0.15;
-  i.v = i.X * w.j_waist_pitch.v + joint_velocity<Revolute>(w.v + 29);
-}
-
-void articulate_right_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_right_shoulder_pitch;
-  load_torque(w, 24, 29, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 29);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 24);
-  add_in_parent(i.X, handed, w.j_waist_pitch.IA);
-  w.j_waist_pitch.pA += i.X.transposed_times(force);
-}
-
-void accelerate_right_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_right_shoulder_pitch;
-  Columns6 a = i.X * w.j_waist_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 24, 29, qdd);
-}
-
-// =================================================================================================
-// Joint 25 "right_shoulder_roll": revolute, between links "right_shoulder" and "right_shoulder_cap"
-// =================================================================================================
-
-void kinematics_right_shoulder_roll(Workspace& w) {
-  auto& i = w.j_right_shoulder_roll;
-  require_finite(w, w.q + 31, 1, 25);
-  require_finite(w, w.v + 30, 1, 25);
-  const Real q = w.q[31];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, 0.0, -0.05;
-  i.v = i.X * w.j_right_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 30);
-}
-
-void articulate_right_shoulder_roll(Workspace& w) {
-  auto& i = w.j_right_shoulder_roll;
-  load_torque(w, 25, 30, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 30);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 25);
-  add_in_parent(i.X, handed, w.j_right_shoulder_pitch.IA);
-  w.j_right_shoulder_pitch.pA += i.X.transposed_times(force);
-}
-
-void accelerate_right_shoulder_roll(Workspace& w) {
-  auto& i = w.j_right_shoulder_roll;
-  Columns6 a = i.X * w.j_right_shoulder_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 25, 30, qdd);
-}
-
-// =================================================================================================
-// Joint 26 "right_shoulder_yaw": revolute, between links "right_shoulder_cap" and "right_upper_arm"
-// =================================================================================================
-
-void kinematics_right_shoulder_yaw(Workspace& w) {
-  auto& i = w.j_right_shoulder_yaw;
-  require_finite(w, w.q + 32, 1, 26);
-  require_finite(w, w.v + 31, 1, 26);
-  const Real q = w.q[32];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, -0.1, 0.0;
-  i.v = i.X * w.j_right_shoulder_roll.v + joint_velocity<Revolute>(w.v + 31);
-}
-
-void articulate_right_shoulder_yaw(Workspace& w) {
-  auto& i = w.j_right_shoulder_yaw;
-  load_torque(w, 26, 31, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 31);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 26);
-  add_in_parent(i.X, handed, w.j_right_shoulder_roll.IA);
-  w.j_right_shoulder_roll.pA += i.X.transposed_times(force);
-}
-
-void accelerate_right_shoulder_yaw(Workspace& w) {
-  auto& i = w.j_right_shoulder_yaw;
-  Columns6 a = i.X * w.j_right_shoulder_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 26, 31, qdd);
-}
-
-// =================================================================================================
-// Joint 27 "right_elbow": revolute, between links "right_upper_arm" and "right_forearm"
-// =================================================================================================
-
-void kinematics_right_elbow(Workspace& w) {
-  auto& i = w.j_right_elbow;
-  require_finite(w, w.q + 33, 1, 27);
-  require_finite(w, w.v + 32, 1, 27);
-  const Real q = w.q[33];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, 0.0, -0.11;
-  i.v = i.X * w.j_right_shoulder_yaw.v + joint_velocity<Revolute>(w.v + 32);
-}
-
-void articulate_right_elbow(Workspace& w) {
-  auto& i = w.j_right_elbow;
-  load_torque(w, 27, 32, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 32);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 27);
-  add_in_parent(i.X, handed, w.j_right_shoulder_yaw.IA);
-  w.j_right_shoulder_yaw.pA += i.X.transposed_times(force);
-}
-
-void accelerate_right_elbow(Workspace& w) {
-  auto& i = w.j_right_elbow;
-  Columns6 a = i.X * w.j_right_shoulder_yaw.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 27, 32, qdd);
-}
-
-// =================================================================================================
-// Joint 28 "right_wrist_roll": revolute, between links "right_forearm" and "right_wrist"
-// =================================================================================================
-
-void kinematics_right_wrist_roll(Workspace& w) {
-  auto& i = w.j_right_wrist_roll;
-  require_finite(w, w.q + 34, 1, 28);
-  require_finite(w, w.v + 33, 1, 28);
-  const Real q = w.q[34];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
-  i.X.r << -0.16, 0.01, 0.0;
-  i.v = i.X * w.j_right_elbow.v + joint_velocity<Revolute>(w.v + 33);
-}
-
-void articulate_right_wrist_roll(Workspace& w) {
-  auto& i = w.j_right_wrist_roll;
-  load_torque(w, 28, 33, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 33);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 28);
-  add_in_parent(i.X, handed, w.j_right_elbow.IA);
-  w.j_right_elbow.pA += i.X.transposed_times(force);
-}
-
-void accelerate_right_wrist_roll(Workspace& w) {
-  auto& i = w.j_right_wrist_roll;
-  Columns6 a = i.X * w.j_right_elbow.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 28, 33, qdd);
-}
-
-// =================================================================================================
-// Joint 29 "right_wrist_pitch": revolute, between links "right_wrist" and "right_hand"
-// =================================================================================================
-
-void kinematics_right_wrist_pitch(Workspace& w) {
-  auto& i = w.j_right_wrist_pitch;
-  require_finite(w, w.q + 35, 1, 29);
-  require_finite(w, w.v + 34, 1, 29);
-  const Real q = w.q[35];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
-  i.X.r << 0.0, 0.0, -0.04;
-  i.v = i.X * w.j_right_wrist_roll.v + joint_velocity<Revolute>(w.v + 34);
-}
-
-void articulate_right_wrist_pitch(Workspace& w) {
-  auto& i = w.j_right_wrist_pitch;
-  load_torque(w, 29, 34, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 34);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 29);
-  add_in_parent(i.X, handed, w.j_right_wrist_roll.IA);
-  w.j_right_wrist_roll.pA += i.X.transposed_times(force);
-}
-
-void accelerate_right_wrist_pitch(Workspace& w) {
-  auto& i = w.j_right_wrist_pitch;
-  Columns6 a = i.X * w.j_right_wrist_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 29, 34, qdd);
-}
-
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
 // Process 0: 15 of 30 joints: "waist_pitch", "left_shoulder_pitch", "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", ...; kinematics of 3 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 19, 17, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 18, 17, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 20, 15, &JointConstants::v, kNotFinite);
   stamp(0);
-  kinematics_base(w);
-  kinematics_waist_yaw(w);
-  kinematics_waist_roll(w);
-  kinematics_waist_pitch(w);
-  kinematics_left_shoulder_pitch(w);
-  kinematics_left_shoulder_roll(w);
-  kinematics_left_shoulder_yaw(w);
-  kinematics_left_elbow(w);
-  kinematics_left_wrist_roll(w);
-  kinematics_left_wrist_pitch(w);
-  kinematics_neck_yaw(w);
-  kinematics_neck_pitch(w);
-  kinematics_right_shoulder_pitch(w);
-  kinematics_right_shoulder_roll(w);
-  kinematics_right_shoulder_yaw(w);
-  kinematics_right_elbow(w);
-  kinematics_right_wrist_roll(w);
-  kinematics_right_wrist_pitch(w);
+  std::copy_n(w.q + 19, 17, w.angle.data() + 13);
+  turn<block(13), block(29) + 1>(w);
+  free_base_frame<0>(w);
+  outward<13, 21>(w);  // "waist_yaw" .. "left_wrist_pitch"
+  outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  outward<24, 29>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
   stamp(1);
-  start_link(kInertia_torso, w.j_waist_pitch.v, w.j_waist_pitch.IA, w.j_waist_pitch.pA);
-  start_link(kInertia_left_shoulder, w.j_left_shoulder_pitch.v, w.j_left_shoulder_pitch.IA, w.j_left_shoulder_pitch.pA);
-  start_link(kInertia_neck, w.j_neck_yaw.v, w.j_neck_yaw.IA, w.j_neck_yaw.pA);
-  start_link(kInertia_right_shoulder, w.j_right_shoulder_pitch.v, w.j_right_shoulder_pitch.IA, w.j_right_shoulder_pitch.pA);
-  start_link(kInertia_left_shoulder_cap, w.j_left_shoulder_roll.v, w.j_left_shoulder_roll.IA, w.j_left_shoulder_roll.pA);
-  start_link(kInertia_left_upper_arm, w.j_left_shoulder_yaw.v, w.j_left_shoulder_yaw.IA, w.j_left_shoulder_yaw.pA);
-  start_link(kInertia_left_forearm, w.j_left_elbow.v, w.j_left_elbow.IA, w.j_left_elbow.pA);
-  start_link(kInertia_left_wrist, w.j_left_wrist_roll.v, w.j_left_wrist_roll.IA, w.j_left_wrist_roll.pA);
-  start_link(kInertia_left_hand, w.j_left_wrist_pitch.v, w.j_left_wrist_pitch.IA, w.j_left_wrist_pitch.pA);
-  start_link(kInertia_head, w.j_neck_pitch.v, w.j_neck_pitch.IA, w.j_neck_pitch.pA);
-  start_link(kInertia_right_shoulder_cap, w.j_right_shoulder_roll.v, w.j_right_shoulder_roll.IA, w.j_right_shoulder_roll.pA);
-  start_link(kInertia_right_upper_arm, w.j_right_shoulder_yaw.v, w.j_right_shoulder_yaw.IA, w.j_right_shoulder_yaw.pA);
-  start_link(kInertia_right_forearm, w.j_right_elbow.v, w.j_right_elbow.IA, w.j_right_elbow.pA);
-  start_link(kInertia_right_wrist, w.j_right_wrist_roll.v, w.j_right_wrist_roll.IA, w.j_right_wrist_roll.pA);
-  start_link(kInertia_right_hand, w.j_right_wrist_pitch.v, w.j_right_wrist_pitch.IA, w.j_right_wrist_pitch.pA);
-  articulate_right_wrist_pitch(w);
-  articulate_right_wrist_roll(w);
-  articulate_right_elbow(w);
-  articulate_right_shoulder_yaw(w);
-  articulate_right_shoulder_roll(w);
-  articulate_neck_pitch(w);
-  articulate_left_wrist_pitch(w);
-  articulate_left_wrist_roll(w);
-  articulate_left_elbow(w);
-  articulate_left_shoulder_yaw(w);
-  articulate_left_shoulder_roll(w);
-  articulate_right_shoulder_pitch(w);
-  articulate_neck_yaw(w);
-  articulate_left_shoulder_pitch(w);
-  if (!invert(w.j_waist_pitch.IA, w.j_waist_pitch.pA, w.j_left_shoulder_pitch.Phi_torso, w.j_left_shoulder_pitch.b_torso))
-    fail(w, kFactorization, 15);
+  set_up_links<block(15), block(29) + 1>(w);
+  inward<0, 25, 29, true>(w);  // "right_shoulder_roll" .. "right_wrist_pitch"
+  inward<0, 23, 23, true>(w);  // "neck_pitch"
+  inward<0, 17, 21, true>(w);  // "left_shoulder_roll" .. "left_wrist_pitch"
+  inward<0, 24, 24, true>(w);  // "right_shoulder_pitch"
+  inward<0, 22, 22, false>(w);  // "neck_yaw"
+  inward<0, 15, 16, true>(w);  // "waist_pitch" .. "left_shoulder_pitch"
   stamp(2);
-  {  // from process 1: assembled: chain of "__base__"
-    const Real* from = channel.receive(0, w.status);
-    from = get(from, w.j_base.Phi_abdomen);
-    from = get(from, w.j_base.b_abdomen);
+  {  // to process 1: what hangs on "abdomen"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.bodies[15]);
+    channel.send(0, w.status);
   }
   stamp(3);
-  assemble_waist_pitch(w);
-  stamp(4);
-  disassemble_waist_pitch(w);
-  stamp(5);
-  {  // to process 1: forces on: chain of "__base__"
-    Real* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_base.F_on_abdomen);
-    channel.send(1, w.status);
+  {  // from process 1: what hangs on "abdomen"
+    const Real* from = channel.receive(1, w.status);
+    from = add(from, w.bodies[15]);
   }
+  stamp(4);
+  solve_root<0, 15>(w);
+  stamp(5);
+  accelerate<0, 15, 16>(w);  // "waist_pitch" .. "left_shoulder_pitch"
+  accelerate<0, 22, 22>(w);  // "neck_yaw"
+  accelerate<0, 24, 24>(w);  // "right_shoulder_pitch"
+  accelerate<0, 17, 21>(w);  // "left_shoulder_roll" .. "left_wrist_pitch"
+  accelerate<0, 23, 23>(w);  // "neck_pitch"
+  accelerate<0, 25, 29>(w);  // "right_shoulder_roll" .. "right_wrist_pitch"
   stamp(6);
-  w.j_waist_pitch.load = w.j_left_shoulder_pitch.F_on_torso;
-  w.j_waist_pitch.a = w.j_left_shoulder_pitch.b_torso + w.j_left_shoulder_pitch.Phi_torso * w.j_waist_pitch.load;
-  accelerate_left_shoulder_pitch(w);
-  accelerate_neck_yaw(w);
-  accelerate_right_shoulder_pitch(w);
-  accelerate_left_shoulder_roll(w);
-  accelerate_left_shoulder_yaw(w);
-  accelerate_left_elbow(w);
-  accelerate_left_wrist_roll(w);
-  accelerate_left_wrist_pitch(w);
-  accelerate_neck_pitch(w);
-  accelerate_right_shoulder_roll(w);
-  accelerate_right_shoulder_yaw(w);
-  accelerate_right_elbow(w);
-  accelerate_right_wrist_roll(w);
-  accelerate_right_wrist_pitch(w);
-  stamp(7);
+  require_finite(w, w.answer.data(), 20, 15, &JointConstants::v, kOverflow);
+  give(w, 20, 15);
 }
 
 // Process 1: 15 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 21, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 20, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 20, &JointConstants::v, kNotFinite);
   stamp(0);
-  kinematics_base(w);
-  kinematics_left_hip_pitch(w);
-  kinematics_left_hip_roll(w);
-  kinematics_left_hip_yaw(w);
-  kinematics_left_knee(w);
-  kinematics_left_ankle_pitch(w);
-  kinematics_left_ankle_roll(w);
-  kinematics_right_hip_pitch(w);
-  kinematics_right_hip_roll(w);
-  kinematics_right_hip_yaw(w);
-  kinematics_right_knee(w);
-  kinematics_right_ankle_pitch(w);
-  kinematics_right_ankle_roll(w);
-  kinematics_waist_yaw(w);
-  kinematics_waist_roll(w);
+  std::copy_n(w.q + 7, 14, w.angle.data() + 1);
+  turn<block(1), block(14) + 1>(w);
+  free_base_frame<0>(w);
+  outward<1, 6>(w);  // "left_hip_pitch" .. "left_ankle_roll"
+  outward<7, 12>(w);  // "right_hip_pitch" .. "right_ankle_roll"
+  outward<13, 14>(w);  // "waist_yaw" .. "waist_roll"
   stamp(1);
-  start_link(kInertia_abdomen, w.j_waist_roll.v, w.j_waist_roll.IA, w.j_waist_roll.pA);
-  start_link(kInertia_waist_link, w.j_waist_yaw.v, w.j_waist_yaw.IA, w.j_waist_yaw.pA);
-  start_link(kInertia_pelvis, w.j_base.v, w.j_base.IA, w.j_base.pA);
-  start_link(kInertia_left_hip, w.j_left_hip_pitch.v, w.j_left_hip_pitch.IA, w.j_left_hip_pitch.pA);
-  start_link(kInertia_right_hip, w.j_right_hip_pitch.v, w.j_right_hip_pitch.IA, w.j_right_hip_pitch.pA);
-  start_link(kInertia_left_groin, w.j_left_hip_roll.v, w.j_left_hip_roll.IA, w.j_left_hip_roll.pA);
-  start_link(kInertia_left_thigh, w.j_left_hip_yaw.v, w.j_left_hip_yaw.IA, w.j_left_hip_yaw.pA);
-  start_link(kInertia_left_shank, w.j_left_knee.v, w.j_left_knee.IA, w.j_left_knee.pA);
-  start_link(kInertia_left_ankle, w.j_left_ankle_pitch.v, w.j_left_ankle_pitch.IA, w.j_left_ankle_pitch.pA);
-  start_link(kInertia_left_foot, w.j_left_ankle_roll.v, w.j_left_ankle_roll.IA, w.j_left_ankle_roll.pA);
-  start_link(kInertia_right_groin, w.j_right_hip_roll.v, w.j_right_hip_roll.IA, w.j_right_hip_roll.pA);
-  start_link(kInertia_right_thigh, w.j_right_hip_yaw.v, w.j_right_hip_yaw.IA, w.j_right_hip_yaw.pA);
-  start_link(kInertia_right_shank, w.j_right_knee.v, w.j_right_knee.IA, w.j_right_knee.pA);
-  start_link(kInertia_right_ankle, w.j_right_ankle_pitch.v, w.j_right_ankle_pitch.IA, w.j_right_ankle_pitch.pA);
-  start_link(kInertia_right_foot, w.j_right_ankle_roll.v, w.j_right_ankle_roll.IA, w.j_right_ankle_roll.pA);
-  free_base_base(w);
-  articulate_right_ankle_roll(w);
-  articulate_right_ankle_pitch(w);
-  articulate_right_knee(w);
-  articulate_right_hip_yaw(w);
-  articulate_right_hip_roll(w);
-  articulate_left_ankle_roll(w);
-  articulate_left_ankle_pitch(w);
-  articulate_left_knee(w);
-  articulate_left_hip_yaw(w);
-  articulate_left_hip_roll(w);
-  articulate_right_hip_pitch(w);
-  articulate_left_hip_pitch(w);
-  articulate_waist_yaw(w);
-  articulate_waist_roll(w);
-  if (!invert(w.j_waist_roll.IA, w.j_waist_roll.pA, w.j_base.Phi_abdomen, w.j_base.b_abdomen))
-    fail(w, kFactorization, 14);
+  set_up_links<block(0), block(14) + 1>(w);
+  place<15, true>(w);  // "abdomen" itself
+  free_base<0, true>(w);
+  inward<1, 8, 12, true>(w);  // "right_hip_roll" .. "right_ankle_roll"
+  inward<1, 2, 6, true>(w);  // "left_hip_roll" .. "left_ankle_roll"
+  inward<1, 7, 7, false>(w);  // "right_hip_pitch"
+  inward<1, 1, 1, false>(w);  // "left_hip_pitch"
+  inward_reversed<1, 13, 14, false>(w);  // "waist_yaw" .. "waist_roll"
   stamp(2);
-  {  // to process 0: assembled: chain of "__base__"
-    Real* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_base.Phi_abdomen);
-    to = put(to, w.j_base.b_abdomen);
-    channel.send(0, w.status);
+  {  // to process 0: what hangs on "abdomen"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.bodies[15]);
+    channel.send(1, w.status);
   }
   stamp(3);
-  {  // from process 0: forces on: chain of "__base__"
-    const Real* from = channel.receive(1, w.status);
-    from = get(from, w.j_base.F_on_abdomen);
+  {  // from process 0: what hangs on "abdomen"
+    const Real* from = channel.receive(0, w.status);
+    from = add(from, w.bodies[15]);
   }
   stamp(4);
-  w.j_waist_roll.load = w.j_base.F_on_abdomen;
-  w.j_waist_roll.a = w.j_base.b_abdomen + w.j_base.Phi_abdomen * w.j_waist_roll.load;
-  accelerate_waist_roll(w);
-  accelerate_waist_yaw(w);
-  accelerate_left_hip_pitch(w);
-  accelerate_right_hip_pitch(w);
-  accelerate_left_hip_roll(w);
-  accelerate_left_hip_yaw(w);
-  accelerate_left_knee(w);
-  accelerate_left_ankle_pitch(w);
-  accelerate_left_ankle_roll(w);
-  accelerate_right_hip_roll(w);
-  accelerate_right_hip_yaw(w);
-  accelerate_right_knee(w);
-  accelerate_right_ankle_pitch(w);
-  accelerate_right_ankle_roll(w);
-  free_acceleration_base(w);
+  solve_root<1, 15>(w);
   stamp(5);
+  accelerate_reversed<1, 13, 14>(w);  // "waist_yaw" .. "waist_roll"
+  accelerate<1, 1, 1>(w);  // "left_hip_pitch"
+  accelerate<1, 7, 7>(w);  // "right_hip_pitch"
+  accelerate<1, 2, 6>(w);  // "left_hip_roll" .. "left_ankle_roll"
+  accelerate<1, 8, 12>(w);  // "right_hip_roll" .. "right_ankle_roll"
+  free_acceleration<0>(w);
+  stamp(6);
+  require_finite(w, w.answer.data(), 0, 20, &JointConstants::v, kOverflow);
+  give(w, 0, 20);
 }
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
 
-// What each process reads of q and v, and the velocity entries whose tau and qdd are its own.
+// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
+// reads.
 constexpr std::array<int, 24> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35};
 constexpr std::array<int, 23> kReadV_0{0, 1, 2, 3, 4, 5, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
 constexpr std::array<int, 15> kOwn_0{20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 15> kTorque_0{20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
 constexpr std::array<int, 21> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
 constexpr std::array<int, 20> kReadV_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
 constexpr std::array<int, 20> kOwn_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
+constexpr std::array<int, 20> kTorque_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {24, kReadQ_0.data(), 23, kReadV_0.data(), 15, kOwn_0.data(), 0, nullptr},
-    {21, kReadQ_1.data(), 20, kReadV_1.data(), 20, kOwn_1.data(), 0, nullptr},
+    {24, kReadQ_0.data(), 23, kReadV_0.data(), 15, kOwn_0.data(), 15, kTorque_0.data()},
+    {21, kReadQ_1.data(), 20, kReadV_1.data(), 20, kOwn_1.data(), 20, kTorque_1.data()},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -3164,8 +1933,7 @@ class Solver {
     const Real* content = channel.receive(state_message(rank), status);
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
-    for (int k = 0; k < own.v_count; ++k) tau_[own.v[k]] = *content++;
-    for (int k = 0; k < own.outer_count; ++k) tau_[own.outer[k]] = *content++;
+    for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     kRun[rank](w, channel);
@@ -3182,8 +1950,7 @@ class Solver {
       Real* content = channel.outgoing(state_message(p), status);
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
-      for (int k = 0; k < other.v_count; ++k) *content++ = tau[other.v[k]];
-      for (int k = 0; k < other.outer_count; ++k) *content++ = tau[other.outer[k]];
+      for (int k = 0; k < other.tau_count; ++k) *content++ = tau[other.tau[k]];
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -4307,6 +3074,8 @@ std::string parse_simulation(const std::string& word, const std::string& value, 
 
 // Returns what is wrong with what was asked for together, and settles what was left open.
 std::string settle(bool simulation_words, Options& options) {
+  if (kBatch && (options.simulation.seconds > 0 || !options.trace.empty()))
+    return "a batch solver has neither --simulate nor --trace";
   const bool others = options.check || options.time || !options.trace.empty();
   if (options.simulation.seconds > 0) {
     if (others || !options.result.empty())
@@ -4439,24 +3208,24 @@ class Watch {
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 7> kStages_0{ {
+constexpr std::array<Stage, 6> kStages_0{ {
     {"kinematics", 29, -1},
-    {"assembly", 16, -1},
-    {"receive", -1, 0},
     {"assembly", 15, -1},
-    {"disassembly", 15, -1},
-    {"send", -1, 1},
-    {"disassembly", 16, -1},
-} };
-constexpr std::array<Stage, 5> kStages_1{ {
-    {"kinematics", 14, -1},
-    {"assembly", 14, -1},
     {"send", -1, 0},
     {"receive", -1, 1},
+    {"assembly", -1, -1},
+    {"disassembly", 15, -1},
+} };
+constexpr std::array<Stage, 6> kStages_1{ {
+    {"kinematics", 14, -1},
+    {"assembly", 14, -1},
+    {"send", -1, 1},
+    {"receive", -1, 0},
+    {"assembly", -1, -1},
     {"disassembly", 14, -1},
 } };
 constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data()};
-constexpr std::array<int, kProcesses> kStageCount{7, 5};
+constexpr std::array<int, kProcesses> kStageCount{6, 6};
 
 // What --trace FILE writes: when each stage of each process began and ended, as the medians over
 // many evaluations of random states; ns from the instant at which the processes start together.
@@ -4704,6 +3473,7 @@ class Timing {
   explicit Timing(Session& session) : session_(session) {}
 
   int time_all() {
+    if constexpr (kBatch) return time_batch(session_.solver);
     session_.use(random_states(kRandomStates, session_.options.seed));
     session_.pinned = pin();
     std::vector<double> in_place, at_root;
@@ -4737,6 +3507,46 @@ class Timing {
     // An evaluation is over when its last process is done.
     MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
                   MPI_MAX, session_.comm());
+    in_place_ = statistics(std::move(in_place));
+    at_root_ = statistics(std::move(at_root));
+    timed_ = true;
+    return kDone;
+  }
+
+  // A batch of as many random states for each process; nanoseconds for each state and process.
+  template <class S>
+  int time_batch(S& solver) {
+    constexpr int kCount = kRandomStates * kProcesses;
+    session_.use(random_states(kCount, session_.options.seed));
+    session_.pinned = pin();
+    std::vector<double> in_place, at_root;
+    int failed = kFine;
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
+      session_.watch.again();
+      if constexpr (kBatch) {
+        const int first = kRandomStates * session_.rank;
+        const Clock::time_point start = start_together();
+        failed = solver.solve_batch(kRandomStates, session_.q(first), session_.v(first),
+                                    session_.tau(first), session_.acceleration(first));
+        const double in_place_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+        const Clock::time_point start_root = start_together();
+        const int second = solver.solve_batch_at_root(kCount, session_.q(0), session_.v(0),
+                                                      session_.tau(0), session_.acceleration(0));
+        const double root_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
+        if (failed == kFine) failed = second;
+        if (pass < 0) continue;
+        in_place.push_back(in_place_ns / kRandomStates);
+        at_root.push_back(root_ns / kRandomStates);
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    }
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random states: " + describe(failed));
+    for (std::vector<double>* ns : {&in_place, &at_root})  // over when the last process is done
+      MPI_Allreduce(MPI_IN_PLACE, ns->data(), static_cast<int>(ns->size()), MPI_DOUBLE, MPI_MAX,
+                    session_.comm());
     in_place_ = statistics(std::move(in_place));
     at_root_ = statistics(std::move(at_root));
     timed_ = true;
@@ -4792,12 +3602,16 @@ class Timing {
   void print(std::FILE* out) const {
     if (!timed_) return;
     std::fprintf(out,
-                 "time   %d process%s%s, ns per evaluation: median, minimum, 99th percentile\n",
-                 kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "");
+                 "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
+                 kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "",
+                 kBatch ? "state and process" : "evaluation");
     std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
                  in_place_.median, in_place_.least, in_place_.percentile99);
     std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n", at_root_.median,
                  at_root_.least, at_root_.percentile99);
+    if (kBatch)
+      std::fprintf(out, "       states per second in place      %8.3g (%.3g per process)\n",
+                   1e9 * kProcesses / in_place_.median, 1e9 / in_place_.median);
   }
 
  private:
@@ -5144,6 +3958,7 @@ class Program {
   int solve_all() {
     Session& on = session_;
     on.use(std::move(on.states));
+    if constexpr (kBatch) return solve_shares(on.solver);
     int failed = kFine, at = 0;
     for (int s = 0; s < on.states.count && failed == kFine; ++s) {
       on.watch.again();
@@ -5157,6 +3972,28 @@ class Program {
     if (failed != kFine)
       return on.complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
                          on.options.states);
+    return bring_together();
+  }
+
+  // As many states at once as there are lanes, each process its share.
+  template <class S>
+  int solve_shares(S& solver) {
+    Session& on = session_;
+    int failed = kFine;
+    if constexpr (kBatch) {
+      const int first = S::share(on.states.count, on.rank);
+      const int count = S::share(on.states.count, on.rank + 1) - first;
+      failed = solver.solve_batch(count, on.q(first), on.v(first), on.tau(first),
+                                  on.acceleration(first));
+    }
+    if (failed != kFine)
+      std::fprintf(stderr, "error: process %d: %s\n", on.rank, solver.text.c_str());
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
+    return failed == kFine ? bring_together() : kInputAtFault;
+  }
+
+  int bring_together() {
+    Session& on = session_;
     solved_ = on.states.count;
     // Each process wrote its own joints and left the others zero.
     void* const all = on.qdd.data();

@@ -1,7 +1,7 @@
 // Forward dynamics of "mobile" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
-// options   form segment, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // schedule  drive@0(|laser_spin(lift(|shoulder(|wrist(|loose)))|))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
@@ -89,6 +89,7 @@ void mobile_p1_close(mobile_p1_solver* solver);
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
 // A counted loop that is to be unrolled whole, so that indices computed in it become constants.
@@ -106,6 +107,7 @@ constexpr int kJointCount = 6, kLinkCount = kJointCount + 1;
 constexpr int kNq = 14, kNv = 13;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
 constexpr int kPlanMessages = 0;
 constexpr std::size_t kCacheLine = 64;
@@ -165,8 +167,8 @@ struct ProcessInfo {
   const int* v_read;
   int v_count;
   const int* v;
-  int outer_count;  // entries of tau that hold outer forces
-  const int* outer;
+  int tau_count;
+  const int* tau;  // entries of tau that it reads
 };
 
 // What goes from one process to another once in an evaluation.
@@ -235,94 +237,6 @@ void slave([[maybe_unused]] Number* q, [[maybe_unused]] Number* v) {
 }
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
-
-// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
-// the motion itself, and one for each slaved joint's coupling torque.
-using Vec3 = Eigen::Matrix<Real, 3, 1>;
-using Mat3 = Eigen::Matrix<Real, 3, 3>;
-using Vec6 = Eigen::Matrix<Real, 6, 1>;
-using Mat6 = Eigen::Matrix<Real, 6, 6>;
-using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
-
-// Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
-struct Transform {
-  Mat3 E;  // rotates parent coordinates into child coordinates
-  Vec3 r;  // origin of the child frame in parent coordinates
-
-  template <class M>
-  void times(const M& m, M& result) const {
-    for (int k = 0; k < M::ColsAtCompileTime; ++k) {
-      const Vec3 angular = m.col(k).template head<3>();
-      const Vec3 linear = m.col(k).template tail<3>();
-      result.col(k).template head<3>().noalias() = E * angular;
-      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
-    }
-  }
-
-  // X^T m: takes a wrench on the child to the same wrench on the parent.
-  Columns6 transposed_times(const Columns6& m) const {
-    Columns6 result;
-    for (int k = 0; k < kColumns; ++k) {
-      const Vec3 force = E.transpose() * m.col(k).template tail<3>();
-      result.col(k).template head<3>() =
-          E.transpose() * m.col(k).template head<3>() + r.cross(force);
-      result.col(k).template tail<3>() = force;
-    }
-    return result;
-  }
-};
-
-ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
-  Mat6 result;
-  X.times(m, result);
-  return result;
-}
-
-ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
-  Mat6 transposed, result;
-  transposed.noalias() = m.transpose();
-  X.times(transposed, result);
-  return result;
-}
-
-// m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
-ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
-  Mat6 result = times_transposed(X, m);
-  result.transposeInPlace();
-  return result;
-}
-
-template <int columns>
-Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
-                                          const Eigen::Matrix<Real, 6, columns>& m) {
-  Eigen::Matrix<Real, 6, columns> result;
-  X.times(m, result);
-  return result;
-}
-
-// Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
-// quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
-[[maybe_unused]] Real conjugate_rotation(const Real* quaternion, Mat3& E) {
-  const Real x = quaternion[0], y = quaternion[1], z = quaternion[2], w = quaternion[3];
-  const Real squared = x * x + y * y + z * z + w * w;
-  const Real s = 2 / squared;
-  E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
-      s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w),   //
-      s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y);
-  return squared;
-}
-
-// b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
-ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
-  using Constant3 = Eigen::Map<const Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>>;
-  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
-  const Vec3 c(link.com[0], link.com[1], link.com[2]);
-  const Vec3 momentum = Constant3(link.tensor) * omega;
-  const Vec3 alpha = Constant3(link.tensor_inverse) * momentum.cross(omega);
-  b.setZero();
-  b.col(0).template head<3>() = alpha;
-  b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
-}
 
 // What can go wrong in an evaluation. A status travels with every message, so that all processes
 // learn of a failure and none waits for an answer that cannot come. It must be exact in a float.
@@ -406,587 +320,13 @@ std::string describe(int status) {
   return "unknown failure";
 }
 
-// Joint kinds in their canonical frames: the rows of a spatial vector that a joint frees (R, S) and
-// those it constrains (N). Both are selections, so N and R cost nothing and round nothing.
-template <int... Rows>
-struct Selection {
-  static constexpr int count = sizeof...(Rows);
-  static constexpr std::array<int, sizeof...(Rows)> row{Rows...};
-};
-
-struct Revolute {
-  using Free = Selection<2>;
-  using Constrained = Selection<0, 1, 3, 4, 5>;
-};
-struct Prismatic {
-  using Free = Selection<5>;
-  using Constrained = Selection<0, 1, 2, 3, 4>;
-};
-struct Spherical {
-  using Free = Selection<0, 1, 2>;
-  using Constrained = Selection<3, 4, 5>;
-};
-struct Planar {
-  using Free = Selection<3, 4, 2>;
-  using Constrained = Selection<0, 1, 5>;
-};
-struct Floating {
-  using Free = Selection<3, 4, 5, 0, 1, 2>;
-  using Constrained = Selection<>;
-};
-
-template <class Kind>
-constexpr int kFree = Kind::Free::count;
-template <class Kind>
-constexpr int kConstrained = Kind::Constrained::count;
-
-// S qd, the velocity across a joint.
-template <class Kind>
-Vec6 joint_velocity(const Real* qd) {
-  Vec6 result = Vec6::Zero();
-  for (int k = 0; k < kFree<Kind>; ++k) result[Kind::Free::row[k]] = qd[k];
-  return result;
-}
-
-// c_i = v_i x S qd, the part of the acceleration across a joint that qdd has no say in.
-template <class Kind>
-Columns6 velocity_product(const Vec6& velocity, const Real* qd) {
-  const Vec6 motion = joint_velocity<Kind>(qd);
-  Columns6 result = Columns6::Zero();
-  result.col(0).template head<3>() = velocity.head<3>().cross(motion.head<3>());
-  result.col(0).template tail<3>() =
-      velocity.head<3>().cross(motion.tail<3>()) + velocity.tail<3>().cross(motion.head<3>());
-  return result;
-}
-
-// What disassembly needs of a joint i that was assembled.
-template <class Kind>
-struct Joined {
-  static constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
-  std::array<std::array<Real, m>, m> L;         // Cholesky factor of V_i^-1; its diagonal inverted
-  std::array<std::array<Real, m>, n> RPN;       // R_i (Phi_Ai + Phi_Bi) N_i^T
-  std::array<std::array<Real, kColumns>, m> z;  // L^-1 N_i beta_i
-  std::array<std::array<Real, kColumns>, n> R_beta;  // R_i beta_i
-  std::array<std::array<Real, kColumns>, n> tau;
-};
-
-// How a joint i and a handle j of one chain feel each other: Z = L^-1 N_i Phi_ij, Y = R_i Phi_ij.
-template <class Kind>
-struct Coupled {
-  std::array<std::array<Real, 6>, kConstrained<Kind>> Z;
-  std::array<std::array<Real, 6>, kFree<Kind>> Y;
-};
-
-// x <- L^-1 x, row by row.
-template <std::size_t m, std::size_t k>
-void forward_substitute(const std::array<std::array<Real, m>, m>& L,
-                        std::array<std::array<Real, k>, m>& x) {
-  for (std::size_t i = 0; i < m; ++i) {
-    for (std::size_t j = 0; j < i; ++j)
-      for (std::size_t c = 0; c < k; ++c) x[i][c] -= L[i][j] * x[j][c];
-    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
-  }
-}
-
-// x <- L^-T x.
-template <std::size_t m, std::size_t k>
-void backward_substitute(const std::array<std::array<Real, m>, m>& L,
-                         std::array<std::array<Real, k>, m>& x) {
-  for (std::size_t i = m; i-- > 0;) {
-    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
-    for (std::size_t j = 0; j < i; ++j)
-      for (std::size_t c = 0; c < k; ++c) x[j][c] -= L[i][j] * x[i][c];
-  }
-}
-
-// Cholesky's factorization in place, the inverse of the diagonal in its place. False where a pivot
-// has lost every digit, or was none to begin with.
-template <std::size_t m>
-bool factorize(std::array<std::array<Real, m>, m>& L) {
-  bool good = true;
-  for (std::size_t j = 0; j < m; ++j) {
-    Real pivot = L[j][j];
-    const Real least = 8 * std::numeric_limits<Real>::epsilon() * pivot;
-    for (std::size_t k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
-    good = good && pivot > least && pivot <= std::numeric_limits<Real>::max();
-    const Real inverse = 1 / std::sqrt(pivot);
-    L[j][j] = inverse;
-    for (std::size_t i = j + 1; i < m; ++i) {
-      for (std::size_t k = 0; k < j; ++k) L[i][j] -= L[i][k] * L[j][k];
-      L[i][j] *= inverse;
-    }
-  }
-  return good;
-}
-
-// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
-// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
-// each row, is 64 eps times that.
-template <class Kind>
-bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
-  bool good = true;
-  for (int k : Kind::Constrained::row)
-    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
-  return good;
-}
-
-// V_i and beta_i of Eq. (3)-(7): Phi_A and Phi_B are those of the joint's two sides in its frame,
-// b_A, b_B and c the accelerations there. Returns false where the factorization fails.
-template <class Kind>
-ADAGEN_NOINLINE bool join(Joined<Kind>& i, const Mat6& Phi_A, const Mat6& Phi_B,
-                          const Columns6& b_A, const Columns6& b_B, const Columns6& c) {
-  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
-  constexpr auto& free = Kind::Free::row;
-  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
-  const Mat6 Phi = Phi_A + Phi_B;
-  Columns6 beta = b_A - b_B + c;
-  for (int k = 0; k < n; ++k)
-    for (int column = 0; column < kColumns; ++column)
-      beta.col(column) -= Phi.col(free[k]) * i.tau[k][column];
-  for (int row = 0; row < n; ++row) {
-    for (int column = 0; column < kColumns; ++column)
-      i.R_beta[row][column] = beta(free[row], column);
-    for (int k = 0; k < m; ++k) i.RPN[row][k] = Phi(free[row], constrained[k]);
-  }
-  if constexpr (m > 0) {
-    for (int row = 0; row < m; ++row) {
-      for (int k = 0; k <= row; ++k) i.L[row][k] = Phi(constrained[row], constrained[k]);
-      for (int column = 0; column < kColumns; ++column)
-        i.z[row][column] = beta(constrained[row], column);
-    }
-    const bool good = factorize(i.L);
-    forward_substitute(i.L, i.z);
-    return good;
-  }
-  return true;
-}
-
-// Z and Y of a handle j, Phi_ij being given with the joint's frame on its left.
-template <class Kind>
-ADAGEN_NOINLINE void couple(const Joined<Kind>& i, const Mat6& Phi_ij, Coupled<Kind>& j) {
-  for (int row = 0; row < kFree<Kind>; ++row)
-    for (int k = 0; k < 6; ++k) j.Y[row][k] = Phi_ij(Kind::Free::row[row], k);
-  if constexpr (kConstrained<Kind> > 0) {
-    for (int row = 0; row < kConstrained<Kind>; ++row)
-      for (int k = 0; k < 6; ++k) j.Z[row][k] = Phi_ij(Kind::Constrained::row[row], k);
-    forward_substitute(i.L, j.Z);
-  }
-}
-
-// Phi_Aji W_i Phi_Aik = Z_j^T Z_k: what Eq. (3) and (4) subtract and Eq. (5) is.
-template <class Kind>
-ADAGEN_NOINLINE Mat6 product([[maybe_unused]] const Coupled<Kind>& j,
-                             [[maybe_unused]] const Coupled<Kind>& k) {
-  Mat6 result = Mat6::Zero();
-  if constexpr (kConstrained<Kind> > 0) {
-    for (int row = 0; row < kConstrained<Kind>; ++row) {
-      const Vec6 left = Eigen::Map<const Vec6>(j.Z[row].data());
-      const Vec6 right = Eigen::Map<const Vec6>(k.Z[row].data());
-      result.noalias() += left * right.transpose();
-    }
-  }
-  return result;
-}
-
-// Phi_ji gamma_i = Z^T z + Y^T tau: the change of b_j in Eq. (6) and (7).
-template <class Kind>
-Columns6 bias_change(const Joined<Kind>& i, const Coupled<Kind>& j) {
-  Columns6 result = Columns6::Zero();
-  for (int column = 0; column < kColumns; ++column) {
-    for (int row = 0; row < kConstrained<Kind>; ++row)
-      result.col(column) += Eigen::Map<const Vec6>(j.Z[row].data()) * i.z[row][column];
-    for (int row = 0; row < kFree<Kind>; ++row)
-      result.col(column) += Eigen::Map<const Vec6>(j.Y[row].data()) * i.tau[row][column];
-  }
-  return result;
-}
-
-// Disassembly of a joint: collects what the outer forces do to it, then gives its acceleration and
-// its force.
-template <class Kind>
-class Release {
- public:
-  explicit Release(const Joined<Kind>& i) : i_(i), z_(i.z), qdd_(i.R_beta) {
-    for (auto& row : qdd_)
-      for (Real& x : row) x = -x;
-  }
-
-  void feel_A(const Coupled<Kind>& j, const Columns6& f) { feel(j, f, Real(1)); }
-  void feel_B(const Coupled<Kind>& k, const Columns6& f) { feel(k, f, Real(-1)); }
-
-  // f_i, Eq. (10); on the way n_i, Eq. (8), and qdd_i, Eq. (9).
-  Columns6 force() {
-    if constexpr (kConstrained<Kind> > 0) backward_substitute(i_.L, z_);
-    Columns6 f;
-    for (int column = 0; column < kColumns; ++column) {
-      for (int k = 0; k < kConstrained<Kind>; ++k)
-        f(Kind::Constrained::row[k], column) = z_[k][column];
-      for (int k = 0; k < kFree<Kind>; ++k) {
-        f(Kind::Free::row[k], column) = i_.tau[k][column];
-        for (int l = 0; l < kConstrained<Kind>; ++l)
-          qdd_[k][column] += i_.RPN[k][l] * z_[l][column];
-      }
-    }
-    return f;
-  }
-
-  const std::array<std::array<Real, kColumns>, kFree<Kind>>& qdd() const { return qdd_; }
-
- private:
-  void feel(const Coupled<Kind>& j, const Columns6& f, Real sign) {
-    for (int column = 0; column < kColumns; ++column) {
-      const Vec6 signed_f = sign * f.col(column);
-      for (int row = 0; row < kConstrained<Kind>; ++row)
-        z_[row][column] += Eigen::Map<const Vec6>(j.Z[row].data()).dot(signed_f);
-      for (int row = 0; row < kFree<Kind>; ++row)
-        qdd_[row][column] -= Eigen::Map<const Vec6>(j.Y[row].data()).dot(signed_f);
-    }
-  }
-
-  const Joined<Kind>& i_;
-  std::array<std::array<Real, kColumns>, kConstrained<Kind>> z_;
-  std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
-};
-
-// Articulated bodies: what one process does alone between its cuts. A joint is treated in its own
-// frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
-// sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
-
-// A spatial inertia [[A, B], [B^T, C]]: A and C symmetric, their upper triangles row by row; B row
-// by row. 21 numbers, and half the work of a 6x6 matrix.
-struct Inertia {
-  std::array<Real, 6> A, C;
-  std::array<Real, 9> B;
-
-  static constexpr int symmetric(int i, int k) {
-    return i <= k ? i * (5 - i) / 2 + k : symmetric(k, i);
-  }
-
-  constexpr Real operator()(int i, int k) const {
-    if (i < 3 && k < 3) return A[symmetric(i, k)];
-    if (i >= 3 && k >= 3) return C[symmetric(i - 3, k - 3)];
-    return i < 3 ? B[3 * i + k - 3] : B[3 * k + i - 3];
-  }
-
-  // Sets the entries (i, k) and (k, i), which are one.
-  constexpr void set(int i, int k, Real value) {
-    if (i < 3 && k < 3)
-      A[symmetric(i, k)] = value;
-    else if (i >= 3 && k >= 3)
-      C[symmetric(i - 3, k - 3)] = value;
-    else if (i < 3)
-      B[3 * i + k - 3] = value;
-    else
-      B[3 * k + i - 3] = value;
-  }
-
-  Inertia& operator+=(const Inertia& other) {
-    ADAGEN_FOR (k, 0, 6) A[k] += other.A[k], C[k] += other.C[k];
-    ADAGEN_FOR (k, 0, 9) B[k] += other.B[k];
-    return *this;
-  }
-};
-
-// T^T m T for a symmetric m, T being E or, transposed, E^T; both row by row.
-template <bool transposed>
-std::array<Real, 6> rotated(const Mat3& E, const std::array<Real, 6>& m) {
-  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
-  std::array<Real, 9> half;  // m T
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, 0, 3)
-      half[3 * i + k] = m[Inertia::symmetric(i, 0)] * T(0, k) +
-                        m[Inertia::symmetric(i, 1)] * T(1, k) +
-                        m[Inertia::symmetric(i, 2)] * T(2, k);
-  std::array<Real, 6> result;
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, i, 3)
-      result[Inertia::symmetric(i, k)] =
-          T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
-  return result;
-}
-
-template <bool transposed>
-std::array<Real, 9> rotated(const Mat3& E, const std::array<Real, 9>& m) {
-  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
-  std::array<Real, 9> half, result;
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, 0, 3)
-      half[3 * i + k] = m[3 * i] * T(0, k) + m[3 * i + 1] * T(1, k) + m[3 * i + 2] * T(2, k);
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, 0, 3)
-      result[3 * i + k] = T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
-  return result;
-}
-
-// The inertia m told at a point whose origin is at -r from the one it is told at:
-// B + rx C, and A + rx (B + rx C)^T - B rx.
-inline void shift(const Vec3& r, Inertia& m) {
-  const auto& C = m.C;
-  auto& A = m.A;
-  const std::array<Real, 9> B = m.B;
-  auto& S = m.B;
-  const auto c = [&C](int i, int k) { return C[Inertia::symmetric(i, k)]; };
-  ADAGEN_FOR (k, 0, 3) {
-    S[k] += r[1] * c(2, k) - r[2] * c(1, k);
-    S[3 + k] += r[2] * c(0, k) - r[0] * c(2, k);
-    S[6 + k] += r[0] * c(1, k) - r[1] * c(0, k);
-  }
-  A[0] += r[1] * S[2] - r[2] * S[1] - (B[1] * r[2] - B[2] * r[1]);
-  A[1] += r[1] * S[5] - r[2] * S[4] - (B[2] * r[0] - B[0] * r[2]);
-  A[2] += r[1] * S[8] - r[2] * S[7] - (B[0] * r[1] - B[1] * r[0]);
-  A[3] += r[2] * S[3] - r[0] * S[5] - (B[5] * r[0] - B[3] * r[2]);
-  A[4] += r[2] * S[6] - r[0] * S[8] - (B[3] * r[1] - B[4] * r[0]);
-  A[5] += r[0] * S[7] - r[1] * S[6] - (B[6] * r[1] - B[7] * r[0]);
-}
-
-// target += X^T m X: an inertia in the child's frame, felt in the parent's.
-ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Inertia& m, Inertia& target) {
-  Inertia turned{rotated<false>(X.E, m.A), rotated<false>(X.E, m.C), rotated<false>(X.E, m.B)};
-  shift(X.r, turned);
-  target += turned;
-}
-
-// X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
-ADAGEN_NOINLINE Inertia in_child(const Transform& X, const Inertia& m) {
-  Inertia moved = m;
-  shift(-X.r, moved);
-  return {rotated<true>(X.E, moved.A), rotated<true>(X.E, moved.C), rotated<true>(X.E, moved.B)};
-}
-
-// X^-T f: a wrench on the parent, felt in the child's frame.
-[[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
-  Columns6 result;
-  ADAGEN_FOR (k, 0, kColumns) {
-    const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
-    result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
-    result.col(k).template tail<3>() = X.E * force;
-  }
-  return result;
-}
-
-// X^-1 m: motions in the child's frame, told in the parent's.
-template <int columns>
-Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
-                                                 const Eigen::Matrix<Real, 6, columns>& m) {
-  Eigen::Matrix<Real, 6, columns> result;
-  ADAGEN_FOR (k, 0, columns) {
-    const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
-    result.col(k).template head<3>() = angular;
-    result.col(k).template tail<3>() =
-        X.E.transpose() * m.col(k).template tail<3>() + X.r.cross(angular);
-  }
-  return result;
-}
-
-// X^-1 m X^-T: a mobility in the child's frame, told in the parent's.
-ADAGEN_NOINLINE Mat6 congruent_in_parent(const Transform& X, const Mat6& m) {
-  const Mat6 half = motion_in_parent(X, m).transpose();
-  return motion_in_parent(X, half);
-}
-
-template <std::size_t n>
-std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kColumns>, n> x) {
-  for (auto& row : x)
-    for (Real& value : row) value = -value;
-  return x;
-}
-
-// Spatial inertia of a link at its origin.
-Inertia spatial_inertia(const LinkConstants& link) {
-  const Real x = link.com[0], y = link.com[1], z = link.com[2], m = link.mass;
-  const Real* const t = link.tensor;
-  return {{t[0] + m * (y * y + z * z), t[1] - m * x * y, t[2] - m * x * z,
-           t[4] + m * (x * x + z * z), t[5] - m * y * z, t[8] + m * (x * x + y * y)},
-          {m, 0, 0, m, 0, m},
-          {0, -m * z, m * y, m * z, 0, -m * x, -m * y, m * x, 0}};
-}
-
-// I^A and p^A of a link start as its own inertia and v x* I v.
-ADAGEN_NOINLINE void start_link(const Inertia& inertia, const Vec6& velocity, Inertia& IA,
-                                Columns6& pA) {
-  IA = inertia;
-  const auto& A = inertia.A;
-  const Vec3 w = velocity.head<3>(), v = velocity.tail<3>();
-  const Real mass = inertia.C[0];
-  const Vec3 mc(inertia.B[7], inertia.B[2], inertia.B[3]);  // mass times centre of mass
-  const Vec3 angular =
-      Vec3(A[0] * w[0] + A[1] * w[1] + A[2] * w[2], A[1] * w[0] + A[3] * w[1] + A[4] * w[2],
-           A[2] * w[0] + A[4] * w[1] + A[5] * w[2]) +
-      mc.cross(v);
-  const Vec3 linear = mass * v + w.cross(mc);
-  if constexpr (kColumns > 1) pA.setZero();
-  pA.col(0).template head<3>() = w.cross(angular) + v.cross(linear);
-  pA.col(0).template tail<3>() = w.cross(linear);
-}
-
-template <class Kind>
-struct Articulated {
-  static constexpr int n = kFree<Kind>;
-  std::array<std::array<Real, n>, n> D;         // for n = 1 the inverse of D = S^T I^A S, else its
-                                                // Cholesky factor, the diagonal inverted
-  std::array<std::array<Real, 6>, n> E;         // D^-1 S^T I^A at the constrained rows, else zero
-  std::array<std::array<Real, kColumns>, n> u;  // sigma tau - S^T p^A
-  std::array<std::array<Real, kColumns>, n> tau;
-  Columns6 c;  // sigma c
-
-  template <std::size_t k>
-  void solve(std::array<std::array<Real, k>, n>& x) const {
-    if constexpr (n == 1) {
-      for (Real& value : x[0]) value *= D[0][0];
-    } else {
-      forward_substitute(D, x);
-      backward_substitute(D, x);
-    }
-  }
-};
-
-// The joint's share of the articulated body with inertia I and bias p on its far side: what it
-// hands on to its near side, by exact projection: nothing along S but the torque. Returns false
-// where D cannot be factorized.
-template <class Kind>
-ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia& I,
-                                const Columns6& p, Inertia& handed, Columns6& force) {
-  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
-  constexpr auto& free = Kind::Free::row;
-  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
-  bool good = true;
-  ADAGEN_FOR (k, 0, n) {
-    ADAGEN_FOR (l, 0, n) i.D[k][l] = I(free[k], free[l]);
-    i.E[k] = {};
-    ADAGEN_FOR (l, 0, m) i.E[k][constrained[l]] = I(free[k], constrained[l]);
-    ADAGEN_FOR (c, 0, kColumns) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
-  }
-  if constexpr (n == 1) {
-    // Beside the inertia about other axes (in other directions), D must be more than rounding.
-    constexpr int row = free[0] < 3 ? 0 : 3;
-    const Real whole = I(row, row) + I(row + 1, row + 1) + I(row + 2, row + 2);
-    good = i.D[0][0] > 8 * std::numeric_limits<Real>::epsilon() * whole &&
-           i.D[0][0] <= std::numeric_limits<Real>::max();
-    i.D[0][0] = 1 / i.D[0][0];
-  } else {
-    good = factorize(i.D);
-  }
-  i.solve(i.E);
-  auto moved = i.u;
-  i.solve(moved);
-  ADAGEN_FOR (k, 0, n)
-    ADAGEN_FOR (l, 0, 6) handed.set(free[k], l, 0);
-  if constexpr (m > 0) {
-    ADAGEN_FOR (r, 0, m)
-      ADAGEN_FOR (s, r, m) {
-        Real x = I(constrained[r], constrained[s]);
-        ADAGEN_FOR (k, 0, n) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
-        handed.set(constrained[r], constrained[s], x);
-      }
-    ADAGEN_FOR (c, 0, kColumns)
-      ADAGEN_FOR (r, 0, m) {
-        Real x = p(constrained[r], c);
-        ADAGEN_FOR (k, 0, n) x += I(constrained[r], free[k]) * moved[k][c];
-        ADAGEN_FOR (s, 0, m) x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
-        force(constrained[r], c) = x;
-      }
-  }
-  ADAGEN_FOR (k, 0, n)
-    ADAGEN_FOR (c, 0, kColumns) force(free[k], c) = sigma * i.tau[k][c];
-  return good;
-}
-
-// a becomes the far link's acceleration (joint frame) from the near link's; returns sigma qdd.
-template <class Kind>
-std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated<Kind>& i,
-                                                               Columns6& a) {
-  a += i.c;
-  auto moved = i.u;
-  i.solve(moved);
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    ADAGEN_FOR (c, 0, kColumns) {
-      const int row = Kind::Free::row[k];
-      Real x = moved[k][c];
-      for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
-      moved[k][c] = x - a(row, c);
-    }
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    ADAGEN_FOR (c, 0, kColumns) a(Kind::Free::row[k], c) += moved[k][c];
-  return moved;
-}
-
-// K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
-template <class Kind>
-ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
-  ADAGEN_FOR (k, 0, (kFree<Kind>)) m.row(Kind::Free::row[k]).setZero();
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
-}
-
-// Omega of the far side: K m K^T + S D^-1 S^T, m being the near side's (zero: the ground's).
-template <class Kind>
-ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
-  constexpr int n = kFree<Kind>;
-  share(i, m);
-  m.transposeInPlace();
-  share(i, m);
-  std::array<std::array<Real, n>, n> inverse{};
-  ADAGEN_FOR (k, 0, n) inverse[k][k] = 1;
-  i.solve(inverse);
-  ADAGEN_FOR (k, 0, n)
-    ADAGEN_FOR (l, 0, n) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
-}
-
-// A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
-template <class Kind>
-void deliver(Articulated<Kind>& i, Columns6& load) {
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    ADAGEN_FOR (c, 0, kColumns) {
-      Real& along = load(Kind::Free::row[k], c);
-      i.u[k][c] += along;
-      for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
-      along = 0;
-    }
-}
-
-// Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
-ADAGEN_NOINLINE bool invert(const Inertia& I, const Columns6& p, Mat6& Phi, Columns6& b) {
-  std::array<std::array<Real, 6>, 6> L, x{};
-  ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
-    x[i][i] = 1;
-  }
-  const bool good = factorize(L);
-  forward_substitute(L, x);
-  ADAGEN_FOR (i, 0, 6)
-    ADAGEN_FOR (k, i, 6) {
-      Real sum = 0;
-      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
-      Phi(i, k) = Phi(k, i) = sum;
-    }
-  b.noalias() = -Phi * p;
-  return good;
-}
-
-// a with I^A a = -p^A: nothing else acts on the link.
-ADAGEN_NOINLINE bool solve_root(const Inertia& I, const Columns6& p, Columns6& a) {
-  std::array<std::array<Real, 6>, 6> L;
-  std::array<std::array<Real, kColumns>, 6> x;
-  ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
-    ADAGEN_FOR (c, 0, kColumns) x[i][c] = -p(i, c);
-  }
-  const bool good = factorize(L);
-  forward_substitute(L, x);
-  backward_substitute(L, x);
-  ADAGEN_FOR (i, 0, 6)
-    ADAGEN_FOR (c, 0, kColumns) a(i, c) = x[i][c];
-  return good;
-}
-
 constexpr std::array<MessageInfo, 0> kMessages{ {
 } };
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
 // that its source fills and then numbers (release), and that its target reads once it sees the
-// number (acquire). Other pairs exchange MPI messages. A slot is free again when it is next
-// written, because each pair answers each other within an evaluation (assembly up, disassembly
-// down; state, result).
+// number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
+// one is written again, two evaluations later, its target has answered in the one between.
 enum class ChannelMode { kAuto, kWindow, kMessage };
 
 inline void relax() {
@@ -1014,7 +354,7 @@ class Channel {
     int missing = 0;
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
-      if (ports_[k].slot || (info.source != rank_ && info.target != rank_)) continue;
+      if (ports_[k].slots || (info.source != rank_ && info.target != rank_)) continue;
       if (mode == ChannelMode::kWindow) ++missing;
       ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
     }
@@ -1038,16 +378,17 @@ class Channel {
   // Where to write message k. Waits for an MPI message that is still under way.
   Real* outgoing(int k, int& status) {
     Port& port = ports_[k];
-    if (port.slot) return port.slot->content() + 1;
+    if (port.slots) return port.slot(port.count + 1, k).content() + 1;
     if (port.request != MPI_REQUEST_NULL) wait_for_request(port, kMessages[k].target, status);
     return port.buffer.data() + 1;
   }
 
   void send(int k, int& status) {
     Port& port = ports_[k];
-    if (port.slot) {
-      port.slot->content()[0] = static_cast<Real>(status);
-      port.slot->number.store(++port.count, std::memory_order_release);
+    if (port.slots) {
+      Slot& slot = port.slot(++port.count, k);
+      slot.content()[0] = static_cast<Real>(status);
+      slot.number.store(port.count, std::memory_order_release);
       return;
     }
     port.buffer[0] = static_cast<Real>(status);
@@ -1060,11 +401,12 @@ class Channel {
   const Real* receive(int k, int& status) {
     Port& port = ports_[k];
     const Real* content;
-    if (port.slot) {
+    if (port.slots) {
       const std::uint64_t number = ++port.count;
-      if (!wait_until([&] { return port.slot->number.load(std::memory_order_acquire) >= number; }))
+      Slot& slot = port.slot(number, k);
+      if (!wait_until([&] { return slot.number.load(std::memory_order_acquire) >= number; }))
         fail(status, failure(kNoAnswer, kMessages[k].source));
-      content = port.slot->content();
+      content = slot.content();
     } else {
       MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
                 kMessages[k].source, k, comm_, &port.request);
@@ -1093,8 +435,11 @@ class Channel {
   };
 
   struct Port {
-    Slot* slot = nullptr;
+    char* slots = nullptr;
     std::uint64_t count = 0;
+    Slot& slot(std::uint64_t number, int k) const {
+      return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
+    }
     std::vector<Real> buffer;
     MPI_Request request = MPI_REQUEST_NULL;
   };
@@ -1124,7 +469,7 @@ class Channel {
     };
     std::size_t own = 0;
     for (const MessageInfo& info : kMessages)
-      if (info.source == rank_ && near_pair(info)) own += slot_bytes(info);
+      if (info.source == rank_ && near_pair(info)) own += 2 * slot_bytes(info);
     char* base = nullptr;
     MPI_Info hints;
     MPI_Info_create(&hints);
@@ -1143,11 +488,11 @@ class Channel {
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
       if (!near_pair(info)) continue;
-      ports_[k].slot = reinterpret_cast<Slot*>(next[info.source]);
-      next[info.source] += slot_bytes(info);
+      ports_[k].slots = next[info.source];
+      next[info.source] += 2 * slot_bytes(info);
       if (info.source == rank_) {
-        std::memset(static_cast<void*>(ports_[k].slot), 0, slot_bytes(info));  // first touch
-        new (ports_[k].slot) Slot{};
+        std::memset(ports_[k].slots, 0, 2 * slot_bytes(info));  // first touch
+        for (std::uint64_t n : {0, 1}) new (&ports_[k].slot(n, static_cast<int>(k))) Slot{};
       }
     }
     MPI_Win_sync(window_);
@@ -1207,89 +552,54 @@ inline void stamp(int k) {
 
 // ---- 4. joints ----------------------------------------------------------------------------------
 
-// The memory of a process. Whatever belongs to a joint is kept with it.
-struct Workspace;
-
-struct Joint_drive {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "cart"
-  Inertia IA;  // articulated-body inertia of link "cart"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Planar> body;
-};
-
-struct Joint_laser_spin {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "laser"
-  Inertia IA;  // articulated-body inertia of link "laser"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_lift {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "carriage"
-  Inertia IA;  // articulated-body inertia of link "carriage"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Prismatic> body;
-};
-
-struct Joint_shoulder {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "boom"
-  Inertia IA;  // articulated-body inertia of link "boom"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_wrist {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "bowl"
-  Inertia IA;  // articulated-body inertia of link "bowl"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_loose {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "load"
-  Inertia IA;  // articulated-body inertia of link "load"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Floating> body;
-};
-
+// The memory of a process: the state, angles with sine and cosine, what messages hold, and values
+// that one function leaves to another.
 struct Workspace {
   const Real* q = nullptr;
   const Real* v = nullptr;
   const Real* tau = nullptr;
   Real* qdd = nullptr;
   int status = kFine;
-  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
-  Joint_drive j_drive;
-  Joint_laser_spin j_laser_spin;
-  Joint_lift j_lift;
-  Joint_shoulder j_shoulder;
-  Joint_wrist j_wrist;
-  Joint_loose j_loose;
-
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  alignas(kCacheLine) std::array<Real, 4> angle{}, sine{}, cosine{};
+  std::array<Real, kNv> result{};
+  std::array<Real*, kPlanMessages> to{};          // messages to be sent
+  std::array<const Real*, kPlanMessages> from{};  // messages received
+  alignas(kCacheLine) std::array<Real, 71> x{};
 };
+
+// What the straight lines are surrounded by: the state looked at, sines and cosines, checks, results.
+#define ADAGEN_INPUTS                                                                     \
+  [[maybe_unused]] const Real *const q = w.q, *const v = w.v, *const tau = w.tau;         \
+  [[maybe_unused]] const Real *const sine = w.sine.data(), *const cosine = w.cosine.data();
+
+constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();
+[[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
-// x - x is zero for finite x only.
-inline void require_finite(Workspace& w, const Real* x, int count, int joint) {
+// Zero for finite numbers only: x - x is.
+inline Real unlike_zero(const Real* x, int count) {
   Real sum = 0;
   for (int k = 0; k < count; ++k) sum += x[k] - x[k];
-  if (!(sum == 0)) fail(w, kNotFinite, joint);
+  return sum;
+}
+
+// A state was found not to be finite: which joint's?
+template <std::size_t reads, std::size_t owns>
+[[gnu::cold]] ADAGEN_NOINLINE void name_what_is_not_finite(Workspace& w,
+                                                           const std::array<int, reads>& read,
+                                                           const std::array<int, owns>& owned) {
+  for (const int j : read) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!(unlike_zero(w.q + joint.q, joint.nq) + unlike_zero(w.v + joint.v, joint.nv) == 0))
+      fail(w, kNotFinite, j);
+  }
+  for (const int j : owned) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!(unlike_zero(w.tau + joint.v, joint.nv) == 0)) fail(w, kNotFinite, j);
+  }
 }
 
 [[maybe_unused]] inline void require_length(Workspace& w, Real squared, int joint) {
@@ -1297,374 +607,756 @@ inline void require_finite(Workspace& w, const Real* x, int count, int joint) {
     fail(w, kZeroQuaternion, joint);
 }
 
-template <std::size_t n>
-void load_torque(Workspace& w, int joint, int v, std::array<std::array<Real, kColumns>, n>& tau) {
-  require_finite(w, w.tau + v, static_cast<int>(n), joint);
-  for (std::size_t k = 0; k < n; ++k) {
-    tau[k] = {};
-    tau[k][0] = w.tau[v + static_cast<int>(k)];
+// A pivot has to be positive, and not lost against what it was subtracted from.
+inline void require_pivot(Workspace& w, Real pivot, Real least, int joint) {
+  if (!(pivot > least && pivot <= std::numeric_limits<Real>::max())) fail(w, kFactorization, joint);
+}
+
+// Sine and cosine by the polynomials of fdlibm on [-pi/4, pi/4], after taking multiples of pi/2
+// away in three parts. No branch: a loop over it is done in SIMD lanes.
+inline void sine_and_cosine(double angle, double& sine, double& cosine) {
+  constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
+  const double n = (angle * 0.63661977236758134308 + kRound) - kRound;
+  const double r = ((angle - n * 1.57079632673412561417e+00) - n * 6.07710050630396597660e-11) -
+                   n * 2.02226624871116645580e-21;
+  const double z = r * r, z2 = z * z, z4 = z2 * z2;
+  const double s =
+      r + r * z *
+              ((-1.66666666666666307295e-1 + z * 8.33333333332211858878e-3) +
+               z2 * (-1.98412698295895385996e-4 + z * 2.75573136213857245213e-6) +
+               z4 * (-2.50507477628578072866e-8 + z * 1.58962301576546568060e-10));
+  const double c = (1 - 0.5 * z) +
+                   z2 * ((4.16666666666665929218e-2 - z * 1.38888888888730564116e-3) +
+                         z2 * (2.48015872888517045348e-5 - z * 2.75573141792967388112e-7) +
+                         z4 * (2.08757008419747316778e-9 - z * 1.13585365213876817300e-11));
+  const double half = std::floor(n * 0.5), odd = n - 2 * half;
+  const double sign = 1 - 2 * (half - 2 * std::floor(half * 0.5));
+  sine = sign * (odd != 0 ? c : s);
+  cosine = sign * (odd != 0 ? -s : c);
+}
+
+template <int count>
+inline void take_sines_and_cosines(const Real* angle, Real* sine, Real* cosine) {
+  constexpr double kFar = 1e5;  // beyond, the three parts of pi/2 would lose digits
+  Real farthest = 0;
+  for (int k = 0; k < count; ++k) {
+    double s, c;
+    sine_and_cosine(angle[k], s, c);
+    sine[k] = Real(s), cosine[k] = Real(c);
+  }
+  for (int k = 0; k < count; ++k) farthest = std::max(farthest, std::abs(angle[k]));
+  if (farthest <= kFar) return;
+  for (int k = 0; k < count; ++k) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
+// A result was found not to be finite: which joint's?
+template <std::size_t owns>
+[[gnu::cold]] ADAGEN_NOINLINE void name_what_overflows(Workspace& w,
+                                                       const std::array<int, owns>& owned) {
+  for (const int j : owned) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!(unlike_zero(w.result.data() + joint.v, joint.nv) == 0)) fail(w, kOverflow, j);
   }
 }
 
-// An acceleration is given only where all went well.
-template <std::size_t n>
-void store_acceleration(Workspace& w, int joint, int v,
-                        const std::array<std::array<Real, kColumns>, n>& qdd) {
-  Real sum = 0;
-  for (std::size_t k = 0; k < n; ++k) sum += qdd[k][0] - qdd[k][0];
-  if (!(sum == 0)) fail(w, kOverflow, joint);
-  if (w.status != kFine) return;
-  for (std::size_t k = 0; k < n; ++k) w.qdd[v + static_cast<int>(k)] = qdd[k][0];
-}
-
-template <class M>
-Real* put(Real* to, const M& m) {
-  Eigen::Map<M>{to} = m;
-  return to + M::SizeAtCompileTime;
-}
-
-template <class M>
-const Real* get(const Real* from, M& m) {
-  m = Eigen::Map<const M>(from);
-  return from + M::SizeAtCompileTime;
-}
-
-template <std::size_t n>
-Real* put(Real* to, const std::array<Real, n>& x) {
-  return std::copy(x.begin(), x.end(), to);
-}
-
-template <std::size_t n>
-const Real* get(const Real* from, std::array<Real, n>& x) {
-  std::copy(from, from + n, x.begin());
-  return from + n;
-}
-
-const Mat6 kZero = Mat6::Zero();
-
-// The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
-  Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
-  return result;
-}();
-
-// Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
-[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
-  Mat6 result;
-  std::size_t k = 0;
-  for (int i = 0; i < 6; ++i)
-    for (int j = i; j < 6; ++j) result(i, j) = result(j, i) = upper[k++];
-  return result;
-}
-
-// One row of A qdd = 0, which keeps a slaved joint in step with its source.
-[[maybe_unused]] inline void coupling_row(std::array<Real, kColumns>& row,
-                                          const std::array<Real, kColumns>& slaved,
-                                          const std::array<Real, kColumns>& source,
-                                          double multiplier) {
-  for (std::size_t k = 0; k < kColumns; ++k) row[k] = slaved[k] - Real(multiplier) * source[k];
-}
-
-// The torques that make A qdd zero: (A H^-1 A^T) torques = -A qdd, by Cholesky's factorization.
-template <std::size_t m>
-void solve_coupling(Workspace& w, int joint, const std::array<std::array<Real, m + 1>, m>& rows,
-                    std::array<Real, m>& torques) {
-  std::array<std::array<Real, m>, m> L;
-  std::array<std::array<Real, 1>, m> x;
-  for (std::size_t i = 0; i < m; ++i) {
-    x[i][0] = -rows[i][0];
-    for (std::size_t k = 0; k < m; ++k) L[i][k] = rows[i][k + 1];
-  }
-  if (!factorize(L)) fail(w, kFactorization, joint);
-  forward_substitute(L, x);
-  backward_substitute(L, x);
-  for (std::size_t i = 0; i < m; ++i) torques[i] = x[i][0];
-}
-
-// Accelerations of all right-hand sides, added up with the coupling torques.
-template <std::size_t n, std::size_t m>
-void store_coupled(Workspace& w, int joint, int v,
-                   const std::array<std::array<Real, kColumns>, n>& qdd,
-                   const std::array<Real, m>& torques) {
-  std::array<std::array<Real, kColumns>, n> sum{};
-  for (std::size_t k = 0; k < n; ++k) {
-    sum[k][0] = qdd[k][0];
-    for (std::size_t c = 0; c < m; ++c) sum[k][0] += qdd[k][c + 1] * torques[c];
-  }
-  store_acceleration(w, joint, v, sum);
-}
-
-const Inertia kInertia_cart = spatial_inertia(kLinks[1]);
-const Inertia kInertia_laser = spatial_inertia(kLinks[2]);
-const Inertia kInertia_carriage = spatial_inertia(kLinks[3]);
-const Inertia kInertia_boom = spatial_inertia(kLinks[4]);
-const Inertia kInertia_bowl = spatial_inertia(kLinks[5]);
-const Inertia kInertia_load = spatial_inertia(kLinks[6]);
+// Each function is a straight line. A value is called x and its number in the expression graph; zeros
+// and constants are folded in, nothing is computed twice, and what nobody needs is not there.
+// Frames are the links' own; accelerations are deviations from the field that the links would have
+// with all joint accelerations zero.
 
 // =================================================================================================
-// Joint 0 "drive": planar, between links "floor" and "cart"
+// Process 0: 762 products, 627 sums, 6 quotients
 // =================================================================================================
 
-void kinematics_drive(Workspace& w) {
-  auto& i = w.j_drive;
-  require_finite(w, w.q + 0, 3, 0);
-  require_finite(w, w.v + 0, 3, 0);
-  const Real* const q = w.q + 0;
-  const Real c = std::cos(q[2]), s = std::sin(q[2]);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
-  i.X.r << q[0], q[1], 0.0;
-  i.v = joint_velocity<Planar>(w.v + 0);
+ADAGEN_NOINLINE void part_0_0(Workspace& w) {
+  ADAGEN_INPUTS
+  // joint 0 "drive": placement, velocity and reference acceleration of its link
+  const Real x12 = v[1] * v[2];
+  const Real x14 = v[0] * v[2];
+  const Real x15 = v[2] * v[2];
+  // joint 1 "laser_spin": placement, velocity and reference acceleration of its link
+  const Real x29 = x12 + x15 * 0.22;
+  // joint 2 "lift": placement, velocity and reference acceleration of its link
+  const Real x57 = -0.08507706744923418 + q[4] * 0.04997916927067833;
+  w.x[0] = x57;
+  const Real x60 = v[2] * 0.9987502603949663;
+  const Real x61 = v[2] * 0.04997916927067833;
+  const Real x65 = x12 + x15 * x57;
+  const Real x70 = 9.79774005447462 - 0.04997916927067833 * x65;
+  const Real x74 = -0.49029565054535446 - 0.9987502603949663 * x65;
+  const Real x80 = x14 + v[4] * (2.0 * x61);
+  const Real x83 = x60 * x60;
+  const Real x87 = x60 * x61;
+  // joint 3 "shoulder": placement, velocity and reference acceleration of its link
+  const Real x105 = 0.12208685160190179 * sine[2];
+  const Real x106 = 0.9755826296796196 * cosine[2] + x105;
+  w.x[1] = x106;
+  const Real x107 = 0.12208685160190179 * cosine[2];
+  const Real x109 = x107 - 0.9755826296796196 * sine[2];
+  w.x[2] = x109;
+  const Real x114 = x107 + sine[2] * 0.3895657419904911;
+  w.x[3] = x114;
+  const Real x119 = x105 - cosine[2] * 0.3895657419904911;
+  w.x[4] = x119;
+  const Real x123 = 0.18257418583505539 * cosine[2] - 0.9128709291752769 * sine[2];
+  w.x[5] = x123;
+  const Real x127 = 0.9128709291752769 * cosine[2] + 0.18257418583505539 * sine[2];
+  w.x[6] = x127;
+  const Real x132 = x60 * x123 - x61 * x106;
+  const Real x137 = x61 * x109 + x60 * x127;
+  const Real x146 = v[5] - (x61 * 0.18257418583505539 + x60 * 0.36514837167011077);
+  const Real x147 = v[5] * x137;
+  const Real x149 = v[5] * x132;
+  const Real x157 = x74 - (x83 * 0.15 + x87 * 0.02);
+  const Real x164 = x70 - (x87 * 0.15 + x61 * x61 * 0.02);
+  const Real x170 = x106 * x157 - x80 * x114 + x123 * x164;
+  const Real x176 = x109 * x157 + x80 * x119 - x127 * x164;
+  const Real x182 = 0.18257418583505539 * x157 + x80 * 0.9128709291752769 - 0.36514837167011077 * x164;
+  const Real x188 = x132 * x132;
+  const Real x189 = x137 * x137;
+  const Real x191 = x146 * x146;
+  const Real x192 = x189 + x191;
+  const Real x194 = x132 * x137;
+  const Real x196 = x188 + x191;
+  const Real x198 = x137 * x146;
+  const Real x200 = x147 - x198;
+  const Real x201 = x147 + x198;
+  const Real x203 = x188 + x189;
+  const Real x205 = x132 * x146;
+  const Real x206 = x149 + x205;
+  const Real x207 = x205 - x149;
+  // joint 4 "wrist": placement, velocity and reference acceleration of its link
+  const Real x229 = 0.04136261787763011 * sine[3] - cosine[3] * 0.4028214625008311;
+  w.x[7] = x229;
+  const Real x233 = 0.04136261787763011 * cosine[3] + sine[3] * 0.4028214625008311;
+  w.x[8] = x233;
+  const Real x240 = cosine[3] * 0.4955543024180784 + sine[3] * 0.8497464879390758;
+  w.x[9] = x240;
+  const Real x246 = sine[3] * 0.4955543024180784 - cosine[3] * 0.8497464879390758;
+  w.x[10] = x246;
+  const Real x251 = 0.7695198520529689 * cosine[3] - sine[3] * 0.5255663993041366;
+  w.x[11] = x251;
+  const Real x255 = cosine[3] * 0.5255663993041366 + 0.7695198520529689 * sine[3];
+  w.x[12] = x255;
+  const Real x262 = x132 * x229 + x146 * x251 + x137 * x240;
+  const Real x269 = x132 * x233 - x146 * x255 - x137 * x246;
+  const Real x276 = x132 * 0.9143434820629502 + x146 * 0.3627935462750979 + x137 * 0.17988007001927067;
+  const Real x277 = v[6] + x276;
+  const Real x293 = x149 * 0.17988007001927067 - x147 * 0.9143434820629502;
+  const Real x295 = x149 * x240 - x147 * x229 + v[6] * x269;
+  const Real x298 = x147 * x233 + x149 * x246 + v[6] * x262;
+  const Real x306 = x170 - x194 * 0.04639300360872268 - x192 * 0.3707213992782555;
+  const Real x307 = x207 * 0.06937819061732105 + x306;
+  const Real x314 = x176 - x194 * 0.3707213992782555 - x196 * 0.04639300360872268;
+  const Real x315 = x200 * 0.06937819061732105 + x314;
+  const Real x322 = x182 + x206 * 0.3707213992782555 - x201 * 0.04639300360872268;
+  const Real x323 = x322 - x203 * 0.06937819061732105;
+  const Real x329 = x229 * x307 - x240 * x315 + x251 * x323;
+  const Real x335 = x233 * x307 + x246 * x315 - x255 * x323;
+  const Real x341 = 0.9143434820629502 * x307 - 0.17988007001927067 * x315 + 0.3627935462750979 * x323;
+  const Real x345 = x262 * x262;
+  const Real x346 = x269 * x269;
+  const Real x347 = x277 * x277;
+  const Real x350 = x262 * x269;
+  const Real x355 = x269 * x277;
+  const Real x356 = x355 - x295;
+  const Real x358 = x345 + x346;
+  const Real x360 = x262 * x277;
+  const Real x362 = x360 - x298;
+  // joint 5 "loose": placement, velocity and reference acceleration of its link
+  const Real x389 = q[10] * q[10] + q[11] * q[11] + q[12] * q[12];
+  const Real x390 = q[13] * q[13] + x389;
+  require_length(w, x390, 5);
+  const Real x392 = 2.0 * (1 / x390);
+  const Real x393 = q[10] * x392;
+  const Real x394 = q[11] * x392;
+  const Real x395 = q[12] * x392;
+  const Real x396 = q[11] * x394;
+  const Real x397 = q[12] * x395;
+  const Real x399 = 1.0 - (x396 + x397);
+  const Real x400 = q[11] * x393;
+  const Real x401 = q[13] * x395;
+  const Real x402 = x400 - x401;
+  const Real x403 = q[12] * x393;
+  const Real x404 = q[13] * x394;
+  const Real x405 = x403 + x404;
+  const Real x406 = x400 + x401;
+  const Real x407 = q[10] * x393;
+  const Real x409 = 1.0 - (x397 + x407);
+  const Real x410 = q[12] * x394;
+  const Real x411 = q[13] * x393;
+  const Real x412 = x410 - x411;
+  const Real x413 = x403 - x404;
+  const Real x414 = x410 + x411;
+  const Real x416 = 1.0 - (x396 + x407);
+  const Real x427 = q[8] * 0.9362933635841992 - q[7] * 0.19866933079506122 - q[9] * 0.28962947762551555;
+  w.x[13] = x427;
+  const Real x431 = 0.08 + q[8] * 0.29552020666133955 + q[9] * 0.955336489125606;
+  w.x[14] = x431;
+  const Real x438 = 0.1 + q[7] * 0.9800665778412416 + q[8] * 0.18979606097868743;
+  const Real x439 = x438 - q[9] * 0.058710801693826524;
+  w.x[15] = x439;
+  const Real x446 = 0.9362933635841992 * x406 - x413 * 0.28962947762551555 - x399 * 0.19866933079506122;
+  w.x[16] = x446;
+  const Real x454 = 0.9362933635841992 * x409 - (x402 * 0.19866933079506122 + x414 * 0.28962947762551555);
+  w.x[17] = x454;
+  const Real x461 = 0.9362933635841992 * x412 - x405 * 0.19866933079506122 - x416 * 0.28962947762551555;
+  w.x[18] = x461;
+  const Real x464 = 0.29552020666133955 * x406 + 0.955336489125606 * x413;
+  w.x[19] = x464;
+  const Real x467 = 0.29552020666133955 * x409 + 0.955336489125606 * x414;
+  w.x[20] = x467;
+  const Real x470 = 0.29552020666133955 * x412 + 0.955336489125606 * x416;
+  w.x[21] = x470;
+  const Real x476 = 0.18979606097868743 * x406 - x413 * 0.058710801693826524 + 0.9800665778412416 * x399;
+  w.x[22] = x476;
+  const Real x482 = 0.9800665778412416 * x402 - x414 * 0.058710801693826524 + 0.18979606097868743 * x409;
+  w.x[23] = x482;
+  const Real x488 = 0.9800665778412416 * x405 + 0.18979606097868743 * x412 - x416 * 0.058710801693826524;
+  w.x[24] = x488;
+  const Real x493 = x262 * x446 + x269 * x464 + x277 * x476;
+  const Real x498 = x262 * x454 + x269 * x467 + x277 * x482;
+  const Real x503 = x262 * x461 + x269 * x470 + x277 * x488;
+  const Real x504 = v[10] + x493;
+  const Real x505 = v[11] + x498;
+  const Real x506 = v[12] + x503;
+  const Real x512 = x295 * x446 + x293 * x476 - x298 * x464;
+  const Real x529 = v[12] * x498 - v[11] * x503 + x512;
+  const Real x518 = x295 * x454 + x293 * x482 - x298 * x467;
+  const Real x534 = v[10] * x503 - v[12] * x493 + x518;
+  const Real x524 = x295 * x461 + x293 * x488 - x298 * x470;
+  const Real x539 = v[11] * x493 - v[10] * x498 + x524;
+  const Real x544 = (x350 - x293) * x431 - (x346 + x347) * x427;
+  const Real x546 = x362 * x439 + x544 + x329;
+  const Real x551 = (x293 + x350) * x427 - (x345 + x347) * x431;
+  const Real x553 = x356 * x439 + x551 + x335;
+  const Real x558 = (x298 + x360) * x427 - x358 * x439;
+  const Real x560 = (x295 + x355) * x431 + x558 + x341;
+  const Real x576 = 2.0 * x493;
+  const Real x577 = 2.0 * x498;
+  const Real x578 = 2.0 * x503;
+  const Real x565 = x446 * x546 + x464 * x553 + x476 * x560;
+  const Real x570 = x454 * x546 + x467 * x553 + x482 * x560;
+  const Real x575 = x461 * x546 + x470 * x553 + x488 * x560;
+  const Real x583 = v[9] * x577 - v[8] * x578 + x565;
+  const Real x598 = v[9] * v[11] - v[8] * v[12] + x583;
+  const Real x588 = v[7] * x578 - v[9] * x576 + x570;
+  const Real x603 = v[7] * v[12] - v[9] * v[10] + x588;
+  const Real x593 = v[8] * x576 - v[7] * x577 + x575;
+  const Real x608 = v[8] * v[10] - v[7] * v[11] + x593;
+  const Real x609 = x504 * x504;
+  const Real x610 = x505 * x505;
+  const Real x611 = x506 * x506;
+  const Real x612 = x610 + x611;
+  const Real x614 = x504 * x505;
+  const Real x615 = x614 - x539;
+  const Real x616 = x539 + x614;
+  const Real x617 = x609 + x611;
+  const Real x619 = x505 * x506;
+  const Real x620 = x619 - x529;
+  const Real x621 = x529 + x619;
+  const Real x622 = x609 + x610;
+  const Real x624 = x504 * x506;
+  const Real x625 = x624 - x534;
+  const Real x626 = x534 + x624;
+  // link 1 "cart": force that the reference field takes
+  const Real x659 = x14 * 0.9938046806644694;
+  w.x[25] = x659;
+  const Real x665 = x15 * 0.9938046806644694 - x12 * 35.5;
+  w.x[26] = x665;
+  const Real x666 = x14 * 35.5;
+  w.x[27] = x666;
+  // link 2 "laser": force that the reference field takes
+  const Real x682 = (cosine[1] * x29 + x14 * sine[1]) * 0.35;
+  w.x[28] = x682;
+  const Real x684 = (sine[1] * x29 - x14 * cosine[1]) * 0.35;
+  w.x[29] = x684;
+  // link 3 "carriage": force that the reference field takes
+  const Real x705 = x80 * 0.336;
+  w.x[30] = x705;
+  const Real x709 = x74 * 4.2 - x83 * 0.336;
+  w.x[31] = x709;
+  const Real x710 = x80 * 4.2;
+  w.x[32] = x710;
+  const Real x714 = x70 * 4.2 - x87 * 0.336;
+  w.x[33] = x714;
+  // link 4 "boom": force that the reference field takes
+  const Real x767 = x198 * 0.0018929379244048662 - x147 * 0.0068750620755951355 + x194 * 0.01829609650863162;
+  const Real x785 = x149 * 0.10310893792440486 + x205 * 0.09434093792440484 + x194 * 0.0022896193017263246;
+  const Real x800 = x200 * 0.01829609650863162 - x194 * 0.09623387584880971 - x207 * 0.0022896193017263246;
+  const Real x769 = x206 * 0.012234548981428322 + x767 - (x203 - x196) * 0.0022896193017263246;
+  const Real x788 = x201 * 0.012234548981428322 - x785 - 0.01829609650863162 * (x192 - x203);
+  const Real x801 = x800 - 0.012234548981428322 * (x196 - x192);
+  const Real x824 = x170 * 2.4 - x194 * 0.05274151989202157 - x192 * 0.42145169602159566;
+  const Real x833 = x176 * 2.4 - x194 * 0.42145169602159566 - x196 * 0.05274151989202157;
+  const Real x842 = x182 * 2.4 + x206 * 0.42145169602159566 - x201 * 0.05274151989202157;
+  // link 6 "load": force that the reference field takes
+  const Real x921 = x529 * 0.000975 + x619 * 0.00010500000000000002 - x625 * 0.00012;
+  const Real x934 = x534 * 0.0007949999999999999 + x624 * 7.499999999999998e-05 - x615 * 0.00017999999999999998;
+  const Real x948 = x539 * 0.0009 - x614 * 0.00018 + x620 * 8.999999999999999e-05;
+  const Real x923 = x921 - x616 * 8.999999999999999e-05 + 0.00017999999999999998 * (x622 - x617);
+  const Real x936 = x621 * 0.00012 + x934 - 8.999999999999999e-05 * (x612 - x622);
+  const Real x950 = x626 * 0.00017999999999999998 + x948 + 0.00012 * (x617 - x612);
+  const Real x975 = x626 * 0.009 - (x612 * 0.006 + x615 * 0.012);
+  const Real x983 = x616 * 0.006 + x617 * 0.012 + x620 * 0.009;
+  const Real x992 = x625 * 0.006 - x622 * 0.009 - x621 * 0.012;
+  // joint 5 "loose": articulated-body inertia and bias force through it
+  const Real x1009 = tau[7] - (x598 * 0.6 + x975);
+  const Real x1010 = tau[8] - (x603 * 0.6 + x983);
+  const Real x1011 = tau[9] - (x608 * 0.6 + x992);
+  const Real x1012 = tau[10] - (x923 - x608 * 0.012 - x603 * 0.009);
+  const Real x1013 = tau[11] - (x936 + x598 * 0.009 - x608 * 0.006);
+  const Real x1014 = tau[12] - (x950 + x603 * 0.006 + x598 * 0.012);
+  const Real x1036 = 1666.6666666666667 * (x1012 + 0.015 * x1010 + 0.02 * x1011);
+  w.x[34] = x1036;
+  const Real x1037 = 1666.6666666666667 * (x1013 - 0.015 * x1009 + 0.01 * x1011);
+  w.x[35] = x1037;
+  const Real x1038 = 1666.6666666666667 * (x1014 - 0.02 * x1009 - 0.01 * x1010);
+  w.x[36] = x1038;
+  const Real x1044 = 1.6666666666666667 * x1011 + 0.02 * x1036 + 0.01 * x1037;
+  w.x[37] = x1044;
+  const Real x1050 = 1.6666666666666667 * x1010 + 0.015 * x1036 - 0.01 * x1038;
+  w.x[38] = x1050;
+  const Real x1056 = 1.6666666666666667 * x1009 - 0.015 * x1037 - 0.02 * x1038;
+  w.x[39] = x1056;
+  const Real x1076 = x446 * tau[7] + x454 * tau[8] + x461 * tau[9];
+  const Real x1081 = x464 * tau[7] + x467 * tau[8] + x470 * tau[9];
+  const Real x1086 = x476 * tau[7] + x482 * tau[8] + x488 * tau[9];
+  const Real x1061 = x446 * tau[10] + x454 * tau[11] + x461 * tau[12];
+  const Real x1066 = x464 * tau[10] + x467 * tau[11] + x470 * tau[12];
+  const Real x1071 = x476 * tau[10] + x482 * tau[11] + x488 * tau[12];
+  // link 5 "bowl": force that the reference field takes
+  const Real x871 = x295 * 0.011107500000000001 - x355 * 0.0107325 - x335 * 0.09000000000000001;
+  // joint 5 "loose": articulated-body inertia and bias force through it
+  const Real x1102 = x1061 + x431 * x1086 - x439 * x1081 + x871;
+  // link 5 "bowl": force that the reference field takes
+  const Real x873 = x360 * 0.009000000000000001 - x298 * 0.01284 + x329 * 0.09000000000000001;
+  // joint 5 "loose": articulated-body inertia and bias force through it
+  const Real x1103 = x1066 + x439 * x1076 - x427 * x1086 + x873;
+  const Real x1101 = x1071 + x427 * x1081 - x431 * x1076;
+  const Real x1105 = x329 * 0.9 + x362 * 0.09000000000000001 + x1076;
+  const Real x1106 = x335 * 0.9 + x356 * 0.09000000000000001 + x1081;
+  const Real x1107 = x341 * 0.9 - x358 * 0.09000000000000001 + x1086;
+  // joint 4 "wrist": articulated-body inertia and bias force through it
+  const Real x1110 = tau[6] - (x293 * 0.0021075 + x350 * 0.0017325 + x1101);
+  const Real x1111 = 474.4958481613286 * x1110;
+  w.x[40] = x1111;
+  const Real x1112 = x233 * 0.09000000000000001;
+  const Real x1113 = x229 * 0.09000000000000001;
+  const Real x1115 = x246 * 0.09000000000000001;
+  const Real x1116 = x240 * 0.09000000000000001;
+  const Real x1118 = x255 * 0.09000000000000001;
+  const Real x1120 = x251 * 0.09000000000000001;
+  const Real x1130 = x240 * x1112 + x246 * x1113;
+  const Real x1135 = x251 * x1112 + x255 * x1113;
+  const Real x1138 = x229 * x1115 + x233 * x1116;
+  const Real x1142 = x246 * x1116 - x240 * x1115;
+  const Real x1146 = x251 * x1115 - x255 * x1116;
+  const Real x1151 = x229 * x1118 + x233 * x1120;
+  const Real x1157 = x240 * x1118 - x246 * x1120;
+  const Real x1162 = x255 * x1120 - x251 * x1118;
+  const Real x1163 = x229 * 0.011107500000000001;
+  const Real x1164 = x233 * 0.01284;
+  const Real x1165 = x240 * 0.011107500000000001;
+  const Real x1167 = x246 * 0.01284;
+  const Real x1196 = x229 * 0.9;
+  const Real x1197 = x233 * 0.9;
+  const Real x1199 = x240 * 0.9;
+  const Real x1201 = x246 * 0.9;
+  const Real x1211 = x229 * x1196 + 0.7524216028719005 + x233 * x1197;
+  const Real x1217 = -0.14802495261763252 - x240 * x1196 + x246 * x1197;
+  const Real x1223 = x251 * x1196 + 0.2985461229340252 - x255 * x1197;
+  const Real x1229 = x240 * x1199 + 0.029121155631123948 + x246 * x1201;
+  const Real x1236 = -0.05873339565585371 - x251 * x1199 - x255 * x1201;
+  const Real x1241 = x251 * (x251 * 0.9) + 0.11845724149697545;
+  const Real x1242 = x255 * (x255 * 0.9) + x1241;
+  const Real x1243 = 0.04639300360872268 * x1223;
+  const Real x1244 = 0.06937819061732105 * x1217;
+  const Real x1247 = x229 * x1112 - x233 * x1113 + x1243 - x1244;
+  const Real x1252 = x1138 + 0.06937819061732105 * x1211 - 0.3707213992782555 * x1223;
+  const Real x1257 = 0.3707213992782555 * x1217 - x1151 - 0.04639300360872268 * x1211;
+  const Real x1262 = 0.04639300360872268 * x1236 - x1130 - 0.06937819061732105 * x1229;
+  const Real x1263 = 0.3707213992782555 * x1236;
+  const Real x1266 = x1142 + x1244 - x1263;
+  const Real x1271 = x1157 + 0.3707213992782555 * x1229 - 0.04639300360872268 * x1217;
+  const Real x1276 = x1135 + 0.04639300360872268 * x1242 - 0.06937819061732105 * x1236;
+  const Real x1281 = x1146 + 0.06937819061732105 * x1223 - 0.3707213992782555 * x1242;
+  const Real x1284 = x1162 + x1263 - x1243;
+  const Real x1291 = x229 * x1163 + x233 * x1164 + 0.04639300360872268 * x1135;
+  const Real x1293 = 0.06937819061732105 * x1130 + x1291 + 0.04639300360872268 * x1276;
+  const Real x1301 = x246 * x1164 - x240 * x1163 + 0.04639300360872268 * x1146;
+  const Real x1303 = x1301 - 0.06937819061732105 * x1142 + 0.06937819061732105 * x1247;
+  const Real x1311 = x251 * x1163 - x255 * x1164 + 0.04639300360872268 * x1162;
+  const Real x1313 = x1311 - 0.06937819061732105 * x1157 + 0.3707213992782555 * x1262;
+  const Real x1321 = x240 * x1165 + x246 * x1167 + 0.06937819061732105 * x1138;
+  const Real x1323 = x1321 - 0.3707213992782555 * x1146 + 0.06937819061732105 * x1252;
+  const Real x1332 = x251 * x1165 + x255 * x1167 + 0.06937819061732105 * x1151;
+  const Real x1336 = 0.3707213992782555 * x1266 - (0.3707213992782555 * x1162 + x1332);
+  const Real x1195 = x251 * (x251 * 0.011107500000000001) + x255 * (x255 * 0.01284);
+  const Real x1345 = x1195 + 0.3707213992782555 * x1157 + 0.04639300360872268 * x1151;
+  const Real x1371 = x229 * x1105 + x233 * x1106 + 0.9143434820629502 * x1107;
+  const Real x1378 = x246 * x1106 - x240 * x1105 - 0.17988007001927067 * x1107;
+  const Real x1384 = x251 * x1105 - x255 * x1106 + 0.3627935462750979 * x1107;
+  const Real x1352 = x229 * x1102 + 0.9143434820629502 * tau[6] + x233 * x1103;
+  const Real x1360 = x246 * x1103 - (x240 * x1102 + 0.17988007001927067 * tau[6]);
+  const Real x1366 = x251 * x1102 + 0.3627935462750979 * tau[6] - x255 * x1103;
+  const Real x1402 = x1313 - 0.04639300360872268 * x1247 + -0.01829609650863162;
+  const Real x1406 = x1336 - 0.04639300360872268 * x1252 + -0.0022896193017263246;
+  const Real x1409 = 0.3707213992782555 * x1271 + x1345 - 0.04639300360872268 * x1257 + 0.10121599999999999;
+  require_pivot(w, x1409, 0, 3);
+  const Real x1410 = -0.05274151989202157 + x1257;
+  const Real x1411 = 0.42145169602159566 + x1271;
+  // link 4 "boom": force that the reference field takes
+  const Real x806 = x182 * 0.05274151989202157 - x176 * 0.07887204828074391 + x769;
+  const Real x811 = x170 * 0.07887204828074391 - x182 * 0.42145169602159566 + x788;
+  const Real x816 = x176 * 0.42145169602159566 - x170 * 0.05274151989202157 + x801;
+  // joint 3 "shoulder": articulated-body inertia and bias force through it
+  const Real x1422 = 1 / x1409;
+  // joint 4 "wrist": articulated-body inertia and bias force through it
+  const Real x1417 = x1366 + 0.3707213992782555 * x1378 - 0.04639300360872268 * x1371 + x816;
+  // joint 3 "shoulder": articulated-body inertia and bias force through it
+  const Real x1424 = x1422 * (tau[5] - x1417);
+  w.x[41] = x1424;
+  const Real x1425 = x1402 * x1422;
+  w.x[42] = x1425;
+  const Real x1426 = x1406 * x1422;
+  w.x[43] = x1426;
+  const Real x1427 = x1410 * x1422;
+  w.x[44] = x1427;
+  const Real x1428 = x1411 * x1422;
+  w.x[45] = x1428;
+  const Real x1429 = x1284 * x1422;
+  w.x[46] = x1429;
+  const Real x1432 = x1293 - 0.06937819061732105 * x1262 + 0.0068750620755951355 - x1402 * x1425;
+  const Real x1435 = x1303 - 0.3707213992782555 * x1276 + -0.012234548981428322 - x1402 * x1426;
+  const Real x1438 = x1247 - x1402 * x1427;
+  const Real x1441 = -0.07887204828074391 + x1262 - x1402 * x1428;
+  const Real x1444 = 0.05274151989202157 + x1276 - x1402 * x1429;
+  const Real x1447 = x1323 - 0.3707213992782555 * x1281 + 0.10310893792440486 - x1406 * x1426;
+  const Real x1450 = 0.07887204828074391 + x1252 - x1406 * x1427;
+  const Real x1453 = x1266 - x1406 * x1428;
+  const Real x1456 = -0.42145169602159566 + x1281 - x1406 * x1429;
+  const Real x1459 = 2.4 + x1211 - x1410 * x1427;
+  w.x[47] = x1459;
+  const Real x1462 = x1217 - x1410 * x1428;
+  w.x[48] = x1462;
+  const Real x1465 = x1223 - x1410 * x1429;
+  w.x[49] = x1465;
+  const Real x1468 = 2.4 + x1229 - x1411 * x1428;
+  w.x[50] = x1468;
+  const Real x1471 = x1236 - x1411 * x1429;
+  w.x[51] = x1471;
+  const Real x1474 = 2.4 + x1242 - x1284 * x1429;
+  w.x[52] = x1474;
+  // joint 4 "wrist": articulated-body inertia and bias force through it
+  const Real x1415 = x1352 + 0.04639300360872268 * x1384 - 0.06937819061732105 * x1378 + x806;
+  // joint 3 "shoulder": articulated-body inertia and bias force through it
+  const Real x1476 = x1415 + x1402 * x1424;
+  w.x[53] = x1476;
+  // joint 4 "wrist": articulated-body inertia and bias force through it
+  const Real x1416 = x1360 + 0.06937819061732105 * x1371 - 0.3707213992782555 * x1384 + x811;
+  // joint 3 "shoulder": articulated-body inertia and bias force through it
+  const Real x1478 = x1416 + x1406 * x1424;
+  w.x[54] = x1478;
+  const Real x1480 = x207 * 0.07887204828074391 + x824 + x1371 + x1410 * x1424;
+  w.x[55] = x1480;
+  const Real x1482 = x200 * 0.07887204828074391 + x833 + x1378 + x1411 * x1424;
+  w.x[56] = x1482;
+  const Real x1484 = x842 - x203 * 0.07887204828074391 + x1384 + x1284 * x1424;
+  w.x[57] = x1484;
+  const Real x1487 = x106 * x1438 + x109 * x1450;
+  const Real x1490 = x106 * x1441 + x109 * x1453;
+  const Real x1493 = x106 * x1444 + x109 * x1456;
+  const Real x1509 = x123 * x1438 - x127 * x1450;
+  const Real x1513 = x123 * x1441 - x127 * x1453;
+  const Real x1517 = x123 * x1444 - x127 * x1456;
+  const Real x1522 = x106 * x1487 + x109 * x1490 + 0.18257418583505539 * x1493;
+  w.x[58] = x1522;
+  const Real x1528 = x119 * x1490 - x114 * x1487 + 0.9128709291752769 * x1493;
+  w.x[59] = x1528;
+  const Real x1535 = x123 * x1487 - x127 * x1490 - 0.36514837167011077 * x1493;
+  w.x[60] = x1535;
+  const Real x1558 = x106 * x1509 + x109 * x1513 + 0.18257418583505539 * x1517;
+  w.x[61] = x1558;
+  const Real x1564 = x119 * x1513 - x114 * x1509 + 0.9128709291752769 * x1517;
+  w.x[62] = x1564;
+  const Real x1571 = x123 * x1509 - x127 * x1513 - 0.36514837167011077 * x1517;
+  w.x[63] = x1571;
+  const Real x1574 = x106 * x1432 + x109 * x1435;
+  const Real x1577 = x106 * x1435 + x109 * x1447;
+  const Real x1596 = x106 * x1574 + x109 * x1577;
+  w.x[64] = x1596;
+  const Real x1604 = x123 * x1574 - x127 * x1577;
+  w.x[65] = x1604;
+  const Real x1613 = x123 * (x123 * x1432 - x127 * x1435);
+  const Real x1616 = x1613 - x127 * (x123 * x1435 - x127 * x1447);
+  w.x[66] = x1616;
+  const Real x1621 = x106 * x1459 + x109 * x1462 + 0.18257418583505539 * x1465;
+  w.x[67] = x1621;
+  const Real x1626 = x106 * x1462 + x109 * x1468 + 0.18257418583505539 * x1471;
+  w.x[68] = x1626;
+  const Real x1627 = x106 * x1465;
+  w.x[69] = x1627;
+  const Real x1628 = x109 * x1471;
+  w.x[70] = x1628;
 }
 
-void articulate_drive(Workspace& w) {
-  auto& i = w.j_drive;
-  load_torque(w, 0, 0, i.body.tau);
-  i.body.c = Columns6::Zero();
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 0);
+ADAGEN_NOINLINE void part_0_1(Workspace& w) {
+  ADAGEN_INPUTS
+  const Real x57 = w.x[0];
+  const Real x106 = w.x[1];
+  const Real x109 = w.x[2];
+  const Real x114 = w.x[3];
+  const Real x119 = w.x[4];
+  const Real x123 = w.x[5];
+  const Real x127 = w.x[6];
+  const Real x229 = w.x[7];
+  const Real x233 = w.x[8];
+  const Real x240 = w.x[9];
+  const Real x246 = w.x[10];
+  const Real x251 = w.x[11];
+  const Real x255 = w.x[12];
+  const Real x427 = w.x[13];
+  const Real x431 = w.x[14];
+  const Real x439 = w.x[15];
+  const Real x446 = w.x[16];
+  const Real x454 = w.x[17];
+  const Real x461 = w.x[18];
+  const Real x464 = w.x[19];
+  const Real x467 = w.x[20];
+  const Real x470 = w.x[21];
+  const Real x476 = w.x[22];
+  const Real x482 = w.x[23];
+  const Real x488 = w.x[24];
+  const Real x659 = w.x[25];
+  const Real x665 = w.x[26];
+  const Real x666 = w.x[27];
+  const Real x682 = w.x[28];
+  const Real x684 = w.x[29];
+  const Real x705 = w.x[30];
+  const Real x709 = w.x[31];
+  const Real x710 = w.x[32];
+  const Real x714 = w.x[33];
+  const Real x1036 = w.x[34];
+  const Real x1037 = w.x[35];
+  const Real x1038 = w.x[36];
+  const Real x1044 = w.x[37];
+  const Real x1050 = w.x[38];
+  const Real x1056 = w.x[39];
+  const Real x1111 = w.x[40];
+  const Real x1424 = w.x[41];
+  const Real x1425 = w.x[42];
+  const Real x1426 = w.x[43];
+  const Real x1427 = w.x[44];
+  const Real x1428 = w.x[45];
+  const Real x1429 = w.x[46];
+  const Real x1459 = w.x[47];
+  const Real x1462 = w.x[48];
+  const Real x1465 = w.x[49];
+  const Real x1468 = w.x[50];
+  const Real x1471 = w.x[51];
+  const Real x1474 = w.x[52];
+  const Real x1476 = w.x[53];
+  const Real x1478 = w.x[54];
+  const Real x1480 = w.x[55];
+  const Real x1482 = w.x[56];
+  const Real x1484 = w.x[57];
+  const Real x1522 = w.x[58];
+  const Real x1528 = w.x[59];
+  const Real x1535 = w.x[60];
+  const Real x1558 = w.x[61];
+  const Real x1564 = w.x[62];
+  const Real x1571 = w.x[63];
+  const Real x1596 = w.x[64];
+  const Real x1604 = w.x[65];
+  const Real x1616 = w.x[66];
+  const Real x1621 = w.x[67];
+  const Real x1626 = w.x[68];
+  const Real x1627 = w.x[69];
+  const Real x1628 = w.x[70];
+  // joint 3 "shoulder": articulated-body inertia and bias force through it
+  const Real x1631 = x1627 + x1628 + 0.18257418583505539 * x1474;
+  const Real x1637 = x119 * x1462 - x114 * x1459 + 0.9128709291752769 * x1465;
+  const Real x1643 = x119 * x1468 - x114 * x1462 + 0.9128709291752769 * x1471;
+  const Real x1649 = x119 * x1471 - x114 * x1465 + 0.9128709291752769 * x1474;
+  const Real x1681 = x119 * x1626 - x114 * x1621 + 0.9128709291752769 * x1631;
+  const Real x1688 = x123 * x1621 - x127 * x1626 - 0.36514837167011077 * x1631;
+  const Real x1694 = x119 * x1643 - x114 * x1637 + 0.9128709291752769 * x1649;
+  const Real x1701 = x123 * x1637 - x127 * x1643 - 0.36514837167011077 * x1649;
+  const Real x1656 = x123 * x1459 - x127 * x1462 - 0.36514837167011077 * x1465;
+  const Real x1663 = x123 * x1462 - x127 * x1468 - 0.36514837167011077 * x1471;
+  const Real x1670 = x123 * x1465 - x127 * x1471 - 0.36514837167011077 * x1474;
+  const Real x1721 = x1528 - 0.02 * x1694;
+  const Real x1727 = x1564 + 0.15 * x1694;
+  const Real x1730 = x1535 - 0.02 * x1701;
+  const Real x1736 = x1571 + 0.15 * x1701;
+  const Real x1805 = x119 * x1482 - x114 * x1480 + 0.9128709291752769 * x1484;
+  const Real x1781 = x106 * x1476 + 0.18257418583505539 * tau[5] + x109 * x1478;
+  const Real x1794 = x123 * x1476 - 0.36514837167011077 * tau[5] - x127 * x1478;
+  const Real x1675 = x106 * x1621 + x109 * x1626 + 0.18257418583505539 * x1631;
+  const Real x1708 = x123 * x1656 - x127 * x1663 - 0.36514837167011077 * x1670;
+  const Real x1830 = 4.2 + x1708;
+  require_pivot(w, x1830, 0, 2);
+  const Real x1799 = x106 * x1480 + x109 * x1482 + 0.18257418583505539 * x1484;
+  const Real x1812 = x123 * x1480 - x127 * x1482 - 0.36514837167011077 * x1484;
+  // joint 2 "lift": articulated-body inertia and bias force through it
+  const Real x1837 = 1 / x1830;
+  const Real x1839 = x1837 * (tau[4] - (x714 + x1812));
+  const Real x1840 = x1730 * x1837;
+  const Real x1842 = x1736 * x1837;
+  const Real x1843 = x1688 * x1837;
+  const Real x1844 = x1701 * x1837;
+  // joint 3 "shoulder": articulated-body inertia and bias force through it
+  const Real x1823 = x1596 - 0.02 * x1528 - 0.02 * x1721 + 0.02086;
+  const Real x1755 = x1604 - 0.02 * x1564 + 0.15 * x1721;
+  const Real x1826 = x1616 + 0.15 * x1564 + 0.15 * x1727 + 0.047740000000000005;
+  // joint 2 "lift": articulated-body inertia and bias force through it
+  const Real x1874 = x1826 - x1736 * x1842;
+  const Real x1883 = 4.2 + x1675 - x1688 * x1843;
+  const Real x1889 = 4.2 + x1694 - x1701 * x1844;
+  const Real x1899 = x710 + x1805 + x1701 * x1839;
+  const Real x1900 = 0.9987502603949663 * (0.336 + x1727 - x1736 * x1844);
+  const Real x1903 = x1900 - 0.04997916927067833 * (x1721 - x1730 * x1844);
+  const Real x1911 = 0.04997916927067833 * (x1522 - 0.02 * x1681 - x1730 * x1843);
+  const Real x1913 = 0.9987502603949663 * (x1558 + 0.15 * x1681 - x1736 * x1843);
+  const Real x1930 = 0.04997916927067833 * (x1874 - (x1823 - x1730 * x1840));
+  const Real x1939 = 0.04997916927067833 * (x1930 + (x1755 - x1730 * x1842) * 1.9975005207899326);
+  const Real x1945 = 0.9987502603949663 * (x1681 - x1688 * x1844);
+  const Real x1963 = x57 * x1945 - 0.9987502603949663 * (x1911 - x1913);
+  const Real x1972 = x1903 + x57 * x1889;
+  const Real x1895 = x1794 + 0.15 * x1805 + x705 + x1736 * x1839;
+  const Real x2028 = 0.04997916927067833 * (x1781 - 0.02 * x1805 + x1730 * x1839);
+  const Real x2039 = 0.9987502603949663 * (x709 + x1799 + x1688 * x1839);
+  const Real x2026 = x1874 - x1939 + (x57 * x1903 + x57 * x1972);
+  // joint 1 "laser_spin": articulated-body inertia and bias force through it
+  const Real x2107 = cosine[1] * x684 - sine[1] * x682;
+  const Real x2129 = 1.4699288717103012 + x2026 + 0.01694;
+  const Real x2131 = x1883 - 0.04997916927067833 * (0.04997916927067833 * x1883) + 35.5 + 0.35;
+  require_pivot(w, x2131, 0, 0);
+  const Real x2132 = 35.5 + x1889 + 0.35;
+  // joint 2 "lift": articulated-body inertia and bias force through it
+  const Real x2064 = 0.9987502603949663 * x1895 - x2028 + x57 * x1899 - x659;
+  const Real x2065 = 0.04997916927067833 * tau[4] + x2039 + x665;
+  // joint 0 "drive": articulated-body inertia and bias force through it
+  const Real x2143 = 1 / x2131;
+  const Real x2144 = x1945 * x2143;
+  const Real x2145 = x1963 * x2143;
+  const Real x2148 = x2132 - x1945 * x2144;
+  require_pivot(w, x2148, 8 * kEpsilon * x2132, 0);
+  const Real x2151 = -0.9938046806644694 + x1972 + 0.077 - x1963 * x2144;
+  const Real x2152 = 1 / x2148;
+  const Real x2153 = x2151 * x2152;
+  const Real x2159 = x2129 - x1963 * x2145 - x2151 * x2153;
+  require_pivot(w, x2159, 8 * kEpsilon * x2129, 0);
+  const Real x2161 = tau[0] - (x2065 - (cosine[1] * x682 + sine[1] * x684));
+  const Real x2166 = tau[1] - (x666 + x1899 - x2107) - x2144 * x2161;
+  const Real x2163 = tau[2] - (x2064 - (tau[3] + 0.22 * x2107));
+  const Real x2175 = 1 / x2159 * (x2163 - x2145 * x2161 - x2153 * x2166);
+  w.result[2] = x2175;
+  const Real x2178 = x2152 * x2166 - x2153 * x2175;
+  w.result[1] = x2178;
+  const Real x2184 = x2143 * x2161 - x2145 * x2175 - x2144 * x2178;
+  w.result[0] = x2184;
+  // joint 1 "laser_spin": its acceleration, and that of the link beyond
+  const Real x2268 = tau[3] * 3571.4285714285716 + x2175;
+  w.result[3] = x2268;
+  // joint 2 "lift": its acceleration, and that of the link beyond
+  const Real x2273 = x2178 + x57 * x2175;
+  const Real x2274 = 0.9987502603949663 * x2175;
+  const Real x2275 = 0.04997916927067833 * x2175;
+  const Real x2278 = 0.9987502603949663 * x2184;
+  const Real x2288 = x1839 + x1840 * x2275 - x1842 * x2274;
+  const Real x2290 = x2288 - x1844 * x2273 - x1843 * x2278;
+  const Real x2291 = x2290 - 0.04997916927067833 * x2184;
+  w.result[4] = x2291;
+  // joint 3 "shoulder": its acceleration, and that of the link beyond
+  const Real x2298 = 0.02 * x2275 + 0.15 * x2274 + x2273;
+  const Real x2302 = x123 * x2274 - x106 * x2275;
+  const Real x2307 = x109 * x2275 + x127 * x2274;
+  const Real x2320 = x106 * x2278 - x114 * x2298 + x123 * x2290;
+  const Real x2326 = x109 * x2278 + x119 * x2298 - x127 * x2290;
+  const Real x2332 = 0.18257418583505539 * x2278 + 0.9128709291752769 * x2298 - 0.36514837167011077 * x2290;
+  const Real x2344 = x1424 - x1425 * x2302 + x1426 * x2307;
+  const Real x2346 = x2344 - x1427 * x2320 - x1428 * x2326;
+  const Real x2347 = x2346 - x1429 * x2332;
+  const Real x2348 = 0.18257418583505539 * x2275 + 0.36514837167011077 * x2274 + x2347;
+  w.result[5] = x2348;
+  // joint 4 "wrist": its acceleration, and that of the link beyond
+  const Real x2357 = x2320 - 0.06937819061732105 * x2307 - 0.04639300360872268 * x2347;
+  const Real x2363 = x2326 - 0.06937819061732105 * x2302 + 0.3707213992782555 * x2347;
+  const Real x2369 = 0.3707213992782555 * x2307 + 0.04639300360872268 * x2302 + x2332;
+  const Real x2375 = x229 * x2302 + x240 * x2307 + x251 * x2347;
+  const Real x2382 = x233 * x2302 - x246 * x2307 - x255 * x2347;
+  const Real x2388 = 0.9143434820629502 * x2302 + 0.17988007001927067 * x2307 + 0.3627935462750979 * x2347;
+  const Real x2407 = x1111 - x2388;
+  w.result[6] = x2407;
+  const Real x2394 = x229 * x2357 + x251 * x2369 - x240 * x2363;
+  // joint 5 "loose": its acceleration, and that of the link beyond
+  const Real x2416 = x439 * x2382 - x431 * x1111 + x2394;
+  // joint 4 "wrist": its acceleration, and that of the link beyond
+  const Real x2400 = x233 * x2357 - x255 * x2369 + x246 * x2363;
+  // joint 5 "loose": its acceleration, and that of the link beyond
+  const Real x2422 = x427 * x1111 - x439 * x2375 + x2400;
+  // joint 4 "wrist": its acceleration, and that of the link beyond
+  const Real x2406 = 0.9143434820629502 * x2357 + 0.3627935462750979 * x2369 - 0.17988007001927067 * x2363;
+  // joint 5 "loose": its acceleration, and that of the link beyond
+  const Real x2428 = x431 * x2375 - x427 * x2382 + x2406;
+  const Real x2448 = x446 * x2416 + x464 * x2422 + x476 * x2428;
+  const Real x2459 = x1056 - x2448;
+  w.result[7] = x2459;
+  const Real x2453 = x454 * x2416 + x467 * x2422 + x482 * x2428;
+  const Real x2460 = x1050 - x2453;
+  w.result[8] = x2460;
+  const Real x2458 = x461 * x2416 + x470 * x2422 + x488 * x2428;
+  const Real x2461 = x1044 - x2458;
+  w.result[9] = x2461;
+  const Real x2433 = x446 * x2375 + x476 * x1111 + x464 * x2382;
+  const Real x2462 = x1036 - x2433;
+  w.result[10] = x2462;
+  const Real x2438 = x454 * x2375 + x482 * x1111 + x467 * x2382;
+  const Real x2463 = x1037 - x2438;
+  w.result[11] = x2463;
+  const Real x2443 = x461 * x2375 + x488 * x1111 + x470 * x2382;
+  const Real x2464 = x1038 - x2443;
+  w.result[12] = x2464;
 }
-
-void accelerate_drive(Workspace& w) {
-  auto& i = w.j_drive;
-  Columns6 a = i.X * kGround;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 0, 0, qdd);
-}
-
-// =================================================================================================
-// Joint 1 "laser_spin": revolute, between links "cart" and "laser"
-// =================================================================================================
-
-void kinematics_laser_spin(Workspace& w) {
-  auto& i = w.j_laser_spin;
-  require_finite(w, w.q + 3, 1, 1);
-  require_finite(w, w.v + 3, 1, 1);
-  const Real q = w.q[3];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -s, 0.0,  //
-      -s, -c, 0.0,  //
-      0.0, 0.0, -1.0;
-  i.X.r << 0.22, 0.0, 0.23;
-  i.v = i.X * w.j_drive.v + joint_velocity<Revolute>(w.v + 3);
-}
-
-void articulate_laser_spin(Workspace& w) {
-  auto& i = w.j_laser_spin;
-  load_torque(w, 1, 3, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 3);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 1);
-  add_in_parent(i.X, handed, w.j_drive.IA);
-  w.j_drive.pA += i.X.transposed_times(force);
-}
-
-void accelerate_laser_spin(Workspace& w) {
-  auto& i = w.j_laser_spin;
-  Columns6 a = i.X * w.j_drive.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 1, 3, qdd);
-}
-
-// =================================================================================================
-// Joint 2 "lift": prismatic, between links "cart" and "carriage"
-// =================================================================================================
-
-void kinematics_lift(Workspace& w) {
-  auto& i = w.j_lift;
-  require_finite(w, w.q + 4, 1, 2);
-  require_finite(w, w.v + 4, 1, 2);
-  const Real q = w.q[4];
-  i.X.E << 0.9987502603949663, 0.0, -0.04997916927067833,  //
-      0.0, 1.0, 0.0,  //
-      0.04997916927067833, 0.0, 0.9987502603949663;
-  i.X.r << -0.08507706744923418 + 0.04997916927067833 * q, 0.0, 0.31687627588325595 + 0.9987502603949663 * q;
-  i.v = i.X * w.j_drive.v + joint_velocity<Prismatic>(w.v + 4);
-}
-
-void articulate_lift(Workspace& w) {
-  auto& i = w.j_lift;
-  load_torque(w, 2, 4, i.body.tau);
-  i.body.c = velocity_product<Prismatic>(i.v, w.v + 4);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 2);
-  add_in_parent(i.X, handed, w.j_drive.IA);
-  w.j_drive.pA += i.X.transposed_times(force);
-}
-
-void accelerate_lift(Workspace& w) {
-  auto& i = w.j_lift;
-  Columns6 a = i.X * w.j_drive.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 2, 4, qdd);
-}
-
-// =================================================================================================
-// Joint 3 "shoulder": revolute, between links "carriage" and "boom"
-// =================================================================================================
-
-void kinematics_shoulder(Workspace& w) {
-  auto& i = w.j_shoulder;
-  require_finite(w, w.q + 5, 1, 3);
-  require_finite(w, w.v + 5, 1, 3);
-  const Real q = w.q[5];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.9755826296796196 * c + 0.12208685160190179 * s, -0.12208685160190179 * c - 0.3895657419904911 * s, 0.18257418583505539 * c - 0.9128709291752769 * s,  //
-      0.12208685160190179 * c - 0.9755826296796196 * s, -0.3895657419904911 * c + 0.12208685160190179 * s, -0.9128709291752769 * c - 0.18257418583505539 * s,  //
-      0.18257418583505539, 0.9128709291752769, -0.36514837167011077;
-  i.X.r << 0.15, 0.0, 0.02;
-  i.v = i.X * w.j_lift.v + joint_velocity<Revolute>(w.v + 5);
-}
-
-void articulate_shoulder(Workspace& w) {
-  auto& i = w.j_shoulder;
-  load_torque(w, 3, 5, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 5);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 3);
-  add_in_parent(i.X, handed, w.j_lift.IA);
-  w.j_lift.pA += i.X.transposed_times(force);
-}
-
-void accelerate_shoulder(Workspace& w) {
-  auto& i = w.j_shoulder;
-  Columns6 a = i.X * w.j_lift.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 3, 5, qdd);
-}
-
-// =================================================================================================
-// Joint 4 "wrist": revolute, between links "boom" and "bowl"
-// =================================================================================================
-
-void kinematics_wrist(Workspace& w) {
-  auto& i = w.j_wrist;
-  require_finite(w, w.q + 6, 1, 4);
-  require_finite(w, w.v + 6, 1, 4);
-  const Real q = w.q[6];
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << -0.4028214625008311 * c + 0.04136261787763011 * s, -0.4955543024180784 * c - 0.8497464879390758 * s, 0.7695198520529689 * c - 0.5255663993041366 * s,  //
-      0.04136261787763011 * c + 0.4028214625008311 * s, -0.8497464879390758 * c + 0.4955543024180784 * s, -0.5255663993041366 * c - 0.7695198520529689 * s,  //
-      0.9143434820629502, -0.17988007001927067, 0.3627935462750979;
-  i.X.r << 0.3707213992782555, 0.04639300360872268, 0.06937819061732105;
-  i.v = i.X * w.j_shoulder.v + joint_velocity<Revolute>(w.v + 6);
-}
-
-void articulate_wrist(Workspace& w) {
-  auto& i = w.j_wrist;
-  load_torque(w, 4, 6, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 4);
-  add_in_parent(i.X, handed, w.j_shoulder.IA);
-  w.j_shoulder.pA += i.X.transposed_times(force);
-}
-
-void accelerate_wrist(Workspace& w) {
-  auto& i = w.j_wrist;
-  Columns6 a = i.X * w.j_shoulder.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 4, 6, qdd);
-}
-
-// =================================================================================================
-// Joint 5 "loose": floating, between links "bowl" and "load"
-// =================================================================================================
-
-void kinematics_loose(Workspace& w) {
-  auto& i = w.j_loose;
-  require_finite(w, w.q + 7, 7, 5);
-  require_finite(w, w.v + 7, 6, 5);
-  const Real* const q = w.q + 7;
-  Mat3 Q;
-  require_length(w, conjugate_rotation(q + 3, Q), 5);
-  i.X.E << -0.19866933079506122 * Q(0, 0) + 0.9362933635841992 * Q(0, 1) - 0.28962947762551555 * Q(0, 2), 0.29552020666133955 * Q(0, 1) + 0.955336489125606 * Q(0, 2), 0.9800665778412416 * Q(0, 0) + 0.18979606097868743 * Q(0, 1) - 0.058710801693826524 * Q(0, 2),  //
-      -0.19866933079506122 * Q(1, 0) + 0.9362933635841992 * Q(1, 1) - 0.28962947762551555 * Q(1, 2), 0.29552020666133955 * Q(1, 1) + 0.955336489125606 * Q(1, 2), 0.9800665778412416 * Q(1, 0) + 0.18979606097868743 * Q(1, 1) - 0.058710801693826524 * Q(1, 2),  //
-      -0.19866933079506122 * Q(2, 0) + 0.9362933635841992 * Q(2, 1) - 0.28962947762551555 * Q(2, 2), 0.29552020666133955 * Q(2, 1) + 0.955336489125606 * Q(2, 2), 0.9800665778412416 * Q(2, 0) + 0.18979606097868743 * Q(2, 1) - 0.058710801693826524 * Q(2, 2);
-  i.X.r << -0.19866933079506122 * q[0] + 0.9362933635841992 * q[1] - 0.28962947762551555 * q[2], 0.08 + 0.29552020666133955 * q[1] + 0.955336489125606 * q[2], 0.1 + 0.9800665778412416 * q[0] + 0.18979606097868743 * q[1] - 0.058710801693826524 * q[2];
-  i.v = i.X * w.j_wrist.v + joint_velocity<Floating>(w.v + 7);
-}
-
-void articulate_loose(Workspace& w) {
-  auto& i = w.j_loose;
-  load_torque(w, 5, 7, i.body.tau);
-  i.body.c = velocity_product<Floating>(i.v, w.v + 7);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 5);
-  add_in_parent(i.X, handed, w.j_wrist.IA);
-  w.j_wrist.pA += i.X.transposed_times(force);
-}
-
-void accelerate_loose(Workspace& w) {
-  auto& i = w.j_loose;
-  Columns6 a = i.X * w.j_wrist.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 5, 7, qdd);
-}
-
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
 // Process 0: 6 of 6 joints: "drive", "laser_spin", "lift", "shoulder", "wrist", "loose"
+constexpr std::array<int, 6> kRead_0{0, 1, 2, 3, 4, 5};
+constexpr std::array<int, 6> kOwned_0{0, 1, 2, 3, 4, 5};
+
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  ADAGEN_INPUTS
   stamp(0);
-  kinematics_drive(w);
-  kinematics_laser_spin(w);
-  kinematics_lift(w);
-  kinematics_shoulder(w);
-  kinematics_wrist(w);
-  kinematics_loose(w);
+  if (!(unlike_zero(q + 0, 14) + unlike_zero(v + 0, 13) + unlike_zero(tau + 0, 13) == 0))
+    name_what_is_not_finite(w, kRead_0, kOwned_0);
+  w.angle[0] = q[2];
+  w.angle[1] = q[3];
+  w.angle[2] = q[5];
+  w.angle[3] = q[6];
+  take_sines_and_cosines<4>(w.angle.data(), w.sine.data(), w.cosine.data());
+  part_0_0(w);
+  part_0_1(w);
   stamp(1);
-  start_link(kInertia_cart, w.j_drive.v, w.j_drive.IA, w.j_drive.pA);
-  start_link(kInertia_laser, w.j_laser_spin.v, w.j_laser_spin.IA, w.j_laser_spin.pA);
-  start_link(kInertia_carriage, w.j_lift.v, w.j_lift.IA, w.j_lift.pA);
-  start_link(kInertia_boom, w.j_shoulder.v, w.j_shoulder.IA, w.j_shoulder.pA);
-  start_link(kInertia_bowl, w.j_wrist.v, w.j_wrist.IA, w.j_wrist.pA);
-  start_link(kInertia_load, w.j_loose.v, w.j_loose.IA, w.j_loose.pA);
-  articulate_loose(w);
-  articulate_wrist(w);
-  articulate_shoulder(w);
-  articulate_lift(w);
-  articulate_laser_spin(w);
-  articulate_drive(w);
   stamp(2);
-  accelerate_drive(w);
-  accelerate_laser_spin(w);
-  accelerate_lift(w);
-  accelerate_shoulder(w);
-  accelerate_wrist(w);
-  accelerate_loose(w);
   stamp(3);
+  if (!(unlike_zero(w.result.data() + 0, 13) == 0)) name_what_overflows(w, kOwned_0);
+  if (w.status != kFine) return;
+  std::copy_n(w.result.data() + 0, 13, w.qdd + 0);
 }
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 
-// What each process reads of q and v, and the velocity entries whose tau and qdd are its own.
+// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
+// reads.
 constexpr std::array<int, 14> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13};
 constexpr std::array<int, 13> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
 constexpr std::array<int, 13> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+constexpr std::array<int, 13> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {14, kReadQ_0.data(), 13, kReadV_0.data(), 13, kOwn_0.data(), 0, nullptr},
+    {14, kReadQ_0.data(), 13, kReadV_0.data(), 13, kOwn_0.data(), 13, kTorque_0.data()},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -1705,8 +1397,7 @@ class Solver {
     const Real* content = channel.receive(state_message(rank), status);
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
-    for (int k = 0; k < own.v_count; ++k) tau_[own.v[k]] = *content++;
-    for (int k = 0; k < own.outer_count; ++k) tau_[own.outer[k]] = *content++;
+    for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     kRun[rank](w, channel);
@@ -1723,8 +1414,7 @@ class Solver {
       Real* content = channel.outgoing(state_message(p), status);
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
-      for (int k = 0; k < other.v_count; ++k) *content++ = tau[other.v[k]];
-      for (int k = 0; k < other.outer_count; ++k) *content++ = tau[other.outer[k]];
+      for (int k = 0; k < other.tau_count; ++k) *content++ = tau[other.tau[k]];
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -2848,6 +2538,8 @@ std::string parse_simulation(const std::string& word, const std::string& value, 
 
 // Returns what is wrong with what was asked for together, and settles what was left open.
 std::string settle(bool simulation_words, Options& options) {
+  if (kBatch && (options.simulation.seconds > 0 || !options.trace.empty()))
+    return "a batch solver has neither --simulate nor --trace";
   const bool others = options.check || options.time || !options.trace.empty();
   if (options.simulation.seconds > 0) {
     if (others || !options.result.empty())
@@ -3234,6 +2926,7 @@ class Timing {
   explicit Timing(Session& session) : session_(session) {}
 
   int time_all() {
+    if constexpr (kBatch) return time_batch(session_.solver);
     session_.use(random_states(kRandomStates, session_.options.seed));
     session_.pinned = pin();
     std::vector<double> in_place, at_root;
@@ -3267,6 +2960,46 @@ class Timing {
     // An evaluation is over when its last process is done.
     MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
                   MPI_MAX, session_.comm());
+    in_place_ = statistics(std::move(in_place));
+    at_root_ = statistics(std::move(at_root));
+    timed_ = true;
+    return kDone;
+  }
+
+  // A batch of as many random states for each process; nanoseconds for each state and process.
+  template <class S>
+  int time_batch(S& solver) {
+    constexpr int kCount = kRandomStates * kProcesses;
+    session_.use(random_states(kCount, session_.options.seed));
+    session_.pinned = pin();
+    std::vector<double> in_place, at_root;
+    int failed = kFine;
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
+      session_.watch.again();
+      if constexpr (kBatch) {
+        const int first = kRandomStates * session_.rank;
+        const Clock::time_point start = start_together();
+        failed = solver.solve_batch(kRandomStates, session_.q(first), session_.v(first),
+                                    session_.tau(first), session_.acceleration(first));
+        const double in_place_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+        const Clock::time_point start_root = start_together();
+        const int second = solver.solve_batch_at_root(kCount, session_.q(0), session_.v(0),
+                                                      session_.tau(0), session_.acceleration(0));
+        const double root_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
+        if (failed == kFine) failed = second;
+        if (pass < 0) continue;
+        in_place.push_back(in_place_ns / kRandomStates);
+        at_root.push_back(root_ns / kRandomStates);
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    }
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random states: " + describe(failed));
+    for (std::vector<double>* ns : {&in_place, &at_root})  // over when the last process is done
+      MPI_Allreduce(MPI_IN_PLACE, ns->data(), static_cast<int>(ns->size()), MPI_DOUBLE, MPI_MAX,
+                    session_.comm());
     in_place_ = statistics(std::move(in_place));
     at_root_ = statistics(std::move(at_root));
     timed_ = true;
@@ -3322,12 +3055,16 @@ class Timing {
   void print(std::FILE* out) const {
     if (!timed_) return;
     std::fprintf(out,
-                 "time   %d process%s%s, ns per evaluation: median, minimum, 99th percentile\n",
-                 kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "");
+                 "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
+                 kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "",
+                 kBatch ? "state and process" : "evaluation");
     std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
                  in_place_.median, in_place_.least, in_place_.percentile99);
     std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n", at_root_.median,
                  at_root_.least, at_root_.percentile99);
+    if (kBatch)
+      std::fprintf(out, "       states per second in place      %8.3g (%.3g per process)\n",
+                   1e9 * kProcesses / in_place_.median, 1e9 / in_place_.median);
   }
 
  private:
@@ -3674,6 +3411,7 @@ class Program {
   int solve_all() {
     Session& on = session_;
     on.use(std::move(on.states));
+    if constexpr (kBatch) return solve_shares(on.solver);
     int failed = kFine, at = 0;
     for (int s = 0; s < on.states.count && failed == kFine; ++s) {
       on.watch.again();
@@ -3687,6 +3425,28 @@ class Program {
     if (failed != kFine)
       return on.complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
                          on.options.states);
+    return bring_together();
+  }
+
+  // As many states at once as there are lanes, each process its share.
+  template <class S>
+  int solve_shares(S& solver) {
+    Session& on = session_;
+    int failed = kFine;
+    if constexpr (kBatch) {
+      const int first = S::share(on.states.count, on.rank);
+      const int count = S::share(on.states.count, on.rank + 1) - first;
+      failed = solver.solve_batch(count, on.q(first), on.v(first), on.tau(first),
+                                  on.acceleration(first));
+    }
+    if (failed != kFine)
+      std::fprintf(stderr, "error: process %d: %s\n", on.rank, solver.text.c_str());
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
+    return failed == kFine ? bring_together() : kInputAtFault;
+  }
+
+  int bring_together() {
+    Session& on = session_;
     solved_ = on.states.count;
     // Each process wrote its own joints and left the others zero.
     void* const all = on.qdd.data();

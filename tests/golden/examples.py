@@ -34,6 +34,7 @@ class Example:
     scalar: str = "double"
     channel: str = "auto"
     shape: str = "auto"
+    batch: bool = False
 
     @property
     def stem(self) -> str:
@@ -51,12 +52,14 @@ class Example:
 
 
 EXAMPLES = (
-    Example("arm7", "arm7", 1),
+    Example("arm7", "arm7", 1, shape="joints"),
     Example("arm7", "arm7", 2),
     Example("arm7_unrolled", "arm7", 1, shape="unrolled"),
     Example("arm7_unrolled", "arm7", 2, form="ada", shape="unrolled"),
     Example("arm7_slaved", "arm7", 2, mimic=True, form="ada"),
     Example("arm7_float", "arm7", 2, scalar="float"),
+    Example("arm7_batch", "arm7", 2, batch=True),
+    Example("humanoid", "humanoid", 1, floating=True),
     Example("humanoid", "humanoid", 2, floating=True),
     Example("humanoid", "humanoid", 3, floating=True, form="ada"),
     Example("human40", "human40", 1, form="ada"),
@@ -76,7 +79,8 @@ def _model(urdf: Path, floating: bool, mimic: bool) -> Model:
 def stages(example: Example) -> tuple[Schedule, Plan]:
     """Return the schedule and the plan of an example."""
     model = example.model()
-    schedule = best_schedule(model, example.processes, load_profile("default"), example.form)
+    processes = 1 if example.batch else example.processes
+    schedule = best_schedule(model, processes, load_profile("default"), example.form)
     plan = make_plan(
         model,
         schedule,
@@ -95,7 +99,8 @@ def files_of(example: Example) -> dict[str, str]:
     several = "es" if example.processes > 1 else ""
     title = f"{example.model().name}, {example.processes} process{several}"
     svg = schedule_svg(schedule, topology, title)
-    files = emit(plan, name=example.name, svg=svg, shape=example.shape)
+    batch = example.processes if example.batch else 0
+    files = emit(plan, name=example.name, svg=svg, shape=example.shape, batch=batch)
     files[f"{example.stem}.schedule.json"] = schedule_to_json(schedule, topology) + "\n"
     return files
 

@@ -24,7 +24,8 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<V
   if constexpr (reversed) shift(X, -r);
   Vector<Value> n = along ? X.B * s : X.A * s;
   const Vector<Value> f = along ? X.C * s : transposed_times(X.B, s);
-  const Value D = dot(s, along ? f : n);
+  Value D = dot(s, along ? f : n);
+  if constexpr (kAnyPassive) D += kJoints[static_cast<std::size_t>(j)].passive.rotor;
   const Value inverse = 1 / D;
   const Value u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
   if (__builtin_expect(!all_positive(D), 0)) fail(w, kFactorization, j);
@@ -136,10 +137,10 @@ ADAGEN_INLINE void step_inward(Workspace& w, int j, Body<Value>& X) {
   const Vector<Value> none{};
   switch (joint.kind) {
     case JointKind::kRevolute:
-      eliminate<false, reversed>(w, j, X, axis_at(R), memory.r, tau[0], memory.e);
+      eliminate<false, reversed>(w, j, X, axis_at(R), memory.r, torque(w, joint), memory.e);
       break;
     case JointKind::kPrismatic:
-      eliminate<true, reversed>(w, j, X, axis_at(R), memory.r, tau[0], memory.e);
+      eliminate<true, reversed>(w, j, X, axis_at(R), memory.r, torque(w, joint), memory.e);
       break;
     case JointKind::kSpherical:
       if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, j, X, memory.r, tau, memory.e);

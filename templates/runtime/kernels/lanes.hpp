@@ -30,6 +30,13 @@ ADAGEN_INLINE bool all_zero(const Lanes& x) {
   return result;
 }
 
+ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
+ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
+  Lanes result = x;
+  for (int k = 0; k < kLanes; ++k) result[k] = std::tanh(x[k]);
+  return result;
+}
+
 // Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
 // three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
 // kLargestAngle; beyond, each lane is left to the C library.

@@ -35,6 +35,14 @@ struct Eliminated {
 [[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
 [[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
 [[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
+[[maybe_unused]] constexpr bool any_passive() {
+  for (const JointConstants& joint : kJoints) {
+    const Passive& own = joint.passive;
+    if (own.damping != 0 || own.friction != 0 || own.stiffness != 0 || own.rotor != 0) return true;
+  }
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnyPassive = any_passive();
 using Memory = Eliminated<kAnyPlanar ? 24 : kAnySpherical ? 18 : 8>;
 
 // A link's orientation and how it moves, were all joint accelerations zero.
@@ -141,6 +149,19 @@ void require_length(Workspace& w, const T& squared, int joint) {
   if (!all_positive(squared - std::numeric_limits<Real>::min()) ||
       !all_positive(std::numeric_limits<Real>::max() - squared))
     fail(w, kZeroQuaternion, joint);
+}
+
+// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
+  Value tau = w.tau[joint.v];
+  if constexpr (kAnyPassive) {
+    const Passive& own = joint.passive;
+    const Value& qd = w.v[joint.v];
+    if (own.damping != 0) tau -= own.damping * qd;
+    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
+  }
+  return tau;
 }
 
 // Accelerations are given only where all went well.
