@@ -10,6 +10,7 @@ from adagen.emit.refine import checked_steps, refinement_messages
 from adagen.emit.shapes import KNOWN, chosen_shape
 from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words
+from adagen.errors import UsageError
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan, plan_to_json
 from adagen.plan.refine import refinable

@@ -5,6 +5,7 @@ from __future__ import annotations
 from adagen.emit import effects
 from adagen.emit.kinematics import configuration, velocity
 from adagen.emit.words import Words
+from adagen.plan import Plan
 from adagen.plan.growth import EPSILON
 from adagen.plan.steps import Coupling, Disassemble, FusedJoin, Join
 
@@ -71,9 +72,11 @@ def assembly(words: Words, join: Join, *, turned: bool = False) -> list[str]:
     return lines
 
 
-def _digits(words: Words, join: Join, phi_a: str, phi_b: str) -> list[str]:
-    """The guard against a loss of all digits, where the links beside the joint were joined bare."""
-    plan = words.plan
+def least_mobility(plan: Plan, join: Join) -> list[float]:
+    """Return what each diagonal entry of M must exceed to have digits; empty: nothing is known.
+
+    Where the links beside the joint were joined bare, it is a multiple of what they brought.
+    """
     if plan.joints[join.joint].rotor_inertia or plan.joints[join.joint].prescribed:
         return []  # the rotor's mobility is added to M; what is prescribed frees nothing
     child, parent = plan.links[join.joint + 1], plan.links[plan.joints[join.joint].parent]
@@ -81,9 +84,15 @@ def _digits(words: Words, join: Join, phi_a: str, phi_b: str) -> list[str]:
     if parent.phi:  # at least: 1 / trace of the inertia about any axis, 1 / mass in any direction
         trace = sum(parent.tensor[k][k] for k in range(3))
         least = [x + 1.0 / (trace if k < 3 else parent.mass) for k, x in enumerate(least)]
-    if not any(least):
+    return [KEPT * EPSILON[plan.scalar] * x for x in least] if any(least) else []
+
+
+def _digits(words: Words, join: Join, phi_a: str, phi_b: str) -> list[str]:
+    """The guard against a loss of all digits."""
+    least = least_mobility(words.plan, join)
+    if not least:
         return []
-    numbers = words.printer.numbers(KEPT * EPSILON[plan.scalar] * x for x in least)
+    numbers = words.printer.numbers(least)
     kind = words.type_of(join.joint)
     return [
         f"constexpr std::array<Real, 6> least{{{numbers}}};",
@@ -180,9 +189,7 @@ def bias_updates(words: Words, join: Join) -> list[str]:
     return lines
 
 
-def disassembly(
-    words: Words, join: Join, end: Disassemble, *, turned: bool = False
-) -> list[str]:
+def disassembly(words: Words, join: Join, end: Disassemble, *, turned: bool = False) -> list[str]:
     """Eq. (8)-(10): the joint's acceleration and force, and what the two parts get to feel.
 
     With ``turned``, the part at the child link is not told in the joint's frame: see ``assembly``.

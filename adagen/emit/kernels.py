@@ -269,9 +269,7 @@ class _Writer:
             else:
                 count = 1
             copies.append((j, q, count))
-        return [
-            f"std::copy_n(w.q + {q}, {n}, w.angle.data() + {j});" for j, q, n in copies
-        ]
+        return [f"std::copy_n(w.q + {q}, {n}, w.angle.data() + {j});" for j, q, n in copies]
 
     def _blocks(self, joints: Iterable[int]) -> list[tuple[str, str]]:
         """Ranges of blocks that hold joints, as expressions."""
@@ -285,9 +283,7 @@ class _Writer:
 
     def _StartLink(self, steps: list[StartLink]) -> list[str]:  # noqa: N802
         links = [step.link for step in steps]
-        lines = [
-            f"set_up_links<{a}, {b}>(w);" for a, b in self._blocks(link - 1 for link in links)
-        ]
+        lines = [f"set_up_links<{a}, {b}>(w);" for a, b in self._blocks(link - 1 for link in links)]
         for link in [link for link in links if link in self.core]:
             starts = self._starts(link)
             lines.append(f"place<{link}, {starts}>(w);  // {self.words.quoted_link(link)} itself")

@@ -55,7 +55,7 @@ def why_not(plan: Plan) -> str | None:
             if isinstance(step, Propagate):
                 joint = plan.joints[step.joint]
                 if joint.kind in ("planar", "floating"):
-                    return f'mobility would have to pass joint "{joint.name}", which is {joint.kind}'
+                    return f'mobility would pass joint "{joint.name}", which is {joint.kind}'
     return None
 
 

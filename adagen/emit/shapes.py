@@ -18,7 +18,7 @@ from adagen.emit.effects import has_effects
 from adagen.emit.joints import joint_rows
 from adagen.emit.processes import step_rows
 from adagen.emit.refine import add_corrections, refinement_values
-from adagen.emit.unrolled import unrolled_values, why_not_unrolled
+from adagen.emit.unrolled import pays_unrolled, unrolled_values, why_not_unrolled
 from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.plan import Plan
@@ -93,10 +93,6 @@ BASELINES = {name: Shape(_baseline_why_not, _baseline) for name in ("crba", "aba
 KNOWN = {**SHAPES, **BASELINES}
 
 
-UNROLLED_JOINTS = 10
-"""Joints up to which a straight line on one process is faster than loops (docs/code_shapes.md)."""
-
-
 def chosen_shape(plan: Plan, shape: str = "auto") -> str:
     """Return the shape that a plan is emitted in: the one asked for, or the fastest that takes it.
 
@@ -104,9 +100,10 @@ def chosen_shape(plan: Plan, shape: str = "auto") -> str:
         UsageError: the plan cannot be emitted in the shape asked for.
     """
     if shape == "auto":
-        small = len(plan.processes) == 1 and len(plan.joints) <= UNROLLED_JOINTS
-        order = ("unrolled", "kernels", "joints") if small else ("kernels", "joints")
-        return next(name for name in order if SHAPES[name].why_not(plan) is None)
+        alone = len(plan.processes) == 1 and why_not_unrolled(plan) is None
+        if alone and pays_unrolled(plan):
+            return "unrolled"
+        return next(n for n in ("kernels", "joints") if SHAPES[n].why_not(plan) is None)
     reason = KNOWN[shape].why_not(plan)
     if reason is not None:
         raise UsageError(f"shape {shape} cannot be emitted: {reason}")

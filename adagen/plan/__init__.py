@@ -97,9 +97,7 @@ def can_gather(model: Model) -> bool:
     return why_not_gather(joints_of(model), wrenches_of(model)) is None
 
 
-def planner_of(
-    model: Model, schedule: Schedule, form: str, meeting: str = "auto"
-) -> AdaPlanner:
+def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto") -> AdaPlanner:
     """Return what builds the processes of a plan.
 
     Args:

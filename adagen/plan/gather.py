@@ -349,9 +349,7 @@ class GatherPlanner(SegmentPlanner):
                 steps.extend(self._accelerated(component.edges))
             steps.extend(
                 self._accelerated(
-                    e
-                    for e in tree.edges
-                    if tree.owner.get(e.joint) == p and e.joint not in hidden
+                    e for e in tree.edges if tree.owner.get(e.joint) == p and e.joint not in hidden
                 )
             )
             if tree.base is not None and self._link_owner(tree, tree.base + 1) == p:

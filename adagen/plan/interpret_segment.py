@@ -57,39 +57,41 @@ class SegmentMachine:
                 self.memory["pA", step.joint + 1][free] -= self.machine.torques(step.joint)
             case Articulate():
                 self._articulate(step)
-            case InvertRoot():
-                phi = np.linalg.inv(self.memory["IA", step.link])
-                self.memory[step.block] = phi
-                self.memory[step.bias] = -phi @ self.memory["pA", step.link]
-            case SolveRoot():
-                inertia, p = self.memory["IA", step.link], self.memory["pA", step.link]
-                self.memory["a", step.link] = np.linalg.solve(inertia, -p)
-            case SolveMobility():
-                inertia, p = self.memory["IA", step.link], self.memory["pA", step.link]
-                phi, b = self.memory[step.block], self.memory[step.bias]
-                self.memory["a", step.link] = np.linalg.solve(
-                    np.eye(6) + phi @ inertia, b - phi @ p
-                )
-            case LoadRoot():
-                inertia, p = self.memory["IA", step.link], self.memory["pA", step.link]
-                self.memory["load", step.link] = -(inertia @ self.memory["a", step.link] + p)
             case Propagate():
                 self._propagate(step)
-            case Load():
-                none = np.zeros((6, self.machine.columns))
-                force = none if step.force is None else self.memory[step.force]
-                self.memory["load", step.link] = force.copy()
             case Deliver():
                 self._deliver(step)
-            case AccelerateRoot():
-                phi, b = self.memory[step.block], self.memory[step.bias]
-                self.memory["a", step.link] = b + phi @ self.memory["load", step.link]
             case FreeAcceleration():
                 x, free = self.memory["X", step.joint], list(self._kind(step.joint).free)
                 a = self.memory["a", step.joint + 1] - x @ self.machine.ground()
                 self.machine.accelerate(step.joint, a[free])
             case Accelerate():
                 self._accelerate(step)
+            case InvertRoot() | SolveRoot() | SolveMobility() | LoadRoot() | Load():
+                self._at_root(step)
+            case AccelerateRoot():
+                phi, b = self.memory[step.block], self.memory[step.bias]
+                self.memory["a", step.link] = b + phi @ self.memory["load", step.link]
+
+    def _at_root(self, step: InvertRoot | SolveRoot | SolveMobility | LoadRoot | Load) -> None:
+        if isinstance(step, Load):
+            none = np.zeros((6, self.machine.columns))
+            force = none if step.force is None else self.memory[step.force]
+            self.memory["load", step.link] = force.copy()
+            return
+        inertia, p = self.memory["IA", step.link], self.memory["pA", step.link]
+        match step:
+            case InvertRoot():
+                phi = np.linalg.inv(inertia)
+                self.memory[step.block], self.memory[step.bias] = phi, -phi @ p
+            case SolveRoot():
+                self.memory["a", step.link] = np.linalg.solve(inertia, -p)
+            case SolveMobility():
+                phi, b = self.memory[step.block], self.memory[step.bias]
+                held = np.eye(6) + phi @ inertia
+                self.memory["a", step.link] = np.linalg.solve(held, b - phi @ p)
+            case LoadRoot():
+                self.memory["load", step.link] = -(inertia @ self.memory["a", step.link] + p)
 
     def _kind(self, j: int) -> JointKind:
         return self.machine.kind(j)

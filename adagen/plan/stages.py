@@ -30,7 +30,16 @@ from adagen.plan.types import Process
 
 What = Literal["kinematics", "assembly", "disassembly", "slaved", "send", "receive"]
 
-_DOWN = (Disassemble, SolveMobility, Load, LoadRoot, Deliver, AccelerateRoot, Accelerate, FreeAcceleration)
+_DOWN = (
+    Disassemble,
+    SolveMobility,
+    Load,
+    LoadRoot,
+    Deliver,
+    AccelerateRoot,
+    Accelerate,
+    FreeAcceleration,
+)
 
 
 @dataclass(frozen=True)

@@ -14,8 +14,8 @@ from adagen.schedule.named import as_schedule
 from adagen.schedule.profile import CostProfile
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import (
-    Meeting,
     InvalidSchedule,
+    Meeting,
     Node,
     Schedule,
     postorder,

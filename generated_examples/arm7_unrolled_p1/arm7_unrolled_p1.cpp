@@ -590,7 +590,6 @@ struct Workspace {
   [[maybe_unused]] const Real *const q = w.q, *const v = w.v, *const tau = w.tau;         \
   [[maybe_unused]] const Real *const sine = w.sine.data(), *const cosine = w.cosine.data();
 
-constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();
 [[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 
 inline void fail(Workspace& w, Failure kind, int joint) {
@@ -625,9 +624,9 @@ template <std::size_t reads, std::size_t owns>
     fail(w, kZeroQuaternion, joint);
 }
 
-// A pivot has to be positive, and not lost against what it was subtracted from.
-inline void require_pivot(Workspace& w, Real pivot, Real least, int joint) {
-  if (!(pivot > least && pivot <= std::numeric_limits<Real>::max())) fail(w, kFactorization, joint);
+// A pivot or a mobility has to be more than what rounding may have left of it.
+[[maybe_unused]] inline void require_more(Workspace& w, Real x, Real least, Failure kind, int joint) {
+  if (!(x > least && x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
 }
 
 // Sine and cosine by the polynomials of fdlibm on [-pi/4, pi/4], after taking multiples of pi/2
@@ -984,7 +983,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x1356 = x588 * x1234 + x1308 + 0.00317433;
   // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
   const Real x1412 = 8.33333e-06 + x1379 - q[7] * x1377 + x1356;
-  require_pivot(w, x1412, 0, 6);
+  require_more(w, x1412, 0.0, kFactorization, 6);
   const Real x1413 = x1234 + x1377;
   const Real x1401 = q[7] * x1122 - 0.13 * tau[7] + x1372;
   const Real x1403 = x1106 + x579 * 0.0015 + 0.13 * x1127;
@@ -1082,7 +1081,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x1633 = 0.9999999999932537 * x1623 - 3.673205103346574e-06 * x1421;
   const Real x1599 = x1525 - x1534 - 0.09 * x1507 + 0.09 * x1571;
   const Real x1646 = 0.00351 + x1599;
-  require_pivot(w, x1646, 0, 5);
+  require_more(w, x1646, 0.0, kFactorization, 5);
   const Real x1647 = 0.9999999999932537 * x1484 - 0.09 * x1548 + -0.013000000000000001;
   const Real x1648 = 0.052000000000000005 + x1571;
   const Real x1603 = cosine[6] * x1461 - sine[6] * x1463;
@@ -1254,7 +1253,7 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x1863 = sine[5] * x1722 + cosine[5] * x1724;
   const Real x1878 = 0.00136 - 0.9999999999932537 * x1789;
   const Real x1880 = x1785 - x1793 + 0.00189125;
-  require_pivot(w, x1880, 0, 4);
+  require_more(w, x1880, 0.0, kFactorization, 4);
   const Real x1881 = -0.017 + x1750;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Real x1892 = 1 / x1880;
@@ -1361,7 +1360,7 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x2104 = x1919 + x2012 - 0.38 * x1990 + 0.38 * x2094;
   const Real x2109 = 0.38 * x1997 - 3.673205103346574e-06 * x2011 + 0.08 * x2094;
   const Real x2198 = 0.38 * x2078 + x2142 + 0.08 * x2091 + 0.037748300000000005;
-  require_pivot(w, x2198, 0, 3);
+  require_more(w, x2198, 0.0, kFactorization, 3);
   const Real x2199 = -0.22000000000000003 - x2078;
   const Real x2200 = -0.11000000000000001 - x2091;
   const Real x2181 = cosine[4] * x1948 - sine[4] * x1950 - 0.38 * x2177;
@@ -1446,7 +1445,7 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x2460 = 0.9999999999932537 * x2450 - 3.673205103346574e-06 * x2275;
   const Real x2426 = x2333 - x2341 - 0.08 * x2315 + 0.08 * x2398;
   const Real x2472 = 0.0039325 + x2426;
-  require_pivot(w, x2472, 0, 2);
+  require_more(w, x2472, 0.0, kFactorization, 2);
   const Real x2463 = 3.673205103346574e-06 * x2433 + 0.9999999999932537 * tau[3] + 0.08 * x2460;
   const Real x2467 = 0.9999999999932537 * x2433 - 3.673205103346574e-06 * tau[3] - 0.08 * x2455;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
@@ -1521,7 +1520,7 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x2734 = x2731 - 3.673205103346574e-06 * (x766 + x2460 + x2402 * x2485);
   const Real x2738 = 0.3 * (cosine[2] * x2542 - sine[2] * x2544);
   const Real x2744 = x2604 - x2612 + 0.3 * x2569 + x2697 + 0.048670000000000005;
-  require_pivot(w, x2744, 0, 1);
+  require_more(w, x2744, 0.0, kFactorization, 1);
   const Real x2737 = cosine[2] * x2538 - sine[2] * x2540 - 0.3 * x2734;
   // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
   const Real x2756 = 1 / x2744;
@@ -1545,7 +1544,7 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x2972 = sine[1] * (x706 + x2737 + x2690 * x2758);
   const Real x2979 = 0.9999999999932537 * (x2972 + cosine[1] * (x2750 - x2693 * x2758));
   const Real x3011 = x2879 - 3.673205103346574e-06 * (3.673205103346574e-06 * x2879) + 0.00882;
-  require_pivot(w, x3011, 0, 0);
+  require_more(w, x3011, 0.0, kFactorization, 0);
   // joint 0 "base_yaw": articulated-body inertia and bias force through it
   const Real x3019 = 1 / x3011 * (x2979 + 3.673205103346574e-06 * tau[1] + tau[0]);
   w.result[0] = x3019;

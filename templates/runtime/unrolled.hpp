@@ -3,7 +3,6 @@
   [[maybe_unused]] const Real *const q = w.q, *const v = w.v, *const tau = w.tau;         \
   [[maybe_unused]] const Real *const sine = w.sine.data(), *const cosine = w.cosine.data();
 
-constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();
 [[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 
 inline void fail(Workspace& w, Failure kind, int joint) {
@@ -38,9 +37,9 @@ template <std::size_t reads, std::size_t owns>
     fail(w, kZeroQuaternion, joint);
 }
 
-// A pivot has to be positive, and not lost against what it was subtracted from.
-inline void require_pivot(Workspace& w, Real pivot, Real least, int joint) {
-  if (!(pivot > least && pivot <= std::numeric_limits<Real>::max())) fail(w, kFactorization, joint);
+// A pivot or a mobility has to be more than what rounding may have left of it.
+[[maybe_unused]] inline void require_more(Workspace& w, Real x, Real least, Failure kind, int joint) {
+  if (!(x > least && x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
 }
 
 // Sine and cosine by the polynomials of fdlibm on [-pi/4, pi/4], after taking multiples of pi/2

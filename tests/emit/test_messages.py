@@ -52,7 +52,10 @@ def unguarded(plan: Plan) -> list[int]:
     return wrong
 
 
-@pytest.mark.parametrize(("form", "meeting"), [("ada", "join"), *(("segment", m) for m in MEETINGS)])
+WAYS = [("ada", "join"), *(("segment", meeting) for meeting in MEETINGS)]
+
+
+@pytest.mark.parametrize(("form", "meeting"), WAYS)
 @settings(max_examples=60, deadline=None)
 @given(st.integers(1, 10), st.integers(1, 6), st.integers(0, 3), st.integers(0, 2**32 - 1))
 def test_every_message_is_read_before_its_place_is_written_again(

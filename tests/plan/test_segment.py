@@ -30,9 +30,7 @@ from tests.models import human_figure, serial_chain, star, three_axis_chain
 from tests.schedules import random_schedule
 
 
-def planned(
-    model: Model, processes: int, form: str = "segment", meeting: str = "auto"
-) -> Plan:
+def planned(model: Model, processes: int, form: str = "segment", meeting: str = "auto") -> Plan:
     """Return the plan of the best schedule that may be cut only where digits are kept."""
     schedule = find_schedule(
         Topology.of(model),

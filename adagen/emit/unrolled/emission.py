@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from adagen.emit.processes import describe_message
 from adagen.emit.unrolled.describe import DESCRIBED, describe_step
-from adagen.emit.unrolled.layout import Chunk, Layout, Stretch, is_given, laid_out
+from adagen.emit.unrolled.layout import Chunk, Layout, Stretch, is_given, laid_out, looked_at
 from adagen.emit.unrolled.simulate import Simulated, simulate
 from adagen.emit.unrolled.text import Text
 from adagen.emit.words import Words
@@ -94,11 +94,11 @@ class _ProcessText:
         for length, joint in self.machine.lengths:
             lines[length.index].append(f"require_length(w, x{length.index}, {joint});")
         for check in self.machine.checks:
-            pivot, diagonal = check.pivot, check.diagonal
-            if pivot.constant is None or pivot.constant <= 0:
-                least = "0" if pivot == diagonal else f"8 * kEpsilon * {self._name(diagonal.index)}"
-                line = f"require_pivot(w, {self._name(pivot.index)}, {least}, {check.joint});"
-                lines[max(pivot.index, diagonal.index)].append(line)
+            pivot, least = check.pivot, check.least
+            if pivot.constant is None or pivot.constant <= (least.constant or 0):
+                names = f"{self._name(pivot.index)}, {self._name(least.index)}"
+                line = f"require_more(w, {names}, {check.failure}, {check.joint});"
+                lines[(looked_at(self.machine, check) or [pivot.index])[-1]].append(line)
         for number, content in self.machine.sent.items():
             for k, x in enumerate(content):
                 lines[x.index].append(f"w.to[{number}][{k}] = {self._name(x.index)};")

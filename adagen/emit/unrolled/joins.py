@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.emit.joins import least_mobility
+from adagen.emit.unrolled.checks import Check
 from adagen.emit.unrolled.frames import Transform, columnwise
 from adagen.graph import Factors, matrix_times, total
 from adagen.plan.steps import Bias, Block, Disassemble, Join
@@ -67,6 +69,11 @@ class JoinMachine:
         if drift is not None:
             beta = beta + drift
         beta = beta - matrix_times(phi[:, free], tau)
+        least = least_mobility(self.machine.plan, step)
+        self.machine.checks.extend(
+            Check(phi[row, row], self.machine.graph.constant(least[row]), step.joint, "kGrowth")
+            for row in (constrained if least else [])
+        )
         factors = None
         if constrained:
             factors = self.machine.factorize(phi[np.ix_(constrained, constrained)], step.joint)

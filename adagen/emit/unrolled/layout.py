@@ -10,6 +10,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
+from adagen.emit.unrolled.checks import Check
 from adagen.emit.unrolled.machine import RECEIVED, Machine
 from adagen.graph import Node, live_nodes
 from adagen.plan.stages import Stage, stages
@@ -115,20 +116,16 @@ def _needed(machine: Machine, pending: Iterable[int], stage: Stage | None) -> se
     return pending & wanted
 
 
+def looked_at(machine: Machine, check: Check) -> list[int]:
+    """What of a check is computed, in order: the last of it is where the check can be done."""
+    nodes = machine.graph.nodes
+    indices = sorted({check.pivot.index, check.least.index})
+    return [k for k in indices if nodes[k].op != "constant" and not is_given(nodes[k])]
+
+
 def _assign_places(machine: Machine, chunks: Sequence[Chunk]) -> int:
     """Give each value that is used beyond its chunk a place; places are used again."""
-    home = {index: k for k, chunk in enumerate(chunks) for index in chunk.values}
-    partners = {}  # a pivot is looked at together with what it began as
-    for check in machine.checks:
-        pair = check.pivot.index, check.diagonal.index
-        partners[max(pair)] = min(pair)
-    users: dict[int, list[int]] = defaultdict(list)  # chunks after its own that use a value
-    for k, chunk in enumerate(chunks):
-        wanted = {arg for index in chunk.values for arg in machine.graph.nodes[index].args}
-        wanted.update(partners[index] for index in chunk.values if index in partners)
-        for arg in sorted(wanted):
-            if home.get(arg, k) != k:
-                users[arg].append(k)
+    users = _users_beyond(machine, chunks)
     free: list[int] = []
     count = 0
     place: dict[int, int] = {}
@@ -144,3 +141,20 @@ def _assign_places(machine: Machine, chunks: Sequence[Chunk]) -> int:
                 if wanting[-1] == k:
                     free.append(place[index])
     return count
+
+
+def _users_beyond(machine: Machine, chunks: Sequence[Chunk]) -> dict[int, list[int]]:
+    """By value, the chunks after its own that use it, in order."""
+    home = {index: k for k, chunk in enumerate(chunks) for index in chunk.values}
+    partners: dict[int, list[int]] = defaultdict(list)  # what is looked at together
+    for check in machine.checks:
+        *others, last = looked_at(machine, check) or [-1]
+        partners[last] += others
+    users: dict[int, list[int]] = defaultdict(list)
+    for k, chunk in enumerate(chunks):
+        wanted = {arg for index in chunk.values for arg in machine.graph.nodes[index].args}
+        wanted.update(partner for index in chunk.values for partner in partners[index])
+        for arg in sorted(wanted):
+            if home.get(arg, k) != k:
+                users[arg].append(k)
+    return users

@@ -9,18 +9,19 @@ point, not the spatial one), so that no linear velocity is needed but that of a 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.emit.unrolled.checks import Check
 from adagen.emit.unrolled.joins import JoinMachine
 from adagen.emit.unrolled.kinematics import KinematicMachine
 from adagen.emit.unrolled.segments import SegmentMachine
 from adagen.graph import Expression, Factors, Graph, factorize, total
 from adagen.model.kinds import KINDS, JointKind
 from adagen.plan import Plan
+from adagen.plan.growth import EPSILON
 from adagen.plan.steps import (
     ApplyCoupling,
     Disassemble,
@@ -37,21 +38,6 @@ from adagen.plan.types import Message
 Array = NDArray[Any]
 RECEIVED = "w.from"
 """What names of inputs that messages bring begin with."""
-
-
-@dataclass(frozen=True)
-class Check:
-    """A pivot that has to be positive, and not lost against what it was subtracted from.
-
-    Attributes:
-        pivot: the pivot.
-        diagonal: the entry that it began as.
-        joint: whose factorization failed otherwise.
-    """
-
-    pivot: Expression
-    diagonal: Expression
-    joint: int
 
 
 class Machine:
@@ -107,7 +93,7 @@ class Machine:
         """Everything that is wanted: results, contents of messages, what is checked."""
         results = [x for values in self.results.values() for x in values]
         contents = [x for content in self.sent.values() for x in content]
-        pivots = [x for check in self.checks for x in (check.pivot, check.diagonal)]
+        pivots = [x for check in self.checks for x in (check.pivot, check.least)]
         return [*results, *contents, *pivots, *(length for length, _ in self.lengths)]
 
     # -- numbers ----------------------------------------------------------------------------------
@@ -135,10 +121,14 @@ class Machine:
         return KINDS[self.plan.joints[joint].kind]
 
     def factorize(self, matrix: Array, joint: int) -> Factors:
-        """Return the factors of a matrix, its pivots being checked in the name of a joint."""
-        factors = factorize(matrix)
-        pairs = zip(factors.pivots, factors.diagonal, strict=True)
-        self.checks.extend(Check(pivot, diagonal, joint) for pivot, diagonal in pairs)
+        """Return the factors of a matrix, its pivots being checked in the name of a joint.
+
+        A pivot has to be positive, and not lost against the entry that it was subtracted from.
+        """
+        factors, lost = factorize(matrix), 16 * EPSILON[self.plan.scalar]
+        for pivot, entry in zip(factors.pivots, factors.diagonal, strict=True):
+            least = self.graph.constant(0) if pivot == entry else entry * lost
+            self.checks.append(Check(pivot, least, joint))
         return factors
 
     def torques(self, j: int) -> Array:

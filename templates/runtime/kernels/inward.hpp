@@ -15,6 +15,8 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Body<Value>& X) {
   X.f += vector_at(w.of(j, kForce));
 }
 
+constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
+
 // Takes one freedom out of the body, which is shifted by r before the subtraction, so that the
 // division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the joint has
 // the acceleration u / D - (U / D) a, a being the near link's.
@@ -28,7 +30,9 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<V
   if constexpr (kAnyPassive) D += kJoints[static_cast<std::size_t>(j)].passive.rotor;
   const Value inverse = 1 / D;
   const Value u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
-  if (__builtin_expect(!all_positive(D), 0)) fail(w, kFactorization, j);
+  const Symmetric<Value>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
+  if (__builtin_expect(!all_positive(D - kLeast * (whole.xx + whole.yy + whole.zz)), 0))
+    fail(w, kFactorization, j);
   if constexpr (!reversed) {
     shift(X, r);
     n += cross(r, f);
