@@ -375,6 +375,13 @@ ADAGEN_INLINE bool all_zero(const Lanes& x) {
   return result;
 }
 
+ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
+ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
+  Lanes result = x;
+  for (int k = 0; k < kLanes; ++k) result[k] = std::tanh(x[k]);
+  return result;
+}
+
 // Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
 // three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
 // kLargestAngle; beyond, each lane is left to the C library.
@@ -904,6 +911,14 @@ struct Eliminated {
 [[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
 [[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
 [[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
+[[maybe_unused]] constexpr bool any_passive() {
+  for (const JointConstants& joint : kJoints) {
+    const Passive& own = joint.passive;
+    if (own.damping != 0 || own.friction != 0 || own.stiffness != 0 || own.rotor != 0) return true;
+  }
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnyPassive = any_passive();
 using Memory = Eliminated<kAnyPlanar ? 24 : kAnySpherical ? 18 : 8>;
 
 // A link's orientation and how it moves, were all joint accelerations zero.
@@ -1010,6 +1025,19 @@ void require_length(Workspace& w, const T& squared, int joint) {
   if (!all_positive(squared - std::numeric_limits<Real>::min()) ||
       !all_positive(std::numeric_limits<Real>::max() - squared))
     fail(w, kZeroQuaternion, joint);
+}
+
+// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
+  Value tau = w.tau[joint.v];
+  if constexpr (kAnyPassive) {
+    const Passive& own = joint.passive;
+    const Value& qd = w.v[joint.v];
+    if (own.damping != 0) tau -= own.damping * qd;
+    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
+  }
+  return tau;
 }
 
 // Accelerations are given only where all went well.
@@ -1275,6 +1303,8 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Body<Value>& X) {
   X.f += vector_at(w.of(j, kForce));
 }
 
+constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
+
 // Takes one freedom out of the body, which is shifted by r before the subtraction, so that the
 // division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the joint has
 // the acceleration u / D - (U / D) a, a being the near link's.
@@ -1284,10 +1314,13 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<V
   if constexpr (reversed) shift(X, -r);
   Vector<Value> n = along ? X.B * s : X.A * s;
   const Vector<Value> f = along ? X.C * s : transposed_times(X.B, s);
-  const Value D = dot(s, along ? f : n);
+  Value D = dot(s, along ? f : n);
+  if constexpr (kAnyPassive) D += kJoints[static_cast<std::size_t>(j)].passive.rotor;
   const Value inverse = 1 / D;
   const Value u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
-  if (__builtin_expect(!all_positive(D), 0)) fail(w, kFactorization, j);
+  const Symmetric<Value>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
+  if (__builtin_expect(!all_positive(D - kLeast * (whole.xx + whole.yy + whole.zz)), 0))
+    fail(w, kFactorization, j);
   if constexpr (!reversed) {
     shift(X, r);
     n += cross(r, f);
@@ -1396,10 +1429,10 @@ ADAGEN_INLINE void step_inward(Workspace& w, int j, Body<Value>& X) {
   const Vector<Value> none{};
   switch (joint.kind) {
     case JointKind::kRevolute:
-      eliminate<false, reversed>(w, j, X, axis_at(R), memory.r, tau[0], memory.e);
+      eliminate<false, reversed>(w, j, X, axis_at(R), memory.r, torque(w, joint), memory.e);
       break;
     case JointKind::kPrismatic:
-      eliminate<true, reversed>(w, j, X, axis_at(R), memory.r, tau[0], memory.e);
+      eliminate<true, reversed>(w, j, X, axis_at(R), memory.r, torque(w, joint), memory.e);
       break;
     case JointKind::kSpherical:
       if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, j, X, memory.r, tau, memory.e);
@@ -3442,7 +3475,7 @@ class Simulation {
     int status = start();
     MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
     if (status != kDone) return status;
-    status = on_.rank == 0 ? integrate() : serve();
+    status = kProcesses == 1 || on_.rank == 0 ? integrate() : serve();
     MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
     return status;
   }

@@ -3273,7 +3273,7 @@ class Simulation {
     int status = start();
     MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
     if (status != kDone) return status;
-    status = on_.rank == 0 ? integrate() : serve();
+    status = kProcesses == 1 || on_.rank == 0 ? integrate() : serve();
     MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
     return status;
   }
