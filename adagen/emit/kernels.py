@@ -18,12 +18,15 @@ from adagen.emit.stages import stamped_groups
 from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.gather import why_not_gather
+from adagen.plan.interpret import recovering
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
     FreeAcceleration,
     FreeBase,
+    HoldMobility,
     Kinematics,
+    LoadRoot,
     Receive,
     Send,
     SolveRoot,
@@ -61,7 +64,7 @@ def why_not(plan: Plan) -> str | None:
     if (reason := why_not_gather(plan.joints, plan.wrenches)) is not None:
         return reason
     for process in plan.processes:
-        for step in process.steps:
+        for step in mobility.all_steps(process):
             if not isinstance(step, _TAKEN):
                 return f"it has no {type(step).__name__} between processes"
     return mobility.why_not(plan)
@@ -80,6 +83,7 @@ def values(words: Words) -> dict[str, object]:
     """Return what kernels.cpp.j2 is told."""
     plan = words.plan
     cuts = mobility.has_cuts(plan)
+    again = recovering(plan).processes if any(p.recovery for p in plan.processes) else ()
     return {
         "runtime": [*RUNTIME, *(mobility.RUNTIME if cuts else ())],
         "cuts": cuts,
@@ -88,8 +92,11 @@ def values(words: Words) -> dict[str, object]:
             for j, lines in mobility.members(words).items()
         ],
         "inertias": [_inertia(words, link) for link in plan.links[1:]],
-        "roles": [_roles(plan, process) for process in plan.processes],
+        "roles": [_roles(plan, process) for process in (*plan.processes, *again)],
         "steps": [_lines(words, p, process) for p, process in enumerate(plan.processes)],
+        "recovery": [
+            _lines(words, len(plan.processes) + p, process) for p, process in enumerate(again)
+        ],
     }
 
 
@@ -145,9 +152,15 @@ def swept(joints: Sequence[PlanJoint], steps: Sequence[Articulate | Accelerate])
     return found
 
 
-def core_links(plan: Plan) -> set[int]:
-    """Return the links at which several processes' inertias are gathered."""
-    return {link for message in plan.messages for link in message.inertias}
+def placed_links(plan: Plan) -> set[int]:
+    """Return the links whose own inertia is put down before sweeps: they are swept to, or twice.
+
+    These are the links at which several processes' inertias are gathered, and those whose mobility
+    is taken for an inertia.
+    """
+    gathered = {link for message in plan.messages for link in message.inertias}
+    steps = (step for process in plan.processes for step in process.steps)
+    return gathered | {step.link for step in steps if isinstance(step, HoldMobility)}
 
 
 def _ends(joints: Sequence[PlanJoint], run: Run) -> tuple[int, int]:
@@ -165,8 +178,9 @@ def _roles(plan: Plan, process: Process) -> list[dict[str, bool]]:
     parts = {_ends(plan.joints, run)[0] for run in swept(plan.joints, outward)}
     parts |= {s.joint + 1 for s in process.steps if isinstance(s, FreeAcceleration)}
     gathers |= {s.link for s in process.steps if isinstance(s, StartEmpty)}
-    own = {s.link for s in process.steps if isinstance(s, StartLink)} - core_links(plan)
-    gathers |= core_links(plan)
+    own = {s.link for s in process.steps if isinstance(s, StartLink)} - placed_links(plan)
+    gathers |= placed_links(plan)
+    parts |= {s.link for s in process.steps if isinstance(s, LoadRoot)}
     return [
         {"gathers": k in gathers, "adds_own": k in own, "parts": k in parts}
         for k in range(len(plan.links))
@@ -188,7 +202,7 @@ class _Writer:
     def __init__(self, words: Words, p: int, process: Process) -> None:
         self.words, self.p, self.process = words, p, process
         self.joints = words.plan.joints
-        self.core = core_links(words.plan)
+        self.placed = placed_links(words.plan)
         self.started: set[int] = set()  # links whose body holds something
 
     def checks(self) -> list[str]:
@@ -284,7 +298,7 @@ class _Writer:
     def _StartLink(self, steps: list[StartLink]) -> list[str]:  # noqa: N802
         links = [step.link for step in steps]
         lines = [f"set_up_links<{a}, {b}>(w);" for a, b in self._blocks(link - 1 for link in links)]
-        for link in [link for link in links if link in self.core]:
+        for link in [link for link in links if link in self.placed]:
             starts = self._starts(link)
             lines.append(f"place<{link}, {starts}>(w);  // {self.words.quoted_link(link)} itself")
         return lines

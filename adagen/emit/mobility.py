@@ -17,6 +17,7 @@ from adagen.plan.steps import (
     Deliver,
     Disassemble,
     Force,
+    HoldMobility,
     InvertRoot,
     Join,
     Load,
@@ -27,6 +28,7 @@ from adagen.plan.steps import (
     biases_set_by,
     blocks_set_by,
 )
+from adagen.plan.types import Process
 
 STEPS = (
     InvertRoot
@@ -38,6 +40,7 @@ STEPS = (
     | Deliver
     | AccelerateRoot
     | SolveMobility
+    | HoldMobility
 )
 
 RUNTIME = ("spatial.hpp", "joins.hpp")
@@ -48,10 +51,15 @@ def has_cuts(plan: Plan) -> bool:
     return any(isinstance(step, STEPS) for process in plan.processes for step in process.steps)
 
 
+def all_steps(process: Process) -> tuple[Step, ...]:
+    """Return the steps of a process, those of its recovery behind the others."""
+    return (*process.steps, *process.recovery)
+
+
 def why_not(plan: Plan) -> str | None:
     """Return why these steps cannot be emitted in this shape; None where they can."""
     for process in plan.processes:
-        for step in process.steps:
+        for step in all_steps(process):
             if isinstance(step, Propagate):
                 joint = plan.joints[step.joint]
                 if joint.kind in ("planar", "floating"):
@@ -64,7 +72,7 @@ def members(words: Words) -> dict[int, list[str]]:
     lines: dict[int, dict[str, None]] = defaultdict(dict)
     forces: set[Force] = set()
     for process in words.plan.processes:
-        for step in process.steps:
+        for step in all_steps(process):
             for block in blocks_set_by(step):
                 assert block.joint is not None  # bare links' blocks are constants
                 lines[block.joint][f"Mat6 {words.block_member(block)};"] = None
@@ -109,7 +117,11 @@ def lines_of(words: Words, p: int, step: Step) -> list[str]:
             force = "Columns6::Zero()" if step.force is None else words.force(step.force)
             return [f"w.loads[{step.link}] = {force};"]
         case LoadRoot():
-            return [f"w.loads[{step.link}] = load_of_root<{step.link}>(w);"]
+            sign = "" if step.held else "-"
+            return [f"w.loads[{step.link}] = {sign}force_on<{step.link}>(w);"]
+        case HoldMobility():
+            phi, b = words.block(step.block), words.bias(step.bias)
+            return [f"hold<{step.link}>(w, {phi}, {b});"]
         case Deliver():
             near, far = _ends(words.plan, step)
             call = f"deliver<{_flag(step.reversed)}>(w, {step.joint}, w.loads[{far}]"

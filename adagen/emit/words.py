@@ -65,7 +65,12 @@ class Words:
     @cached_property
     def _members(self) -> dict[tuple[int, int], str]:
         """A word for each pair of handles: links "a", "b" and "a_b" must not meet in "a_b"."""
-        targets = (b for p in self.plan.processes for s in p.steps for b in blocks_set_by(s))
+        targets = (
+            b
+            for p in self.plan.processes
+            for s in (*p.steps, *p.recovery)
+            for b in blocks_set_by(s)
+        )
         pairs = sorted({(block.row != block.column, block.row, block.column) for block in targets})
         words = distinct(
             f"{self.links[row]}_{self.links[column]}" if apart else self.links[row]

@@ -8,14 +8,16 @@ and goes outwards, through the core and its own branches. With two processes and
 a single link, and the work is the serial algorithm's, shared out, with one handshake. Inertias are
 only added, so nothing needs to be inverted at a cut.
 
-Where the ground is beyond the root, its side cannot show an inertia: it shows its mobility Phi and
-bias b at the root, and (1 + Phi I) a = b - Phi p is solved.
+Where the ground is beyond the root, its side is swept outwards from the ground: the mobility of the
+first link that enough joints hold is inverted, and from there on the ground is a body like others.
+In a pose where that mobility is all but singular, the evaluation is done again without: then the
+root shows its mobility Phi and bias b, and (1 + Phi I) a = b - Phi p is solved.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from adagen.model.kinds import KINDS
 from adagen.plan.ada import Chain
@@ -28,6 +30,7 @@ from adagen.plan.steps import (
     Deliver,
     FreeAcceleration,
     FreeBase,
+    HoldMobility,
     Kinematics,
     Load,
     LoadRoot,
@@ -37,12 +40,17 @@ from adagen.plan.steps import (
     SolveRoot,
     StartEmpty,
     StartLink,
+    Step,
 )
 from adagen.plan.types import Message, PlanJoint, PlanWrench, Process
 from adagen.schedule import postorder
 
 SMALL_CORE = 8
 """A core is small with at most one joint in so many."""
+
+HELD_FREEDOMS = 8
+"""Freedoms between the ground and a link whose mobility is taken for an inertia: 6 make it regular
+in general, a few more keep it so in most poses."""
 
 
 def why_not_gather(joints: Sequence[PlanJoint], wrenches: Sequence[PlanWrench]) -> str | None:
@@ -77,6 +85,8 @@ class Tree:
         core: joints of the core.
         core_owner: the process that adds what belongs to the core itself.
         grounded: the process whose branch holds the ground beyond the root, if any.
+        hold: the link on the way to the ground from which on the ground is taken for a body; 0
+            where the root shows its mobility.
     """
 
     links: list[int]
@@ -88,6 +98,7 @@ class Tree:
     core: set[int] = field(default_factory=set)
     core_owner: int = 0
     grounded: int | None = None
+    hold: int = 0
 
     @property
     def participants(self) -> list[int]:
@@ -115,26 +126,38 @@ class GatherPlanner(SegmentPlanner):
                 self.owns[self._link_owner(tree, tree.base + 1)].append(tree.base)
             for p in tree.participants:
                 shares[p] |= tree.core
+        steps = self._evaluation(trees)
+        recovery: list[list[Step]] = [[] for _ in steps]
+        if any(tree.hold for tree in trees):
+            recovery = self._evaluation([replace(tree, hold=0) for tree in trees])
+        processes = []
+        for p, (owns, shared) in enumerate(zip(self.owns, shares, strict=True)):
+            reads = self._reads([*owns, *shared])
+            kinematics = [Kinematics(j) for j in reads]
+            again = (*kinematics, *recovery[p]) if recovery[p] else ()
+            extra = tuple(sorted(shared - set(owns)))
+            own = tuple(sorted(owns))
+            processes.append(Process((*kinematics, *steps[p]), reads, own, extra, again))
+        return tuple(processes), tuple(self.messages)
+
+    def _evaluation(self, trees: list[Tree]) -> list[list[Step]]:
+        """Return the steps of every process but for kinematics; messages are added."""
+        self.steps = [[] for _ in self.steps]
+        first = len(self.messages)
         apart = [tree for tree in trees if len(tree.participants) > 1]
-        alone = [tree for tree in trees if len(tree.participants) == 1]
         for tree in apart:
             self._inwards(tree)
         for tree in apart:
             self._exchange(tree)
-        for tree in alone:
-            self._inwards(tree)
-        self._receive()
+        for tree in trees:
+            if tree not in apart:
+                self._inwards(tree)
+        for number, message in enumerate(self.messages[first:], start=first):
+            self.steps[message.target].append(Receive(number))
         for tree in trees:
             self._solve(tree)
             self._outwards_again(tree)
-        self._couple_slaved()
-        processes = []
-        for steps, owns, shared in zip(self.steps, self.owns, shares, strict=True):
-            reads = self._reads([*owns, *shared])
-            kinematics = [Kinematics(j) for j in reads]
-            extra = tuple(sorted(shared - set(owns)))
-            processes.append(Process((*kinematics, *steps), reads, tuple(sorted(owns)), extra))
-        return tuple(processes), tuple(self.messages)
+        return self.steps
 
     def suits(self) -> bool:
         """Whether gathering pays: a small core, and work of its own for every process."""
@@ -223,7 +246,21 @@ class GatherPlanner(SegmentPlanner):
         least = min(counts, key=lambda p: (counts[p], p)) if counts else first[tree.base or 0]
         result = Tree(tree.links, tree.joints, tree.base, root, edges, owner, core, least)
         result.grounded = grounded
+        result.hold = self._hold(root) if grounded is not None else 0
         return result
+
+    def _hold(self, root: int) -> int:
+        """The link that enough joints hold for its mobility to be regular; 0 if that is the root."""
+        way, link = [], root
+        while link > 0:
+            way.append(link - 1)
+            link = self.joints[link - 1].parent
+        freedoms = 0
+        for joint in reversed(way[1:]):
+            freedoms += KINDS[self.joints[joint].kind].nv
+            if freedoms >= HELD_FREEDOMS:
+                return joint + 1
+        return 0
 
     def _link_owner(self, tree: Tree, link: int) -> int:
         """The process that adds a link's own inertia."""
@@ -234,10 +271,10 @@ class GatherPlanner(SegmentPlanner):
         return next(tree.owner[edge.joint] for edge in tree.edges if edge.far == link)
 
     def _ground_side(self, tree: Tree) -> list[Edge]:
-        """Joints of the process that holds the ground beyond the root: all that the root shows."""
+        """Joints that are swept from the ground, seen from the root: those up to the link held."""
         if tree.grounded is None:
             return []
-        found, reached = [], {tree.root}
+        found, reached = [], {tree.hold or tree.root}
         for edge in tree.edges:
             if edge.near in reached and tree.owner.get(edge.joint) == tree.grounded:
                 found.append(edge)
@@ -262,28 +299,35 @@ class GatherPlanner(SegmentPlanner):
                 elif shared:
                     steps.append(StartEmpty(link))
             if tree.grounded == p:
-                steps.extend(StartLink(e.far) for e in held if e.far not in (0, tree.root))
+                steps.extend(StartLink(e.far) for e in held if e.far > 0)
             if tree.base is not None and self._link_owner(tree, tree.base + 1) == p:
                 steps.append(FreeBase(tree.base))
+            if tree.grounded == p and tree.hold:
+                self._from_ground_to(tree, tree.hold, held)
+                steps.append(HoldMobility(tree.hold, *self._shown(tree.hold)))
             steps.extend(Articulate(e.joint, e.reversed) for e in reversed(own))
-            if tree.grounded == p:
-                self._show_mobility(tree, held)
+            if tree.grounded == p and not tree.hold:
+                self._from_ground_to(tree, tree.root, held)
+                steps.append(StartEmpty(tree.root))  # from now on: what the others add
 
-    def _show_mobility(self, tree: Tree, held: list[Edge]) -> None:
-        """Phi and b of the ground's side at the root, swept the other way: from the ground."""
-        component = self._from_ground(tree, held)
+    def _from_ground_to(self, tree: Tree, link: int, held: list[Edge]) -> None:
+        """Phi and b of a link with all between it and the ground, swept from the ground."""
+        component = self._from_ground(link, held)
         assert tree.grounded is not None
         steps = self.steps[tree.grounded]
         steps.extend(Articulate(e.joint, e.reversed) for e in reversed(component.edges))
-        self._mobility(component, Chain(tree.root - 1, tree.grounded))
-        steps.append(StartEmpty(tree.root))  # from now on: what the others add
+        self._mobility(component, Chain(link - 1, tree.grounded))
 
-    def _from_ground(self, tree: Tree, held: list[Edge]) -> Component:
+    @staticmethod
+    def _shown(link: int) -> tuple[Block, Bias]:
+        return Block(link - 1, link, link), Bias(link - 1, link)
+
+    def _from_ground(self, link: int, held: list[Edge]) -> Component:
         at: dict[int, list[int]] = {}
         for edge in held:
             at.setdefault(edge.near, []).append(edge.joint)
             at.setdefault(edge.far, []).append(edge.joint)
-        component = Component(0, self._outwards(0, at), [tree.root])
+        component = Component(0, self._outwards(0, at), [link])
         component.path = self._path(component)
         return component
 
@@ -298,11 +342,10 @@ class GatherPlanner(SegmentPlanner):
             shown |= {link for link in tree.core_links if self._link_owner(tree, link) == p}
             blocks: tuple[Block, ...] = ()
             biases: tuple[Bias, ...] = ()
-            if tree.grounded == p:
+            if tree.grounded == p and not tree.hold:
                 shown.discard(tree.root)
-                name = tree.root - 1
-                blocks = (Block(name, tree.root, tree.root),)
-                biases = (Bias(name, tree.root),)
+                block, bias = self._shown(tree.root)
+                blocks, biases = (block,), (bias,)
             inertias = tuple(sorted(shown - {0}))
             if not (inertias or blocks):
                 continue
@@ -319,19 +362,13 @@ class GatherPlanner(SegmentPlanner):
         """The joint that stands for a tree's root in messages."""
         return tree.root - 1 if tree.root > 0 else tree.joints[0]
 
-    def _receive(self) -> None:
-        for number, message in enumerate(self.messages):
-            self.steps[message.target].append(Receive(number))
-
     def _solve(self, tree: Tree) -> None:
-        name = tree.root - 1
         core = [edge for edge in tree.edges if edge.joint in tree.core]
         for p in tree.participants:
             steps = self.steps[p]
             steps.extend(Articulate(e.joint, e.reversed) for e in reversed(core))
-            if tree.grounded is not None:
-                block, bias = Block(name, tree.root, tree.root), Bias(name, tree.root)
-                steps.append(SolveMobility(tree.root, block, bias))
+            if tree.grounded is not None and not tree.hold:
+                steps.append(SolveMobility(tree.root, *self._shown(tree.root)))
             elif tree.root > 0:
                 steps.append(SolveRoot(tree.root))
 
@@ -340,18 +377,19 @@ class GatherPlanner(SegmentPlanner):
         hidden = {edge.joint for edge in held}
         for p in tree.participants:
             steps = self.steps[p]
+            own = [e for e in tree.edges if tree.owner.get(e.joint) == p and e.joint not in hidden]
             steps.extend(self._accelerated(e for e in tree.edges if e.joint in tree.core))
+            if tree.grounded == p and tree.hold:
+                steps.extend(self._accelerated(own))
             if tree.grounded == p:
-                component = self._from_ground(tree, held)
+                link = tree.hold or tree.root
+                component = self._from_ground(link, held)
                 steps.extend(Load(e.near, None) for e in component.path if e.near > 0)
-                steps.append(LoadRoot(tree.root))
+                steps.append(LoadRoot(link, held=tree.hold > 0))
                 steps.extend(Deliver(e.joint, e.reversed) for e in reversed(component.path))
                 steps.extend(self._accelerated(component.edges))
-            steps.extend(
-                self._accelerated(
-                    e for e in tree.edges if tree.owner.get(e.joint) == p and e.joint not in hidden
-                )
-            )
+            if not (tree.grounded == p and tree.hold):
+                steps.extend(self._accelerated(own))
             if tree.base is not None and self._link_owner(tree, tree.base + 1) == p:
                 steps.append(FreeAcceleration(tree.base))
 

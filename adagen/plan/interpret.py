@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -60,8 +61,19 @@ def execute(plan: Plan, q: Array, v: Array, tau: Array) -> tuple[Array, list[dic
     qdd = np.full(v.shape, np.nan)
     mail: dict[int, dict[Any, Array]] = {}
     machines = [Machine(plan, mail, q, v, tau, qdd) for _ in plan.processes]
-    run_machines(plan, machines)
+    try:
+        run_machines(plan, machines)
+    except FloatingPointError:
+        if not any(process.recovery for process in plan.processes):
+            raise
+        return execute(recovering(plan), q, v, tau)
     return qdd, [machine.memory for machine in machines]
+
+
+def recovering(plan: Plan) -> Plan:
+    """Return the plan of what is done where a mobility cannot be taken for an inertia."""
+    processes = (replace(p, steps=p.recovery, recovery=()) for p in plan.processes)
+    return replace(plan, processes=tuple(processes))
 
 
 def run_machines(plan: Plan, machines: Sequence[Machine]) -> None:

@@ -15,6 +15,7 @@ from adagen.plan.steps import (
     Deliver,
     FreeAcceleration,
     FreeBase,
+    HoldMobility,
     InvertRoot,
     Load,
     LoadRoot,
@@ -30,6 +31,10 @@ if TYPE_CHECKING:
     from adagen.plan.interpret import Machine
 
 Array = NDArray[np.float64]
+
+LEAST_PIVOT = {"double": 1e-5, "float": 1e-2}
+"""Least pivot of Phi with which a mobility is taken for an inertia, angular and linear pivots each
+relative to the largest entry of their diagonal."""
 
 
 class SegmentMachine:
@@ -69,9 +74,20 @@ class SegmentMachine:
                 self._accelerate(step)
             case InvertRoot() | SolveRoot() | SolveMobility() | LoadRoot() | Load():
                 self._at_root(step)
+            case HoldMobility():
+                self._hold(step)
             case AccelerateRoot():
                 phi, b = self.memory[step.block], self.memory[step.bias]
                 self.memory["a", step.link] = b + phi @ self.memory["load", step.link]
+
+    def _hold(self, step: HoldMobility) -> None:
+        phi, b = self.memory[step.block], self.memory[step.bias]
+        most = np.diag(phi).reshape(2, 3).max(axis=1).repeat(3)
+        pivots = np.diag(np.linalg.cholesky(phi)) ** 2
+        if (pivots / most).min() < LEAST_PIVOT[self.machine.plan.scalar]:
+            raise np.linalg.LinAlgError
+        inverse = np.linalg.inv(phi)
+        self.memory["IA", step.link], self.memory["pA", step.link] = inverse, -inverse @ b
 
     def _at_root(self, step: InvertRoot | SolveRoot | SolveMobility | LoadRoot | Load) -> None:
         if isinstance(step, Load):
@@ -91,7 +107,8 @@ class SegmentMachine:
                 held = np.eye(6) + phi @ inertia
                 self.memory["a", step.link] = np.linalg.solve(held, b - phi @ p)
             case LoadRoot():
-                self.memory["load", step.link] = -(inertia @ self.memory["a", step.link] + p)
+                load = inertia @ self.memory["a", step.link] + p
+                self.memory["load", step.link] = load if step.held else -load
 
     def _kind(self, j: int) -> JointKind:
         return self.machine.kind(j)

@@ -38,7 +38,9 @@ def _processes(plan: Plan) -> str:
             f'"{name}": {_dump(list(getattr(process, name)))}'
             for name in ("reads", "owns", "shares")
         )
-        parts.append(f'{{{joints}, "steps": {steps}}}')
+        recovery = _lines({"step": type(s).__name__, **_encode(s)} for s in process.recovery)
+        more = f', "recovery": {recovery}' if process.recovery else ""
+        parts.append(f'{{{joints}, "steps": {steps}{more}}}')
     return ",\n".join(parts)
 
 

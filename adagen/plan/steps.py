@@ -235,6 +235,20 @@ class SolveMobility:
 
 
 @dataclass(frozen=True)
+class HoldMobility:
+    """I^A and p^A of a link become those of what holds it: Phi^-1 and -Phi^-1 b.
+
+    The outward recursion from the ground: beyond the joints that make Phi regular, the ground is
+    only one more body. Where Phi is too near to a singular matrix (a straight arm), the evaluation
+    is done again by the processes' ``recovery`` steps.
+    """
+
+    link: int
+    block: Block
+    bias: Bias
+
+
+@dataclass(frozen=True)
 class Spread:
     """Phi between the link reached and a handle passed before: L times the near link's.
 
@@ -282,9 +296,13 @@ class Load:
 
 @dataclass(frozen=True)
 class LoadRoot:
-    """What I^A and p^A load a link with whose acceleration is known: -(I^A a + p^A)."""
+    """What I^A and p^A load a link with whose acceleration is known: -(I^A a + p^A).
+
+    With ``held``, I^A and p^A are what hold the link, and the load on what holds it is the opposite.
+    """
 
     link: int
+    held: bool = False
 
 
 @dataclass(frozen=True)
@@ -332,6 +350,7 @@ Step = (
     | InvertRoot
     | SolveRoot
     | SolveMobility
+    | HoldMobility
     | Propagate
     | Load
     | LoadRoot

@@ -131,12 +131,14 @@ class Process:
         reads: joints whose q and v it reads, ascending.
         owns: joints whose torque it reads and whose acceleration it gives, ascending.
         shares: further joints whose torque it reads and whose acceleration it computes for itself.
+        recovery: what is done instead where ``HoldMobility`` cannot be; empty where it is not used.
     """
 
     steps: tuple[Step, ...]
     reads: tuple[int, ...]
     owns: tuple[int, ...]
     shares: tuple[int, ...] = ()
+    recovery: tuple[Step, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ class Solver {
   int solve(const Real* q, const Real* v, const Real* tau, Real* qdd) {
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     prepare(q, v, tau, qdd);
-    kRun[channel.rank()](w, channel);
+    run();
     return finish(w.status);
   }
 
@@ -28,6 +28,17 @@ class Solver {
   }
 
  private:
+  // A pose that the first try cannot stand is known to all processes: they try again together.
+  void run() {
+    const std::size_t rank = static_cast<std::size_t>(channel.rank());
+    kRun[rank](w, channel);
+#ifdef ADAGEN_RECOVERS
+    if (failure_kind(w.status) != kSingularPose) return;
+    w.status = kFine;
+    kRecover[rank](w, channel);
+#endif
+  }
+
   int solve_for_root() {
     const int rank = channel.rank();
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
@@ -39,7 +50,7 @@ class Solver {
     for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
-    kRun[rank](w, channel);
+    run();
     Real* result = channel.outgoing(result_message(rank), w.status);
     for (int k = 0; k < own.v_count; ++k) result[k] = qdd_[own.v[k]];
     channel.send(result_message(rank), w.status);
@@ -58,7 +69,7 @@ class Solver {
     }
     prepare(q, v, tau, qdd_.data());
     Channel::fail(w.status, status);
-    kRun[0](w, channel);
+    run();
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;

@@ -8,6 +8,7 @@ enum Failure : int {
   kOverflow = 4,        // the acceleration of a joint is not a finite number
   kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
   kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
+  kSingularPose = 10,   // no failure: the evaluation is done again in another way
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -70,6 +71,8 @@ std::string describe(int status) {
              "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
+    case kSingularPose:
+      return joint() + "its mobility is singular in this pose";
     case kEnded:
       return "the evaluations are over";
     case kNotRefined:

@@ -177,11 +177,42 @@ void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
   w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
 }
 
-// What a link whose acceleration is known is loaded with.
+// The force that what was left at a link needs to move as the link does.
 template <int link>
-Columns6 load_of_root(Workspace& w) {
+Columns6 force_on(Workspace& w) {
   const Body<Value>& X = w.bodies[link];
-  return -(inertia_of(X) * columns_of(w.motions[link]) + force_of(X));
+  return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
+}
+
+// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to a
+// singular matrix for that, angular and linear ones beside the largest of their kind.
+template <int link>
+void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
+  std::array<std::array<Real, 6>, 6> L, x{};
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = Phi(i, k);
+    x[i][i] = 1;
+  }
+  bool good = factorize(L);  // leaves inverse roots of the pivots on the diagonal
+  const Real most[2] = {Phi.diagonal().template head<3>().maxCoeff(),
+                        Phi.diagonal().template tail<3>().maxCoeff()};
+  ADAGEN_FOR (i, 0, 6) good = good && L[i][i] * L[i][i] * kLeastPivot * most[i / 3] < 1;
+  if (!good) return fail(w, kSingularPose, link - 1);
+  forward_substitute(L, x);
+  const auto entry = [&x](int i, int k) {
+    Real sum = 0;
+    ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
+    return sum;
+  };
+  Body<Value>& X = w.bodies[link];
+  X.A = {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+  X.B = {{entry(0, 3), entry(0, 4), entry(0, 5)},
+         {entry(1, 3), entry(1, 4), entry(1, 5)},
+         {entry(2, 3), entry(2, 4), entry(2, 5)}};
+  X.C = {entry(3, 3), entry(3, 4), entry(3, 5), entry(4, 4), entry(4, 5), entry(5, 5)};
+  const Columns6 p = -(inertia_of(X) * b);
+  X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
 }
 
 // --- joins: adapters to the joints' own frames ---------------------------------------------------
