@@ -17,6 +17,7 @@ from adagen.plan.steps import (
     Deliver,
     Disassemble,
     Force,
+    FusedJoin,
     HoldMobility,
     InvertRoot,
     Join,
@@ -60,6 +61,8 @@ def why_not(plan: Plan) -> str | None:
     """Return why these steps cannot be emitted in this shape; None where they can."""
     for process in plan.processes:
         for step in all_steps(process):
+            if isinstance(step, FusedJoin):
+                return f'several joints up to "{plan.joints[step.joint].name}" are joined as one'
             if isinstance(step, Propagate):
                 joint = plan.joints[step.joint]
                 if joint.kind in ("planar", "floating"):

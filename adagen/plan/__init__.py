@@ -111,5 +111,7 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
     if clusters:
         return ClusterPlanner(joints, schedule, runs, clusters)
     if form == "segment" and (schedule.meeting if meeting == "auto" else meeting) == "gather":
+        if (reason := why_not_gather(joints, wrenches_of(model))) is not None:
+            raise UsageError(f"processes cannot gather: {reason}")
         return GatherPlanner(joints, schedule)
     return FORMS[form](joints, schedule, runs)

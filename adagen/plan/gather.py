@@ -250,7 +250,7 @@ class GatherPlanner(SegmentPlanner):
         return result
 
     def _hold(self, root: int) -> int:
-        """The link that enough joints hold for its mobility to be regular; 0 if that is the root."""
+        """The link that enough joints hold to make its mobility regular; 0 if that is the root."""
         way, link = [], root
         while link > 0:
             way.append(link - 1)

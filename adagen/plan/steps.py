@@ -298,7 +298,7 @@ class Load:
 class LoadRoot:
     """What I^A and p^A load a link with whose acceleration is known: -(I^A a + p^A).
 
-    With ``held``, I^A and p^A are what hold the link, and the load on what holds it is the opposite.
+    With ``held``, I^A and p^A are what holds the link, and its load is the opposite.
     """
 
     link: int

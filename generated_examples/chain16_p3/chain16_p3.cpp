@@ -109,7 +109,7 @@ constexpr int kProcesses = 3;
 constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
 constexpr int kNq = 16, kNv = 16;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
-constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+[[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
 constexpr int kPlanMessages = 4;
@@ -311,6 +311,7 @@ enum Failure : int {
   kOverflow = 4,        // the acceleration of a joint is not a finite number
   kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
   kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
+  kSingularPose = 10,   // no failure: the evaluation is done again in another way
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -373,6 +374,8 @@ std::string describe(int status) {
              "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
+    case kSingularPose:
+      return joint() + "its mobility is singular in this pose";
     case kEnded:
       return "the evaluations are over";
     case kNotRefined:
@@ -1258,7 +1261,7 @@ struct LinkRole {
   bool adds_own;  // its own inertia is this process's to add
   bool parts;     // paths part at it outwards
 };
-constexpr LinkRole kRoles[kProcesses][kLinkCount]{
+constexpr LinkRole kRoles[3][kLinkCount]{
     {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
     {{1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
     {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
@@ -2268,11 +2271,42 @@ void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
   w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
 }
 
-// What a link whose acceleration is known is loaded with.
+// The force that what was left at a link needs to move as the link does.
 template <int link>
-Columns6 load_of_root(Workspace& w) {
+Columns6 force_on(Workspace& w) {
   const Body<Value>& X = w.bodies[link];
-  return -(inertia_of(X) * columns_of(w.motions[link]) + force_of(X));
+  return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
+}
+
+// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to a
+// singular matrix for that, angular and linear ones beside the largest of their kind.
+template <int link>
+void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
+  std::array<std::array<Real, 6>, 6> L, x{};
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = Phi(i, k);
+    x[i][i] = 1;
+  }
+  bool good = factorize(L);  // leaves inverse roots of the pivots on the diagonal
+  const Real most[2] = {Phi.diagonal().template head<3>().maxCoeff(),
+                        Phi.diagonal().template tail<3>().maxCoeff()};
+  ADAGEN_FOR (i, 0, 6) good = good && L[i][i] * L[i][i] * kLeastPivot * most[i / 3] < 1;
+  if (!good) return fail(w, kSingularPose, link - 1);
+  forward_substitute(L, x);
+  const auto entry = [&x](int i, int k) {
+    Real sum = 0;
+    ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
+    return sum;
+  };
+  Body<Value>& X = w.bodies[link];
+  X.A = {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+  X.B = {{entry(0, 3), entry(0, 4), entry(0, 5)},
+         {entry(1, 3), entry(1, 4), entry(1, 5)},
+         {entry(2, 3), entry(2, 4), entry(2, 5)}};
+  X.C = {entry(3, 3), entry(3, 4), entry(3, 5), entry(4, 4), entry(4, 5), entry(5, 5)};
+  const Columns6 p = -(inertia_of(X) * b);
+  X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
 }
 
 // --- joins: adapters to the joints' own frames ---------------------------------------------------
@@ -2543,7 +2577,7 @@ class Solver {
   int solve(const Real* q, const Real* v, const Real* tau, Real* qdd) {
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     prepare(q, v, tau, qdd);
-    kRun[channel.rank()](w, channel);
+    run();
     return finish(w.status);
   }
 
@@ -2561,6 +2595,17 @@ class Solver {
   }
 
  private:
+  // A pose that the first try cannot stand is known to all processes: they try again together.
+  void run() {
+    const std::size_t rank = static_cast<std::size_t>(channel.rank());
+    kRun[rank](w, channel);
+#ifdef ADAGEN_RECOVERS
+    if (failure_kind(w.status) != kSingularPose) return;
+    w.status = kFine;
+    kRecover[rank](w, channel);
+#endif
+  }
+
   int solve_for_root() {
     const int rank = channel.rank();
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
@@ -2572,7 +2617,7 @@ class Solver {
     for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
-    kRun[rank](w, channel);
+    run();
     Real* result = channel.outgoing(result_message(rank), w.status);
     for (int k = 0; k < own.v_count; ++k) result[k] = qdd_[own.v[k]];
     channel.send(result_message(rank), w.status);
@@ -2591,7 +2636,7 @@ class Solver {
     }
     prepare(q, v, tau, qdd_.data());
     Channel::fail(w.status, status);
-    kRun[0](w, channel);
+    run();
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;

@@ -106,7 +106,7 @@ constexpr int kProcesses = 1;
 constexpr int kJointCount = 6, kLinkCount = kJointCount + 1;
 constexpr int kNq = 14, kNv = 13;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
-constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+[[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
 constexpr int kPlanMessages = 0;
@@ -248,6 +248,7 @@ enum Failure : int {
   kOverflow = 4,        // the acceleration of a joint is not a finite number
   kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
   kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
+  kSingularPose = 10,   // no failure: the evaluation is done again in another way
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -310,6 +311,8 @@ std::string describe(int status) {
              "no digits left: a link beside it is too light for its neighbours and the scalar";
     case kOverflow:
       return joint() + "its acceleration is not a finite number (overflow)";
+    case kSingularPose:
+      return joint() + "its mobility is singular in this pose";
     case kEnded:
       return "the evaluations are over";
     case kNotRefined:
@@ -1372,7 +1375,7 @@ class Solver {
   int solve(const Real* q, const Real* v, const Real* tau, Real* qdd) {
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     prepare(q, v, tau, qdd);
-    kRun[channel.rank()](w, channel);
+    run();
     return finish(w.status);
   }
 
@@ -1390,6 +1393,17 @@ class Solver {
   }
 
  private:
+  // A pose that the first try cannot stand is known to all processes: they try again together.
+  void run() {
+    const std::size_t rank = static_cast<std::size_t>(channel.rank());
+    kRun[rank](w, channel);
+#ifdef ADAGEN_RECOVERS
+    if (failure_kind(w.status) != kSingularPose) return;
+    w.status = kFine;
+    kRecover[rank](w, channel);
+#endif
+  }
+
   int solve_for_root() {
     const int rank = channel.rank();
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
@@ -1401,7 +1415,7 @@ class Solver {
     for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
-    kRun[rank](w, channel);
+    run();
     Real* result = channel.outgoing(result_message(rank), w.status);
     for (int k = 0; k < own.v_count; ++k) result[k] = qdd_[own.v[k]];
     channel.send(result_message(rank), w.status);
@@ -1420,7 +1434,7 @@ class Solver {
     }
     prepare(q, v, tau, qdd_.data());
     Channel::fail(w.status, status);
-    kRun[0](w, channel);
+    run();
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;
