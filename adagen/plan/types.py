@@ -138,7 +138,7 @@ class Process:
     reads: tuple[int, ...]
     owns: tuple[int, ...]
     shares: tuple[int, ...] = ()
-    recovery: tuple[Step, ...] = ()
+    recovery: tuple[Step, ...] = field(default=(), metadata=OPTIONAL)
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,8 @@ import pytest
 from adagen.build import find_toolchain
 from adagen.cli import main
 from adagen.cli.console import Stages, note, progress, warn
+from adagen.plan import plan_from_json
+from adagen.plan.steps import StartLink
 from adagen.reference import forward_dynamics
 from adagen.states import random_states, read_result, write_states
 from adagen.urdf import read_robot
