@@ -11,6 +11,7 @@ from typing import Any
 
 from adagen.build import Toolchain, build_executable
 from adagen.emit import emit, stem_of
+from adagen.emit.shapes import stepwise
 from adagen.errors import EnvironmentFault
 from adagen.plan import Plan
 from adagen.run import launch
@@ -76,7 +77,7 @@ class Program:
         self.plan = plan
         self.toolchain = toolchain
         stem = stem_of(plan)
-        self.executable = build_executable(emit(plan)[f"{stem}.cpp"], stem, toolchain)
+        self.executable = build_executable(emit(plan, shape=stepwise(plan))[f"{stem}.cpp"], stem, toolchain)
 
     def measure(
         self, *, repeat: int = 30, channel: str = "auto", arguments: Sequence[str] = ()

@@ -165,11 +165,10 @@ def _with_slaved(costs: StepCosts, samples: Sequence[Sample]) -> StepCosts:
     """Return the costs with those of slaved joints, from what is left of a slaved robot's times."""
     shares, solve = [], []
     for sample in samples:
-        for equation in sample.equations():
-            expected = equation.predicted(costs)
-            if equation.what != "kinematics" and expected > 0:
-                extra = (equation.time / expected - 1) / len(sample.plan.slaved)
-                shares.append(max(0.0, extra))
+        equations = sample.equations()
+        expected = sum(equation.predicted(costs) for equation in equations)
+        extra = sum(equation.time for equation in equations) / expected - 1
+        shares.append(max(0.0, extra / len(sample.plan.slaved)))
         solve += [stage.length for stage in sample.measured.stages if stage.what == "slaved"]
     share = median(shares) if shares else 0.0
     # Solving and applying are one stage on one process: halves of it.

@@ -93,6 +93,11 @@ BASELINES = {name: Shape(_baseline_why_not, _baseline) for name in ("crba", "aba
 KNOWN = {**SHAPES, **BASELINES}
 
 
+def stepwise(plan: Plan) -> str:
+    """Return the fastest shape that does a plan step by step, as cost profiles price it."""
+    return next(name for name in ("kernels", "joints") if SHAPES[name].why_not(plan) is None)
+
+
 def chosen_shape(plan: Plan, shape: str = "auto") -> str:
     """Return the shape that a plan is emitted in: the one asked for, or the fastest that takes it.
 
@@ -101,9 +106,7 @@ def chosen_shape(plan: Plan, shape: str = "auto") -> str:
     """
     if shape == "auto":
         alone = len(plan.processes) == 1 and why_not_unrolled(plan) is None
-        if alone and pays_unrolled(plan):
-            return "unrolled"
-        return next(n for n in ("kernels", "joints") if SHAPES[n].why_not(plan) is None)
+        return "unrolled" if alone and pays_unrolled(plan) else stepwise(plan)
     reason = KNOWN[shape].why_not(plan)
     if reason is not None:
         raise UsageError(f"shape {shape} cannot be emitted: {reason}")

@@ -2,7 +2,7 @@
 //
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  spine@0-3(left_hip@2-3(root@2(|right_hip(|right_knee(|right_ankle))) | left_knee@3(|left_ankle)) | left_shoulder@0-1(neck@0(right_shoulder(|right_elbow(|right_wrist))|) | left_elbow@1(|left_wrist)))
+// schedule  root@0-3(|spine(right_hip(left_ankle@0(left_knee(left_hip|)|) | right_ankle@1(right_knee|)) | right_shoulder(left_shoulder(neck@0 | left_wrist@2(left_elbow|)) | right_wrist@3(right_elbow|))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -634,18 +634,18 @@ ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<
 }
 
 constexpr std::array<MessageInfo, 18> kMessages{ {
-    {0, 1, 27},  // 0: what hangs on "trunk"
-    {0, 2, 27},  // 1: what hangs on "trunk"
-    {0, 3, 27},  // 2: what hangs on "trunk"
+    {0, 1, 54},  // 0: what hangs on "pelvis", "trunk"
+    {0, 2, 54},  // 1: what hangs on "pelvis", "trunk"
+    {0, 3, 54},  // 2: what hangs on "pelvis", "trunk"
     {1, 0, 54},  // 3: what hangs on "pelvis", "trunk"
     {1, 2, 54},  // 4: what hangs on "pelvis", "trunk"
     {1, 3, 54},  // 5: what hangs on "pelvis", "trunk"
-    {2, 0, 27},  // 6: what hangs on "pelvis"
-    {2, 1, 27},  // 7: what hangs on "pelvis"
-    {2, 3, 27},  // 8: what hangs on "pelvis"
-    {3, 0, 27},  // 9: what hangs on "pelvis"
-    {3, 1, 27},  // 10: what hangs on "pelvis"
-    {3, 2, 27},  // 11: what hangs on "pelvis"
+    {2, 0, 27},  // 6: what hangs on "trunk"
+    {2, 1, 27},  // 7: what hangs on "trunk"
+    {2, 3, 27},  // 8: what hangs on "trunk"
+    {3, 0, 27},  // 9: what hangs on "trunk"
+    {3, 1, 27},  // 10: what hangs on "trunk"
+    {3, 2, 27},  // 11: what hangs on "trunk"
     {0, 1, 52},  // 12: state
     {1, 0, 16},  // 13: accelerations
     {0, 2, 46},  // 14: state
@@ -934,10 +934,10 @@ struct LinkRole {
   bool parts;     // paths part at it outwards
 };
 constexpr LinkRole kRoles[4][kLinkCount]{
-    {{0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
-    {{0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
     {{0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
 };
 
 // What is kept where segments meet, with the joint that it belongs to.
@@ -1717,99 +1717,106 @@ void free_acceleration(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 4 of 15 joints: "neck", "right_shoulder", "right_elbow", "right_wrist"; 1 more that every process computes for itself; kinematics of 1 more on the way to the ground
+// Process 0: 4 of 15 joints: "left_hip", "left_knee", "left_ankle", "neck"; 1 more that every process computes for itself; kinematics of 1 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 0, 16, &JointConstants::q, kNotFinite);
   require_finite(w, w.q, 25, 4, &JointConstants::q, kNotFinite);
-  require_finite(w, w.q, 38, 13, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.q, 38, 4, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 13, &JointConstants::v, kNotFinite);
   require_finite(w, w.v, 20, 3, &JointConstants::v, kNotFinite);
-  require_finite(w, w.v, 30, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 30, 3, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 6, 7, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 20, 3, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 30, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 30, 3, &JointConstants::v, kNotFinite);
   stamp(0);
-  std::copy_n(w.q + 46, 1, w.angle.data() + 13);
-  turn<block(13), block(13) + 1>(w);
+  std::copy_n(w.q + 11, 1, w.angle.data() + 2);
+  turn<block(2), block(2) + 1>(w);
+  orient<1>(w);
+  orient<3>(w);
   orient<7>(w);
   orient<11>(w);
-  orient<12>(w);
-  orient<14>(w);
   free_base_frame<0>(w);
+  outward<1, 3>(w);  // "left_hip" .. "left_ankle"
   outward<7, 7>(w);  // "spine"
   outward<11, 11>(w);  // "neck"
-  outward<12, 14>(w);  // "right_shoulder" .. "right_wrist"
   stamp(1);
-  set_up_links<block(11), block(14) + 1>(w);
-  inward<0, 12, 14, true>(w);  // "right_shoulder" .. "right_wrist"
-  inward<0, 11, 11, false>(w);  // "neck"
+  set_up_links<block(1), block(11) + 1>(w);
+  inward<0, 11, 11, true>(w);  // "neck"
+  inward<0, 1, 3, true>(w);  // "left_hip" .. "left_ankle"
   stamp(2);
-  {  // to process 1: what hangs on "trunk"
+  {  // to process 1: what hangs on "pelvis", "trunk"
     Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.bodies[1]);
     to = put(to, w.bodies[8]);
     channel.send(0, w.status);
   }
   stamp(3);
-  {  // to process 2: what hangs on "trunk"
+  {  // to process 2: what hangs on "pelvis", "trunk"
     Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.bodies[1]);
     to = put(to, w.bodies[8]);
     channel.send(1, w.status);
   }
   stamp(4);
-  {  // to process 3: what hangs on "trunk"
+  {  // to process 3: what hangs on "pelvis", "trunk"
     Real* to = channel.outgoing(2, w.status);
+    to = put(to, w.bodies[1]);
     to = put(to, w.bodies[8]);
     channel.send(2, w.status);
   }
   stamp(5);
   {  // from process 1: what hangs on "pelvis", "trunk"
     const Real* from = channel.receive(3, w.status);
-    from = get(from, w.bodies[1]);
+    from = add(from, w.bodies[1]);
     from = add(from, w.bodies[8]);
   }
   stamp(6);
-  {  // from process 2: what hangs on "pelvis"
+  {  // from process 2: what hangs on "trunk"
     const Real* from = channel.receive(6, w.status);
-    from = add(from, w.bodies[1]);
+    from = add(from, w.bodies[8]);
   }
   stamp(7);
-  {  // from process 3: what hangs on "pelvis"
+  {  // from process 3: what hangs on "trunk"
     const Real* from = channel.receive(9, w.status);
-    from = add(from, w.bodies[1]);
+    from = add(from, w.bodies[8]);
   }
   stamp(8);
   inward<0, 7, 7, false>(w);  // "spine"
   solve_root<0, 1>(w);
   stamp(9);
   accelerate<0, 7, 7>(w);  // "spine"
+  accelerate<0, 1, 3>(w);  // "left_hip" .. "left_ankle"
   accelerate<0, 11, 11>(w);  // "neck"
-  accelerate<0, 12, 14>(w);  // "right_shoulder" .. "right_wrist"
   stamp(10);
-  require_finite(w, w.answer.data(), 30, 10, &JointConstants::v, kOverflow);
-  give(w, 30, 10);
+  require_finite(w, w.answer.data(), 6, 7, &JointConstants::v, kOverflow);
+  require_finite(w, w.answer.data(), 30, 3, &JointConstants::v, kOverflow);
+  give(w, 6, 7);
+  give(w, 30, 3);
 }
 
-// Process 1: 5 of 15 joints: "root", "spine", "left_shoulder", "left_elbow", "left_wrist"
+// Process 1: 5 of 15 joints: "root", "right_hip", "right_knee", "right_ankle", "spine"
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
-  require_finite(w, w.q, 25, 13, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 16, 13, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
-  require_finite(w, w.v, 20, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 13, 10, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 0, 6, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 20, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 13, 10, &JointConstants::v, kNotFinite);
   stamp(0);
-  std::copy_n(w.q + 33, 1, w.angle.data() + 9);
-  turn<block(9), block(9) + 1>(w);
+  std::copy_n(w.q + 20, 1, w.angle.data() + 5);
+  turn<block(5), block(5) + 1>(w);
+  orient<4>(w);
+  orient<6>(w);
   orient<7>(w);
-  orient<8>(w);
-  orient<10>(w);
   free_base_frame<0>(w);
-  outward<7, 10>(w);  // "spine" .. "left_wrist"
+  outward<4, 6>(w);  // "right_hip" .. "right_ankle"
+  outward<7, 7>(w);  // "spine"
   stamp(1);
-  set_up_links<block(0), block(10) + 1>(w);
+  set_up_links<block(0), block(7) + 1>(w);
   place<1, true>(w);  // "pelvis" itself
   place<8, true>(w);  // "trunk" itself
   free_base<0, false>(w);
-  inward<1, 8, 10, false>(w);  // "left_shoulder" .. "left_wrist"
+  inward<1, 4, 6, false>(w);  // "right_hip" .. "right_ankle"
   stamp(2);
   {  // to process 0: what hangs on "pelvis", "trunk"
     Real* to = channel.outgoing(3, w.status);
@@ -1832,74 +1839,76 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(5, w.status);
   }
   stamp(5);
-  {  // from process 0: what hangs on "trunk"
+  {  // from process 0: what hangs on "pelvis", "trunk"
     const Real* from = channel.receive(0, w.status);
+    from = add(from, w.bodies[1]);
     from = add(from, w.bodies[8]);
   }
   stamp(6);
-  {  // from process 2: what hangs on "pelvis"
+  {  // from process 2: what hangs on "trunk"
     const Real* from = channel.receive(7, w.status);
-    from = add(from, w.bodies[1]);
+    from = add(from, w.bodies[8]);
   }
   stamp(7);
-  {  // from process 3: what hangs on "pelvis"
+  {  // from process 3: what hangs on "trunk"
     const Real* from = channel.receive(10, w.status);
-    from = add(from, w.bodies[1]);
+    from = add(from, w.bodies[8]);
   }
   stamp(8);
   inward<1, 7, 7, false>(w);  // "spine"
   solve_root<1, 1>(w);
   stamp(9);
-  accelerate<1, 7, 10>(w);  // "spine" .. "left_wrist"
+  accelerate<1, 7, 7>(w);  // "spine"
+  accelerate<1, 4, 6>(w);  // "right_hip" .. "right_ankle"
   free_acceleration<0>(w);
   stamp(10);
   require_finite(w, w.answer.data(), 0, 6, &JointConstants::v, kOverflow);
-  require_finite(w, w.answer.data(), 20, 10, &JointConstants::v, kOverflow);
+  require_finite(w, w.answer.data(), 13, 10, &JointConstants::v, kOverflow);
   give(w, 0, 6);
-  give(w, 20, 10);
+  give(w, 13, 10);
 }
 
-// Process 2: 3 of 15 joints: "right_hip", "right_knee", "right_ankle"; 1 more that every process computes for itself; kinematics of 1 more on the way to the ground
+// Process 2: 3 of 15 joints: "left_shoulder", "left_elbow", "left_wrist"; 1 more that every process computes for itself; kinematics of 1 more on the way to the ground
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
-  require_finite(w, w.q, 16, 13, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 25, 13, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
-  require_finite(w, w.v, 13, 10, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 13, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 20, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 20, 10, &JointConstants::v, kNotFinite);
   stamp(0);
-  std::copy_n(w.q + 20, 1, w.angle.data() + 5);
-  turn<block(5), block(5) + 1>(w);
-  orient<4>(w);
-  orient<6>(w);
+  std::copy_n(w.q + 33, 1, w.angle.data() + 9);
+  turn<block(9), block(9) + 1>(w);
   orient<7>(w);
+  orient<8>(w);
+  orient<10>(w);
   free_base_frame<0>(w);
-  outward<4, 6>(w);  // "right_hip" .. "right_ankle"
-  outward<7, 7>(w);  // "spine"
+  outward<7, 10>(w);  // "spine" .. "left_wrist"
   stamp(1);
-  set_up_links<block(4), block(6) + 1>(w);
-  inward<2, 4, 6, true>(w);  // "right_hip" .. "right_ankle"
+  set_up_links<block(8), block(10) + 1>(w);
+  inward<2, 8, 10, true>(w);  // "left_shoulder" .. "left_wrist"
   stamp(2);
-  {  // to process 0: what hangs on "pelvis"
+  {  // to process 0: what hangs on "trunk"
     Real* to = channel.outgoing(6, w.status);
-    to = put(to, w.bodies[1]);
+    to = put(to, w.bodies[8]);
     channel.send(6, w.status);
   }
   stamp(3);
-  {  // to process 1: what hangs on "pelvis"
+  {  // to process 1: what hangs on "trunk"
     Real* to = channel.outgoing(7, w.status);
-    to = put(to, w.bodies[1]);
+    to = put(to, w.bodies[8]);
     channel.send(7, w.status);
   }
   stamp(4);
-  {  // to process 3: what hangs on "pelvis"
+  {  // to process 3: what hangs on "trunk"
     Real* to = channel.outgoing(8, w.status);
-    to = put(to, w.bodies[1]);
+    to = put(to, w.bodies[8]);
     channel.send(8, w.status);
   }
   stamp(5);
-  {  // from process 0: what hangs on "trunk"
+  {  // from process 0: what hangs on "pelvis", "trunk"
     const Real* from = channel.receive(1, w.status);
-    from = get(from, w.bodies[8]);
+    from = get(from, w.bodies[1]);
+    from = add(from, w.bodies[8]);
   }
   stamp(6);
   {  // from process 1: what hangs on "pelvis", "trunk"
@@ -1908,63 +1917,65 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = add(from, w.bodies[8]);
   }
   stamp(7);
-  {  // from process 3: what hangs on "pelvis"
+  {  // from process 3: what hangs on "trunk"
     const Real* from = channel.receive(11, w.status);
-    from = add(from, w.bodies[1]);
+    from = add(from, w.bodies[8]);
   }
   stamp(8);
   inward<2, 7, 7, false>(w);  // "spine"
   solve_root<2, 1>(w);
   stamp(9);
-  accelerate<2, 7, 7>(w);  // "spine"
-  accelerate<2, 4, 6>(w);  // "right_hip" .. "right_ankle"
+  accelerate<2, 7, 10>(w);  // "spine" .. "left_wrist"
   stamp(10);
-  require_finite(w, w.answer.data(), 13, 7, &JointConstants::v, kOverflow);
-  give(w, 13, 7);
+  require_finite(w, w.answer.data(), 23, 7, &JointConstants::v, kOverflow);
+  give(w, 23, 7);
 }
 
-// Process 3: 3 of 15 joints: "left_hip", "left_knee", "left_ankle"; 1 more that every process computes for itself; kinematics of 1 more on the way to the ground
+// Process 3: 3 of 15 joints: "right_shoulder", "right_elbow", "right_wrist"; 1 more that every process computes for itself; kinematics of 1 more on the way to the ground
 void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 16, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
   require_finite(w, w.q, 25, 4, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 13, &JointConstants::v, kNotFinite);
+  require_finite(w, w.q, 42, 9, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
   require_finite(w, w.v, 20, 3, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 6, 7, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 33, 7, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 20, 3, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 33, 7, &JointConstants::v, kNotFinite);
   stamp(0);
-  std::copy_n(w.q + 11, 1, w.angle.data() + 2);
-  turn<block(2), block(2) + 1>(w);
-  orient<1>(w);
-  orient<3>(w);
+  std::copy_n(w.q + 46, 1, w.angle.data() + 13);
+  turn<block(13), block(13) + 1>(w);
   orient<7>(w);
+  orient<12>(w);
+  orient<14>(w);
   free_base_frame<0>(w);
-  outward<1, 3>(w);  // "left_hip" .. "left_ankle"
   outward<7, 7>(w);  // "spine"
+  outward<12, 14>(w);  // "right_shoulder" .. "right_wrist"
   stamp(1);
-  set_up_links<block(1), block(3) + 1>(w);
-  inward<3, 1, 3, true>(w);  // "left_hip" .. "left_ankle"
+  set_up_links<block(12), block(14) + 1>(w);
+  inward<3, 12, 14, true>(w);  // "right_shoulder" .. "right_wrist"
   stamp(2);
-  {  // to process 0: what hangs on "pelvis"
+  {  // to process 0: what hangs on "trunk"
     Real* to = channel.outgoing(9, w.status);
-    to = put(to, w.bodies[1]);
+    to = put(to, w.bodies[8]);
     channel.send(9, w.status);
   }
   stamp(3);
-  {  // to process 1: what hangs on "pelvis"
+  {  // to process 1: what hangs on "trunk"
     Real* to = channel.outgoing(10, w.status);
-    to = put(to, w.bodies[1]);
+    to = put(to, w.bodies[8]);
     channel.send(10, w.status);
   }
   stamp(4);
-  {  // to process 2: what hangs on "pelvis"
+  {  // to process 2: what hangs on "trunk"
     Real* to = channel.outgoing(11, w.status);
-    to = put(to, w.bodies[1]);
+    to = put(to, w.bodies[8]);
     channel.send(11, w.status);
   }
   stamp(5);
-  {  // from process 0: what hangs on "trunk"
+  {  // from process 0: what hangs on "pelvis", "trunk"
     const Real* from = channel.receive(2, w.status);
-    from = get(from, w.bodies[8]);
+    from = get(from, w.bodies[1]);
+    from = add(from, w.bodies[8]);
   }
   stamp(6);
   {  // from process 1: what hangs on "pelvis", "trunk"
@@ -1973,41 +1984,41 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = add(from, w.bodies[8]);
   }
   stamp(7);
-  {  // from process 2: what hangs on "pelvis"
+  {  // from process 2: what hangs on "trunk"
     const Real* from = channel.receive(8, w.status);
-    from = add(from, w.bodies[1]);
+    from = add(from, w.bodies[8]);
   }
   stamp(8);
   inward<3, 7, 7, false>(w);  // "spine"
   solve_root<3, 1>(w);
   stamp(9);
   accelerate<3, 7, 7>(w);  // "spine"
-  accelerate<3, 1, 3>(w);  // "left_hip" .. "left_ankle"
+  accelerate<3, 12, 14>(w);  // "right_shoulder" .. "right_wrist"
   stamp(10);
-  require_finite(w, w.answer.data(), 6, 7, &JointConstants::v, kOverflow);
-  give(w, 6, 7);
+  require_finite(w, w.answer.data(), 33, 7, &JointConstants::v, kOverflow);
+  give(w, 33, 7);
 }
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<int, 24> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50};
-constexpr std::array<int, 19> kReadV_0{0, 1, 2, 3, 4, 5, 20, 21, 22, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
-constexpr std::array<int, 10> kOwn_0{30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
-constexpr std::array<int, 13> kTorque_0{20, 21, 22, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
-constexpr std::array<int, 20> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37};
-constexpr std::array<int, 16> kReadV_1{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
-constexpr std::array<int, 16> kOwn_1{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
-constexpr std::array<int, 16> kTorque_1{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
-constexpr std::array<int, 20> kReadQ_2{0, 1, 2, 3, 4, 5, 6, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28};
-constexpr std::array<int, 16> kReadV_2{0, 1, 2, 3, 4, 5, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
-constexpr std::array<int, 7> kOwn_2{13, 14, 15, 16, 17, 18, 19};
-constexpr std::array<int, 10> kTorque_2{13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
-constexpr std::array<int, 20> kReadQ_3{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 25, 26, 27, 28};
-constexpr std::array<int, 16> kReadV_3{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 20, 21, 22};
-constexpr std::array<int, 7> kOwn_3{6, 7, 8, 9, 10, 11, 12};
-constexpr std::array<int, 10> kTorque_3{6, 7, 8, 9, 10, 11, 12, 20, 21, 22};
+constexpr std::array<int, 24> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 25, 26, 27, 28, 38, 39, 40, 41};
+constexpr std::array<int, 19> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 20, 21, 22, 30, 31, 32};
+constexpr std::array<int, 10> kOwn_0{6, 7, 8, 9, 10, 11, 12, 30, 31, 32};
+constexpr std::array<int, 13> kTorque_0{6, 7, 8, 9, 10, 11, 12, 20, 21, 22, 30, 31, 32};
+constexpr std::array<int, 20> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28};
+constexpr std::array<int, 16> kReadV_1{0, 1, 2, 3, 4, 5, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
+constexpr std::array<int, 16> kOwn_1{0, 1, 2, 3, 4, 5, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
+constexpr std::array<int, 16> kTorque_1{0, 1, 2, 3, 4, 5, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
+constexpr std::array<int, 20> kReadQ_2{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37};
+constexpr std::array<int, 16> kReadV_2{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
+constexpr std::array<int, 7> kOwn_2{23, 24, 25, 26, 27, 28, 29};
+constexpr std::array<int, 10> kTorque_2{20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
+constexpr std::array<int, 20> kReadQ_3{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 42, 43, 44, 45, 46, 47, 48, 49, 50};
+constexpr std::array<int, 16> kReadV_3{0, 1, 2, 3, 4, 5, 20, 21, 22, 33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 7> kOwn_3{33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 10> kTorque_3{20, 21, 22, 33, 34, 35, 36, 37, 38, 39};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {24, kReadQ_0.data(), 19, kReadV_0.data(), 10, kOwn_0.data(), 13, kTorque_0.data()},
     {20, kReadQ_1.data(), 16, kReadV_1.data(), 16, kOwn_1.data(), 16, kTorque_1.data()},
@@ -3340,8 +3351,8 @@ class Watch {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<Stage, 10> kStages_0{ {
-    {"kinematics", 14, -1},
-    {"assembly", 11, -1},
+    {"kinematics", 11, -1},
+    {"assembly", 1, -1},
     {"send", -1, 0},
     {"send", -1, 1},
     {"send", -1, 2},
@@ -3352,8 +3363,8 @@ constexpr std::array<Stage, 10> kStages_0{ {
     {"disassembly", 7, -1},
 } };
 constexpr std::array<Stage, 10> kStages_1{ {
-    {"kinematics", 10, -1},
-    {"assembly", 8, -1},
+    {"kinematics", 7, -1},
+    {"assembly", 4, -1},
     {"send", -1, 3},
     {"send", -1, 4},
     {"send", -1, 5},
@@ -3364,8 +3375,8 @@ constexpr std::array<Stage, 10> kStages_1{ {
     {"disassembly", 7, -1},
 } };
 constexpr std::array<Stage, 10> kStages_2{ {
-    {"kinematics", 7, -1},
-    {"assembly", 4, -1},
+    {"kinematics", 10, -1},
+    {"assembly", 8, -1},
     {"send", -1, 6},
     {"send", -1, 7},
     {"send", -1, 8},
@@ -3376,8 +3387,8 @@ constexpr std::array<Stage, 10> kStages_2{ {
     {"disassembly", 7, -1},
 } };
 constexpr std::array<Stage, 10> kStages_3{ {
-    {"kinematics", 7, -1},
-    {"assembly", 1, -1},
+    {"kinematics", 14, -1},
+    {"assembly", 12, -1},
     {"send", -1, 9},
     {"send", -1, 10},
     {"send", -1, 11},

@@ -2,7 +2,7 @@
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// schedule  waist_pitch@0-1(__base__@1(|left_hip_pitch(right_hip_pitch(waist_yaw(|waist_roll) | right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll)))))) | left_shoulder_pitch@0(neck_yaw(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch))))))
+// schedule  __base__@0-1(|waist_pitch(left_ankle_roll@0(left_ankle_pitch(left_knee(left_hip_yaw(left_hip_roll(left_hip_pitch(right_ankle_roll(right_ankle_pitch(right_knee(right_hip_yaw(right_hip_roll(right_hip_pitch(waist_yaw(|waist_roll)|)|)|)|)|)|)|)|)|)|)|)|) | neck_pitch@1(neck_yaw(right_wrist_pitch(right_wrist_roll(right_elbow(right_shoulder_yaw(right_shoulder_roll(right_shoulder_pitch(left_wrist_pitch(left_wrist_roll(left_elbow(left_shoulder_yaw(left_shoulder_roll(left_shoulder_pitch|)|)|)|)|)|)|)|)|)|)|)|)|)))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -726,8 +726,8 @@ ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<
 constexpr std::array<MessageInfo, 4> kMessages{ {
     {0, 1, 27},  // 0: what hangs on "abdomen"
     {1, 0, 27},  // 1: what hangs on "abdomen"
-    {0, 1, 61},  // 2: state
-    {1, 0, 20},  // 3: accelerations
+    {0, 1, 62},  // 2: state
+    {1, 0, 15},  // 3: accelerations
 } };
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
@@ -1040,8 +1040,8 @@ struct LinkRole {
   bool parts;     // paths part at it outwards
 };
 constexpr LinkRole kRoles[2][kLinkCount]{
-    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
     {{0, 0, 0}, {1, 1, 1}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
 };
 
 // What is kept where segments meet, with the joint that it belongs to.
@@ -1821,55 +1821,8 @@ void free_acceleration(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 15 of 30 joints: "waist_pitch", "left_shoulder_pitch", "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", ...; kinematics of 3 more on the way to the ground
+// Process 0: 15 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
-  require_finite(w, w.q, 19, 17, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
-  require_finite(w, w.v, 18, 17, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 20, 15, &JointConstants::v, kNotFinite);
-  stamp(0);
-  std::copy_n(w.q + 19, 17, w.angle.data() + 13);
-  turn<block(13), block(29) + 1>(w);
-  free_base_frame<0>(w);
-  outward<13, 21>(w);  // "waist_yaw" .. "left_wrist_pitch"
-  outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
-  outward<24, 29>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
-  stamp(1);
-  set_up_links<block(15), block(29) + 1>(w);
-  inward<0, 25, 29, true>(w);  // "right_shoulder_roll" .. "right_wrist_pitch"
-  inward<0, 23, 23, true>(w);  // "neck_pitch"
-  inward<0, 17, 21, true>(w);  // "left_shoulder_roll" .. "left_wrist_pitch"
-  inward<0, 24, 24, true>(w);  // "right_shoulder_pitch"
-  inward<0, 22, 22, false>(w);  // "neck_yaw"
-  inward<0, 15, 16, true>(w);  // "waist_pitch" .. "left_shoulder_pitch"
-  stamp(2);
-  {  // to process 1: what hangs on "abdomen"
-    Real* to = channel.outgoing(0, w.status);
-    to = put(to, w.bodies[15]);
-    channel.send(0, w.status);
-  }
-  stamp(3);
-  {  // from process 1: what hangs on "abdomen"
-    const Real* from = channel.receive(1, w.status);
-    from = add(from, w.bodies[15]);
-  }
-  stamp(4);
-  solve_root<0, 15>(w);
-  stamp(5);
-  accelerate<0, 15, 16>(w);  // "waist_pitch" .. "left_shoulder_pitch"
-  accelerate<0, 22, 22>(w);  // "neck_yaw"
-  accelerate<0, 24, 24>(w);  // "right_shoulder_pitch"
-  accelerate<0, 17, 21>(w);  // "left_shoulder_roll" .. "left_wrist_pitch"
-  accelerate<0, 23, 23>(w);  // "neck_pitch"
-  accelerate<0, 25, 29>(w);  // "right_shoulder_roll" .. "right_wrist_pitch"
-  stamp(6);
-  require_finite(w, w.answer.data(), 20, 15, &JointConstants::v, kOverflow);
-  give(w, 20, 15);
-}
-
-// Process 1: 15 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 21, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 20, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 0, 20, &JointConstants::v, kNotFinite);
@@ -1884,11 +1837,58 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   set_up_links<block(0), block(14) + 1>(w);
   place<15, true>(w);  // "abdomen" itself
   free_base<0, true>(w);
-  inward<1, 8, 12, true>(w);  // "right_hip_roll" .. "right_ankle_roll"
-  inward<1, 2, 6, true>(w);  // "left_hip_roll" .. "left_ankle_roll"
-  inward<1, 7, 7, false>(w);  // "right_hip_pitch"
-  inward<1, 1, 1, false>(w);  // "left_hip_pitch"
-  inward_reversed<1, 13, 14, false>(w);  // "waist_yaw" .. "waist_roll"
+  inward<0, 8, 12, true>(w);  // "right_hip_roll" .. "right_ankle_roll"
+  inward<0, 2, 6, true>(w);  // "left_hip_roll" .. "left_ankle_roll"
+  inward<0, 7, 7, false>(w);  // "right_hip_pitch"
+  inward<0, 1, 1, false>(w);  // "left_hip_pitch"
+  inward_reversed<0, 13, 14, false>(w);  // "waist_yaw" .. "waist_roll"
+  stamp(2);
+  {  // to process 1: what hangs on "abdomen"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.bodies[15]);
+    channel.send(0, w.status);
+  }
+  stamp(3);
+  {  // from process 1: what hangs on "abdomen"
+    const Real* from = channel.receive(1, w.status);
+    from = add(from, w.bodies[15]);
+  }
+  stamp(4);
+  solve_root<0, 15>(w);
+  stamp(5);
+  accelerate_reversed<0, 13, 14>(w);  // "waist_yaw" .. "waist_roll"
+  accelerate<0, 1, 1>(w);  // "left_hip_pitch"
+  accelerate<0, 7, 7>(w);  // "right_hip_pitch"
+  accelerate<0, 2, 6>(w);  // "left_hip_roll" .. "left_ankle_roll"
+  accelerate<0, 8, 12>(w);  // "right_hip_roll" .. "right_ankle_roll"
+  free_acceleration<0>(w);
+  stamp(6);
+  require_finite(w, w.answer.data(), 0, 20, &JointConstants::v, kOverflow);
+  give(w, 0, 20);
+}
+
+// Process 1: 15 of 30 joints: "waist_pitch", "left_shoulder_pitch", "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", ...; kinematics of 3 more on the way to the ground
+void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 19, 17, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 18, 17, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 20, 15, &JointConstants::v, kNotFinite);
+  stamp(0);
+  std::copy_n(w.q + 19, 17, w.angle.data() + 13);
+  turn<block(13), block(29) + 1>(w);
+  free_base_frame<0>(w);
+  outward<13, 21>(w);  // "waist_yaw" .. "left_wrist_pitch"
+  outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  outward<24, 29>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
+  stamp(1);
+  set_up_links<block(15), block(29) + 1>(w);
+  inward<1, 25, 29, true>(w);  // "right_shoulder_roll" .. "right_wrist_pitch"
+  inward<1, 23, 23, true>(w);  // "neck_pitch"
+  inward<1, 17, 21, true>(w);  // "left_shoulder_roll" .. "left_wrist_pitch"
+  inward<1, 24, 24, true>(w);  // "right_shoulder_pitch"
+  inward<1, 22, 22, false>(w);  // "neck_yaw"
+  inward<1, 15, 16, true>(w);  // "waist_pitch" .. "left_shoulder_pitch"
   stamp(2);
   {  // to process 0: what hangs on "abdomen"
     Real* to = channel.outgoing(1, w.status);
@@ -1903,32 +1903,32 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(4);
   solve_root<1, 15>(w);
   stamp(5);
-  accelerate_reversed<1, 13, 14>(w);  // "waist_yaw" .. "waist_roll"
-  accelerate<1, 1, 1>(w);  // "left_hip_pitch"
-  accelerate<1, 7, 7>(w);  // "right_hip_pitch"
-  accelerate<1, 2, 6>(w);  // "left_hip_roll" .. "left_ankle_roll"
-  accelerate<1, 8, 12>(w);  // "right_hip_roll" .. "right_ankle_roll"
-  free_acceleration<0>(w);
+  accelerate<1, 15, 16>(w);  // "waist_pitch" .. "left_shoulder_pitch"
+  accelerate<1, 22, 22>(w);  // "neck_yaw"
+  accelerate<1, 24, 24>(w);  // "right_shoulder_pitch"
+  accelerate<1, 17, 21>(w);  // "left_shoulder_roll" .. "left_wrist_pitch"
+  accelerate<1, 23, 23>(w);  // "neck_pitch"
+  accelerate<1, 25, 29>(w);  // "right_shoulder_roll" .. "right_wrist_pitch"
   stamp(6);
-  require_finite(w, w.answer.data(), 0, 20, &JointConstants::v, kOverflow);
-  give(w, 0, 20);
+  require_finite(w, w.answer.data(), 20, 15, &JointConstants::v, kOverflow);
+  give(w, 20, 15);
 }
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<int, 24> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35};
-constexpr std::array<int, 23> kReadV_0{0, 1, 2, 3, 4, 5, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
-constexpr std::array<int, 15> kOwn_0{20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
-constexpr std::array<int, 15> kTorque_0{20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
-constexpr std::array<int, 21> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
-constexpr std::array<int, 20> kReadV_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
-constexpr std::array<int, 20> kOwn_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
-constexpr std::array<int, 20> kTorque_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
+constexpr std::array<int, 21> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
+constexpr std::array<int, 20> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
+constexpr std::array<int, 20> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
+constexpr std::array<int, 20> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
+constexpr std::array<int, 24> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35};
+constexpr std::array<int, 23> kReadV_1{0, 1, 2, 3, 4, 5, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 15> kOwn_1{20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 15> kTorque_1{20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {24, kReadQ_0.data(), 23, kReadV_0.data(), 15, kOwn_0.data(), 15, kTorque_0.data()},
-    {21, kReadQ_1.data(), 20, kReadV_1.data(), 20, kOwn_1.data(), 20, kTorque_1.data()},
+    {21, kReadQ_0.data(), 20, kReadV_0.data(), 20, kOwn_0.data(), 20, kTorque_0.data()},
+    {24, kReadQ_1.data(), 23, kReadV_1.data(), 15, kOwn_1.data(), 15, kTorque_1.data()},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -3256,20 +3256,20 @@ class Watch {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<Stage, 6> kStages_0{ {
-    {"kinematics", 29, -1},
-    {"assembly", 15, -1},
+    {"kinematics", 14, -1},
+    {"assembly", 14, -1},
     {"send", -1, 0},
     {"receive", -1, 1},
     {"assembly", -1, -1},
-    {"disassembly", 15, -1},
+    {"disassembly", 14, -1},
 } };
 constexpr std::array<Stage, 6> kStages_1{ {
-    {"kinematics", 14, -1},
-    {"assembly", 14, -1},
+    {"kinematics", 29, -1},
+    {"assembly", 15, -1},
     {"send", -1, 1},
     {"receive", -1, 0},
     {"assembly", -1, -1},
-    {"disassembly", 14, -1},
+    {"disassembly", 15, -1},
 } };
 constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data()};
 constexpr std::array<int, kProcesses> kStageCount{6, 6};
