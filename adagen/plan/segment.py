@@ -152,19 +152,26 @@ class SegmentPlanner(AdaPlanner):
         return [start, *(edge.far for edge in self._outwards(start, at))]
 
     def _outwards(self, root: int, at: dict[int, list[int]]) -> list[Edge]:
-        """The joints of a component, each after those between it and the root."""
-        edges: list[Edge] = []
-        waiting = [(root, -1)]
-        while waiting:
-            near, came = waiting.pop()
+        """The joints of a component, each after those between it and the root, depth first.
+
+        So joints that follow each other along a limb stay together: shape kernels sweeps them in
+        one loop.
+        """
+
+        def beyond(near: int, came: int) -> list[Edge]:
             found = []
             for j in at.get(near, []):
                 if j != came:
                     down = self.joints[j].parent == near
-                    edge = Edge(j, near, j + 1 if down else self.joints[j].parent, not down)
-                    found.append(edge)
-            edges.extend(found)
-            waiting.extend((edge.far, edge.joint) for edge in reversed(found))
+                    found.append(Edge(j, near, j + 1 if down else self.joints[j].parent, not down))
+            return found
+
+        edges: list[Edge] = []
+        waiting = beyond(root, -1)[::-1]
+        while waiting:
+            edge = waiting.pop()
+            edges.append(edge)
+            waiting.extend(reversed(beyond(edge.far, edge.joint)))
         return edges
 
     @staticmethod
