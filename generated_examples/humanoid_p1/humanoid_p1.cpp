@@ -1033,7 +1033,7 @@ struct LinkRole {
   bool parts;     // paths part at it outwards
 };
 constexpr LinkRole kRoles[1][kLinkCount]{
-    {{0, 0, 0}, {1, 1, 1}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {1, 1, 1}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
+    {{0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
 };
 
 // What is kept where segments meet, with the joint that it belongs to.
@@ -1830,30 +1830,18 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(1);
   set_up_links<block(0), block(29) + 1>(w);
   free_base<0, true>(w);
-  inward<0, 25, 29, true>(w);  // "right_shoulder_roll" .. "right_wrist_pitch"
-  inward<0, 23, 23, true>(w);  // "neck_pitch"
-  inward<0, 17, 21, true>(w);  // "left_shoulder_roll" .. "left_wrist_pitch"
-  inward<0, 24, 24, true>(w);  // "right_shoulder_pitch"
-  inward<0, 22, 22, false>(w);  // "neck_yaw"
-  inward<0, 14, 16, true>(w);  // "waist_roll" .. "left_shoulder_pitch"
-  inward<0, 8, 12, true>(w);  // "right_hip_roll" .. "right_ankle_roll"
-  inward<0, 2, 6, true>(w);  // "left_hip_roll" .. "left_ankle_roll"
-  inward<0, 13, 13, false>(w);  // "waist_yaw"
-  inward<0, 7, 7, false>(w);  // "right_hip_pitch"
-  inward<0, 1, 1, false>(w);  // "left_hip_pitch"
+  inward<0, 24, 29, true>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
+  inward<0, 22, 23, false>(w);  // "neck_yaw" .. "neck_pitch"
+  inward<0, 13, 21, false>(w);  // "waist_yaw" .. "left_wrist_pitch"
+  inward<0, 7, 12, false>(w);  // "right_hip_pitch" .. "right_ankle_roll"
+  inward<0, 1, 6, false>(w);  // "left_hip_pitch" .. "left_ankle_roll"
   solve_root<0, 1>(w);
   stamp(2);
-  accelerate<0, 1, 1>(w);  // "left_hip_pitch"
-  accelerate<0, 7, 7>(w);  // "right_hip_pitch"
-  accelerate<0, 13, 13>(w);  // "waist_yaw"
-  accelerate<0, 2, 6>(w);  // "left_hip_roll" .. "left_ankle_roll"
-  accelerate<0, 8, 12>(w);  // "right_hip_roll" .. "right_ankle_roll"
-  accelerate<0, 14, 16>(w);  // "waist_roll" .. "left_shoulder_pitch"
-  accelerate<0, 22, 22>(w);  // "neck_yaw"
-  accelerate<0, 24, 24>(w);  // "right_shoulder_pitch"
-  accelerate<0, 17, 21>(w);  // "left_shoulder_roll" .. "left_wrist_pitch"
-  accelerate<0, 23, 23>(w);  // "neck_pitch"
-  accelerate<0, 25, 29>(w);  // "right_shoulder_roll" .. "right_wrist_pitch"
+  accelerate<0, 1, 6>(w);  // "left_hip_pitch" .. "left_ankle_roll"
+  accelerate<0, 7, 12>(w);  // "right_hip_pitch" .. "right_ankle_roll"
+  accelerate<0, 13, 21>(w);  // "waist_yaw" .. "left_wrist_pitch"
+  accelerate<0, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  accelerate<0, 24, 29>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
   free_acceleration<0>(w);
   stamp(3);
   require_finite(w, w.answer.data(), 0, 35, &JointConstants::v, kOverflow);

@@ -1040,8 +1040,8 @@ struct LinkRole {
   bool parts;     // paths part at it outwards
 };
 constexpr LinkRole kRoles[2][kLinkCount]{
-    {{0, 0, 0}, {1, 1, 1}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
+    {{0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
 };
 
 // What is kept where segments meet, with the joint that it belongs to.
@@ -1837,10 +1837,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   set_up_links<block(0), block(14) + 1>(w);
   place<15, true>(w);  // "abdomen" itself
   free_base<0, true>(w);
-  inward<0, 8, 12, true>(w);  // "right_hip_roll" .. "right_ankle_roll"
-  inward<0, 2, 6, true>(w);  // "left_hip_roll" .. "left_ankle_roll"
-  inward<0, 7, 7, false>(w);  // "right_hip_pitch"
-  inward<0, 1, 1, false>(w);  // "left_hip_pitch"
+  inward<0, 7, 12, false>(w);  // "right_hip_pitch" .. "right_ankle_roll"
+  inward<0, 1, 6, false>(w);  // "left_hip_pitch" .. "left_ankle_roll"
   inward_reversed<0, 13, 14, false>(w);  // "waist_yaw" .. "waist_roll"
   stamp(2);
   {  // to process 1: what hangs on "abdomen"
@@ -1857,10 +1855,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   solve_root<0, 15>(w);
   stamp(5);
   accelerate_reversed<0, 13, 14>(w);  // "waist_yaw" .. "waist_roll"
-  accelerate<0, 1, 1>(w);  // "left_hip_pitch"
-  accelerate<0, 7, 7>(w);  // "right_hip_pitch"
-  accelerate<0, 2, 6>(w);  // "left_hip_roll" .. "left_ankle_roll"
-  accelerate<0, 8, 12>(w);  // "right_hip_roll" .. "right_ankle_roll"
+  accelerate<0, 1, 6>(w);  // "left_hip_pitch" .. "left_ankle_roll"
+  accelerate<0, 7, 12>(w);  // "right_hip_pitch" .. "right_ankle_roll"
   free_acceleration<0>(w);
   stamp(6);
   require_finite(w, w.answer.data(), 0, 20, &JointConstants::v, kOverflow);
@@ -1883,12 +1879,9 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   outward<24, 29>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
   stamp(1);
   set_up_links<block(15), block(29) + 1>(w);
-  inward<1, 25, 29, true>(w);  // "right_shoulder_roll" .. "right_wrist_pitch"
-  inward<1, 23, 23, true>(w);  // "neck_pitch"
-  inward<1, 17, 21, true>(w);  // "left_shoulder_roll" .. "left_wrist_pitch"
-  inward<1, 24, 24, true>(w);  // "right_shoulder_pitch"
-  inward<1, 22, 22, false>(w);  // "neck_yaw"
-  inward<1, 15, 16, true>(w);  // "waist_pitch" .. "left_shoulder_pitch"
+  inward<1, 24, 29, true>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
+  inward<1, 22, 23, false>(w);  // "neck_yaw" .. "neck_pitch"
+  inward<1, 15, 21, true>(w);  // "waist_pitch" .. "left_wrist_pitch"
   stamp(2);
   {  // to process 0: what hangs on "abdomen"
     Real* to = channel.outgoing(1, w.status);
@@ -1903,12 +1896,9 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(4);
   solve_root<1, 15>(w);
   stamp(5);
-  accelerate<1, 15, 16>(w);  // "waist_pitch" .. "left_shoulder_pitch"
-  accelerate<1, 22, 22>(w);  // "neck_yaw"
-  accelerate<1, 24, 24>(w);  // "right_shoulder_pitch"
-  accelerate<1, 17, 21>(w);  // "left_shoulder_roll" .. "left_wrist_pitch"
-  accelerate<1, 23, 23>(w);  // "neck_pitch"
-  accelerate<1, 25, 29>(w);  // "right_shoulder_roll" .. "right_wrist_pitch"
+  accelerate<1, 15, 21>(w);  // "waist_pitch" .. "left_wrist_pitch"
+  accelerate<1, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  accelerate<1, 24, 29>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
   stamp(6);
   require_finite(w, w.answer.data(), 20, 15, &JointConstants::v, kOverflow);
   give(w, 20, 15);
