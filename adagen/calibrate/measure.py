@@ -77,7 +77,9 @@ class Program:
         self.plan = plan
         self.toolchain = toolchain
         stem = stem_of(plan)
-        self.executable = build_executable(emit(plan, shape=stepwise(plan))[f"{stem}.cpp"], stem, toolchain)
+        self.executable = build_executable(
+            emit(plan, shape=stepwise(plan))[f"{stem}.cpp"], stem, toolchain
+        )
 
     def measure(
         self, *, repeat: int = 30, channel: str = "auto", arguments: Sequence[str] = ()

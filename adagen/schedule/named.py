@@ -18,6 +18,7 @@ from adagen.schedule.segment_schedule import segment_bound
 from adagen.schedule.single import outward
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import (
+    Meeting,
     Named,
     Schedule,
     Strategy,
@@ -64,7 +65,11 @@ def named_schedule(
 
 
 def as_schedule(
-    draft: Draft, topology: Topology, profile: CostProfile, strategy: Strategy | Named
+    draft: Draft,
+    topology: Topology,
+    profile: CostProfile,
+    strategy: Strategy | Named,
+    meeting: Meeting = "join",
 ) -> Schedule:
     """Return a finished tree with its price, loads and a bound that needs no search.
 
@@ -73,6 +78,7 @@ def as_schedule(
         topology: the robot.
         profile: prices the tree.
         strategy: where it comes from.
+        meeting: how its processes meet.
 
     Raises:
         InvalidSchedule: the tree is not a schedule of this robot.
@@ -106,6 +112,7 @@ def as_schedule(
         split=rules.split,
         expanded=0,
         loads=loads_of(root, processes),
+        meeting=meeting,
     )
     validate(schedule, topology)
     return schedule

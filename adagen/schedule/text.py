@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import replace
 from typing import Any
 
 from adagen.errors import InputError, printable
@@ -93,8 +92,7 @@ def schedule_from_json(
     if not isinstance(root, dict):
         raise InputError('not a schedule: expected {"root": {"joint": ..., ...}}', file)
     try:
-        schedule = as_schedule(_read(root, topology), topology, profile, "file")
-        return replace(schedule, meeting=_meeting(data))
+        return as_schedule(_read(root, topology), topology, profile, "file", _meeting(data))
     except InvalidSchedule as error:
         raise InputError(f"{error}: correct the schedule or leave it to adagen", file) from None
 

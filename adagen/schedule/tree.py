@@ -228,8 +228,9 @@ def validate(schedule: Schedule, topology: Topology) -> None:
     """Check a schedule against the robot.
 
     Every joint appears once; the joints below a node are exactly those of its partial chain, each
-    on its side; ranges follow III-C (halves, other splits or shared ranges alike); numbers of
-    boundary joints, loads and, unless processes gather, makespan are those of the tree.
+    on its side; ranges follow III-C (halves, other splits or shared ranges alike) or, where
+    processes gather, lie within those above; numbers of boundary joints, loads and, unless
+    processes gather, makespan are those of the tree.
 
     Raises:
         InvalidSchedule: it breaks one of these rules.
@@ -288,6 +289,8 @@ def _check_ranges(schedule: Schedule, topology: Topology) -> None:
         if all(r == node.processes for r in ranges):
             continue
         a, b = node.processes
+        if schedule.meeting == "gather" and all(a <= first < last <= b for first, last in ranges):
+            continue
         if len(ranges) == 2:  # whichever side has the first process stays where it is joined
             (first, m), (n, last) = sorted(ranges)
             if a == first < m == n < last == b:

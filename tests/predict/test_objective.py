@@ -23,8 +23,8 @@ PROFILE = load_profile("default")
 
 
 def middling(mass: float) -> Model:
-    """Rods whose middle, where two processes would meet, is light."""
-    inertias = [robots.rod(mass if 18 <= i <= 21 else 1.0) for i in range(48)]
+    """Rods that are light where two processes would meet."""
+    inertias = [robots.rod(mass if 19 <= i <= 22 else 1.0) for i in range(80)]
     return robots.chain("light middle", inertias)
 
 
