@@ -98,11 +98,14 @@ def _panel(axes: Any, chart: Chart, what: str, colours: dict[str, str]) -> None:
     right = max(times) * 2.2  # where points without a time go
     values = [_height(p, what) for p in chart.points if not p.failed]
     top = max([*values, 1e-6]) * 1e4
-    axes.set(xscale="log", yscale="log", ylim=(_LEAST / 3, top * 6), xlabel="ns per evaluation")
-    axes.set_xlim(min(times) / 1.6, right * 2.4)
+    least = min([*values, 1e-16])
+    axes.set(xscale="log", yscale="log", ylim=(least / 20, top * 6), xlabel="ns per evaluation")
+    untimed = any(p.time_ns is None for p in chart.points)
+    axes.set_xlim(min(times) / 1.5, right * 1.5 if untimed else max(times) * 1.5)
     axes.grid(alpha=0.25, which="major")
-    axes.axvline(right / 1.4, color="black", lw=0.6, ls=":")
-    axes.text(right, _LEAST / 2, "not\ntimed", ha="center", va="bottom", fontsize=7)
+    if untimed:
+        axes.axvline(right / 1.4, color="black", lw=0.6, ls=":")
+        axes.text(right, least / 15, "not\ntimed", ha="center", va="bottom", fontsize=7)
     for point in chart.points:
         x = right if point.time_ns is None else point.time_ns
         y = top if point.failed else _height(point, what)
@@ -129,7 +132,6 @@ def _mark(axes: Any, point: Point, x: float, y: float, colour: str) -> None:
 
 def _guides(axes: Any, chart: Chart) -> None:
     """Draw the rounding of each scalar, and what the joins of form ada are predicted to lose."""
-    left = axes.get_xlim()[0]
     for scalar in sorted({p.scalar for p in chart.points}):
         lines = [(EPSILON[scalar], f"eps, {scalar}")]
         grown = [
@@ -141,7 +143,8 @@ def _guides(axes: Any, chart: Chart) -> None:
         lines += [(grown[0], f"eps Σg of form ada, {scalar}")] if grown else []
         for height, text in lines:
             axes.axhline(height, color="black", lw=0.7, ls="--", alpha=0.5)
-            axes.text(left * 1.03, height * 1.15, text, fontsize=7, alpha=0.7, va="bottom")
+            axes.text(0.99, height * 1.1, text, fontsize=7, alpha=0.7, va="bottom", ha="right",
+                      transform=axes.get_yaxis_transform())  # fmt: skip
 
 
 def _pareto(axes: Any, chart: Chart) -> None:

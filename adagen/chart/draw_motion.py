@@ -11,6 +11,7 @@ from adagen.chart.motion import INTEGRATORS, MotionChart
 _LOOKS = {
     "euler": ("#d55e00", "s"),
     "semi-implicit": ("#cc79a7", "D"),
+    "implicit": ("#e69f00", "v"),
     "rk4": ("#0072b2", "o"),
     "rkmk4": ("#009e73", "^"),
 }
@@ -60,4 +61,6 @@ def _panel(axes: Any, chart: MotionChart, across: str, what: str) -> None:
         if rows:
             axes.loglog(*zip(*rows, strict=True), marker=marker, color=colour, label=label)
     axes.grid(alpha=0.25)
-    axes.legend(fontsize=8)
+    axes.minorticks_off()
+    axes.margins(0.08)
+    axes.legend(fontsize=8, framealpha=0.7, loc="center" if what == "error" else "best")

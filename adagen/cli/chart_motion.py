@@ -73,8 +73,10 @@ def _show(chart: MotionChart) -> None:
         table.add_column(column, justify="left" if column == "integrator" else "right")
     for integrator in INTEGRATORS:
         orders = [chart.order(integrator, what) for what in ("error", "energy", "momentum")]
-        last = [p for p in chart.points if p.integrator == integrator][-1]
-        error = "failed" if last.error is None else f"{last.error:.1e}"
+        own = [p for p in chart.points if p.integrator == integrator]
+        if not own:
+            continue
+        error = "failed" if own[-1].error is None else f"{own[-1].error:.1e}"
         table.add_row(integrator, *("-" if x is None else f"{x:.2f}" for x in orders), error)
     console = Console()
     console.print(table)

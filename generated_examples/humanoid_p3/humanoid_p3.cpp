@@ -3893,21 +3893,93 @@ inline void advance(const State& anchor, const State& x, State& q) {
 
 }  // namespace manifold
 
+// Damping D and stiffness K of joints as they act at the end of a step: with B = h D + h^2 K,
+// (H + B) a = r, where H a0 = r would be the torques' answer with springs at q + h v. From the
+// evaluations of unit torques, M = (H^-1) at the joints with B: (B^-1 + M) y = a0 there, and the
+// torques less y give a. One evaluation for each such degree of freedom, and two.
+class PassiveTerms {
+ public:
+  using State = std::vector<double>;
+
+  PassiveTerms() : extra_(kNv), base_(kNv), unit_(kNv) {
+    for (const JointConstants& joint : kJoints)
+      for (int k = 0; k < joint.nv; ++k)
+        if (!joint.passive.prescribed && (joint.passive.damping > 0 || joint.passive.stiffness > 0))
+          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(joint.passive.damping),
+                           double(joint.passive.stiffness)});
+    matrix_.assign(rows_.size() * rows_.size(), 0);
+    y_.resize(rows_.size());
+  }
+
+  // a at the end of a step of length h from (q, v).
+  template <class Accelerate>
+  int accelerate(double h, const State& q, const State& v, State& a, Accelerate evaluate) {
+    const std::size_t n = rows_.size();
+    std::fill(extra_.begin(), extra_.end(), 0.0);
+    for (const Row& row : rows_) extra_[row.v] = -h * row.stiffness * v[row.v];
+    if (const int failed = evaluate(q, v, extra_, base_)) return failed;
+    if (n == 0) {
+      a = base_;
+      return kFine;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      const double before = extra_[rows_[k].v];
+      extra_[rows_[k].v] += 1;
+      if (const int failed = evaluate(q, v, extra_, unit_)) return failed;
+      extra_[rows_[k].v] = before;
+      for (std::size_t i = 0; i < n; ++i)
+        matrix_[i * n + k] = unit_[rows_[i].v] - base_[rows_[i].v];
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      matrix_[k * n + k] += 1 / (h * rows_[k].damping + h * h * rows_[k].stiffness);
+      y_[k] = base_[rows_[k].v];
+    }
+    solve();
+    for (std::size_t k = 0; k < n; ++k) extra_[rows_[k].v] -= y_[k];
+    return evaluate(q, v, extra_, a);
+  }
+
+ private:
+  struct Row {
+    std::size_t v;
+    double damping, stiffness;
+  };
+
+  // y <- matrix^-1 y by elimination; the matrix is symmetric and positive definite but for
+  // rounding.
+  void solve() {
+    const std::size_t n = rows_.size();
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t i = k + 1; i < n; ++i) {
+        const double part = matrix_[i * n + k] / matrix_[k * n + k];
+        for (std::size_t j = k; j < n; ++j) matrix_[i * n + j] -= part * matrix_[k * n + j];
+        y_[i] -= part * y_[k];
+      }
+    for (std::size_t k = n; k-- > 0;) {
+      for (std::size_t j = k + 1; j < n; ++j) y_[k] -= matrix_[k * n + j] * y_[j];
+      y_[k] /= matrix_[k * n + k];
+    }
+  }
+
+  std::vector<Row> rows_;
+  State extra_, base_, unit_, matrix_, y_;
+};
+
 // Fixed-step integrators of q' = G(q) v, v' = a(q, v). All but RK4 and the explicit Euler method
 // move quaternions by the exponential map, so that these keep their length.
-enum class Integrator { kEuler, kSemiImplicit, kRk4, kRkmk4 };
+enum class Integrator { kEuler, kSemiImplicit, kImplicit, kRk4, kRkmk4 };
 
 struct IntegratorInfo {
   const char* name;
   Integrator kind;
-  int evaluations;  // for a step
 };
 
-constexpr std::array<IntegratorInfo, 4> kIntegrators{{
-    {"euler", Integrator::kEuler, 1},
-    {"semi-implicit", Integrator::kSemiImplicit, 1},
-    {"rk4", Integrator::kRk4, 4},
-    {"rkmk4", Integrator::kRkmk4, 4},
+constexpr std::array<IntegratorInfo, 5> kIntegrators{{
+    {"euler", Integrator::kEuler},
+    {"semi-implicit", Integrator::kSemiImplicit},
+    {"implicit", Integrator::kImplicit},
+    {"rk4", Integrator::kRk4},
+    {"rkmk4", Integrator::kRkmk4},
 }};
 
 class Stepper {
@@ -3916,11 +3988,11 @@ class Stepper {
 
   Stepper() {
     for (State* x : {&middle_q_, &q_rate_, &q_sum_}) x->resize(kNq);
-    for (State* x : {&middle_v_, &a_, &v_sum_, &x_, &x_rate_, &x_sum_}) x->resize(kNv);
+    for (State* x : {&middle_v_, &a_, &v_sum_, &x_, &x_rate_, &x_sum_, &none_}) x->resize(kNv);
   }
 
-  // One step of length h from (q, v) to (q, v). accelerate(q, v, a) evaluates and returns a status;
-  // where that is a failure, the state stays as it was.
+  // One step of length h from (q, v) to (q, v). accelerate(q, v, extra, a) evaluates with extra
+  // torques and returns a status; where that is a failure, the state stays as it was.
   template <class Accelerate>
   int step(Integrator kind, double h, State& q, State& v, Accelerate accelerate) {
     switch (kind) {
@@ -3928,6 +4000,8 @@ class Stepper {
         return runge_kutta(h, q, v, accelerate);
       case Integrator::kRkmk4:
         return munthe_kaas(h, q, v, accelerate);
+      case Integrator::kImplicit:
+        return implicit(h, q, v, accelerate);
       default:
         return euler(kind == Integrator::kSemiImplicit, h, q, v, accelerate);
     }
@@ -3943,20 +4017,34 @@ class Stepper {
 
   template <class Accelerate>
   int euler(bool semi_implicit, double h, State& q, State& v, Accelerate accelerate) {
-    if (const int failed = accelerate(q, v, a_)) return failed;
+    if (const int failed = accelerate(q, v, none_, a_)) return failed;
     manifold::rate(q, v, q_rate_);
     move(v, h, a_, v);
-    if (semi_implicit) {
-      std::fill(x_.begin(), x_.end(), 0.0);
-      manifold::local_rate(q, x_, v, x_rate_);
-      move(x_, h, x_rate_, x_);
-      manifold::advance(q, x_, middle_q_);
-      q.swap(middle_q_);
-    } else {
+    if (semi_implicit)
+      follow(h, q, v);
+    else
       move(q, h, q_rate_, q);
-    }
     manifold::normalise(q);
     return kFine;
+  }
+
+  // The semi-implicit method with damping and springs as they are at the end of the step.
+  template <class Accelerate>
+  int implicit(double h, State& q, State& v, Accelerate accelerate) {
+    if (const int failed = passive_.accelerate(h, q, v, a_, accelerate)) return failed;
+    move(v, h, a_, v);
+    follow(h, q, v);
+    manifold::normalise(q);
+    return kFine;
+  }
+
+  // Moves q along v by the exponential map.
+  void follow(double h, State& q, const State& v) {
+    std::fill(x_.begin(), x_.end(), 0.0);
+    manifold::local_rate(q, x_, v, x_rate_);
+    move(x_, h, x_rate_, x_);
+    manifold::advance(q, x_, middle_q_);
+    q.swap(middle_q_);
   }
 
   // The classical method on q as numbers; quaternions are normalised after the step.
@@ -3971,7 +4059,7 @@ class Stepper {
         move(q, kNode[k] * h, q_rate_, middle_q_);
         move(v, kNode[k] * h, a_, middle_v_);
       }
-      if (const int failed = accelerate(middle_q_, middle_v_, a_)) return failed;
+      if (const int failed = accelerate(middle_q_, middle_v_, none_, a_)) return failed;
       manifold::rate(middle_q_, middle_v_, q_rate_);
       move(q_sum_, kWeight[k] / 6, q_rate_, q_sum_);
       move(v_sum_, kWeight[k] / 6, a_, v_sum_);
@@ -3994,7 +4082,7 @@ class Stepper {
         manifold::advance(q, x_, middle_q_);
         move(v, kNode[k] * h, a_, middle_v_);
       }
-      if (const int failed = accelerate(middle_q_, middle_v_, a_)) return failed;
+      if (const int failed = accelerate(middle_q_, middle_v_, none_, a_)) return failed;
       manifold::local_rate(middle_q_, x_, middle_v_, x_rate_);
       move(x_sum_, h * kWeight[k] / 6, x_rate_, x_sum_);
       move(v_sum_, h * kWeight[k] / 6, a_, v_sum_);
@@ -4007,6 +4095,8 @@ class Stepper {
   }
 
   State middle_q_, middle_v_, q_rate_, a_, q_sum_, v_sum_, x_, x_rate_, x_sum_;
+  State none_;  // no extra torques
+  PassiveTerms passive_;
 };
 
 // Where --trajectory goes: times, configurations and velocities as CSV, a line each, or as .npz
@@ -4173,7 +4263,7 @@ class Trajectory {
 
 struct SimulationOptions {
   double seconds = 0, step = 1e-3;  // no simulation where seconds are 0
-  const IntegratorInfo* integrator = &kIntegrators[2];
+  const IntegratorInfo* integrator = &kIntegrators[3];
   long long every = 1;  // steps between the rows of the trajectory
   std::string trajectory;
 };
@@ -4201,7 +4291,7 @@ const char* const kUsageText =
     "its\n"
     "                    torques\n"
     "  --step H          length of a step in seconds (0.001)\n"
-    "  --integrator NAME euler, semi-implicit, rk4 or rkmk4 (rk4)\n"
+    "  --integrator NAME euler, semi-implicit, implicit, rk4 or rkmk4 (rk4)\n"
     "  --trajectory FILE where the motion goes: FILE.csv or FILE.npz\n"
     "  --every N         keep every Nth step of it (1), and the last\n"
     "  --trace FILE      when each process did what, as JSON (medians over random states)\n"
@@ -4950,9 +5040,9 @@ class Simulation {
     for (long long k = 0; k < steps_; ++k) {
       const double time = static_cast<double>(k) * asked().step;
       const double next = k + 1 < steps_ ? time + asked().step : asked().seconds;
-      const int failed = stepper.step(
-          asked().integrator->kind, next - time, q_, v_,
-          [this](const auto& q, const auto& v, auto& a) { return accelerate(q, v, a); });
+      const int failed = stepper.step(asked().integrator->kind, next - time, q_, v_,
+                                      [this](const auto& q, const auto& v, const auto& extra,
+                                             auto& a) { return accelerate(q, v, extra, a); });
       on_.give_up_if_broken(failed);
       if (failed != kFine) return describe(failed) + at(time) + (k > 0 ? kSmaller : "");
       slave(q_.data(), v_.data());
@@ -4972,11 +5062,15 @@ class Simulation {
     return text;
   }
 
-  int accelerate(const manifold::State& q, const manifold::State& v, manifold::State& a) {
+  int accelerate(const manifold::State& q, const manifold::State& v, const manifold::State& extra,
+                 manifold::State& a) {
     std::copy(q.begin(), q.end(), real_q_.begin());
     std::copy(v.begin(), v.end(), real_v_.begin());
+    std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
+    for (std::size_t k = 0; k < extra.size(); ++k)
+      real_tau_[k] = static_cast<Real>(double(real_tau_[k]) + extra[k]);
     const int status =
-        on_.solver.solve_at_root(real_q_.data(), real_v_.data(), on_.tau(0), real_a_.data());
+        on_.solver.solve_at_root(real_q_.data(), real_v_.data(), real_tau_.data(), real_a_.data());
     std::copy(real_a_.begin(), real_a_.end(), a.begin());
     ++evaluations_;
     return status;
@@ -5025,6 +5119,7 @@ class Simulation {
   manifold::State q_, v_;
   std::array<Real, kNq> real_q_{};
   std::array<Real, kNv> real_v_{}, real_a_{};
+  std::array<Real, kNtau> real_tau_{};
   bool done_ = false, told_ = false;
   long long steps_ = 0, evaluations_ = 0;
   double wall_ = 0;

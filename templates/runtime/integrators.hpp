@@ -1,18 +1,18 @@
 // Fixed-step integrators of q' = G(q) v, v' = a(q, v). All but RK4 and the explicit Euler method
 // move quaternions by the exponential map, so that these keep their length.
-enum class Integrator { kEuler, kSemiImplicit, kRk4, kRkmk4 };
+enum class Integrator { kEuler, kSemiImplicit, kImplicit, kRk4, kRkmk4 };
 
 struct IntegratorInfo {
   const char* name;
   Integrator kind;
-  int evaluations;  // for a step
 };
 
-constexpr std::array<IntegratorInfo, 4> kIntegrators{{
-    {"euler", Integrator::kEuler, 1},
-    {"semi-implicit", Integrator::kSemiImplicit, 1},
-    {"rk4", Integrator::kRk4, 4},
-    {"rkmk4", Integrator::kRkmk4, 4},
+constexpr std::array<IntegratorInfo, 5> kIntegrators{{
+    {"euler", Integrator::kEuler},
+    {"semi-implicit", Integrator::kSemiImplicit},
+    {"implicit", Integrator::kImplicit},
+    {"rk4", Integrator::kRk4},
+    {"rkmk4", Integrator::kRkmk4},
 }};
 
 class Stepper {
@@ -21,11 +21,11 @@ class Stepper {
 
   Stepper() {
     for (State* x : {&middle_q_, &q_rate_, &q_sum_}) x->resize(kNq);
-    for (State* x : {&middle_v_, &a_, &v_sum_, &x_, &x_rate_, &x_sum_}) x->resize(kNv);
+    for (State* x : {&middle_v_, &a_, &v_sum_, &x_, &x_rate_, &x_sum_, &none_}) x->resize(kNv);
   }
 
-  // One step of length h from (q, v) to (q, v). accelerate(q, v, a) evaluates and returns a status;
-  // where that is a failure, the state stays as it was.
+  // One step of length h from (q, v) to (q, v). accelerate(q, v, extra, a) evaluates with extra
+  // torques and returns a status; where that is a failure, the state stays as it was.
   template <class Accelerate>
   int step(Integrator kind, double h, State& q, State& v, Accelerate accelerate) {
     switch (kind) {
@@ -33,6 +33,8 @@ class Stepper {
         return runge_kutta(h, q, v, accelerate);
       case Integrator::kRkmk4:
         return munthe_kaas(h, q, v, accelerate);
+      case Integrator::kImplicit:
+        return implicit(h, q, v, accelerate);
       default:
         return euler(kind == Integrator::kSemiImplicit, h, q, v, accelerate);
     }
@@ -48,20 +50,34 @@ class Stepper {
 
   template <class Accelerate>
   int euler(bool semi_implicit, double h, State& q, State& v, Accelerate accelerate) {
-    if (const int failed = accelerate(q, v, a_)) return failed;
+    if (const int failed = accelerate(q, v, none_, a_)) return failed;
     manifold::rate(q, v, q_rate_);
     move(v, h, a_, v);
-    if (semi_implicit) {
-      std::fill(x_.begin(), x_.end(), 0.0);
-      manifold::local_rate(q, x_, v, x_rate_);
-      move(x_, h, x_rate_, x_);
-      manifold::advance(q, x_, middle_q_);
-      q.swap(middle_q_);
-    } else {
+    if (semi_implicit)
+      follow(h, q, v);
+    else
       move(q, h, q_rate_, q);
-    }
     manifold::normalise(q);
     return kFine;
+  }
+
+  // The semi-implicit method with damping and springs as they are at the end of the step.
+  template <class Accelerate>
+  int implicit(double h, State& q, State& v, Accelerate accelerate) {
+    if (const int failed = passive_.accelerate(h, q, v, a_, accelerate)) return failed;
+    move(v, h, a_, v);
+    follow(h, q, v);
+    manifold::normalise(q);
+    return kFine;
+  }
+
+  // Moves q along v by the exponential map.
+  void follow(double h, State& q, const State& v) {
+    std::fill(x_.begin(), x_.end(), 0.0);
+    manifold::local_rate(q, x_, v, x_rate_);
+    move(x_, h, x_rate_, x_);
+    manifold::advance(q, x_, middle_q_);
+    q.swap(middle_q_);
   }
 
   // The classical method on q as numbers; quaternions are normalised after the step.
@@ -76,7 +92,7 @@ class Stepper {
         move(q, kNode[k] * h, q_rate_, middle_q_);
         move(v, kNode[k] * h, a_, middle_v_);
       }
-      if (const int failed = accelerate(middle_q_, middle_v_, a_)) return failed;
+      if (const int failed = accelerate(middle_q_, middle_v_, none_, a_)) return failed;
       manifold::rate(middle_q_, middle_v_, q_rate_);
       move(q_sum_, kWeight[k] / 6, q_rate_, q_sum_);
       move(v_sum_, kWeight[k] / 6, a_, v_sum_);
@@ -99,7 +115,7 @@ class Stepper {
         manifold::advance(q, x_, middle_q_);
         move(v, kNode[k] * h, a_, middle_v_);
       }
-      if (const int failed = accelerate(middle_q_, middle_v_, a_)) return failed;
+      if (const int failed = accelerate(middle_q_, middle_v_, none_, a_)) return failed;
       manifold::local_rate(middle_q_, x_, middle_v_, x_rate_);
       move(x_sum_, h * kWeight[k] / 6, x_rate_, x_sum_);
       move(v_sum_, h * kWeight[k] / 6, a_, v_sum_);
@@ -112,4 +128,6 @@ class Stepper {
   }
 
   State middle_q_, middle_v_, q_rate_, a_, q_sum_, v_sum_, x_, x_rate_, x_sum_;
+  State none_;  // no extra torques
+  PassiveTerms passive_;
 };

@@ -1,6 +1,6 @@
 struct SimulationOptions {
   double seconds = 0, step = 1e-3;  // no simulation where seconds are 0
-  const IntegratorInfo* integrator = &kIntegrators[2];
+  const IntegratorInfo* integrator = &kIntegrators[3];
   long long every = 1;  // steps between the rows of the trajectory
   std::string trajectory;
 };
@@ -28,7 +28,7 @@ const char* const kUsageText =
     "its\n"
     "                    torques\n"
     "  --step H          length of a step in seconds (0.001)\n"
-    "  --integrator NAME euler, semi-implicit, rk4 or rkmk4 (rk4)\n"
+    "  --integrator NAME euler, semi-implicit, implicit, rk4 or rkmk4 (rk4)\n"
     "  --trajectory FILE where the motion goes: FILE.csv or FILE.npz\n"
     "  --every N         keep every Nth step of it (1), and the last\n"
     "  --trace FILE      when each process did what, as JSON (medians over random states)\n"

@@ -99,9 +99,9 @@ class Simulation {
     for (long long k = 0; k < steps_; ++k) {
       const double time = static_cast<double>(k) * asked().step;
       const double next = k + 1 < steps_ ? time + asked().step : asked().seconds;
-      const int failed = stepper.step(
-          asked().integrator->kind, next - time, q_, v_,
-          [this](const auto& q, const auto& v, auto& a) { return accelerate(q, v, a); });
+      const int failed = stepper.step(asked().integrator->kind, next - time, q_, v_,
+                                      [this](const auto& q, const auto& v, const auto& extra,
+                                             auto& a) { return accelerate(q, v, extra, a); });
       on_.give_up_if_broken(failed);
       if (failed != kFine) return describe(failed) + at(time) + (k > 0 ? kSmaller : "");
       slave(q_.data(), v_.data());
@@ -121,11 +121,15 @@ class Simulation {
     return text;
   }
 
-  int accelerate(const manifold::State& q, const manifold::State& v, manifold::State& a) {
+  int accelerate(const manifold::State& q, const manifold::State& v, const manifold::State& extra,
+                 manifold::State& a) {
     std::copy(q.begin(), q.end(), real_q_.begin());
     std::copy(v.begin(), v.end(), real_v_.begin());
+    std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
+    for (std::size_t k = 0; k < extra.size(); ++k)
+      real_tau_[k] = static_cast<Real>(double(real_tau_[k]) + extra[k]);
     const int status =
-        on_.solver.solve_at_root(real_q_.data(), real_v_.data(), on_.tau(0), real_a_.data());
+        on_.solver.solve_at_root(real_q_.data(), real_v_.data(), real_tau_.data(), real_a_.data());
     std::copy(real_a_.begin(), real_a_.end(), a.begin());
     ++evaluations_;
     return status;
@@ -174,6 +178,7 @@ class Simulation {
   manifold::State q_, v_;
   std::array<Real, kNq> real_q_{};
   std::array<Real, kNv> real_v_{}, real_a_{};
+  std::array<Real, kNtau> real_tau_{};
   bool done_ = false, told_ = false;
   long long steps_ = 0, evaluations_ = 0;
   double wall_ = 0;

@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 import csv
-import json
-from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -16,48 +12,13 @@ from numpy.typing import NDArray
 from adagen.model import FLOATING, PLANAR, REVOLUTE, SPHERICAL, Inertia, Model
 from adagen.reference import kinetic_energy, momentum, potential_energy
 from adagen.states import BASE, States, random_states, write_states
-from tests.emitted import Builder, Solver, plan_of
+from tests.emitted import Builder
 from tests.models import Part, assemble, human_figure, random_inertia, serial_chain, vector
+from tests.motions import Stage, fitted_order, stage, still_torques
 
 Array = NDArray[np.float64]
 FOURTH = ("rk4", "rkmk4")
-FIRST = ("euler", "semi-implicit")
-
-
-@dataclass(frozen=True)
-class Motion:
-    """A simulated trajectory and what the program reported."""
-
-    time: Array
-    q: Array
-    v: Array
-    told: dict[str, Any]
-
-
-@dataclass(frozen=True)
-class Stage:
-    """A robot, its program and a folder to work in."""
-
-    model: Model
-    solver: Solver
-    folder: Path
-
-    def play(self, state: States, seconds: float, step: float, *words: str) -> Motion:
-        """Simulate; return the trajectory."""
-        write_states(state, self.model, self.folder / "s.json")
-        path = self.folder / "t.npz"
-        asked = ["--simulate", repr(seconds), "--step", repr(step), "--trajectory", str(path)]
-        done = self.solver.run("--states", self.folder / "s.json", *asked, "--json", *words)
-        assert (done.status, done.stderr) == (0, "")
-        with np.load(path) as found:
-            names = [name.decode() for name in found["joints"]]
-            assert names == [joint.name for joint in self.model.joints]
-            told = json.loads(done.stdout)["simulation"]
-            return Motion(found["time"], found["q"], found["v"], told)
-
-
-def stage(model: Model, builder: Builder, folder: Path, processes: int = 1) -> Stage:
-    return Stage(model, builder.solver(plan_of(model, processes)), folder)
+FIRST = ("euler", "semi-implicit", "implicit")
 
 
 def tumbling_body() -> Model:
@@ -84,15 +45,6 @@ def tumbler(builder: Builder, tmp_path: Path) -> Stage:
 @pytest.fixture
 def mixed(builder: Builder, tmp_path: Path) -> Stage:
     return stage(mixed_kinds(), builder, tmp_path)
-
-
-def still_torques(model: Model, seed: int = 2) -> States:
-    state = random_states(model, 1, seed)
-    return States(state.q, state.v, np.zeros_like(state.tau))
-
-
-def fitted_order(steps: Sequence[float], errors: Sequence[float]) -> float:
-    return float(np.polyfit(np.log(steps), np.log(errors), 1)[0])
 
 
 class TestCase9:

@@ -1,0 +1,161 @@
+"""The words of ``adagen chart``."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from adagen.cli.options import Parser, add_model, make_parser, seconds
+from adagen.errors import UsageError
+
+if TYPE_CHECKING:
+    from adagen.chart import Budget
+
+_DESCRIPTION = """\
+Draw each robot's work-precision diagram: the time of an evaluation against the largest forward
+error, from a truth of a hundred digits, of every algorithm, schedule, number type, number of
+processes and refinement. Or, with --simulate, of integrators and steps."""
+
+_EPILOG = """\
+For each MODEL it writes chart_NAME.svg, .png, .json and .csv. The first run compiles some dozens of
+programs, which takes minutes; they are kept for the next one.
+
+examples:
+  adagen chart arm.urdf                                  pictures and data of one robot
+  adagen chart arm.urdf --budget "error<1e-10"           the fastest that is right enough, emitted
+  adagen chart arm.urdf --budget "time<2us" --out fast   the most accurate in time
+  adagen chart arm.urdf --procs 1 --scalars double --quick
+  adagen chart arm.urdf --simulate 1                     integrators: wall time against error"""
+
+_SCALARS = ("double", "float")
+_LEAST_STATES = 20
+
+
+def parser_of_charts() -> Parser:
+    """Return the parser of ``adagen chart``."""
+    from adagen.chart.variants import NAMES, SCHEDULES
+    from adagen.emit.shapes import BASELINES, SHAPES
+
+    parser = make_parser("adagen chart", _DESCRIPTION, _EPILOG)
+    add_model(parser, several=True)
+    add = parser.add_argument
+    add(
+        "--budget",
+        type=_budget,
+        metavar="TERMS",
+        help="say which variant to use and emit it: error<1e-10, time<2us, or both with a comma",
+    )
+    add("--out", type=Path, default=Path(), metavar="DIR", help="where to write (default: here)")
+    add(
+        "--procs",
+        type=_list_of(int, range(1, 65)),
+        default=(1, 2, 4),
+        metavar="P,...",
+        help="numbers of processes (default: 1,2,4); what exceeds the cores is not timed",
+    )
+    add(
+        "--scalars",
+        type=_list_of(str, _SCALARS),
+        default=_SCALARS,
+        metavar="NAME,...",
+        help="number types (default: double,float)",
+    )
+    add(
+        "--refine",
+        type=_list_of(int, range(10)),
+        default=(0, 1, 2),
+        metavar="N,...",
+        help="steps of iterative refinement (default: 0,1,2)",
+    )
+    add(
+        "--shapes",
+        type=_list_of(str, ("auto", *SHAPES)),
+        default=("auto",),
+        metavar="NAME,...",
+        help=f"code shapes, of auto, {', '.join(SHAPES)} (default: auto)",
+    )
+    add(
+        "--algorithms",
+        type=_list_of(str, NAMES),
+        default=tuple(NAMES),
+        metavar="NAME,...",
+        help=f"of {', '.join(NAMES)}; {', '.join(BASELINES)} are baselines (default: all)",
+    )
+    add(
+        "--schedules",
+        type=_list_of(str, SCHEDULES),
+        default=SCHEDULES,
+        metavar="NAME,...",
+        help=f"of {', '.join(SCHEDULES)} (default: all)",
+    )
+    add(
+        "--whole", action="store_true", help="the whole product: schedules in float and refined too"
+    )
+    add("--peers", action="store_true", help="pinocchio, casadi and MuJoCo beside, if installed")
+    add(
+        "--states",
+        type=_states,
+        default=_LEAST_STATES,
+        metavar="N",
+        help=f"states that errors are the largest of (default and least: {_LEAST_STATES})",
+    )
+    add(
+        "--rounds",
+        type=_list_of(int, range(1, 1001)),
+        default=(5,),
+        metavar="N",
+        help="rounds of timing by turns (default: 5)",
+    )
+    add("--quick", action="store_true", help="two rounds, one schedule, no refinement: for a look")
+    add(
+        "--simulate",
+        type=seconds,
+        metavar="S",
+        help="chart integrators instead, over S seconds of motion without torques",
+    )
+    add(
+        "--step",
+        type=seconds,
+        default=0.008,
+        metavar="H",
+        help="largest step of --simulate, in seconds (default: 0.008)",
+    )
+    add("--no-picture", dest="picture", action="store_false", help="data alone")  # fmt: skip
+    return parser
+
+
+def _list_of(kind: Callable[[str], Any], known: Any) -> Callable[[str], tuple[Any, ...]]:
+    """Return what reads a list with commas, each item among the known ones."""
+
+    def read(text: str) -> tuple[Any, ...]:
+        items = []
+        for word in text.split(","):
+            try:
+                item = kind(word.strip())
+            except ValueError:
+                item = None
+            if item is None or item not in known:
+                names = known if not isinstance(known, range) else (known[0], "...", known[-1])
+                raise argparse.ArgumentTypeError(
+                    f"{word.strip()!r} is none of {', '.join(map(str, names))}"
+                )
+            items.append(item)
+        return tuple(dict.fromkeys(items))
+
+    return read
+
+
+def _states(text: str) -> int:
+    (count,) = _list_of(int, range(_LEAST_STATES, 10001))(text)
+    return int(count)
+
+
+def _budget(text: str) -> Budget:
+    from adagen.chart import parse_budget
+
+    try:
+        return parse_budget(text)
+    except UsageError as error:
+        raise argparse.ArgumentTypeError(str(error).removeprefix("error: ")) from None
