@@ -262,9 +262,27 @@ class _Writer:
         oriented = [j for j in joints if self.words.kind(j).quaternion is not None]
         lines += [f"orient<{j}>(w);" for j in oriented if j not in bases]
         lines += [f"free_base_frame<{j}>(w);" for j in bases]
-        for run in runs(self.joints, [j for j in joints if j not in bases]):
-            lines.append(f"outward<{run.first}, {run.last}>(w);{self._names(run)}")
+        treated = {*self.process.owns, *self.process.shares}
+        for verb, run in self._outward([j for j in joints if j not in bases], treated):
+            lines.append(f"{verb}<{run.first}, {run.last}>(w);{self._names(run)}")
         return lines
+
+    def _outward(self, joints: list[int], treated: set[int]) -> list[tuple[str, Run]]:
+        """Runs outwards: of joints that are treated, and of those only passed on the way."""
+        left = {self.joints[j].parent for j in joints if self.joints[j].parent != j}
+        found: list[tuple[str, Run]] = []
+        for run in runs(self.joints, joints):
+            first = run.first
+            for j in range(run.first, run.last + 1):
+                ends = j == run.last or (j in treated) != (j + 1 in treated) or j + 1 in left
+                if ends and j not in treated:
+                    found.append(("pass_outward", Run(first, j)))
+                elif j == run.last or (ends and j + 1 not in treated):
+                    found.append(("outward", Run(first, j)))
+                else:
+                    continue
+                first = j + 1
+        return found
 
     def _is_base(self, j: int) -> bool:
         return self.joints[j].kind == "floating" and self.joints[j].parent == 0

@@ -15,7 +15,7 @@ from heapq import nsmallest
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.constants import joints_of
-from adagen.plan.gather import SMALL_CORE
+from adagen.plan.gather import HELD_FREEDOMS, SMALL_CORE
 from adagen.plan.steps import Accelerate, Articulate, Kinematics, StartLink
 from adagen.predict.features import step_time
 from adagen.predict.simulate import predict
@@ -57,8 +57,8 @@ def limb_schedules(
     """Return schedules that gather, each with the time that it takes when it is played through.
 
     Args:
-        model: a robot on one floating base, which may be rooted anywhere, or on the ground, where
-            the root is the ground itself.
+        model: a robot on one joint on the ground, floating or not, which may be rooted anywhere; or
+            one on several, where the root is the ground itself.
         processes: P, 2 or more.
         profile: a profile with costs of steps.
         pattern: a schedule whose facts (tie, split and so on) they take over.
@@ -122,9 +122,10 @@ class _Limbs:
     def layouts(self) -> Iterator[Layout]:
         """Yield layouts around every link, each with a core that grows."""
         most = len(self.joints) // SMALL_CORE
-        for root in range(1, len(self.joints) + 1) if self.floats else (0,):
+        anywhere = range(1, len(self.joints) + 1) if len(self.bases) == 1 else ()
+        for root in anywhere if self.floats else (0, *anywhere):
             core: list[int] = []
-            limbs = self._limbs(root, -1)
+            limbs = [self._as_base(limb, root) for limb in self._limbs(root, -1)]
             while True:
                 layout = self._shared_out(core, limbs)
                 yield layout
@@ -139,6 +140,24 @@ class _Limbs:
                 core.append(joint)
                 limbs.remove(heaviest)
                 limbs += self._limbs(self._far(joint, heaviest.link), joint)
+
+    def _as_base(self, limb: Limb, root: int) -> Limb:
+        """Weigh the limb on the way to the base by what it spares its process, and by the ground.
+
+        Whoever has it does the kinematics of that way anyhow; others do it besides. Where it holds
+        the ground, the mobility of the first links is inverted.
+        """
+        if root == 0 or limb.joints[0] != root - 1:
+            return limb
+        assert self.profile.steps is not None
+        weight, link = limb.weight, root
+        while link > 0:
+            weight -= step_time(Kinematics(link - 1), self.joints, self.profile.steps)
+            link = self.joints[link - 1].parent
+        if not self.floats:
+            costs = self.profile.steps
+            weight += HELD_FREEDOMS * costs["propagate.revolute"] + costs["root.invert"]
+        return replace(limb, weight=max(0.0, weight))
 
     def _far(self, joint: int, near: int) -> int:
         parent = self.joints[joint].parent
