@@ -21,6 +21,9 @@ SUMMARY = (
     "saved",
     "through 0",
     "saved",
+    "batch, a state",
+    "× pinocchio",
+    "float batch",
 )
 DETAILS = (
     "solver",
@@ -44,6 +47,8 @@ class Standing:
     single: Row | None
     two: Row | None
     two_through_root: Row | None
+    batch: Row | None
+    single_batch: Row | None
 
 
 def standing(model: ModelRecord) -> Standing:
@@ -56,6 +61,8 @@ def standing(model: ModelRecord) -> Standing:
         model.best("adagen", processes=1, scalar="float"),
         model.best("adagen", processes=2, scalar="double"),
         model.best("adagen", "through_root", processes=2, scalar="double"),
+        model.best("adagen", processes=1, scalar="double lanes"),
+        model.best("adagen", processes=1, scalar="float lanes"),
     )
 
 
@@ -73,6 +80,9 @@ def summary(model: ModelRecord) -> list[str]:
         _saved(s.one, s.two),
         _time(s.two_through_root),
         _saved(s.one, s.two_through_root),
+        _time(s.batch),
+        _ratio(s.pinocchio, s.batch),
+        _time(s.single_batch),
     ]
 
 

@@ -34,6 +34,8 @@ VARIANTS = (
     "--procs 1 --scalar float",
     "--procs 1 --shape unrolled",
     "--procs 1 --shape kernels",
+    "--procs 1 --batch",
+    "--procs 1 --batch --scalar float",
 )
 """What adagen is asked for, in its own command line's words; what it cannot do is skipped."""
 MOST_TEXT = 1_500_000
@@ -175,10 +177,10 @@ def _emit(entry: Entry, model: Model, variant: str) -> Emitted:
     if options.procs > cores():
         raise UsageError(f"{options.procs} processes need as many cores; here are {cores()}")
     made = pipeline.generate(model, options, Stages())
-    shape = chosen_shape(made.plan, options.shape)
+    shape = "kernels" if options.batch else chosen_shape(made.plan, options.shape)
     profile = load_profile(options.profile)
     predicted = None
-    if profile.steps is not None:
+    if profile.steps is not None and not options.batch:
         predicted = 1e3 * predicted_time(model, made.schedule, profile, options.form)
     words = shlex.split(variant)
     more = [w for k, w in enumerate(words) if not {w, *words[k - 1 : k]} & _NAMED]
@@ -196,7 +198,7 @@ def _emit(entry: Entry, model: Model, variant: str) -> Emitted:
         text=text,
         build=f"form {options.form}, shape {shape}",
         processes=options.procs,
-        scalar=options.scalar,
+        scalar=f"{options.scalar} lanes" if options.batch else options.scalar,
         predicted=predicted,
     )
 

@@ -1222,7 +1222,8 @@ void orient(Workspace& w) {
   put_at(w.of(j, kTurn), turn);
 }
 
-// One joint outwards from its parent link's frame.
+// One joint outwards from its parent link's frame; what a joint is treated with later is kept.
+template <bool kept>
 ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
   const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
   const Value* v = w.v + joint.v;
@@ -1277,6 +1278,7 @@ ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
       break;
   }
   at.R = R;
+  if constexpr (!kept) return;
   w.joints[static_cast<std::size_t>(j)].r = r;
   keep(w, j, at);
 }
@@ -1286,7 +1288,16 @@ template <int first, int last>
 void outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
   Frame at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward(w, j, at);
+  for (int j = first; j <= last; ++j) step_outward<true>(w, j, at);
+}
+
+// The same on the way to joints that are treated: only the last link's frame is kept.
+template <int first, int last>
+void pass_outward(Workspace& w) {
+  constexpr int parent = kJoints[first].parent - 1;
+  Frame at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  for (int j = first; j <= last; ++j) step_outward<false>(w, j, at);
+  keep(w, last, at);
 }
 
 // Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body

@@ -2,7 +2,7 @@
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// schedule  __base__@0-1(|waist_pitch(left_ankle_roll@0(left_ankle_pitch(left_knee(left_hip_yaw(left_hip_roll(left_hip_pitch(right_ankle_roll(right_ankle_pitch(right_knee(right_hip_yaw(right_hip_roll(right_hip_pitch(waist_yaw(|waist_roll)|)|)|)|)|)|)|)|)|)|)|)|) | neck_pitch@1(neck_yaw(right_wrist_pitch(right_wrist_roll(right_elbow(right_shoulder_yaw(right_shoulder_roll(right_shoulder_pitch(left_wrist_pitch(left_wrist_roll(left_elbow(left_shoulder_yaw(left_shoulder_roll(left_shoulder_pitch|)|)|)|)|)|)|)|)|)|)|)|)|)))
+// schedule  __base__@0-1(|waist_pitch(left_ankle_roll@0(left_ankle_pitch(left_knee(left_hip_yaw(left_hip_roll(left_hip_pitch(right_ankle_roll(right_ankle_pitch(right_knee(right_hip_yaw(right_hip_roll(right_hip_pitch(waist_yaw(|waist_roll)|)|)|)|)|)|)|)|)|)|)|)|) | left_shoulder_pitch(neck_pitch@1(neck_yaw(right_wrist_pitch(right_wrist_roll(right_elbow(right_shoulder_yaw(right_shoulder_roll(right_shoulder_pitch|)|)|)|)|)|)|) | left_wrist_pitch@1(left_wrist_roll(left_elbow(left_shoulder_yaw(left_shoulder_roll|)|)|)|))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -1393,7 +1393,8 @@ void orient(Workspace& w) {
   put_at(w.of(j, kTurn), turn);
 }
 
-// One joint outwards from its parent link's frame.
+// One joint outwards from its parent link's frame; what a joint is treated with later is kept.
+template <bool kept>
 ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
   const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
   const Value* v = w.v + joint.v;
@@ -1448,6 +1449,7 @@ ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
       break;
   }
   at.R = R;
+  if constexpr (!kept) return;
   w.joints[static_cast<std::size_t>(j)].r = r;
   keep(w, j, at);
 }
@@ -1457,7 +1459,16 @@ template <int first, int last>
 void outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
   Frame at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward(w, j, at);
+  for (int j = first; j <= last; ++j) step_outward<true>(w, j, at);
+}
+
+// The same on the way to joints that are treated: only the last link's frame is kept.
+template <int first, int last>
+void pass_outward(Workspace& w) {
+  constexpr int parent = kJoints[first].parent - 1;
+  Frame at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  for (int j = first; j <= last; ++j) step_outward<false>(w, j, at);
+  keep(w, last, at);
 }
 
 // Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
@@ -1874,7 +1885,8 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   std::copy_n(w.q + 19, 17, w.angle.data() + 13);
   turn<block(13), block(29) + 1>(w);
   free_base_frame<0>(w);
-  outward<13, 21>(w);  // "waist_yaw" .. "left_wrist_pitch"
+  pass_outward<13, 14>(w);  // "waist_yaw" .. "waist_roll"
+  outward<15, 21>(w);  // "waist_pitch" .. "left_wrist_pitch"
   outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
   outward<24, 29>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
   stamp(1);
