@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ COLOURS = {
 _PEER_COLOURS = ("#009e73", "#56b4e9", "#e69f00", "#b09000")
 _MARKERS = ("o", "^", "D", "v", "P")  # by steps of refinement
 _LEAST = 1e-17  # errors below are drawn here
+_LINES = 11  # below the panels; the data has them all
 
 
 def pyplot() -> Any:
@@ -65,22 +67,36 @@ def save(figure: Any, path: Path) -> list[Path]:
 
 
 def work_precision(chart: Chart) -> Any:
-    """Return the figure: forward error and torque residual, each against time."""
+    """Return the figure: forward error and torque residual, each against time.
+
+    Below stand, in words, the Pareto front and why some have no answer.
+    """
     plt = pyplot()
-    figure, axes = plt.subplots(1, 2, figsize=(13, 6.4), sharex=True, width_ratios=(3, 2))
+    figure = plt.figure(figsize=(13, 8.2))
+    grid = figure.add_gridspec(2, 2, height_ratios=(5, 1.5), hspace=0.22, width_ratios=(3, 2))
+    left = figure.add_subplot(grid[0, 0])
+    right = figure.add_subplot(grid[0, 1], sharex=left)
     colours = _colours(chart.points)
-    _panel(axes[0], chart, "error", colours)
-    _panel(axes[1], chart, "residual", colours)
-    axes[0].set_ylabel(
+    _panel(left, chart, "error", colours)
+    _panel(right, chart, "residual", colours)
+    _guides(left, chart)
+    left.set_ylabel(
         f"largest forward error over {chart.states} states, " r"$\sqrt{e^T H e\,/\,t^T H t}$"
     )
-    axes[1].set_ylabel("largest torque residual")
+    right.set_ylabel("largest torque residual")
     figure.suptitle(
         f"{chart.model}, {chart.dof} degrees of freedom: error against time on {chart.machine}\n"
-        f"truth to {chart.digits} digits; medians over {chart.rounds} rounds, by turns"
+        f"truth to {chart.digits} digits; medians over {chart.rounds} rounds, by turns",
+        y=0.96,
     )
-    _legend(axes[0], chart, colours)
-    figure.tight_layout()
+    words = [_pareto(left, chart), _failures(chart)]
+    for k, text in enumerate(words):
+        below = figure.add_subplot(grid[1, k])
+        below.axis("off")
+        below.text(0, 0.95, text, fontsize=8, va="top", transform=below.transAxes)
+    figure.legend(
+        handles=_handles(chart, colours), loc="lower center", ncols=9, fontsize=8, frameon=False
+    )
     return figure
 
 
@@ -99,21 +115,21 @@ def _panel(axes: Any, chart: Chart, what: str, colours: dict[str, str]) -> None:
     values = [_height(p, what) for p in chart.points if not p.failed]
     top = max([*values, 1e-6]) * 1e4
     least = min([*values, 1e-16])
-    axes.set(xscale="log", yscale="log", ylim=(least / 20, top * 6), xlabel="ns per evaluation")
+    axes.set(xscale="log", yscale="log", ylim=(least / 300, top * 6), xlabel="ns per evaluation")
     untimed = any(p.time_ns is None for p in chart.points)
     axes.set_xlim(min(times) / 1.5, right * 1.5 if untimed else max(times) * 1.5)
     axes.grid(alpha=0.25, which="major")
     if untimed:
         axes.axvline(right / 1.4, color="black", lw=0.6, ls=":")
-        axes.text(right, least / 15, "not\ntimed", ha="center", va="bottom", fontsize=7)
+        axes.text(right, least / 200, "not\ntimed", ha="center", va="bottom", fontsize=7)
     for point in chart.points:
         x = right if point.time_ns is None else point.time_ns
         y = top if point.failed else _height(point, what)
         _mark(axes, point, x, y, colours[point.algorithm])
-    if what == "error":
-        _guides(axes, chart)
-        _pareto(axes, chart)
-    _failures(axes, chart, top)
+    if any(p.failed for p in chart.points):
+        axes.axhline(top / 4, color="black", lw=0.6, ls=":")
+        axes.text(0.01, top * 1.3, "no answer", fontsize=7, va="center",
+                  transform=axes.get_yaxis_transform())  # fmt: skip
 
 
 def _height(point: Point, what: str) -> float:
@@ -132,6 +148,7 @@ def _mark(axes: Any, point: Point, x: float, y: float, colour: str) -> None:
 
 def _guides(axes: Any, chart: Chart) -> None:
     """Draw the rounding of each scalar, and what the joins of form ada are predicted to lose."""
+    edge = 0.85 if any(p.time_ns is None for p in chart.points) else 0.99
     for scalar in sorted({p.scalar for p in chart.points}):
         lines = [(EPSILON[scalar], f"eps, {scalar}")]
         grown = [
@@ -143,50 +160,42 @@ def _guides(axes: Any, chart: Chart) -> None:
         lines += [(grown[0], f"eps Σg of form ada, {scalar}")] if grown else []
         for height, text in lines:
             axes.axhline(height, color="black", lw=0.7, ls="--", alpha=0.5)
-            axes.text(0.99, height * 1.1, text, fontsize=7, alpha=0.7, va="bottom", ha="right",
+            axes.text(edge, height * 1.1, text, fontsize=7, alpha=0.7, va="bottom", ha="right",
                       transform=axes.get_yaxis_transform())  # fmt: skip
 
 
-def _pareto(axes: Any, chart: Chart) -> None:
-    """Join the points that nothing beats by a staircase, numbered as in the list below it."""
+def _pareto(axes: Any, chart: Chart) -> str:
+    """Join the points that nothing beats by a staircase, numbered as in the list returned."""
     on = sorted((p for p in chart.points if p.front), key=lambda p: p.time_ns or 0.0)
     if not on:
-        return
+        return ""
     xs, ys = [p.time_ns for p in on], [_height(p, "error") for p in on]
     axes.step(xs, ys, where="post", color="black", lw=1.1, alpha=0.6, zorder=0)
-    lines = ["Pareto front:"]
+    lines = ["Pareto front (time, ratio to the serial articulated-body solver, error):"]
     for k, (point, x, y) in enumerate(zip(on, xs, ys, strict=True), start=1):
-        axes.annotate(f"{k}", (x, y), fontsize=8, weight="bold", xytext=(-9, -11),
+        offset = (-4, -14 if k % 2 else -22)
+        axes.annotate(f"{k}", (x, y), fontsize=8, weight="bold", xytext=offset,
                       textcoords="offset points")  # fmt: skip
         ratio = "" if point.ratio is None else f", {point.ratio:.2f}x"
-        lines.append(f"{k}  {point.label} ({point.time_ns:.0f} ns{ratio})")
-    axes.text(0.012, 0.985, "\n".join(lines), transform=axes.transAxes, fontsize=7.5, va="top",
-              bbox={"fc": "white", "alpha": 0.85, "lw": 0.4})  # fmt: skip
+        lines.append(f"{k}  {point.label}: {point.time_ns:.0f} ns{ratio}, {point.error:.1e}")
+    return "\n".join(lines[:_LINES])
 
 
-def _failures(axes: Any, chart: Chart, top: float) -> None:
-    """Say at the top edge that points there have no answer; the reasons are listed once."""
-    failed = [p for p in chart.points if p.failed]
-    if not failed:
-        return
-    axes.axhline(top / 4, color="black", lw=0.6, ls=":")
-    axes.text(axes.get_xlim()[0] * 1.03, top * 2.2, "no answer", fontsize=7, va="center")
-    if axes.get_subplotspec().is_first_col():
-        return
+def _failures(chart: Chart) -> str:
+    """Return who has no answer and why, each reason once."""
     reasons: dict[str, list[str]] = {}
-    for point in failed:
-        reasons.setdefault(_shortened(point.why or "unknown"), []).append(point.label)
-    lines = [f"{names[0]}{f' and {len(names) - 1} more' if len(names) > 1 else ''}: {why}"
-             for why, names in reasons.items()]  # fmt: skip
-    axes.text(0.02, 0.9, "\n".join(lines[:6]), transform=axes.transAxes, fontsize=6.5, va="top",
-              wrap=True, bbox={"fc": "white", "alpha": 0.85, "lw": 0.4})  # fmt: skip
+    for point in chart.points:
+        if point.failed:
+            reasons.setdefault(point.why or "unknown", []).append(point.label)
+    lines = ["No answer:"] if reasons else []
+    for why, names in reasons.items():
+        more = f" and {len(names) - 1} more" if len(names) > 1 else ""
+        lines += textwrap.wrap(f"{names[0]}{more}: {why}", 78, subsequent_indent="   ")
+    return "\n".join(lines[:_LINES])
 
 
-def _shortened(text: str, most: int = 90) -> str:
-    return text if len(text) <= most else f"{text[: most - 1]}…"
-
-
-def _legend(axes: Any, chart: Chart, colours: dict[str, str]) -> None:
+def _handles(chart: Chart, colours: dict[str, str]) -> list[Any]:
+    """Return what the legend holds."""
     from matplotlib.lines import Line2D
 
     def handle(marker: str, colour: str, face: str, text: str) -> Any:
@@ -199,4 +208,4 @@ def _legend(axes: Any, chart: Chart, colours: dict[str, str]) -> None:
         rows.append(handle(_MARKERS[min(n, len(_MARKERS) - 1)], "black", "black", f"refined {n}x"))
     if any(p.processes > 1 for p in chart.points):
         rows.append(handle("$2$", "black", "black", "processes (1 if none)"))
-    axes.legend(handles=rows, loc="upper right", fontsize=7.5, framealpha=0.85)
+    return rows

@@ -63,4 +63,4 @@ def _panel(axes: Any, chart: MotionChart, across: str, what: str) -> None:
     axes.grid(alpha=0.25)
     axes.minorticks_off()
     axes.margins(0.08)
-    axes.legend(fontsize=8, framealpha=0.7, loc="center" if what == "error" else "best")
+    axes.legend(fontsize=8, framealpha=0.7, loc="center left" if what == "error" else "best")

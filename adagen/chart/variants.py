@@ -130,7 +130,9 @@ def schedule_of(model: Model, variant: Variant, form: str) -> Schedule:
     """
     profile = load_profile("default")
     if variant.schedule == "auto":
-        return best_schedule(model, variant.processes, profile, form, variant.scalar)
+        # Shape kernels alone lets processes gather, and has no refinement.
+        gather = not variant.refine and variant.shape in ("auto", "kernels")
+        return best_schedule(model, variant.processes, profile, form, variant.scalar, gather=gather)
     if variant.schedule == "random":
         return random_schedule(model, variant.processes, _SEED)
     if variant.schedule in get_args(Named):
