@@ -1,6 +1,6 @@
 """Predicted against measured times, over models and schedules, at P = 1 and 2.
 
-    python benchmarks/prediction.py measure FILE.json      builds and times; takes half an hour
+    python benchmarks/prediction.py measure FILE.json      builds and times; takes a quarter of an hour
     python benchmarks/prediction.py report FILE.json [--profile NAME] > docs/prediction.md
 
 Programs of one model are timed in turn, several times over, and the least median is kept: other
@@ -30,7 +30,7 @@ from adagen.calibrate.schedules import random_schedule
 from adagen.errors import AdagenError
 from adagen.model import Model
 from adagen.plan import make_plan, plan_from_json, plan_to_json
-from adagen.predict import predict
+from adagen.predict import best_schedule, predict
 from adagen.schedule import Schedule, Topology, find_schedule, load_profile
 from adagen.urdf import read_robot
 
@@ -73,6 +73,7 @@ def schedules(model: Model) -> Iterator[tuple[str, Schedule]]:
 
     yield "segment, P=1", single
     yield "segment, P=2, searched", best
+    yield "segment, P=2, gathered", best_schedule(model, 2, profile)
     for seed, share in ((1, 0.35), (2, 0.25), (3, 0.0)):
         yield f"segment, P=2, random {seed}", made(seed, 2, share, False)
     yield "ada, P=1, random", made(5, 1, 0.0, True)

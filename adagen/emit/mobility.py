@@ -115,7 +115,11 @@ def lines_of(words: Words, p: int, step: Step) -> list[str]:
             )
         case Disassemble():
             join = _join_of(words.plan, step.joint)
-            return _scoped(joins.disassembly(words, join, step, turned=True))
+            lines = joins.disassembly(words, join, step, turned=True)
+            joint = words.plan.joints[step.joint]
+            if joint.kind == "floating" and joint.parent == 0:
+                lines.append(f"as_joint_acceleration<{step.joint}>(w);")
+            return _scoped(lines)
         case Load():
             force = "Columns6::Zero()" if step.force is None else words.force(step.force)
             return [f"w.loads[{step.link}] = {force};"]

@@ -393,24 +393,26 @@ template <>
 struct Trigonometry<double> {
   [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
   [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
-  [[maybe_unused]] static constexpr double kParts[3] = {1.57079632673412561417e+00, 6.07710050630396597660e-11,
-                                       2.02226624871116645580e-21};
-  [[maybe_unused]] static constexpr double kSine[6] = {1.58962301576546568060e-10, -2.50507477628578072866e-8,
-                                      2.75573136213857245213e-6,  -1.98412698295895385996e-4,
-                                      8.33333333332211858878e-3,  -1.66666666666666307295e-1};
-  [[maybe_unused]] static constexpr double kCosine[6] = {-1.13585365213876817300e-11, 2.08757008419747316778e-9,
-                                        -2.75573141792967388112e-7,  2.48015872888517045348e-5,
-                                        -1.38888888888730564116e-3,  4.16666666666665929218e-2};
+  [[maybe_unused]] static constexpr double kParts[3] = {
+      1.57079632673412561417e+00, 6.07710050630396597660e-11, 2.02226624871116645580e-21};
+  [[maybe_unused]] static constexpr double kSine[6] = {
+      1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
+      -1.98412698295895385996e-4, 8.33333333332211858878e-3,  -1.66666666666666307295e-1};
+  [[maybe_unused]] static constexpr double kCosine[6] = {
+      -1.13585365213876817300e-11, 2.08757008419747316778e-9,  -2.75573141792967388112e-7,
+      2.48015872888517045348e-5,   -1.38888888888730564116e-3, 4.16666666666665929218e-2};
 };
 
 template <>
 struct Trigonometry<float> {
   [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
   [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
-  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f, 7.54978995489188216e-8f};
-  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f, -1.6666654611e-1f};
-  [[maybe_unused]] static constexpr float kCosine[3] = {2.443315711809948e-5f, -1.388731625493765e-3f,
-                                       4.166664568298827e-2f};
+  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f,
+                                                       7.54978995489188216e-8f};
+  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f,
+                                                      -1.6666654611e-1f};
+  [[maybe_unused]] static constexpr float kCosine[3] = {
+      2.443315711809948e-5f, -1.388731625493765e-3f, 4.166664568298827e-2f};
 };
 
 template <std::size_t n>
@@ -425,8 +427,8 @@ ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosin
   const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
   const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
   const Lanes turns = shifted - Table::kRound;
-  const Lanes rest = ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) -
-                     turns * Table::kParts[2];
+  const Lanes rest =
+      ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
   const Lanes square = rest * rest;
   const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
   const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
@@ -545,13 +547,12 @@ ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
 template <class T>
 ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
   const Symmetric<T>& C = X.C;
-  const Matrix<T> B{
-      {X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
-       X.B.x.z + (r.y * C.zz - r.z * C.yz)},
-      {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
-       X.B.y.z + (r.z * C.xz - r.x * C.zz)},
-      {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
-       X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
+  const Matrix<T> B{{X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
+                     X.B.x.z + (r.y * C.zz - r.z * C.yz)},
+                    {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
+                     X.B.y.z + (r.z * C.xz - r.x * C.zz)},
+                    {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
+                     X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
   X.A.xx += (r.y * X.B.x.z - r.z * X.B.x.y) - (B.x.y * r.z - B.x.z * r.y);
   X.A.xy += (r.y * X.B.y.z - r.z * X.B.y.y) - (B.x.z * r.x - B.x.x * r.z);
   X.A.xz += (r.y * X.B.z.z - r.z * X.B.z.y) - (B.x.x * r.y - B.x.y * r.x);
@@ -593,7 +594,9 @@ ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<
   const T s = 2 / squared;
   const T xx = s * x * x, yy = s * y * y, zz = s * z * z, xy = s * x * y, xz = s * x * z,
           yz = s * y * z, xw = s * x * w, yw = s * y * w, zw = s * z * w;
-  R = {{1 - (yy + zz), xy - zw, xz + yw}, {xy + zw, 1 - (xx + zz), yz - xw}, {xz - yw, yz + xw, 1 - (xx + yy)}};
+  R = {{1 - (yy + zz), xy - zw, xz + yw},
+       {xy + zw, 1 - (xx + zz), yz - xw},
+       {xz - yw, yz + xw, 1 - (xx + yy)}};
   return squared;
 }
 
@@ -1223,15 +1226,15 @@ constexpr int kBlockCount = (kJointCount + kPerBlock - 1) / kPerBlock;
 
 // What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
 enum Entry : int {
-  kTurn = 0,          // rotation from the child's to the parent link's axes, row by row
-  kAxes = 9,          // the link's orientation R, row by row: its z is the joint's axis
-  kOmega = 18,        // angular velocity
-  kAlpha = 21,        // angular acceleration and
-  kAcceleration = 24, // acceleration of its origin less gravity, were all joint accelerations zero
-  kRotational = 27,   // A of the bare link
-  kMoments = 33,      // mass times centre of mass: B of the bare link is its cross product
-  kTorque = 36,       // bias force n
-  kForce = 39,        // and f of the bare link
+  kTurn = 0,           // rotation from the child's to the parent link's axes, row by row
+  kAxes = 9,           // the link's orientation R, row by row: its z is the joint's axis
+  kOmega = 18,         // angular velocity
+  kAlpha = 21,         // angular acceleration and
+  kAcceleration = 24,  // acceleration of its origin less gravity, were all joint accelerations zero
+  kRotational = 27,    // A of the bare link
+  kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
+  kTorque = 36,        // bias force n
+  kForce = 39,         // and f of the bare link
   kEntries = 42
 };
 
@@ -1243,7 +1246,7 @@ struct alignas(64) Block {
 template <int n>
 struct Eliminated {
   Vector<Value> r;  // from the parent link's origin to the child link's
-  Value e[n];       // of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp
+  Value e[n];  // of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp
 };
 // Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
 [[maybe_unused]] constexpr bool any_of(JointKind kind) {
@@ -1279,8 +1282,8 @@ struct Workspace : Cuts {
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
   std::array<Memory, kJointCount> joints{};
-  std::array<Body<Value>, kLinkCount> bodies{};    // what hangs on a link, where paths meet
-  std::array<Motion<Value>, kLinkCount> motions{}; // accelerations beyond those of a Frame
+  std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
+  std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
 
   Workspace() {
@@ -1354,7 +1357,7 @@ ADAGEN_INLINE bool finite(const Value* x, int count) {
 // Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite;
 // place says where a joint's entries start.
 inline void require_finite(Workspace& w, const Value* x, int first, int count,
-                           int JointConstants::*place, Failure kind) {
+                           int JointConstants::* place, Failure kind) {
   if (__builtin_expect(finite(x + first, count), 1)) return;
   while (finite(x + first, 1)) ++first;
   int joint = 0;
@@ -1385,7 +1388,8 @@ ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
 
 // Accelerations are given only where all went well.
 inline void give(Workspace& w, int first, int count) {
-  if (w.status == kFine) std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
+  if (w.status == kFine)
+    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
 }
 
 [[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
@@ -1660,8 +1664,8 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Body<Value>& X) {
 constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
 
 // Takes one freedom out of the body, which is shifted by r before the subtraction, so that the
-// division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the joint has
-// the acceleration u / D - (U / D) a, a being the near link's.
+// division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the
+// joint has the acceleration u / D - (U / D) a, a being the near link's.
 template <bool along, bool reversed>
 ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<Value>& s,
                              const Vector<Value>& r, const Value& tau, Value* e) {
@@ -1987,16 +1991,24 @@ void accelerate_reversed(Workspace& w) {
   }
 }
 
+// The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
+template <int j>
+void as_joint_acceleration(Workspace& w) {
+  const Value* v = w.v + kJoints[j].v;
+  Value* qdd = &w.answer[kJoints[j].v];
+  const Vector<Value> turned =
+      cross(Vector<Value>{v[3], v[4], v[5]}, Vector<Value>{v[0], v[1], v[2]});
+  qdd[0] -= turned.x, qdd[1] -= turned.y, qdd[2] -= turned.z;
+}
+
 // A floating base's joint acceleration, [linear; angular] in its own axes.
 template <int j>
 void free_acceleration(Workspace& w) {
   const Motion<Value>& a = w.motions[j + 1];
-  const Value* v = w.v + kJoints[j].v;
-  const Vector<Value> omega{v[3], v[4], v[5]}, linear{v[0], v[1], v[2]};
-  const Vector<Value> x = a.linear - cross(omega, linear);
   Value* qdd = &w.answer[kJoints[j].v];
-  qdd[0] = x.x, qdd[1] = x.y, qdd[2] = x.z;
+  qdd[0] = a.linear.x, qdd[1] = a.linear.y, qdd[2] = a.linear.z;
   qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
+  as_joint_acceleration<j>(w);
 }
 
 // Nothing on the ground moves beyond its Frame, and the ground does not yield.
@@ -2070,9 +2082,9 @@ ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a) {
     }
     return;
   }
-  const Lanes x = -((e[0] * a.angular.x + e[1] * a.angular.y) +
-                    (e[2] * a.angular.z + e[3] * a.linear.x) +
-                    (e[4] * a.linear.y + e[5] * a.linear.z));
+  const Lanes x =
+      -((e[0] * a.angular.x + e[1] * a.angular.y) + (e[2] * a.angular.z + e[3] * a.linear.x) +
+        (e[4] * a.linear.y + e[5] * a.linear.z));
   const Vector<Lanes> moved{axis.x * x, axis.y * x, axis.z * x};
   if constexpr (!reversed) carry(a, memory.r);
   if (kind == JointKind::kPrismatic)
@@ -2189,8 +2201,8 @@ Columns6 force_on(Workspace& w) {
   return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
 }
 
-// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to a
-// singular matrix for that, angular and linear ones beside the largest of their kind.
+// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to
+// a singular matrix for that, angular and linear ones beside the largest of their kind.
 template <int link>
 void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
   constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
@@ -4163,8 +4175,7 @@ class Timing {
 
   void print(std::FILE* out) const {
     if (!timed_) return;
-    std::fprintf(out,
-                 "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
+    std::fprintf(out, "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
                  kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "",
                  kBatch ? "state and process" : "evaluation");
     std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
@@ -4437,7 +4448,8 @@ class Corrections {
     std::string text = ", \"corrections\": [";
     for (std::size_t s = 0; s < sizes_.size(); s += kRefine) {
       text += s == 0 ? "[" : ", [";
-      for (std::size_t k = 0; k < kRefine; ++k) text += (k == 0 ? "" : ", ") + number(sizes_[s + k]);
+      for (std::size_t k = 0; k < kRefine; ++k)
+        text += (k == 0 ? "" : ", ") + number(sizes_[s + k]);
       text += "]";
     }
     return text + "]";

@@ -3502,8 +3502,7 @@ class Timing {
 
   void print(std::FILE* out) const {
     if (!timed_) return;
-    std::fprintf(out,
-                 "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
+    std::fprintf(out, "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
                  kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "",
                  kBatch ? "state and process" : "evaluation");
     std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
@@ -3776,7 +3775,8 @@ class Corrections {
     std::string text = ", \"corrections\": [";
     for (std::size_t s = 0; s < sizes_.size(); s += kRefine) {
       text += s == 0 ? "[" : ", [";
-      for (std::size_t k = 0; k < kRefine; ++k) text += (k == 0 ? "" : ", ") + number(sizes_[s + k]);
+      for (std::size_t k = 0; k < kRefine; ++k)
+        text += (k == 0 ? "" : ", ") + number(sizes_[s + k]);
       text += "]";
     }
     return text + "]";

@@ -25,7 +25,8 @@ class Corrections {
     std::string text = ", \"corrections\": [";
     for (std::size_t s = 0; s < sizes_.size(); s += kRefine) {
       text += s == 0 ? "[" : ", [";
-      for (std::size_t k = 0; k < kRefine; ++k) text += (k == 0 ? "" : ", ") + number(sizes_[s + k]);
+      for (std::size_t k = 0; k < kRefine; ++k)
+        text += (k == 0 ? "" : ", ") + number(sizes_[s + k]);
       text += "]";
     }
     return text + "]";

@@ -41,12 +41,12 @@ struct ExchangeInfo {
 
 // A joint and the link under it.
 struct WideJoint {
-  WideMat3 E;     // parent to child coordinates
-  Wide3 r;        // origin of the child frame in the parent's
-  Wide6 v, c;     // velocity of the link; v x S qd
-  Wide6 gyration;  // v x* I v
-  Wide6 f;        // the joint's force on the link
-  Wide6 a;        // acceleration of the link, relative to free fall
+  WideMat3 E;            // parent to child coordinates
+  Wide3 r;               // origin of the child frame in the parent's
+  Wide6 v, c;            // velocity of the link; v x S qd
+  Wide6 gyration;        // v x* I v
+  Wide6 f;               // the joint's force on the link
+  Wide6 a;               // acceleration of the link, relative to free fall
   Wide6 moved, stepped;  // what of it comes of qdd, and of the last step
 };
 

@@ -25,7 +25,8 @@ inline void collect_forces(Workspace& w, const RefinedProcess& own) {
   for (const int j : own.forces) {
     const Columns6& f = w.refinement.f[j];
     w.refinement.force[j] = f.col(0);
-    for (int c = 1; c < kColumns; ++c) w.refinement.force[j] += f.col(c) * coupling_torque(w, c - 1);
+    for (int c = 1; c < kColumns; ++c)
+      w.refinement.force[j] += f.col(c) * coupling_torque(w, c - 1);
   }
 }
 
@@ -60,7 +61,8 @@ inline double share_size(Workspace& w, Channel& channel) {
 
 // A correction must be smaller than the one before (the first, than the answer), down to rounding.
 inline void require_convergence(Workspace& w, int k) {
-  const double size = w.refinement.corrections[k], before = k > 0 ? w.refinement.corrections[k - 1] : 1;
+  const double size = w.refinement.corrections[k],
+               before = k > 0 ? w.refinement.corrections[k - 1] : 1;
   const double rounding = 16 * double(std::numeric_limits<Real>::epsilon());
   if (!(size < rounding || size < before / 2)) fail(w, kNotRefined, 0);
 }

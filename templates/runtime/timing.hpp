@@ -145,8 +145,7 @@ class Timing {
 
   void print(std::FILE* out) const {
     if (!timed_) return;
-    std::fprintf(out,
-                 "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
+    std::fprintf(out, "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
                  kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "",
                  kBatch ? "state and process" : "evaluation");
     std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",

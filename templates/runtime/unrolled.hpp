@@ -1,6 +1,7 @@
-// What the straight lines are surrounded by: the state looked at, sines and cosines, checks, results.
-#define ADAGEN_INPUTS                                                                     \
-  [[maybe_unused]] const Real *const q = w.q, *const v = w.v, *const tau = w.tau;         \
+// What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
+// results.
+#define ADAGEN_INPUTS                                                             \
+  [[maybe_unused]] const Real *const q = w.q, *const v = w.v, *const tau = w.tau; \
   [[maybe_unused]] const Real *const sine = w.sine.data(), *const cosine = w.cosine.data();
 
 [[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
@@ -38,7 +39,8 @@ template <std::size_t reads, std::size_t owns>
 }
 
 // A pivot or a mobility has to be more than what rounding may have left of it.
-[[maybe_unused]] inline void require_more(Workspace& w, Real x, Real least, Failure kind, int joint) {
+[[maybe_unused]] inline void require_more(Workspace& w, Real x, Real least, Failure kind,
+                                          int joint) {
   if (!(x > least && x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
 }
 
@@ -50,15 +52,14 @@ inline void sine_and_cosine(double angle, double& sine, double& cosine) {
   const double r = ((angle - n * 1.57079632673412561417e+00) - n * 6.07710050630396597660e-11) -
                    n * 2.02226624871116645580e-21;
   const double z = r * r, z2 = z * z, z4 = z2 * z2;
-  const double s =
-      r + r * z *
-              ((-1.66666666666666307295e-1 + z * 8.33333333332211858878e-3) +
-               z2 * (-1.98412698295895385996e-4 + z * 2.75573136213857245213e-6) +
-               z4 * (-2.50507477628578072866e-8 + z * 1.58962301576546568060e-10));
-  const double c = (1 - 0.5 * z) +
-                   z2 * ((4.16666666666665929218e-2 - z * 1.38888888888730564116e-3) +
-                         z2 * (2.48015872888517045348e-5 - z * 2.75573141792967388112e-7) +
-                         z4 * (2.08757008419747316778e-9 - z * 1.13585365213876817300e-11));
+  const double s = r + r * z *
+                           ((-1.66666666666666307295e-1 + z * 8.33333333332211858878e-3) +
+                            z2 * (-1.98412698295895385996e-4 + z * 2.75573136213857245213e-6) +
+                            z4 * (-2.50507477628578072866e-8 + z * 1.58962301576546568060e-10));
+  const double c =
+      (1 - 0.5 * z) + z2 * ((4.16666666666665929218e-2 - z * 1.38888888888730564116e-3) +
+                            z2 * (2.48015872888517045348e-5 - z * 2.75573141792967388112e-7) +
+                            z4 * (2.08757008419747316778e-9 - z * 1.13585365213876817300e-11));
   const double half = std::floor(n * 0.5), odd = n - 2 * half;
   const double sign = 1 - 2 * (half - 2 * std::floor(half * 0.5));
   sine = sign * (odd != 0 ? c : s);

@@ -104,14 +104,22 @@ void accelerate_reversed(Workspace& w) {
   }
 }
 
+// The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
+template <int j>
+void as_joint_acceleration(Workspace& w) {
+  const Value* v = w.v + kJoints[j].v;
+  Value* qdd = &w.answer[kJoints[j].v];
+  const Vector<Value> turned =
+      cross(Vector<Value>{v[3], v[4], v[5]}, Vector<Value>{v[0], v[1], v[2]});
+  qdd[0] -= turned.x, qdd[1] -= turned.y, qdd[2] -= turned.z;
+}
+
 // A floating base's joint acceleration, [linear; angular] in its own axes.
 template <int j>
 void free_acceleration(Workspace& w) {
   const Motion<Value>& a = w.motions[j + 1];
-  const Value* v = w.v + kJoints[j].v;
-  const Vector<Value> omega{v[3], v[4], v[5]}, linear{v[0], v[1], v[2]};
-  const Vector<Value> x = a.linear - cross(omega, linear);
   Value* qdd = &w.answer[kJoints[j].v];
-  qdd[0] = x.x, qdd[1] = x.y, qdd[2] = x.z;
+  qdd[0] = a.linear.x, qdd[1] = a.linear.y, qdd[2] = a.linear.z;
   qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
+  as_joint_acceleration<j>(w);
 }

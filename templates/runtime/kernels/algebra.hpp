@@ -96,13 +96,12 @@ ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
 template <class T>
 ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
   const Symmetric<T>& C = X.C;
-  const Matrix<T> B{
-      {X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
-       X.B.x.z + (r.y * C.zz - r.z * C.yz)},
-      {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
-       X.B.y.z + (r.z * C.xz - r.x * C.zz)},
-      {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
-       X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
+  const Matrix<T> B{{X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
+                     X.B.x.z + (r.y * C.zz - r.z * C.yz)},
+                    {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
+                     X.B.y.z + (r.z * C.xz - r.x * C.zz)},
+                    {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
+                     X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
   X.A.xx += (r.y * X.B.x.z - r.z * X.B.x.y) - (B.x.y * r.z - B.x.z * r.y);
   X.A.xy += (r.y * X.B.y.z - r.z * X.B.y.y) - (B.x.z * r.x - B.x.x * r.z);
   X.A.xz += (r.y * X.B.z.z - r.z * X.B.z.y) - (B.x.x * r.y - B.x.y * r.x);
@@ -144,6 +143,8 @@ ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<
   const T s = 2 / squared;
   const T xx = s * x * x, yy = s * y * y, zz = s * z * z, xy = s * x * y, xz = s * x * z,
           yz = s * y * z, xw = s * x * w, yw = s * y * w, zw = s * z * w;
-  R = {{1 - (yy + zz), xy - zw, xz + yw}, {xy + zw, 1 - (xx + zz), yz - xw}, {xz - yw, yz + xw, 1 - (xx + yy)}};
+  R = {{1 - (yy + zz), xy - zw, xz + yw},
+       {xy + zw, 1 - (xx + zz), yz - xw},
+       {xz - yw, yz + xw, 1 - (xx + yy)}};
   return squared;
 }

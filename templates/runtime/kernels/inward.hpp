@@ -18,8 +18,8 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Body<Value>& X) {
 constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
 
 // Takes one freedom out of the body, which is shifted by r before the subtraction, so that the
-// division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the joint has
-// the acceleration u / D - (U / D) a, a being the near link's.
+// division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the
+// joint has the acceleration u / D - (U / D) a, a being the near link's.
 template <bool along, bool reversed>
 ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<Value>& s,
                              const Vector<Value>& r, const Value& tau, Value* e) {

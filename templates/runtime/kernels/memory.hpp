@@ -4,15 +4,15 @@ constexpr int kBlockCount = (kJointCount + kPerBlock - 1) / kPerBlock;
 
 // What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
 enum Entry : int {
-  kTurn = 0,          // rotation from the child's to the parent link's axes, row by row
-  kAxes = 9,          // the link's orientation R, row by row: its z is the joint's axis
-  kOmega = 18,        // angular velocity
-  kAlpha = 21,        // angular acceleration and
-  kAcceleration = 24, // acceleration of its origin less gravity, were all joint accelerations zero
-  kRotational = 27,   // A of the bare link
-  kMoments = 33,      // mass times centre of mass: B of the bare link is its cross product
-  kTorque = 36,       // bias force n
-  kForce = 39,        // and f of the bare link
+  kTurn = 0,           // rotation from the child's to the parent link's axes, row by row
+  kAxes = 9,           // the link's orientation R, row by row: its z is the joint's axis
+  kOmega = 18,         // angular velocity
+  kAlpha = 21,         // angular acceleration and
+  kAcceleration = 24,  // acceleration of its origin less gravity, were all joint accelerations zero
+  kRotational = 27,    // A of the bare link
+  kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
+  kTorque = 36,        // bias force n
+  kForce = 39,         // and f of the bare link
   kEntries = 42
 };
 
@@ -24,7 +24,7 @@ struct alignas(64) Block {
 template <int n>
 struct Eliminated {
   Vector<Value> r;  // from the parent link's origin to the child link's
-  Value e[n];       // of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp
+  Value e[n];  // of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp
 };
 // Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
 [[maybe_unused]] constexpr bool any_of(JointKind kind) {
@@ -60,8 +60,8 @@ struct Workspace : Cuts {
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
   std::array<Memory, kJointCount> joints{};
-  std::array<Body<Value>, kLinkCount> bodies{};    // what hangs on a link, where paths meet
-  std::array<Motion<Value>, kLinkCount> motions{}; // accelerations beyond those of a Frame
+  std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
+  std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
 
   Workspace() {
@@ -135,7 +135,7 @@ ADAGEN_INLINE bool finite(const Value* x, int count) {
 // Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite;
 // place says where a joint's entries start.
 inline void require_finite(Workspace& w, const Value* x, int first, int count,
-                           int JointConstants::*place, Failure kind) {
+                           int JointConstants::* place, Failure kind) {
   if (__builtin_expect(finite(x + first, count), 1)) return;
   while (finite(x + first, 1)) ++first;
   int joint = 0;
@@ -166,7 +166,8 @@ ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
 
 // Accelerations are given only where all went well.
 inline void give(Workspace& w, int first, int count) {
-  if (w.status == kFine) std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
+  if (w.status == kFine)
+    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
 }
 
 [[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }

@@ -65,9 +65,9 @@ ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a) {
     }
     return;
   }
-  const Lanes x = -((e[0] * a.angular.x + e[1] * a.angular.y) +
-                    (e[2] * a.angular.z + e[3] * a.linear.x) +
-                    (e[4] * a.linear.y + e[5] * a.linear.z));
+  const Lanes x =
+      -((e[0] * a.angular.x + e[1] * a.angular.y) + (e[2] * a.angular.z + e[3] * a.linear.x) +
+        (e[4] * a.linear.y + e[5] * a.linear.z));
   const Vector<Lanes> moved{axis.x * x, axis.y * x, axis.z * x};
   if constexpr (!reversed) carry(a, memory.r);
   if (kind == JointKind::kPrismatic)
@@ -184,8 +184,8 @@ Columns6 force_on(Workspace& w) {
   return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
 }
 
-// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to a
-// singular matrix for that, angular and linear ones beside the largest of their kind.
+// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to
+// a singular matrix for that, angular and linear ones beside the largest of their kind.
 template <int link>
 void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
   constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);

@@ -1,0 +1,62 @@
+"""Shape kernels: every way in which segments meet, on robots of all joint kinds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.emit.shapes import SHAPES, chosen_shape
+from adagen.model import Model
+from adagen.plan import make_plan
+from adagen.schedule import Topology, load_profile, named_schedule
+from adagen.schedule.tree import Named
+from adagen.states import random_states
+from tests.emitted import Builder, forward_error, truth_of
+from tests.models import human_figure, random_tree, serial_chain
+from tests.schedules import random_schedule
+
+PROFILE = load_profile("default")
+
+
+def floating_tree(seed: int) -> Model:
+    return random_tree(np.random.default_rng(seed), 9, branching=0.5, floating=True)
+
+
+@pytest.mark.parametrize(
+    ("model", "name", "processes", "meeting"),
+    [
+        (human_figure(), "sequential", 2, "join"),  # the base itself is joined
+        (human_figure(), "balanced", 3, "join"),
+        (human_figure(), "balanced", 4, "gather"),
+        (serial_chain(24, axes="xy"), "balanced", 2, "gather"),  # the ground as a body
+        (serial_chain(24, axes="xyz"), "balanced", 3, "join"),
+    ],
+    ids=["base joined", "three joined", "four gathered", "from the ground", "chain joined"],
+)
+def test_named_schedules_are_solved(
+    model: Model, name: Named, processes: int, meeting: str, builder: Builder, tmp_path: Path
+) -> None:
+    schedule = named_schedule(name, Topology.of(model), processes, profile=PROFILE)
+    plan = make_plan(model, schedule, meeting=meeting)
+    assert chosen_shape(plan) == "kernels"
+    states = random_states(model, 5, seed=2)
+    found = builder.solver(plan, name="kernels").solve(model, states, tmp_path, "--check")
+    assert forward_error(found, truth_of(model, states)) < 1e-9
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("meeting", ["join", "gather"])
+def test_trees_of_all_kinds_are_solved(
+    seed: int, meeting: str, builder: Builder, tmp_path: Path
+) -> None:
+    model = floating_tree(seed)
+    schedule = random_schedule(model, 2, np.random.default_rng(seed))
+    plan = make_plan(model, schedule, meeting=meeting)
+    shape = "kernels" if SHAPES["kernels"].why_not(plan) is None else "joints"
+    assert shape == "kernels" or meeting == "join"
+    states = random_states(model, 4, seed=seed)
+    solver = builder.solver(plan, ("-O0",), name="tree", shape=shape)
+    found = solver.solve(model, states, tmp_path, "--check")
+    assert forward_error(found, truth_of(model, states)) < 1e-9
