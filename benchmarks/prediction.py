@@ -1,6 +1,6 @@
 """Predicted against measured times, over models and schedules, at P = 1 and 2.
 
-    python benchmarks/prediction.py measure FILE.json      builds and times; takes a quarter of an hour
+    python benchmarks/prediction.py measure FILE.json      builds and times; takes long
     python benchmarks/prediction.py report FILE.json [--profile NAME] > docs/prediction.md
 
 Programs of one model are timed in turn, several times over, and the least median is kept: other
