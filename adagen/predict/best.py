@@ -61,13 +61,14 @@ def best_schedule(
     found = find_schedule(seen.topology, processes, profile=profile, cuttable=cuttable, **search)
     joined = seen.unfold(found, profile)
     may = gather and profile.steps is not None and can_gather(model)
-    return _or_gathered(model, joined, profile) if may else joined
+    return _or_gathered(model, joined, profile, scalar) if may else joined
 
 
-def _or_gathered(model: Model, found: Schedule, profile: CostProfile) -> Schedule:
+def _or_gathered(model: Model, found: Schedule, profile: CostProfile, scalar: str) -> Schedule:
     """Return a schedule, or one whose processes gather if that is faster when played through."""
     best, least = found, predict(make_plan(model, found), profile).makespan
-    candidates = limb_schedules(model, found.processes, profile, found)
+    cuttable = cuttable_joints(model, scalar)
+    candidates = limb_schedules(model, found.processes, profile, found, cuttable)
     if GatherPlanner(joints_of(model), found).suits():
         candidates = chain(gathering(model, [found], profile), candidates)
     for schedule in candidates:

@@ -52,7 +52,11 @@ class Layout:
 
 
 def limb_schedules(
-    model: Model, processes: int, profile: CostProfile, pattern: Schedule
+    model: Model,
+    processes: int,
+    profile: CostProfile,
+    pattern: Schedule,
+    cuttable: Sequence[bool],
 ) -> Iterator[Schedule]:
     """Return schedules that gather, each with the time that it takes when it is played through.
 
@@ -62,9 +66,12 @@ def limb_schedules(
         processes: P, 2 or more.
         profile: a profile with costs of steps.
         pattern: a schedule whose facts (tie, split and so on) they take over.
+        cuttable: for each joint whether mobilities may meet there without losing digits. Only a root
+            with the ground beyond it shows a mobility; elsewhere inertias are added.
     """
     search = _Limbs(model, processes, profile)
-    found = nsmallest(TRIALS, search.layouts(), key=lambda layout: layout.time)
+    roots = [0, *(j + 1 for j in range(len(model.joints)) if search.floats or cuttable[j])]
+    found = nsmallest(TRIALS, search.layouts(roots), key=lambda layout: layout.time)
     return gathering(model, (search.schedule(layout, pattern) for layout in found), profile)
 
 
@@ -119,11 +126,13 @@ class _Limbs:
         """Time in which all processes together could do the work of all joints, microseconds."""
         return sum(self.weight) / self.rate
 
-    def layouts(self) -> Iterator[Layout]:
-        """Yield layouts around every link, each with a core that grows."""
+    def layouts(self, roots: Sequence[int]) -> Iterator[Layout]:
+        """Yield layouts around links that may be roots, each with a core that grows."""
         most = len(self.joints) // SMALL_CORE
-        anywhere = range(1, len(self.joints) + 1) if len(self.bases) == 1 else ()
-        for root in anywhere if self.floats else (0, *anywhere):
+        alone = len(self.bases) == 1
+        for root in roots:
+            if (root == 0 and self.floats) or (root > 0 and not alone):
+                continue
             core: list[int] = []
             limbs = [self._as_base(limb, root) for limb in self._limbs(root, -1)]
             while True:
