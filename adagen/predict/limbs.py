@@ -66,8 +66,8 @@ def limb_schedules(
         processes: P, 2 or more.
         profile: a profile with costs of steps.
         pattern: a schedule whose facts (tie, split and so on) they take over.
-        cuttable: for each joint whether mobilities may meet there without losing digits. Only a root
-            with the ground beyond it shows a mobility; elsewhere inertias are added.
+        cuttable: for each joint whether mobilities may meet there without losing digits. Only a
+            root with the ground beyond it shows a mobility; elsewhere inertias are added.
     """
     search = _Limbs(model, processes, profile)
     roots = [0, *(j + 1 for j in range(len(model.joints)) if search.floats or cuttable[j])]

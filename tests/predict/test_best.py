@@ -40,7 +40,7 @@ def test_as_many_processes_as_pay_are_chosen() -> None:
         profile = step_profile((), **changes)
 
         def schedule(processes: int):  # type: ignore[no-untyped-def]  # noqa: ANN202
-            return best_schedule(model, processes, profile)
+            return best_schedule(model, processes, profile, gather=False)
 
         return choose_processes(model, profile, "segment", 4, schedule)[0].processes
 
