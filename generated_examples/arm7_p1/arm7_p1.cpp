@@ -459,9 +459,9 @@ struct Floating {
 };
 
 template <class Kind>
-constexpr int kFree = Kind::Free::count;
+[[maybe_unused]] constexpr int kFree = Kind::Free::count;
 template <class Kind>
-constexpr int kConstrained = Kind::Constrained::count;
+[[maybe_unused]] constexpr int kConstrained = Kind::Constrained::count;
 
 // S qd, the velocity across a joint.
 template <class Kind>

@@ -718,9 +718,9 @@ struct Floating {
 };
 
 template <class Kind>
-constexpr int kFree = Kind::Free::count;
+[[maybe_unused]] constexpr int kFree = Kind::Free::count;
 template <class Kind>
-constexpr int kConstrained = Kind::Constrained::count;
+[[maybe_unused]] constexpr int kConstrained = Kind::Constrained::count;
 
 // S qd, the velocity across a joint.
 template <class Kind>
@@ -2041,7 +2041,7 @@ inline Mat6 inertia_of(const Body<Value>& X) {
 inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
 
 // Phi = (I^A)^-1 and b = -Phi p^A of a segment's root, by Cholesky's factorization.
-inline bool invert(const Body<Value>& X, Mat6& Phi, Columns6& b) {
+[[maybe_unused]] inline bool invert(const Body<Value>& X, Mat6& Phi, Columns6& b) {
   const Mat6 I = inertia_of(X);
   std::array<std::array<Real, 6>, 6> L, x{};
   ADAGEN_FOR (i, 0, 6) {
@@ -2235,7 +2235,7 @@ void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
 // --- joins: adapters to the joints' own frames ---------------------------------------------------
 
 // From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
-inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
+[[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
   const Matrix<Value> R = matrix_at(w.of(j, kAxes));
   X.E << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
   Y.E = X.E;
