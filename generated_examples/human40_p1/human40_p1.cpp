@@ -109,7 +109,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
-constexpr int kPlanMessages = 0;
+[[maybe_unused]] constexpr int kPlanMessages = 0;
 constexpr std::size_t kCacheLine = 64;
 constexpr bool kFloatingBase = false;
 constexpr double kTolerance = 1e-09;
@@ -1952,7 +1952,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(3);
 }
 
-constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
+[[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
