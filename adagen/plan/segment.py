@@ -11,9 +11,11 @@ inertia. With one process this is the serial articulated-body algorithm.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import cached_property
 
 from adagen.plan.ada import AdaPlanner, Chain
+from adagen.plan.edges import Edge, edges_from, is_free_base, joints_at, ways_to
 from adagen.plan.fusions import Run
 from adagen.plan.steps import (
     Accelerate,
@@ -36,16 +38,6 @@ from adagen.plan.types import PlanJoint
 from adagen.schedule import Node, Schedule, postorder, preorder
 
 
-@dataclass(frozen=True)
-class Edge:
-    """A joint of a component, seen from its root."""
-
-    joint: int
-    near: int
-    far: int
-    reversed: bool
-
-
 @dataclass
 class Component:
     """Joints of a segment that move together: connected other than through the ground.
@@ -54,13 +46,16 @@ class Component:
         root: the link that inertias are swept to; 0 is the ground.
         edges: outwards from the root.
         handles: links with joints outside the segment.
-        path: edges on the way from the root to a handle, outwards.
     """
 
     root: int
-    edges: list[Edge] = field(default_factory=list)
-    handles: list[int] = field(default_factory=list)
-    path: list[Edge] = field(default_factory=list)
+    edges: list[Edge]
+    handles: list[int]
+
+    @cached_property
+    def path(self) -> list[Edge]:
+        """Edges on the way from the root to a handle, outwards."""
+        return ways_to(self.handles, self.root, self.edges)
 
 
 @dataclass
@@ -122,76 +117,21 @@ class SegmentPlanner(AdaPlanner):
 
     def _laid_out(self, name: int, members: set[int]) -> _Segment:
         """Find the components of a segment, a root for each, and the paths to its handles."""
-        free = [j for j in sorted(members) if self._is_free(j)]
-        at: dict[int, list[int]] = {}
-        links: set[int] = set()
-        for j in sorted(members):
-            links.update({self.joints[j].parent, j + 1})
-            if j not in free:
-                at.setdefault(self.joints[j].parent, []).append(j)
-                at.setdefault(j + 1, []).append(j)
+        free = [j for j in sorted(members) if is_free_base(self.joints[j])]
+        links = set(joints_at(self.joints, members))
+        at = joints_at(self.joints, sorted(members.difference(free)))
         components: list[Component] = []
         left = set(links)
         for start in (0, *sorted(links - {0})):
             if start not in left or (start == 0 and not at.get(0)):
                 left.discard(start)
                 continue
-            handles = sorted(h for h in self._reach(start, at) if h > 0 and self.open[h] > 0)
+            together = {start, *(edge.far for edge in edges_from(start, self.joints, at))}
+            left -= together
+            handles = sorted(h for h in together if h > 0 and self.open[h] > 0)
             root = start if start == 0 or not handles else handles[0]
-            component = Component(root, self._outwards(root, at), handles)
-            left -= {root, *(edge.far for edge in component.edges)}
-            component.path = self._path(component)
-            components.append(component)
+            components.append(Component(root, edges_from(root, self.joints, at), handles))
         return _Segment(name, free, components)
-
-    def _is_free(self, j: int) -> bool:
-        joint = self.joints[j]
-        return joint.parent == 0 and joint.kind == "floating" and not joint.prescribed
-
-    def _reach(self, start: int, at: dict[int, list[int]]) -> list[int]:
-        return [start, *(edge.far for edge in self._outwards(start, at))]
-
-    def _outwards(self, root: int, at: dict[int, list[int]]) -> list[Edge]:
-        """The joints of a component, each after those between it and the root, depth first.
-
-        So joints that follow each other along a limb stay together: shape kernels sweeps them in
-        one loop.
-        """
-
-        def beyond(near: int, came: int) -> list[Edge]:
-            found = []
-            for j in at.get(near, []):
-                if j != came:
-                    down = self.joints[j].parent == near
-                    found.append(Edge(j, near, j + 1 if down else self.joints[j].parent, not down))
-            return found
-
-        edges: list[Edge] = []
-        waiting = beyond(root, -1)[::-1]
-        while waiting:
-            edge = waiting.pop()
-            edges.append(edge)
-            waiting.extend(reversed(beyond(edge.far, edge.joint)))
-        return edges
-
-    @staticmethod
-    def _path(component: Component) -> list[Edge]:
-        """Depth-first from the root, the edges that lead to a handle."""
-        wanted = set(component.handles)
-        for edge in reversed(component.edges):
-            if edge.far in wanted:
-                wanted.add(edge.near)
-        below: dict[int, list[Edge]] = {}
-        for edge in component.edges:
-            if edge.far in wanted:
-                below.setdefault(edge.near, []).append(edge)
-        path: list[Edge] = []
-        stack = list(reversed(below.get(component.root, [])))
-        while stack:
-            edge = stack.pop()
-            path.append(edge)
-            stack.extend(reversed(below.get(edge.far, [])))
-        return path
 
     def _mobility(self, component: Component, chain: Chain) -> None:
         """Phi and b at the handles: at the root by inversion, elsewhere carried outwards."""
@@ -208,21 +148,9 @@ class SegmentPlanner(AdaPlanner):
         anchors = self._anchors(component)
         couplings: set[tuple[int, int]] = set()
         for place, edge in enumerate(component.path):
-            spreads = []
-            for g in reached:
-                near = (min(g, edge.near), max(g, edge.near))
-                keep = g in component.handles or place < anchors.get(g, -1)
-                if keep and (g == edge.near or near in couplings):
-                    spreads.append(
-                        Spread(
-                            g,
-                            Block(name, min(g, edge.far), max(g, edge.far)),
-                            edge.far > g,
-                            Block(name, *near),
-                            near[0] != edge.near,
-                        )
-                    )
-                    couplings.add((min(g, edge.far), max(g, edge.far)))
+            kept = [g for g in reached if g in component.handles or place < anchors.get(g, -1)]
+            spreads = self._spreads(name, edge, kept, couplings)
+            couplings.update((min(s.handle, edge.far), max(s.handle, edge.far)) for s in spreads)
             ground = edge.near == 0
             steps.append(
                 Propagate(
@@ -243,6 +171,21 @@ class SegmentPlanner(AdaPlanner):
             for h in component.handles[k + 1 :]:
                 if (g, h) in couplings:
                     chain.blocks[g, h] = Block(name, g, h)
+
+    @staticmethod
+    def _spreads(
+        name: int, edge: Edge, kept: list[int], couplings: set[tuple[int, int]]
+    ) -> list[Spread]:
+        """Carry outwards over one edge how links feel what is before it, where they do."""
+        spreads = []
+        for g in kept:
+            near = (min(g, edge.near), max(g, edge.near))
+            if g == edge.near or near in couplings:
+                far = Block(name, min(g, edge.far), max(g, edge.far))
+                spreads.append(
+                    Spread(g, far, edge.far > g, Block(name, *near), near[0] != edge.near)
+                )
+        return spreads
 
     @staticmethod
     def _anchors(component: Component) -> dict[int, int]:

@@ -15,7 +15,9 @@ from heapq import nsmallest
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.constants import joints_of
-from adagen.plan.gather import HELD_FREEDOMS, SMALL_CORE
+from adagen.plan.edges import joints_at
+from adagen.plan.gather import SMALL_CORE
+from adagen.plan.gather_trees import HELD_FREEDOMS
 from adagen.plan.steps import Accelerate, Articulate, Kinematics, StartLink
 from adagen.predict.features import step_time
 from adagen.predict.simulate import predict
@@ -114,13 +116,12 @@ class _Limbs:
             for j in range(len(self.joints))
         ]
         self.rate = sum(costs.speed(p) for p in range(processes))
-        self.at: dict[int, list[int]] = {}
         self.bases = [j for j, joint in enumerate(self.joints) if joint.parent == 0]
         self.floats = len(self.bases) == 1 and self.joints[self.bases[0]].kind == "floating"
-        for j, joint in enumerate(self.joints):
-            if not (self.floats and joint.parent == 0):
-                self.at.setdefault(joint.parent, []).append(j)
-                self.at.setdefault(j + 1, []).append(j)
+        self.at = joints_at(
+            self.joints,
+            (j for j in range(len(self.joints)) if not (self.floats and j in self.bases)),
+        )
 
     def evenly(self) -> float:
         """Time in which all processes together could do the work of all joints, microseconds."""

@@ -1,0 +1,185 @@
+"""How processes gather: for each tree of moving links a root, a core, and who owns which branch.
+
+See adagen/plan/gather.py for what is done with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from adagen.model.kinds import KINDS
+from adagen.plan.edges import Edge, edges_from, is_free_base, joints_at
+from adagen.plan.types import PlanJoint
+
+HELD_FREEDOMS = 8
+"""Freedoms between the ground and a link whose mobility is taken for an inertia: 6 make it regular
+in general, a few more keep it so in most poses."""
+
+
+@dataclass
+class Tree:
+    """Links that move together, and how their processes meet.
+
+    Attributes:
+        links: its links.
+        joints: its joints, those on the ground that do not float among them.
+        base: the floating joint on the ground that holds it, if any.
+        root: the link that all inertias are swept to; 0 is the ground.
+        edges: its joints outwards from the root.
+        owner: the process of each joint that is not in the core.
+        core: joints of the core.
+        core_owner: the process that adds what belongs to the core itself.
+        grounded: the process whose branch holds the ground beyond the root, if any.
+        hold: the link on the way to the ground from which on the ground is taken for a body; 0
+            where the root shows its mobility.
+    """
+
+    links: list[int]
+    joints: list[int]
+    base: int | None
+    root: int = 0
+    edges: list[Edge] = field(default_factory=list)
+    owner: dict[int, int] = field(default_factory=dict)
+    core: set[int] = field(default_factory=set)
+    core_owner: int = 0
+    grounded: int | None = None
+    hold: int = 0
+
+    @property
+    def participants(self) -> list[int]:
+        """Processes that have joints in it, ascending."""
+        return sorted({self.core_owner, *self.owner.values()})
+
+    @property
+    def core_links(self) -> set[int]:
+        """Links of the core, the root among them."""
+        return {self.root, *(edge.far for edge in self.core_edges)}
+
+    @property
+    def core_edges(self) -> list[Edge]:
+        """Joints of the core, outwards from the root."""
+        return [edge for edge in self.edges if edge.joint in self.core]
+
+    @property
+    def ground_side(self) -> list[Edge]:
+        """Joints that are swept from the ground, seen from the root: those up to the link held."""
+        if self.grounded is None:
+            return []
+        found, reached = [], {self.hold or self.root}
+        for edge in self.edges:
+            if edge.near in reached and self.owner.get(edge.joint) == self.grounded:
+                found.append(edge)
+                if edge.far > 0:
+                    reached.add(edge.far)
+        return found
+
+    def branches(self, process: int) -> list[Edge]:
+        """Return a process's own joints outwards from the root, without the ground's side."""
+        hidden = {edge.joint for edge in self.ground_side}
+        own = (edge for edge in self.edges if self.owner.get(edge.joint) == process)
+        return [edge for edge in own if edge.joint not in hidden]
+
+    def link_owner(self, link: int) -> int:
+        """Return the process that adds a link's own inertia."""
+        if link == self.root and self.grounded is not None:
+            return self.grounded
+        if link in self.core_links:
+            return self.core_owner
+        return next(self.owner[edge.joint] for edge in self.edges if edge.far == link)
+
+
+def laid_out_trees(
+    joints: Sequence[PlanJoint], assigned: Mapping[int, int], first: Mapping[int, int]
+) -> list[Tree]:
+    """Return a robot's trees of moving links, each with the root that makes its core smallest.
+
+    Args:
+        joints: the robot's joints.
+        assigned: the process of each joint that one process assembles with all below it in the
+            schedule; all others are where processes meet.
+        first: the first process of every joint.
+    """
+    return [_laid_out(tree, joints, assigned, first) for tree in _moving(joints)]
+
+
+def _moving(joints: Sequence[PlanJoint]) -> list[Tree]:
+    trees: dict[int, Tree] = {}  # by the joint on the ground
+    top = [0] * len(joints)
+    for j, joint in enumerate(joints):
+        top[j] = j if joint.parent == 0 else top[joint.parent - 1]
+        if joint.parent == 0:
+            trees[j] = Tree([j + 1], [], j) if is_free_base(joint) else Tree([j + 1], [j], None)
+        else:
+            trees[top[j]].links.append(j + 1)
+            trees[top[j]].joints.append(j)
+    return list(trees.values())
+
+
+def _laid_out(
+    tree: Tree,
+    joints: Sequence[PlanJoint],
+    assigned: Mapping[int, int],
+    first: Mapping[int, int],
+) -> Tree:
+    at = joints_at(joints, tree.joints)
+    involved = {assigned[j] for j in tree.joints if j in assigned}
+    ground = 0 if tree.base is None else tree.base + 1
+    roots = [ground]
+    if len(involved) > 1:
+        apart = [j for j in tree.joints if j not in assigned]
+        touched = {link for j in apart for link in (joints[j].parent, j + 1)}
+        roots += sorted(touched - {0, ground})
+    found = (_rooted(tree, edges_from(root, joints, at), root, assigned, first) for root in roots)
+    # The ground, or the base, always serves as a root.
+    best = min((tree for tree in found if tree is not None), key=lambda tree: len(tree.core))
+    best.hold = 0 if best.grounded is None else _hold(best.root, joints)
+    return best
+
+
+def _rooted(
+    tree: Tree,
+    edges: list[Edge],
+    root: int,
+    assigned: Mapping[int, int],
+    first: Mapping[int, int],
+) -> Tree | None:
+    """Return the tree with a root; None if processes other than one hold the ground beyond."""
+    beyond: dict[int, set[int]] = {}  # of each link: processes of the joints behind it
+    owner: dict[int, int] = {}
+    core: set[int] = set()
+    for edge in reversed(edges):
+        found = set(beyond.get(edge.far, set()))
+        if edge.joint in assigned:
+            found.add(assigned[edge.joint])
+        if len(found) > 1:
+            core.add(edge.joint)
+        else:
+            owner[edge.joint] = next(iter(found), first[edge.joint])
+            found = {owner[edge.joint]}
+        beyond.setdefault(edge.near, set()).update(found)
+    grounded = None
+    if root > 0 and tree.base is None:
+        hold = next(edge.joint for edge in edges if edge.far == 0)
+        if hold in core:
+            return None
+        grounded = owner[hold]
+        if root - 1 in core:  # it would have to be passed before the ground is known
+            return None
+    counts = {p: list(owner.values()).count(p) for p in set(owner.values())}
+    least = min(counts, key=lambda p: (counts[p], p)) if counts else first[tree.base or 0]
+    return Tree(tree.links, tree.joints, tree.base, root, edges, owner, core, least, grounded)
+
+
+def _hold(root: int, joints: Sequence[PlanJoint]) -> int:
+    """The link that enough joints hold to make its mobility regular; 0 if that is the root."""
+    way, link = [], root
+    while link > 0:
+        way.append(link - 1)
+        link = joints[link - 1].parent
+    freedoms = 0
+    for joint in reversed(way[1:]):
+        freedoms += KINDS[joints[joint].kind].nv
+        if freedoms >= HELD_FREEDOMS:
+            return joint + 1
+    return 0
