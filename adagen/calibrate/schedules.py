@@ -8,8 +8,9 @@ from adagen.schedule.chains import WHOLE, Chain, Chains
 from adagen.schedule.draft import Draft
 from adagen.schedule.profile import CostProfile
 from adagen.schedule.single import SingleProcess
+from adagen.schedule.sweeps import loads_of, makespan_of
 from adagen.schedule.topology import Topology
-from adagen.schedule.tree import Schedule, loads_of, makespan_of
+from adagen.schedule.tree import Schedule
 
 
 def random_schedule(

@@ -23,7 +23,7 @@ from adagen.predict.features import step_time
 from adagen.predict.simulate import predict
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.draft import Draft
-from adagen.schedule.tree import loads_of
+from adagen.schedule.sweeps import loads_of
 
 TRIALS = 12
 """Layouts that are played through at most."""

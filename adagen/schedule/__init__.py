@@ -5,6 +5,7 @@ from adagen.schedule.draw import schedule_svg
 from adagen.schedule.named import named_schedule
 from adagen.schedule.profile import CostProfile, load_profile, parse_profile
 from adagen.schedule.search import find_schedule
+from adagen.schedule.sweeps import makespan_of, total_work
 from adagen.schedule.text import (
     schedule_from_json,
     schedule_line,
@@ -13,17 +14,8 @@ from adagen.schedule.text import (
     schedule_tree,
 )
 from adagen.schedule.topology import Topology
-from adagen.schedule.tree import (
-    InvalidSchedule,
-    Node,
-    Schedule,
-    levels,
-    makespan_of,
-    postorder,
-    preorder,
-    total_work,
-    validate,
-)
+from adagen.schedule.tree import Node, Schedule, levels, postorder, preorder
+from adagen.schedule.validity import InvalidSchedule, validate
 
 __all__ = [
     "CostProfile",

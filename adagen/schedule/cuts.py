@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.schedule.chains import Chain, Chains
-from adagen.schedule.single import SingleProcess, TooManyBranches
+from adagen.schedule.merge import TooManyBranches
+from adagen.schedule.single import SingleProcess
 
 Ints = NDArray[np.int64]
 

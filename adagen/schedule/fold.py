@@ -13,8 +13,9 @@ from itertools import pairwise
 
 from adagen.schedule.draft import Draft
 from adagen.schedule.profile import CostProfile
+from adagen.schedule.sweeps import loads_of, makespan_of
 from adagen.schedule.topology import Topology
-from adagen.schedule.tree import Node, Schedule, loads_of, makespan_of, preorder
+from adagen.schedule.tree import Node, Schedule, preorder
 
 
 @dataclass(frozen=True)

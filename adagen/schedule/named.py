@@ -16,17 +16,10 @@ from adagen.schedule.options import Space
 from adagen.schedule.profile import TICKS, CostProfile
 from adagen.schedule.segment_schedule import segment_bound
 from adagen.schedule.single import outward
+from adagen.schedule.sweeps import loads_of, makespan_of
 from adagen.schedule.topology import Topology
-from adagen.schedule.tree import (
-    Meeting,
-    Named,
-    Schedule,
-    Strategy,
-    loads_of,
-    makespan_of,
-    postorder,
-    validate,
-)
+from adagen.schedule.tree import Meeting, Named, Schedule, Strategy, postorder
+from adagen.schedule.validity import validate
 
 
 def named_schedule(

@@ -13,8 +13,9 @@ from adagen.schedule.bounds import Bounds, Ints, Rules
 from adagen.schedule.canon import Canon
 from adagen.schedule.chains import Chain, Chains
 from adagen.schedule.cuts import Cuts, Cutter
+from adagen.schedule.merge import TooManyBranches
 from adagen.schedule.profile import CostProfile
-from adagen.schedule.single import SingleProcess, TooManyBranches
+from adagen.schedule.single import SingleProcess
 from adagen.schedule.topology import Topology
 
 FOREVER = 1 << 62

@@ -20,9 +20,10 @@ from adagen.schedule.options import Space
 from adagen.schedule.profile import TICKS, CostProfile
 from adagen.schedule.restricted import joined_between_processes, restricted_draft
 from adagen.schedule.segment_schedule import segment_schedule
+from adagen.schedule.sweeps import loads_of, makespan_of
 from adagen.schedule.ties import LeastWork, walk
 from adagen.schedule.topology import Topology
-from adagen.schedule.tree import Schedule, Split, Strategy, Tie, loads_of, makespan_of
+from adagen.schedule.tree import Schedule, Split, Strategy, Tie
 
 MOST_PROCESSES = 1024
 EXPANSIONS = 5_000

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from adagen.schedule.chains import Chain, Chains
 from adagen.schedule.draft import Draft
-from adagen.schedule.tree import Sweeps
+from adagen.schedule.sweeps import Sweeps
 
 
 class State(NamedTuple):

@@ -18,8 +18,9 @@ from adagen.schedule.segment_bounds import SegmentBounds
 from adagen.schedule.segment_front import Label, State, draft_of
 from adagen.schedule.segment_search import SegmentSearch
 from adagen.schedule.segments import SegmentCosts
+from adagen.schedule.sweeps import Sweeps, loads_of, makespan_of
 from adagen.schedule.topology import Topology
-from adagen.schedule.tree import Schedule, Sweeps, Tie, loads_of, makespan_of
+from adagen.schedule.tree import Schedule, Tie
 
 _BEAMS = ((1, 1), (4, 1), (16, 1), (4, 2), (8, 4))
 """Of each first guess: options followed at each state, and how unequal divisions may be."""

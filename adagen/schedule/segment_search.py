@@ -26,7 +26,7 @@ from adagen.schedule.segment_bounds import SegmentBounds
 from adagen.schedule.segment_front import Label, State, add, covered
 from adagen.schedule.segment_options import Options
 from adagen.schedule.segments import SegmentCosts
-from adagen.schedule.tree import Sweeps, beside
+from adagen.schedule.sweeps import Sweeps, beside
 
 FOREVER = 1 << 62
 _THIN = 6  # labels of a state that are kept where only a few options are followed

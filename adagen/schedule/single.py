@@ -1,7 +1,7 @@
 """One process (Section III-D): the least work of a partial chain, and an order that achieves it.
 
-The paper's rule (see :func:`literal_rule`) is exact for at most one boundary joint. What follows is
-exact for any number m of them. To assemble is to contract joints, and contracting links of
+The paper's rule (adagen/schedule/literal.py) is exact for at most one boundary joint. What follows
+is exact for any number m of them. To assemble is to contract joints, and contracting links of
 degrees d1 and d2 costs q(d1 + d2 - 2) on top of what every order pays. Hence, q not decreasing:
 
 1. leaves without a boundary joint go first, at q(d - 1) each;
@@ -13,29 +13,11 @@ degrees d1 and d2 costs q(d1 + d2 - 2) on top of what every order pays. Hence, q
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection
 from itertools import pairwise
-from typing import Protocol
 
-from adagen.schedule.budget import OutOfBudget
 from adagen.schedule.chains import Chain, Chains
-
-MOST_BRANCHES = 12
-"""Branch links up to which the merge of step 3 is solved."""
-
-
-class TooManyBranches(OutOfBudget):
-    """The Steiner tree of a boundary has more branch links than the exact merge is meant for."""
-
-    def __init__(self, least: int) -> None:
-        super().__init__()
-        self.least = least
-
-
-class SupportsJoin(Protocol):
-    """Anything that prices a boundary, such as the costs ``q`` of :class:`Chains`."""
-
-    def __getitem__(self, k: int, /) -> int: ...
+from adagen.schedule.merge import MOST_BRANCHES, Merge, TooManyBranches
 
 
 class SingleProcess:
@@ -246,79 +228,3 @@ def outward(chains: Chains, inside: list[int], start: Collection[int]) -> list[i
             far = p + 1 if near == chains.parent[p] else chains.parent[p]
             stack += [(x, far) for x in reversed(at[far]) if x != p]
     return order
-
-
-class Merge:
-    """The cheapest contraction of a small tree of links.
-
-    Attributes:
-        cost: sum of q(d1 + d2 - 2) over the contractions.
-        order: indices of the edges in order of contraction.
-    """
-
-    def __init__(
-        self, q: SupportsJoin, degrees: Sequence[int], edges: Sequence[tuple[int, int]]
-    ) -> None:
-        self._q, self._degrees, self._edges = q, degrees, edges
-        self._best: dict[int, tuple[int, tuple[int, ...]]] = {}
-        self.cost, self.order = self._solve((1 << len(degrees)) - 1)
-
-    def _solve(self, links: int) -> tuple[int, tuple[int, ...]]:
-        """Return cost and order for a connected subset of links (bit mask)."""
-        if links & (links - 1) == 0:
-            return 0, ()
-        known = self._best.get(links)
-        if known is not None:
-            return known
-        inner = [i for i, (u, v) in enumerate(self._edges) if links >> u & 1 and links >> v & 1]
-        best: tuple[int, tuple[int, ...]] | None = None
-        for last in inner:
-            side = self._side(inner, last)
-            a, b = self._solve(side), self._solve(links & ~side)
-            if best is None or a[0] + b[0] < best[0]:
-                best = (a[0] + b[0], (*a[1], *b[1], last))
-        assert best is not None
-        k = sum(d for i, d in enumerate(self._degrees) if links >> i & 1) - 2 * len(inner)
-        result = self._best[links] = (best[0] + self._q[k], best[1])
-        return result
-
-    def _side(self, inner: Sequence[int], cut: int) -> int:
-        side = 1 << self._edges[cut][0]
-        grown = True
-        while grown:
-            grown = False
-            for i in inner:
-                pair = 1 << self._edges[i][0] | 1 << self._edges[i][1]
-                if i != cut and side & pair and side & pair != pair:
-                    side |= pair
-                    grown = True
-        return side
-
-
-def literal_rule(chains: Chains, chain: Chain) -> list[int]:
-    """Return the order of assembly that the text of III-D gives for one process, read literally.
-
-    For each joint the boundary joints on its root side and on its end side are counted, N^r and
-    N^e. Joints with N^r <= N^e go to the lower layer, that is, they are assembled earlier; within a
-    layer the end goes before the root. With one boundary joint or none the sentence on branches
-    decides alone: the branch next to the boundary comes last.
-
-    This is optimal for at most one boundary joint and *not* beyond: with parents
-    (0, 1, 2, 1, 2, 4, 3, 5, 5, 7, 7), S = {6, 9} and boundary {2, 10} it costs 52.6 where 43.6 is
-    possible (paper's constants). It is kept as documentation: schedules use SingleProcess.
-
-    Args:
-        chains: the robot.
-        chain: the partial chain.
-
-    Returns:
-        Joints, the first one assembled first.
-    """
-    if chains.boundary(chain) <= 1:
-        return SingleProcess(chains).order(chain)
-
-    def layer(p: int) -> tuple[bool, int]:
-        end_side = sum(p < cut < chains.end[p] for cut in chain.cuts)
-        return chains.boundary(chain) - end_side > end_side, -p
-
-    return [chains.original[p] for p in sorted(chains.positions(chain), key=layer)]

@@ -12,13 +12,8 @@ from adagen.schedule.draft import Draft
 from adagen.schedule.named import as_schedule
 from adagen.schedule.profile import CostProfile
 from adagen.schedule.topology import Topology
-from adagen.schedule.tree import (
-    InvalidSchedule,
-    Meeting,
-    Node,
-    Schedule,
-    postorder,
-)
+from adagen.schedule.tree import Meeting, Node, Schedule, postorder
+from adagen.schedule.validity import InvalidSchedule
 
 
 def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:

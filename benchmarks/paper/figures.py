@@ -20,9 +20,10 @@ from adagen.schedule import (
 )
 from adagen.schedule.chains import Chain, Chains
 from adagen.schedule.draft import Draft
+from adagen.schedule.literal import literal_rule
 from adagen.schedule.named import as_schedule
 from adagen.schedule.profile import TICKS
-from adagen.schedule.single import SingleProcess, literal_rule
+from adagen.schedule.single import SingleProcess
 from adagen.schedule.tree import Strategy
 from benchmarks.paper.pictures import Branch, branch, forest, height, save
 

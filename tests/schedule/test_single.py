@@ -8,8 +8,9 @@ from hypothesis import given, settings
 
 from adagen.schedule import CostProfile, Topology, find_schedule, load_profile, validate
 from adagen.schedule.chains import WHOLE, Chain, Chains
+from adagen.schedule.literal import literal_rule
 from adagen.schedule.profile import TICKS
-from adagen.schedule.single import SingleProcess, literal_rule
+from adagen.schedule.single import SingleProcess
 from tests.schedule.brute import Brute
 from tests.schedule.test_search import profiles, topologies
 
