@@ -18,7 +18,7 @@ from adagen.model.kinds import KINDS
 from adagen.plan.clusters import is_solid
 from adagen.plan.constants import inverse_inertia
 from adagen.plan.interpret import execute
-from adagen.plan.interpret_join import Joined
+from adagen.plan.interpret.joins import Joined
 from adagen.plan.steps import Join
 from adagen.plan.types import Plan, PlanJoint
 

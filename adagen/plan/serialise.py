@@ -7,8 +7,6 @@ import types
 from dataclasses import fields, is_dataclass
 from typing import Any, Union, get_args, get_origin, get_type_hints
 
-from adagen.plan import steps as plan_steps
-from adagen.plan import types as plan_types
 from adagen.plan.steps import Step
 from adagen.plan.types import Plan
 
@@ -97,7 +95,7 @@ def _decode(kind: Any, data: Any) -> Any:
             return tuple(_decode(items[0], item) for item in data)
         return tuple(_decode(k, item) for k, item in zip(items, data, strict=True))
     if isinstance(kind, type) and is_dataclass(kind):
-        hints = get_type_hints(kind, {**vars(plan_steps), **vars(plan_types)})
+        hints = get_type_hints(kind)
         needed = {f.name for f in fields(kind) if not f.metadata.get("optional")}
         if not isinstance(data, dict) or not needed <= set(data) <= set(hints):
             raise ValueError(f"not a {getattr(kind, '__name__', kind)}: {data!r:.80}")

@@ -1,7 +1,7 @@
 """The plan: what each process does, step by step, frozen and printable.
 
 A plan is the whole input of the emitter and of the interpreter. Its steps and the buffers that they
-name are in steps.py.
+name are in adagen/plan/steps/.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.interpret import interpret
-from adagen.plan.interpret_refine import WideLinks, interpret_refined
+from adagen.plan.interpret.refine import WideLinks, interpret_refined
 from adagen.schedule import Topology, load_profile, named_schedule
 from adagen.stability.robots import state
 from adagen.stability.weak import articulated, composite, true_acceleration

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from adagen.model import Inertia, Model
 from adagen.plan import make_plan
-from adagen.plan.interpret_refine import interpret_refined
+from adagen.plan.interpret.refine import interpret_refined
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.states import random_states
 from tests.models import human_figure, random_tree, serial_chain, three_axis_chain

@@ -1,4 +1,4 @@
-"""What joining and releasing joints means, over expressions (see adagen/plan/interpret.py)."""
+"""What joining and releasing joints means, over expressions (see adagen/plan/interpret/)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs a process's steps over expressions: what each means is told in adagen/plan/interpret.py.
+"""Runs a process's steps over expressions: what each means is told in adagen/plan/interpret/.
 
 Frames are the links' own, with every joint axis z: a joint's inertia D is an entry of a matrix,
 what a joint hands on has structural zeros, and link inertias are constants. Accelerations are

@@ -1,4 +1,4 @@
-"""What the steps of form `segment` mean, over expressions (see plan/interpret_segment.py)."""
+"""What the steps of form `segment` mean, over expressions (see adagen/plan/interpret/)."""
 
 from __future__ import annotations
 

@@ -16,8 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model.kinds import KINDS
-from adagen.plan.interpret import Machine, run_machines, with_slaved
-from adagen.plan.interpret_segment import SegmentMachine
+from adagen.plan.interpret import run_machines, with_slaved
+from adagen.plan.interpret.articulated import SegmentMachine
+from adagen.plan.interpret.joins import JoinMachine
+from adagen.plan.interpret.machine import Machine
 from adagen.plan.placement import placement
 from adagen.plan.refine import refinable
 from adagen.plan.steps import Accelerate, Bias, FreeAcceleration, Step
@@ -101,6 +103,7 @@ class _ForceMachine(Machine):
     ) -> None:
         super().__init__(plan, mail, q, v, tau, qdd)
         self.rho = rho
+        self.joins = _ForceJoins(self)
         self.segments = _ForceSegments(self)
 
     def ground(self) -> Array:
@@ -109,11 +112,17 @@ class _ForceMachine(Machine):
     def velocity_product(self, j: int) -> Array:
         return super().velocity_product(j) if self.rho is None else np.zeros((6, self.columns))
 
+
+class _ForceJoins(JoinMachine):
+    """The same for bare links: what ``rho`` alone does to them."""
+
+    machine: _ForceMachine
+
     def _link_bias(self, number: int) -> None:
         super()._link_bias(number)
-        if self.rho is not None:
-            phi = np.array(self.plan.links[number].phi)
-            self.memory[Bias(None, number)] = self.column(phi @ self.rho[number])
+        if self.machine.rho is not None:
+            phi = np.array(self.machine.plan.links[number].phi)
+            self.memory[Bias(None, number)] = self.machine.column(phi @ self.machine.rho[number])
 
 
 class _ForceSegments(SegmentMachine):

@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.model.kinds import KINDS
+from adagen.model.kinds import HELD, KINDS
 from adagen.plan.fused_frame import joint_coordinates, run_motion
 from adagen.plan.steps import FusedJoin, Join
 from adagen.plan.types import PlanJoint
 
 if TYPE_CHECKING:
-    from adagen.plan.interpret import Machine
+    from adagen.plan.interpret.machine import Machine
 
 Array = NDArray[np.float64]
 
@@ -56,20 +56,6 @@ class JointFrame:
         return [slice(first, last) for first, last in pairwise(ends)]
 
 
-@dataclass(frozen=True)
-class Joined:
-    """What disassembly needs of a join; names as in the paper (templates/runtime/joins.hpp)."""
-
-    step: Join
-    frame: JointFrame
-    lower: NDArray[Any]
-    z0: NDArray[Any]
-    z: dict[int, Array]
-    y: dict[int, Array]
-    phi: Array
-    beta: Array
-
-
 def joint_frame(machine: Machine, step: Join) -> JointFrame:
     """Return the frame of a join.
 
@@ -78,7 +64,7 @@ def joint_frame(machine: Machine, step: Join) -> JointFrame:
     """
     joints, memory = machine.plan.joints, machine.memory
     if not isinstance(step, FusedJoin):
-        return machine.own_frame(step.joint)
+        return _own_frame(machine, step.joint)
     kinds = [KINDS[joints[j].kind] for j in step.run]
     x, s = run_motion([memory["X", j] for j in step.run], kinds)
     c = np.zeros((6, machine.columns))
@@ -92,3 +78,16 @@ def joint_frame(machine: Machine, step: Join) -> JointFrame:
     tau = np.vstack([machine.torques(j) for j in step.run])
     free, constrained = list(range(n)), list(range(n, 6))
     return JointFrame(step.run, y @ x, y, free, constrained, y @ c, tau, np.zeros((6, 6)))
+
+
+def _own_frame(machine: Machine, j: int) -> JointFrame:
+    """The frame that a joint by itself is joined in."""
+    kind, rotor = machine.kind(j), machine.plan.joints[j].rotor_inertia
+    c, tau = machine.velocity_product(j), machine.torques(j)
+    give = np.zeros((6, 6))
+    if rotor:  # the rotor gives way, S qdd = S J^-1 (tau - S^T f): nothing is free
+        give[kind.free, kind.free] = 1.0 / rotor
+        c[list(kind.free)] += tau / rotor
+        kind, tau = HELD, tau[:0]
+    free, constrained, x = list(kind.free), list(kind.constrained), machine.memory["X", j]
+    return JointFrame((j,), x, np.eye(6), free, constrained, c, tau, give)

@@ -28,7 +28,7 @@ from adagen.plan.steps import (
 )
 
 if TYPE_CHECKING:
-    from adagen.plan.interpret import Machine
+    from adagen.plan.interpret.machine import Machine
 
 Array = NDArray[np.float64]
 

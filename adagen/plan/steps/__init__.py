@@ -1,0 +1,123 @@
+"""The steps of a plan, and the names of the buffers that they read and set."""
+
+from __future__ import annotations
+
+from adagen.plan.steps.articulated import (
+    Accelerate,
+    AccelerateRoot,
+    Articulate,
+    Deliver,
+    FreeAcceleration,
+    FreeBase,
+    HoldMobility,
+    InvertRoot,
+    Load,
+    LoadRoot,
+    Propagate,
+    SolveMobility,
+    SolveRoot,
+    Spread,
+    StartEmpty,
+    StartLink,
+)
+from adagen.plan.steps.joins import (
+    BiasUpdate,
+    BlockUpdate,
+    Coupling,
+    Disassemble,
+    ForceUpdate,
+    FusedJoin,
+    Join,
+    LinkBias,
+)
+from adagen.plan.steps.names import Bias, Block, Force
+from adagen.plan.steps.process import ApplyCoupling, Kinematics, Receive, Send, SolveCoupling
+
+__all__ = [
+    "Accelerate",
+    "AccelerateRoot",
+    "ApplyCoupling",
+    "Articulate",
+    "Bias",
+    "BiasUpdate",
+    "Block",
+    "BlockUpdate",
+    "Coupling",
+    "Deliver",
+    "Disassemble",
+    "Force",
+    "ForceUpdate",
+    "FreeAcceleration",
+    "FreeBase",
+    "FusedJoin",
+    "HoldMobility",
+    "InvertRoot",
+    "Join",
+    "Kinematics",
+    "LinkBias",
+    "Load",
+    "LoadRoot",
+    "Propagate",
+    "Receive",
+    "Send",
+    "SolveCoupling",
+    "SolveMobility",
+    "SolveRoot",
+    "Spread",
+    "StartEmpty",
+    "StartLink",
+    "Step",
+    "biases_set_by",
+    "blocks_set_by",
+]
+
+Step = (
+    Kinematics
+    | LinkBias
+    | Join
+    | FusedJoin
+    | Disassemble
+    | StartLink
+    | StartEmpty
+    | FreeBase
+    | Articulate
+    | InvertRoot
+    | SolveRoot
+    | SolveMobility
+    | HoldMobility
+    | Propagate
+    | Load
+    | LoadRoot
+    | Deliver
+    | AccelerateRoot
+    | FreeAcceleration
+    | Accelerate
+    | Send
+    | Receive
+    | SolveCoupling
+    | ApplyCoupling
+)
+
+
+def blocks_set_by(step: Step) -> tuple[Block, ...]:
+    """Return the blocks that a step computes."""
+    match step:
+        case Join():
+            return tuple(update.target for update in step.blocks)
+        case InvertRoot():
+            return (step.block,)
+        case Propagate():
+            return (step.block, *(spread.target for spread in step.spreads))
+        case _:
+            return ()
+
+
+def biases_set_by(step: Step) -> tuple[Bias, ...]:
+    """Return the biases that a step computes, those of bare links left out."""
+    match step:
+        case Join():
+            return tuple(update.target for update in step.biases)
+        case InvertRoot() | Propagate():
+            return (step.bias,)
+        case _:
+            return ()

@@ -1,0 +1,168 @@
+"""Steps of the articulated-body algorithm inside a segment, and at links where segments meet."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from adagen.plan.steps.names import Bias, Block, Force
+
+
+@dataclass(frozen=True)
+class StartLink:
+    """I^A and p^A of a link start as its own inertia and v x* I v (Featherstone, RBDA 7.3)."""
+
+    link: int
+
+
+@dataclass(frozen=True)
+class StartEmpty:
+    """I^A and p^A of a link start as zero: the link itself is another process's to add."""
+
+    link: int
+
+
+@dataclass(frozen=True)
+class FreeBase:
+    """A floating joint on the ground only adds its torque to the link: nothing holds the link."""
+
+    joint: int
+
+
+@dataclass(frozen=True)
+class Articulate:
+    """I^A and p^A of the link on a joint's far side, through the joint, onto its near side.
+
+    Far and near are seen from the root of the segment: far is the child link, or the parent link
+    where ``reversed`` (the segment's root lies below the joint). By exact projection.
+    """
+
+    joint: int
+    reversed: bool
+
+
+@dataclass(frozen=True)
+class InvertRoot:
+    """Phi = (I^A)^-1 and b = -Phi p^A of a segment's root that is a handle."""
+
+    link: int
+    block: Block
+    bias: Bias
+
+
+@dataclass(frozen=True)
+class SolveRoot:
+    """Acceleration of a segment's root that is no handle: I^A a = -p^A."""
+
+    link: int
+
+
+@dataclass(frozen=True)
+class SolveMobility:
+    """Acceleration of a link whose one side shows its mobility: (1 + Phi I^A) a = b - Phi p^A."""
+
+    link: int
+    block: Block
+    bias: Bias
+
+
+@dataclass(frozen=True)
+class HoldMobility:
+    """I^A and p^A of a link become those of what holds it: Phi^-1 and -Phi^-1 b.
+
+    The outward recursion from the ground: beyond the joints that make Phi regular, the ground is
+    only one more body. Where Phi is too near to a singular matrix (a straight arm), the evaluation
+    is done again by the processes' ``recovery`` steps.
+    """
+
+    link: int
+    block: Block
+    bias: Bias
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Phi between the link reached and a handle passed before: L times the near link's.
+
+    Where ``target_transposed`` (``source_transposed``) the block has the handle in its rows and
+    the link reached (the near link) in its columns.
+    """
+
+    handle: int
+    target: Block
+    target_transposed: bool
+    source: Block
+    source_transposed: bool
+
+
+@dataclass(frozen=True)
+class Propagate:
+    """Mobility outwards across a joint: Omega = L Omega L^T + S D^-1 S^T, Psi = L Psi.
+
+    Attributes:
+        joint: the joint.
+        reversed: as in ``Articulate``.
+        block: Omega of the far link.
+        near: Omega of the near link; None for the ground, which does not move.
+        bias: acceleration of the far link under no handle forces.
+        near_bias: the near link's; None for the ground.
+        spreads: couplings with handles passed before.
+    """
+
+    joint: int
+    reversed: bool
+    block: Block
+    near: Block | None
+    bias: Bias
+    near_bias: Bias | None
+    spreads: tuple[Spread, ...]
+
+
+@dataclass(frozen=True)
+class Load:
+    """What handle forces load a link with, before the joints beyond it add theirs."""
+
+    link: int
+    force: Force | None
+
+
+@dataclass(frozen=True)
+class LoadRoot:
+    """What I^A and p^A load a link with whose acceleration is known: -(I^A a + p^A).
+
+    With ``held``, I^A and p^A are what holds the link, and its load is the opposite.
+    """
+
+    link: int
+    held: bool = False
+
+
+@dataclass(frozen=True)
+class Deliver:
+    """The load on a joint's far link, through the joint, onto its near link: L^T."""
+
+    joint: int
+    reversed: bool
+
+
+@dataclass(frozen=True)
+class AccelerateRoot:
+    """Acceleration of a root that is a handle: a = b + Phi load."""
+
+    link: int
+    block: Block
+    bias: Bias
+
+
+@dataclass(frozen=True)
+class FreeAcceleration:
+    """qdd of a floating joint on the ground, from its link's acceleration."""
+
+    joint: int
+
+
+@dataclass(frozen=True)
+class Accelerate:
+    """qdd of a joint and the acceleration of its far link."""
+
+    joint: int
+    reversed: bool

@@ -1,0 +1,43 @@
+"""Names of what steps read and set: blocks, biases and forces of partial chains.
+
+Three kinds of buffers are named, each living in the memory of the process that computes or receives
+it:
+
+* ``Block``: Phi_gh of a partial chain, 6x6, row handle g and column handle h (links), g <= h;
+* ``Bias``: b_h of a partial chain, 6 numbers for each right-hand side;
+* ``Force``: the wrench that acts on handle h of a partial chain from outside, likewise.
+
+Handles are links, in the link's own frame: all joints at one link share its block, seen through
+their constant or joint-dependent transforms. A partial chain is named by the joint that completed
+it; ``joint is None`` names a bare link. Blocks between handles that do not feel each other (they
+meet in the ground only) do not exist.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, order=True)
+class Block:
+    """Phi_gh (paper, Eq. 2) of the chain that ``joint`` completed; a bare link's if None."""
+
+    joint: int | None
+    row: int
+    column: int
+
+
+@dataclass(frozen=True, order=True)
+class Bias:
+    """b_h (paper, Eq. 2) of the chain that ``joint`` completed; a bare link's if None."""
+
+    joint: int | None
+    handle: int
+
+
+@dataclass(frozen=True, order=True)
+class Force:
+    """The outer wrench on link ``handle`` of the chain that ``joint`` completed."""
+
+    joint: int
+    handle: int
