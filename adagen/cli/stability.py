@@ -22,7 +22,8 @@ or refusing with a reason. The exit status is 1 where a figure is not what it mu
 examples:
   adagen stability                              all cases (about a minute)
   adagen stability --quick --case 1 --case 3    two of them, shorter chains
-  adagen stability --map docs/pictures          a map for each family of robots
+  adagen stability --map docs/pictures          a map for each family of robots, and all errors
+                                                against the condition of H
   adagen stability --map . --family light       one map"""
 
 
@@ -30,12 +31,15 @@ def run(argv: Sequence[str]) -> int:
     """Carry out ``adagen stability`` with the arguments after the verb; return the exit status."""
     parser = make_parser("adagen stability", "Show where methods fail and what is kept.", _EPILOG)
     parser.add_argument(
-        "--case", type=int, action="append", metavar="N", help="only this case, 1 to 11"
+        "--case", type=int, action="append", metavar="N", help="only this case, 1 to 13"
     )
     parser.add_argument("--quick", action="store_true", help="shorter chains where a case is slow")
     parser.add_argument("--json", action="store_true", help="print the findings as JSON")
     parser.add_argument(
-        "--map", type=Path, metavar="DIR", help="draw maps of digits kept instead of the cases"
+        "--map",
+        type=Path,
+        metavar="DIR",
+        help="instead of the cases: draw maps of digits kept, and errors against cond(H)",
     )
     parser.add_argument(
         "--family", action="append", metavar="NAME", help="with --map: only this family"
@@ -108,7 +112,8 @@ def _show(outcomes: Sequence[Outcome]) -> None:
 
 
 def _draw(options: argparse.Namespace, refuse: object) -> int:
-    from adagen.stability.maps import NAMES, draw_map, make_map
+    from adagen.stability.draw import draw_conditions, draw_map
+    from adagen.stability.maps import NAMES, make_map
 
     assert callable(refuse)
     for name in options.family or ():
@@ -121,6 +126,8 @@ def _draw(options: argparse.Namespace, refuse: object) -> int:
         found = make_map(name)
         draw_map(found, options.map / f"stability_{name}.svg")
         maps.append(found)
+    if any(found.conditions for found in maps):
+        draw_conditions(maps, options.map / "stability_condition.svg")
     if options.json:
-        print(json.dumps([vars(found) for found in maps], indent=1))
+        print(json.dumps([found.listed() for found in maps], indent=1))
     return 0

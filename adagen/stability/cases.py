@@ -175,6 +175,27 @@ def _leaf(_: bool) -> tuple[Finding, ...]:
     )
 
 
+def _coil(_: bool) -> tuple[Finding, ...]:
+    trial = Trial(robots.coil(100))
+    return (
+        _above(trial, "composite bodies, float", 1e-4),
+        _above(trial, "form ada", 1e-11),
+        _below(trial, "form ada, refined once", 1e-13),
+        _below(trial, "form segment", 1e-12),
+        _below(trial, "form segment, refined once", 1e-13),
+    )
+
+
+def _dill(_: bool) -> tuple[Finding, ...]:
+    trial = Trial(robots.dill(5))
+    return (
+        _above(trial, "articulated bodies, world frame", 1e-7),
+        _above(trial, "form ada", 1e-10),
+        _below(trial, "form ada, refined twice", 1e-13),
+        _below(trial, "form segment", 1e-13),
+    )
+
+
 CASES = (
     Case(1, "1000 links", _long),
     Case(2, "60 spherical joints", _spherical),
@@ -187,4 +208,6 @@ CASES = (
     Case(9, "a tumbling body, 20 s", lambda _: _measured(tumbling_body())),
     Case(10, "closed loops with redundant rows", lambda _: _measured(four_bar() + coupled_loops())),
     Case(11, "a massless leaf", _leaf),
+    Case(12, "a coil of 100 links", _coil),
+    Case(13, "a dill of level 5: sizes over five decades", _dill),
 )

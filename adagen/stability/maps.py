@@ -1,14 +1,14 @@
-"""Maps: digits that each method keeps along a family of robots, as data and as a picture."""
+"""Maps: digits that each method keeps along a family of robots, as data."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
-from adagen.errors import EnvironmentFault
+from adagen.stability.condition import condition
 from adagen.stability.methods import METHODS, Trial, digits
 from adagen.stability.motion import swing
 from adagen.stability.robots import FAMILIES
@@ -22,21 +22,33 @@ NAMES = (*FAMILIES, "step")
 
 @dataclass(frozen=True)
 class Map:
-    """Digits kept, 0 to 16.
+    """Errors of methods along a family of robots.
 
     Attributes:
         family: its name.
         axis: what varies, with its unit.
         values: of that.
         methods: names.
-        digits: a row for each method, a column for each value.
+        errors: a row for each method, a column for each value; infinity for a failure.
+        conditions: cond(H) for each value; none where the step varies, not the robot.
     """
 
     family: str
     axis: str
     values: tuple[float, ...]
     methods: tuple[str, ...]
-    digits: tuple[tuple[float, ...], ...]
+    errors: tuple[tuple[float, ...], ...]
+    conditions: tuple[float, ...] = ()
+
+    @property
+    def digits(self) -> tuple[tuple[float, ...], ...]:
+        """Decimal digits kept, 0 to 16, as ``errors``."""
+        return tuple(tuple(digits(error) for error in row) for row in self.errors)
+
+    def listed(self) -> dict[str, object]:
+        """Return the map as data for JSON: a failure's error is None."""
+        errors = [[e if math.isfinite(e) else None for e in row] for row in self.errors]
+        return vars(self) | {"errors": errors, "digits": self.digits}
 
 
 def make_map(family: str, progress: Callable[[str], None] = lambda _: None) -> Map:
@@ -49,24 +61,25 @@ def make_map(family: str, progress: Callable[[str], None] = lambda _: None) -> M
     if family == "step":
         return _step_map(progress)
     axis, robot, values = FAMILIES[family]
-    columns = []
+    columns, conditions = [], []
     for value in values:
         progress(f"{family} {value:g}")
         trial = Trial(robot(value))
-        columns.append([digits(trial.outcome(METHODS[name])[0]) for name in _COMPARED])
+        columns.append([trial.outcome(METHODS[name])[0] for name in _COMPARED])
+        conditions.append(condition(trial.model, trial.state[0]))
     rows = tuple(tuple(row) for row in zip(*columns, strict=True))
-    return Map(family, axis, values, _COMPARED, rows)
+    return Map(family, axis, values, _COMPARED, rows, tuple(conditions))
 
 
 def _step_map(progress: Callable[[str], None]) -> Map:
-    """Digits of the velocities of the damped chain after 20 ms."""
+    """Errors of the velocities of the damped chain after 20 ms."""
     progress("step: reference")
     truth = swing(5e-6, "rk4")
     rows = []
     for method in _STEP_METHODS:
         progress(f"step: {method}")
         errors = [np.abs(swing(h, _WORDS[method]) - truth).max() for h in STEPS]
-        rows.append(tuple(digits(float(e / np.abs(truth).max())) for e in errors))
+        rows.append(tuple(float(e / np.abs(truth).max()) for e in errors))
     return Map(
         "step",
         "step (s); the tip's damping allows 2/lambda = 6.7e-5",
@@ -74,42 +87,3 @@ def _step_map(progress: Callable[[str], None]) -> Map:
         _STEP_METHODS,
         tuple(rows),
     )
-
-
-def draw_map(found: Map, path: Path) -> None:
-    """Draw a map: green where digits are kept, red where none is left.
-
-    Args:
-        found: the map.
-        path: where to, .svg or .png.
-
-    Raises:
-        EnvironmentFault: matplotlib is missing.
-    """
-    try:
-        import matplotlib as mpl
-        from matplotlib.figure import Figure
-    except ImportError:
-        raise EnvironmentFault(
-            "drawing needs matplotlib; install adagen[chart], or leave --map out"
-        ) from None
-    mpl.rcParams["svg.hashsalt"] = "adagen"
-    mpl.rcParams["svg.fonttype"] = "none"
-    rows, columns = len(found.methods), len(found.values)
-    figure = Figure(figsize=(3.4 + 0.8 * columns, 1.3 + 0.36 * rows), layout="constrained")
-    axes = figure.add_subplot()
-    table = np.array(found.digits)
-    image = axes.imshow(table, cmap="RdYlGn", vmin=0, vmax=16, aspect="auto")
-    axes.set_xticks(range(columns), [f"{value:g}" for value in found.values])
-    axes.set_yticks(range(rows), found.methods)
-    axes.set_xlabel(found.axis)
-    axes.set_title(f"{found.family}: decimal digits kept", loc="left")
-    for row in range(rows):
-        for column in range(columns):
-            kept = table[row, column]
-            text = f"{kept:.0f}" if kept >= 0.5 else "fails"
-            colour = "white" if kept < 2 or kept > 14.5 else "black"
-            axes.text(column, row, text, ha="center", va="center", fontsize=9, color=colour)
-    figure.colorbar(image, label="digits")
-    metadata = {"Date": None} if path.suffix == ".svg" else None
-    figure.savefig(path, dpi=110, metadata=metadata)

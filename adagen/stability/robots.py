@@ -145,6 +145,7 @@ def state(model: Model) -> tuple[Array, Array, Array]:
 
 FAMILIES: dict[str, tuple[str, Callable[[float], Model], tuple[float, ...]]] = {
     "length": ("links", lambda n: rods(int(n)), (3, 10, 30, 100, 300)),
+    "planar": ("links in a plane", lambda n: planar(int(n), 1.0), (3, 10, 30, 100, 300)),
     "coil": ("links", lambda n: coil(int(n)), (3, 10, 30, 100)),
     "dill": ("level", lambda n: dill(int(n)), (1, 2, 3, 4, 5)),
     "tip": ("mass of the tip (kg)", lambda m: with_mass(30, 30, m), (1, 1e2, 1e4, 1e6, 1e8)),

@@ -13,7 +13,9 @@ from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.reference import exact_forward_dynamics
 from adagen.stability import CASES, Case, robots, run_case
-from adagen.stability.maps import draw_map, make_map
+from adagen.stability.condition import condition
+from adagen.stability.draw import draw_map
+from adagen.stability.maps import Map
 from adagen.stability.methods import METHODS, Trial, digits
 from adagen.stability.motion import energy_growth
 from adagen.stability.weak import articulated, composite, true_acceleration
@@ -47,15 +49,6 @@ def test_the_weak_methods_are_right_where_nothing_is_wrong(model: Model) -> None
     for world in (False, True):
         assert trial.error(articulated(trial.model, *trial.state, world=world)) < 1e-11
     assert trial.error(articulated(trial.model, *trial.state, scalar=np.float32)) < 1e-2
-
-
-def test_the_families_of_featherstone_keep_their_digits() -> None:
-    for model in (robots.coil(30), robots.dill(4)):
-        trial = Trial(model)
-        assert trial.outcome(METHODS["form segment"])[0] < 1e-12
-        assert trial.outcome(METHODS["form ada, refined twice"])[0] < 1e-14
-        plain, weak = (trial.outcome(METHODS[m])[0] for m in ("form segment", "composite bodies"))
-        assert weak > 3 * plain
 
 
 def test_a_mass_ratio_costs_form_ada_its_digits_and_form_segment_none() -> None:
@@ -92,16 +85,43 @@ def test_float_raises_beside_the_light_link(builder: Builder, tmp_path: Path) ->
     assert not result.exists()
 
 
-def test_a_map_tells_where_methods_end_and_is_drawn(tmp_path: Path) -> None:
+def test_a_map_tells_where_methods_end_and_is_drawn(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     pytest.importorskip("matplotlib")
-    found = make_map("distance")
-    table = dict(zip(found.methods, found.digits, strict=True))
-    assert table["articulated bodies, world frame"][-1] < 6 < 14 < table["form segment"][-1]
-    draw_map(found, tmp_path / "map.svg")
-    draw_map(found, tmp_path / "again.svg")
-    text = (tmp_path / "map.svg").read_text()
+    words = ["stability", "--map", str(tmp_path), "--family", "distance", "--json"]
+    assert main(words) == 0
+    (data,) = json.loads(capsys.readouterr().out)
+    kept = dict(zip(data["methods"], data.pop("digits"), strict=True))
+    assert kept["articulated bodies, world frame"][-1] < 6 < 14 < kept["form segment"][-1]
+    assert len(data["conditions"]) == len(data["values"])
+    assert data["conditions"] == pytest.approx([data["conditions"][0]] * 4)
+    text = (tmp_path / "stability_distance.svg").read_text()
     assert "base from the origin (m)" in text
+    draw_map(Map(**data), tmp_path / "again.svg")
     assert text == (tmp_path / "again.svg").read_text()
+    assert "cond(H) eps" in (tmp_path / "stability_condition.svg").read_text()
+
+
+def test_a_failure_is_no_number_in_the_data() -> None:
+    found = Map("f", "x", (1.0,), ("a",), ((np.inf,),), (1.0,)).listed()
+    assert (found["errors"], found["digits"]) == ([[None]], ((0.0,),))
+
+
+@pytest.mark.parametrize("links", [10, 30, 60])
+def test_the_condition_of_stretched_planar_chains(links: int) -> None:
+    """cond(H) = 4 N^4."""
+    assert condition(robots.planar(links, 1.0), np.zeros(links)) == pytest.approx(
+        4 * links**4, rel=0.1
+    )
+
+
+def test_the_condition_beyond_doubles_and_of_a_singular_inertia() -> None:
+    model = robots.dill(3)
+    assert condition(model, np.zeros(model.nq)) > 1e14
+    leaf = robots.massless_leaf(3)
+    with pytest.raises(FloatingPointError, match="singular"):
+        condition(leaf, np.zeros(leaf.nq))
 
 
 def test_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:
@@ -111,6 +131,6 @@ def test_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:
     assert any(finding["weak"] for finding in found["findings"])
     assert main(["stability", "--case", "11"]) == 0
     assert "link5" in capsys.readouterr().out
-    assert main(["stability", "--case", "12"]) == 2
+    assert main(["stability", "--case", f"{len(CASES) + 1}"]) == 2
     assert main(["stability", "--family", "light"]) == 2
     assert main(["stability", "--map", "x", "--family", "none"]) == 2
