@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from adagen.model import FLOATING, REVOLUTE, SPHERICAL, Model
-from tests.models import AXES, BASE, Part, assemble, rod, vector
+from adagen.model import BASE, FLOATING, REVOLUTE, SPHERICAL, Model
+from tests.models import AXES, Part, assemble, rod, vector
 
 
 def human161() -> Model:

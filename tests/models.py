@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model import (
+    BASE,
     FLOATING,
     KINDS,
     PRISMATIC,
@@ -29,7 +30,6 @@ from adagen.model import (
 Array = NDArray[np.float64]
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 ALL_KINDS = tuple(KINDS.values())
-BASE = "__base__"
 
 
 def vector(*values: float) -> Array:

@@ -13,6 +13,9 @@ from adagen.model.kinds import JointKind
 
 Array = NDArray[np.float64]
 
+BASE = "__base__"
+"""Name of the floating joint that a robot is put on where the user asks for one."""
+
 
 @dataclass(frozen=True, eq=False)
 class Inertia:

@@ -9,13 +9,11 @@ import numpy as np
 from flint import arb
 
 from adagen.exact import exact, rounded
-from adagen.model import FLOATING, KINDS, Joint, Model, Part, Passive, Pose, Wrench
+from adagen.model import BASE, FLOATING, KINDS, Joint, Model, Part, Passive, Pose, Wrench
 from adagen.scene.lock import lock, select
 from adagen.scene.names import Names
 from adagen.scene.prune import influential
 from adagen.scene.types import Scene
-
-BASE = "__base__"
 
 
 @dataclass(frozen=True)

@@ -6,10 +6,9 @@ import math
 from collections.abc import Collection, Mapping, Sequence
 
 from adagen.jsonfile import nearest
-from adagen.model import Frame, Joint, Model
+from adagen.model import BASE, Frame, Joint, Model
 from adagen.scene.types import Scene
 
-_BASE = "__base__"
 _TURNING = ("damping", "rotor_inertia")
 """Effects that have a meaning for a spherical joint: the same about every axis."""
 
@@ -49,7 +48,7 @@ class Names:
         """
         if name in self.joints:
             return self.joints[name]
-        if name == _BASE:
+        if name == BASE:
             hint = ': the base is fixed; say base = "floating" or another kind'
         else:
             hint = nearest(name, self.joints)

@@ -10,6 +10,7 @@ from flint import arb
 
 from adagen.exact import exact, rotated_inertia, rotation_from_rpy, rounded
 from adagen.model import (
+    BASE,
     FLOATING,
     PLANAR,
     PRISMATIC,
@@ -27,7 +28,6 @@ from adagen.model import (
 from adagen.urdf.description import WITH_AXIS, Description, Inertial, JointElement, Origin, Triple
 from adagen.urdf.tree import Tree
 
-BASE = "__base__"
 """Name of the joint that --floating adds."""
 
 WORLD = "__world__"

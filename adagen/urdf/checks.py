@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from adagen.model import Model
-from adagen.urdf.bodies import BASE
+from adagen.model import BASE, Model
 from adagen.urdf.mobility import Mobility, weakest
 from adagen.urdf.notes import Notes, quoted
 from adagen.urdf.slaved import weakest_slaved

@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from adagen.errors import UsageError
-from adagen.model import Model
-from adagen.urdf.bodies import BASE, build, gather
+from adagen.model import BASE, Model
+from adagen.urdf.bodies import build, gather
 from adagen.urdf.checks import Lines, check_model
 from adagen.urdf.description import Description, describe
 from adagen.urdf.document import parse

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from adagen.model import FLOATING, PLANAR, REVOLUTE, SPHERICAL, Inertia, Model
+from adagen.model import BASE, FLOATING, PLANAR, REVOLUTE, SPHERICAL, Inertia, Model
 from adagen.reference import kinetic_energy, momentum, potential_energy
-from adagen.states import BASE, States, random_states, write_states
+from adagen.states import States, random_states, write_states
 from tests.emitted import Builder
 from tests.models import Part, assemble, human_figure, random_inertia, serial_chain, vector
 from tests.motions import Stage, fitted_order, stage, still_torques

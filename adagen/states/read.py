@@ -1,59 +1,23 @@
-"""The states file: what to solve for, by joint name; and the result file.
-
-States are ``{"floating": bool, "gravity": [x, y, z], "joints": {NAME: {"q": [...], "v": [...],
-"tau": [...]}}}`` with one entry per state in each list: a number for one degree of freedom, a list
-for more. Where a scene prescribes a joint's acceleration, its "qdd" stands in place of its "tau";
-where it names links on which outer forces act, "forces": {LINK: [[fx, fy, fz, nx, ny, nz], ...]}
-gives force (N) and moment (N m) at the link's origin in its axes, for each state. Results are
-``{"joints": {NAME: {"qdd": [...]}}}`` likewise.
-"""
+"""Reads states files and result files."""
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from adagen.errors import EnvironmentFault, InputError, printable
-from adagen.jsonfile import Refusal, as_number, as_object, load_object, nearest, write_whole
-from adagen.model import Joint, Model
+from adagen.errors import InputError
+from adagen.jsonfile import Refusal, as_number, as_object, load_object, nearest
+from adagen.model import BASE, Joint, Model
+from adagen.states.slaved import follow_sources
+from adagen.states.types import FIELDS, Array, States, columns, fields_of, wrench_columns
 
-Array = NDArray[np.float64]
-
-BASE = "__base__"
-FIELDS = ("q", "v", "tau")
-PRESCRIBED = ("q", "v", "qdd")
 MEMBERS = ("floating", "gravity", "forces", "joints")
 TOLERATED = ("type", "qdd")  # a file of true answers has these beside the fields
 _NORM = 1e-3  # how far a quaternion may be from unit length
-_AGREE = 1e-9  # how far a slaved joint may be from what it follows
-
-
-@dataclass(frozen=True, eq=False)
-class States:
-    """Some states of a model, in the model's order of joints.
-
-    Attributes:
-        q: configurations, shape (S, nq); quaternions (x, y, z, w) nearly of unit length.
-        v: velocities, shape (S, nv).
-        tau: torques and forces (of prescribed joints: accelerations), then outer forces, shape
-            (S, ntau).
-    """
-
-    q: Array
-    v: Array
-    tau: Array
-
-    @property
-    def count(self) -> int:
-        """How many states there are, S."""
-        return len(self.q)
 
 
 def read_states(
@@ -83,7 +47,7 @@ def read_states(
             if joint.name in joints:
                 _read_joint(joints[joint.name], model, j, states)
         _read_forces(document.get("forces"), model, states)
-        _follow(states, model, joints)
+        follow_sources(states, model, joints)
     except Refusal as refusal:
         raise InputError(str(refusal), str(path), refusal.line) from None
     return states
@@ -101,50 +65,6 @@ def states_gravity(path: Path | str) -> Array | None:
         raise InputError(str(refusal), str(path), refusal.line) from None
 
 
-def write_states(states: States, model: Model, path: Path | str) -> None:
-    """Write a states file that `read_states` reads back bit by bit, whole or not at all.
-
-    Raises:
-        EnvironmentFault: writing failed.
-    """
-    rows = {}
-    for j, joint in enumerate(model.joints):
-        q, v = _columns(model, j, "q"), _columns(model, j, "v")
-        values = (states.q[:, q], states.v[:, v], states.tau[:, v])
-        rows[joint.name] = dict(zip(_fields(joint), map(_listed, values), strict=True))
-    gravity = [float(x) for x in model.gravity]
-    head: dict[str, Any] = {"floating": model.floating, "gravity": gravity}
-    if model.wrenches:
-        head["forces"] = {
-            wrench.frame.name: states.tau[:, _wrench_columns(model, k)].tolist()
-            for k, wrench in enumerate(model.wrenches)
-        }
-    write_whole(Path(path), _text(head, rows))
-
-
-def write_result(path: Path | str, model: Model, qdd: Array) -> None:
-    """Write a result file, whole or not at all; its numbers read back bit by bit.
-
-    Args:
-        path: the file.
-        model: whose accelerations they are.
-        qdd: shape (S, nv), or (nv,) for one state.
-
-    Raises:
-        EnvironmentFault: an acceleration is not finite, or writing failed.
-    """
-    every = np.atleast_2d(np.asarray(qdd, dtype=np.float64))
-    if every.shape[1] != model.nv:
-        raise ValueError(f"qdd has {every.shape[1]} columns, not {model.nv}")
-    rows = {}
-    for j, joint in enumerate(model.joints):
-        own = every[:, _columns(model, j, "v")]
-        if not np.isfinite(own).all():
-            raise EnvironmentFault(f"joint '{printable(joint.name)}': qdd is not finite")
-        rows[joint.name] = {"qdd": _listed(own)}
-    write_whole(Path(path), _text({}, rows))
-
-
 def read_result(path: Path | str, model: Model) -> Array:
     """Return the accelerations of a result file, shape (S, nv).
 
@@ -159,37 +79,10 @@ def read_result(path: Path | str, model: Model) -> Array:
         for j, joint in enumerate(model.joints):
             values = as_object(joints[joint.name], f"joint '{joint.name}'")
             rows = _numbers(values, joint, "qdd", joint.kind.nv, count)
-            result[:, _columns(model, j, "v")] = rows
+            result[:, columns(model, j, "v")] = rows
     except Refusal as refusal:
         raise InputError(str(refusal), str(path), refusal.line) from None
     return result
-
-
-def random_states(model: Model, count: int, seed: int = 0) -> States:
-    """Return states drawn at random: angles within pi, lengths and all rates within 1, SI units.
-
-    Quaternions are uniformly distributed; slaved joints follow. The same arguments give the same
-    states on every machine up to rounding.
-
-    Args:
-        model: the robot.
-        count: how many, at least 1.
-        seed: at least 0.
-    """
-    rng = np.random.default_rng(seed)
-    v, torques = rng.uniform(-1.0, 1.0, size=(2, count, model.nv))
-    q = rng.uniform(-1.0, 1.0, size=(count, model.nq))
-    for j, joint in enumerate(model.joints):
-        at = _columns(model, j, "q")
-        if joint.kind.quaternion is not None:
-            four = rng.normal(size=(count, 4))
-            q[:, at.stop - 4 : at.stop] = four / np.linalg.norm(four, axis=1, keepdims=True)
-        elif 2 in joint.kind.free:  # it turns about its axis: an angle, the last of its q
-            q[:, at.stop - 1] *= np.pi
-    forces = rng.uniform(-1.0, 1.0, size=(count, model.ntau - model.nv))
-    states = States(q, v, np.hstack([torques, forces]))
-    _follow(states, model, {})
-    return states
 
 
 def _gravity(document: dict[str, Any]) -> Array | None:
@@ -244,26 +137,10 @@ def _count(joints: dict[str, Any], fields: Sequence[str] = FIELDS) -> int:
     raise Refusal("there are no states: no joint has a list")
 
 
-def _fields(joint: Joint) -> tuple[str, str, str]:
-    """The members that a joint's state has."""
-    return PRESCRIBED if joint.prescribed else FIELDS
-
-
-def _wrench_columns(model: Model, k: int) -> slice:
-    return slice(model.nv + 6 * k, model.nv + 6 * k + 6)
-
-
-def _columns(model: Model, j: int, field: str) -> slice:
-    kind = model.joints[j].kind
-    if field == "q":
-        return slice(model.q_start[j], model.q_start[j] + kind.nq)
-    return slice(model.v_start[j], model.v_start[j] + kind.nv)
-
-
 def _read_joint(said: Any, model: Model, j: int, states: States) -> None:
     joint = model.joints[j]
     values = as_object(said, f"joint '{joint.name}'")
-    fields = _fields(joint)
+    fields = fields_of(joint)
     for name in values:
         if name not in fields + TOLERATED:
             hint = nearest(name, fields)
@@ -271,11 +148,11 @@ def _read_joint(said: Any, model: Model, j: int, states: States) -> None:
                 hint = "; the scene prescribes its acceleration: give qdd"
             raise Refusal(f"joint '{joint.name}': unknown member '{name}'{hint}")
     for field, array in zip(fields, (states.q, states.v, states.tau), strict=True):
-        own = _columns(model, j, field)
+        own = columns(model, j, field)
         width = own.stop - own.start
         array[:, own] = _numbers(values, joint, field, width, states.count)
     if joint.kind.quaternion is not None:
-        own = _columns(model, j, "q")
+        own = columns(model, j, "q")
         _check_quaternions(joint, states.q[:, own.stop - 4 : own.stop])
 
 
@@ -299,7 +176,7 @@ def _read_forces(said: Any, model: Model, states: States) -> None:
             if not isinstance(row, list) or len(row) != 6:
                 raise Refusal(f"{where}, state {s}: not 6 numbers, [fx, fy, fz, nx, ny, nz]")
             numbers = [as_number(x, f"{where}, state {s}") for x in row]
-            states.tau[s, _wrench_columns(model, k)] = numbers
+            states.tau[s, wrench_columns(model, k)] = numbers
 
 
 def _numbers(
@@ -337,48 +214,3 @@ def _check_quaternions(joint: Joint, rows: Array) -> None:
                 f"joint '{joint.name}': q, state {s}: the quaternion has length {norm:.6g}, not 1; "
                 "normalise it (the order is x, y, z, w)"
             )
-
-
-def _follow(states: States, model: Model, given: dict[str, Any]) -> None:
-    """Set slaved joints from their sources; where the file gives them too, they must agree."""
-    done = {j for j, joint in enumerate(model.joints) if joint.mimic is None}
-    waiting = [j for j in range(len(model.joints)) if j not in done]
-    while waiting:
-        ready = [j for j in waiting if (m := model.joints[j].mimic) is None or m.source in done]
-        if not ready:
-            raise InputError("mimic joints follow one another in a ring")
-        for j in ready:
-            _set_follower(states, model, j, model.joints[j].name in given)
-        done.update(ready)
-        waiting = [j for j in waiting if j not in done]
-
-
-def _set_follower(states: States, model: Model, j: int, given: bool) -> None:
-    joint, mimic = model.joints[j], model.joints[j].mimic
-    assert mimic is not None
-    for field, array in (("q", states.q), ("v", states.v)):
-        own, source = _columns(model, j, field), _columns(model, mimic.source, field)
-        offset = mimic.offset if field == "q" else 0.0
-        expected = array[:, source] * mimic.multiplier + offset
-        wrong = np.abs(array[:, own] - expected) > _AGREE * (1.0 + np.abs(expected))
-        if given and wrong.any():
-            s = int(np.flatnonzero(wrong[:, 0])[0])
-            raise Refusal(
-                f"joint '{joint.name}': {field}, state {s}: {array[s, own][0]:.9g} is not what "
-                f"its mimic of '{model.joints[mimic.source].name}' makes of it, "
-                f"{expected[s, 0]:.9g}; leave the joint out, or do without --mimic"
-            )
-        array[:, own] = expected
-
-
-def _listed(rows: Array) -> list[Any]:
-    """Return a number per state for one degree of freedom, a list per state for more."""
-    listed: list[Any] = rows[:, 0].tolist() if rows.shape[1] == 1 else rows.tolist()
-    return listed
-
-
-def _text(head: dict[str, Any], joints: dict[str, dict[str, list[Any]]]) -> str:
-    """Return the JSON text, a line for each joint."""
-    start = "".join(f"{json.dumps(k)}: {json.dumps(v)},\n" for k, v in head.items())
-    rows = (f"{json.dumps(k)}: {json.dumps(v, allow_nan=False)}" for k, v in joints.items())
-    return "{" + start + '"joints": {\n' + ",\n".join(rows) + "\n}}\n"
