@@ -52,7 +52,7 @@ def _joints(words: Words) -> dict[str, object]:
         isinstance(step, FusedJoin) for process in words.plan.processes for step in process.steps
     )
     runtime = ["spatial.hpp", "status.hpp", "joins.hpp"]
-    runtime += ["fused.hpp"] * fused + ["articulated.hpp"] * segments
+    runtime += ["fused.hpp"] * fused + ["inertia.hpp", "articulated.hpp"] * segments
     if has_effects(words.plan):
         runtime += ["effects.hpp", *["geared.hpp"] * segments]
     rows = joint_rows(words)
@@ -84,7 +84,7 @@ def _baseline_why_not(plan: Plan) -> str | None:
 
 
 def _baseline(_: Words) -> dict[str, object]:
-    return {"runtime": ["spatial.hpp", "status.hpp", "joins.hpp", "articulated.hpp"]}
+    return {"runtime": ["spatial.hpp", "status.hpp", "joins.hpp", "inertia.hpp", "articulated.hpp"]}
 
 
 BASELINES = {name: Shape(_baseline_why_not, _baseline) for name in ("crba", "aba", "aba_exact")}

@@ -2754,142 +2754,13 @@ double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) 
 
 }  // namespace check
 
-// Reads a states file (JSON) and writes a result file, joints by name.
-struct States {
-  int count = 0;
-  std::vector<Real> q, v, tau;  // one state after the other
-};
+// Reads JSON piece by piece; what is wrong is thrown.
+class JsonReader {
+ protected:
+  explicit JsonReader(std::string text) : text_(std::move(text)) {}
 
-class StatesReader {
- public:
-  explicit StatesReader(std::string text) : text_(std::move(text)) {}
-
-  // Returns an empty string, or what is wrong, as "LINE: message".
-  std::string read(States& states) {
-    try {
-      parse(states);
-      return "";
-    } catch (const std::runtime_error& error) {
-      return std::to_string(
-                 1 + std::count(text_.begin(), text_.begin() + static_cast<long>(at_), '\n')) +
-             ": error: " + error.what();
-    }
-  }
-
- private:
   [[noreturn]] void refuse(const std::string& what) const {
     throw std::runtime_error(where_ + what);
-  }
-
-  void parse(States& states) {
-    std::array<bool, kJointCount> seen{};
-    std::vector<std::vector<double>> forces(kOuterCount);
-    bool joints = false;
-    object([&](const std::string& key) {
-      if (key == "joints") {
-        joints = true;
-        object([&](const std::string& name) { read_joint(name, seen, states); });
-      } else if (key == "forces" && kOuterCount > 0) {
-        object([&](const std::string& name) { read_force(name, forces); });
-      } else if (key == "floating") {
-        if (boolean() != kFloatingBase)
-          refuse(std::string("\"floating\": this solver's base is ") +
-                 (kFloatingBase ? "floating" : "fixed") + "; generate it anew");
-      } else if (key == "gravity") {
-        const std::vector<double> given = numbers();
-        if (given.size() != 3 || !std::equal(given.begin(), given.end(), kGravity.begin()))
-          refuse("\"gravity\": another gravity is compiled into this solver; generate it anew");
-      } else {
-        refuse("unknown member " + quoted(key.c_str()));
-      }
-    });
-    white();
-    if (at_ != text_.size()) refuse("text behind the end");
-    if (!joints) refuse("\"joints\" is missing");
-    for (int j = 0; j < kJointCount; ++j)
-      if (!seen[j] && kJoints[j].source < 0)
-        refuse("joint " + quoted(kJoints[j].name) + " is missing");
-    fill_slaved(states);
-    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
-  }
-
-  void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
-    int j = 0;
-    while (j < kJointCount && name != kJoints[j].name) ++j;
-    if (j == kJointCount) refuse("unknown joint " + quoted(name.c_str()));
-    const std::string joint = "joint " + quoted(name.c_str());
-    if (seen[j]) refuse(joint + " comes twice");
-    seen[j] = true;
-    std::array<bool, 3> found{};
-    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
-    object([&](const std::string& key) {
-      if (key == "type" || (key == "qdd" && key != input))
-        return skip();  // as in a file of true answers
-      const char* const fields[] = {"q", "v", input};
-      const auto field = std::find(std::begin(fields), std::end(fields), key);
-      if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
-      bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
-      if (there) refuse(joint + ": " + key + " comes twice");
-      there = true;
-      where_ = joint + ": " + key + ": ";
-      read_field(kJoints[j], key, states);
-      where_.clear();
-    });
-    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
-  }
-
-  // One of q, v and tau of a joint: an entry for each state.
-  void read_field(const JointConstants& joint, const std::string& key, States& states) {
-    const bool is_q = key == "q";
-    const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
-    const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
-    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
-    std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
-    int count = 0;
-    array([&] {
-      const std::vector<double> entry = numbers();
-      if (entry.size() != size)
-        refuse("state " + std::to_string(count + 1) + " has " + std::to_string(entry.size()) +
-               " numbers, not " + std::to_string(size));
-      const std::size_t row = stride * static_cast<std::size_t>(count);
-      if (values.size() < row + stride) values.resize(row + stride);
-      for (std::size_t k = 0; k < size; ++k) values[row + start + k] = static_cast<Real>(entry[k]);
-      ++count;
-    });
-    if (count == 0) refuse("there is no state");
-    if (states.count == 0) states.count = count;
-    if (count != states.count)
-      refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
-  }
-
-  // One link's outer force: six numbers for each state.
-  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
-    std::size_t k = 0;
-    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
-    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
-    where_ = "force on link " + quoted(name.c_str()) + ": ";
-    if (!forces[k].empty()) refuse("comes twice");
-    array([&] {
-      const std::vector<double> entry = numbers();
-      if (entry.size() != 6) refuse("needs six numbers for each state");
-      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
-    });
-    where_.clear();
-  }
-
-  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
-    if (given.size() != 6 * static_cast<std::size_t>(states.count))
-      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
-             std::to_string(given.size() / 6) + " states, but the joints have " +
-             std::to_string(states.count));
-    for (std::size_t i = 0; i < given.size(); ++i)
-      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
-  }
-
-  static void fill_slaved(States& states) {
-    for (int s = 0; s < states.count; ++s)
-      slave(states.q.data() + static_cast<long>(s) * kNq,
-            states.v.data() + static_cast<long>(s) * kNv);
   }
 
   void white() {
@@ -3054,6 +2925,141 @@ class StatesReader {
   std::string text_, where_;
   std::size_t at_ = 0;
   int depth_ = 0;
+};
+
+// Reads a states file (JSON) and writes a result file, joints by name.
+struct States {
+  int count = 0;
+  std::vector<Real> q, v, tau;  // one state after the other
+};
+
+class StatesReader : private JsonReader {
+ public:
+  explicit StatesReader(std::string text) : JsonReader(std::move(text)) {}
+
+  // Returns an empty string, or what is wrong, as "LINE: message".
+  std::string read(States& states) {
+    try {
+      parse(states);
+      return "";
+    } catch (const std::runtime_error& error) {
+      return std::to_string(
+                 1 + std::count(text_.begin(), text_.begin() + static_cast<long>(at_), '\n')) +
+             ": error: " + error.what();
+    }
+  }
+
+ private:
+  void parse(States& states) {
+    std::array<bool, kJointCount> seen{};
+    std::vector<std::vector<double>> forces(kOuterCount);
+    bool joints = false;
+    object([&](const std::string& key) {
+      if (key == "joints") {
+        joints = true;
+        object([&](const std::string& name) { read_joint(name, seen, states); });
+      } else if (key == "forces" && kOuterCount > 0) {
+        object([&](const std::string& name) { read_force(name, forces); });
+      } else if (key == "floating") {
+        if (boolean() != kFloatingBase)
+          refuse(std::string("\"floating\": this solver's base is ") +
+                 (kFloatingBase ? "floating" : "fixed") + "; generate it anew");
+      } else if (key == "gravity") {
+        const std::vector<double> given = numbers();
+        if (given.size() != 3 || !std::equal(given.begin(), given.end(), kGravity.begin()))
+          refuse("\"gravity\": another gravity is compiled into this solver; generate it anew");
+      } else {
+        refuse("unknown member " + quoted(key.c_str()));
+      }
+    });
+    white();
+    if (at_ != text_.size()) refuse("text behind the end");
+    if (!joints) refuse("\"joints\" is missing");
+    for (int j = 0; j < kJointCount; ++j)
+      if (!seen[j] && kJoints[j].source < 0)
+        refuse("joint " + quoted(kJoints[j].name) + " is missing");
+    fill_slaved(states);
+    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
+  }
+
+  void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
+    int j = 0;
+    while (j < kJointCount && name != kJoints[j].name) ++j;
+    if (j == kJointCount) refuse("unknown joint " + quoted(name.c_str()));
+    const std::string joint = "joint " + quoted(name.c_str());
+    if (seen[j]) refuse(joint + " comes twice");
+    seen[j] = true;
+    std::array<bool, 3> found{};
+    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
+    object([&](const std::string& key) {
+      if (key == "type" || (key == "qdd" && key != input))
+        return skip();  // as in a file of true answers
+      const char* const fields[] = {"q", "v", input};
+      const auto field = std::find(std::begin(fields), std::end(fields), key);
+      if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
+      bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
+      if (there) refuse(joint + ": " + key + " comes twice");
+      there = true;
+      where_ = joint + ": " + key + ": ";
+      read_field(kJoints[j], key, states);
+      where_.clear();
+    });
+    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
+  }
+
+  // One of q, v and tau of a joint: an entry for each state.
+  void read_field(const JointConstants& joint, const std::string& key, States& states) {
+    const bool is_q = key == "q";
+    const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
+    const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
+    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
+    std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
+    int count = 0;
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != size)
+        refuse("state " + std::to_string(count + 1) + " has " + std::to_string(entry.size()) +
+               " numbers, not " + std::to_string(size));
+      const std::size_t row = stride * static_cast<std::size_t>(count);
+      if (values.size() < row + stride) values.resize(row + stride);
+      for (std::size_t k = 0; k < size; ++k) values[row + start + k] = static_cast<Real>(entry[k]);
+      ++count;
+    });
+    if (count == 0) refuse("there is no state");
+    if (states.count == 0) states.count = count;
+    if (count != states.count)
+      refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
+  }
+
+  // One link's outer force: six numbers for each state.
+  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
+    std::size_t k = 0;
+    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
+    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
+    where_ = "force on link " + quoted(name.c_str()) + ": ";
+    if (!forces[k].empty()) refuse("comes twice");
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != 6) refuse("needs six numbers for each state");
+      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
+    });
+    where_.clear();
+  }
+
+  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
+    if (given.size() != 6 * static_cast<std::size_t>(states.count))
+      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
+             std::to_string(given.size() / 6) + " states, but the joints have " +
+             std::to_string(states.count));
+    for (std::size_t i = 0; i < given.size(); ++i)
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
+  }
+
+  static void fill_slaved(States& states) {
+    for (int s = 0; s < states.count; ++s)
+      slave(states.q.data() + static_cast<long>(s) * kNq,
+            states.v.data() + static_cast<long>(s) * kNv);
+  }
 };
 
 // more: further members of the file, each after a comma.

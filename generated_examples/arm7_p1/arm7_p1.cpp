@@ -671,9 +671,7 @@ class Release {
   std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
 };
 
-// Articulated bodies: what one process does alone between its cuts. A joint is treated in its own
-// frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
-// sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
+// Spatial inertias, and how they, wrenches and motions are told in another frame.
 
 // A spatial inertia [[A, B], [B^T, C]]: A and C symmetric, their upper triangles row by row; B row
 // by row. 21 numbers, and half the work of a 6x6 matrix.
@@ -807,13 +805,6 @@ ADAGEN_NOINLINE Mat6 congruent_in_parent(const Transform& X, const Mat6& m) {
   return motion_in_parent(X, half);
 }
 
-template <std::size_t n>
-std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kColumns>, n> x) {
-  for (auto& row : x)
-    for (Real& value : row) value = -value;
-  return x;
-}
-
 // Spatial inertia of a link at its origin.
 Inertia spatial_inertia(const LinkConstants& link) {
   const Real x = link.com[0], y = link.com[1], z = link.com[2], m = link.mass;
@@ -822,6 +813,17 @@ Inertia spatial_inertia(const LinkConstants& link) {
            t[4] + m * (x * x + z * z), t[5] - m * y * z, t[8] + m * (x * x + y * y)},
           {m, 0, 0, m, 0, m},
           {0, -m * z, m * y, m * z, 0, -m * x, -m * y, m * x, 0}};
+}
+
+// Articulated bodies: what one process does alone between its cuts. A joint is treated in its own
+// frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
+// sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
+
+template <std::size_t n>
+std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kColumns>, n> x) {
+  for (auto& row : x)
+    for (Real& value : row) value = -value;
+  return x;
 }
 
 // I^A and p^A of a link start as its own inertia and v x* I v.
@@ -2235,142 +2237,13 @@ double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) 
 
 }  // namespace check
 
-// Reads a states file (JSON) and writes a result file, joints by name.
-struct States {
-  int count = 0;
-  std::vector<Real> q, v, tau;  // one state after the other
-};
+// Reads JSON piece by piece; what is wrong is thrown.
+class JsonReader {
+ protected:
+  explicit JsonReader(std::string text) : text_(std::move(text)) {}
 
-class StatesReader {
- public:
-  explicit StatesReader(std::string text) : text_(std::move(text)) {}
-
-  // Returns an empty string, or what is wrong, as "LINE: message".
-  std::string read(States& states) {
-    try {
-      parse(states);
-      return "";
-    } catch (const std::runtime_error& error) {
-      return std::to_string(
-                 1 + std::count(text_.begin(), text_.begin() + static_cast<long>(at_), '\n')) +
-             ": error: " + error.what();
-    }
-  }
-
- private:
   [[noreturn]] void refuse(const std::string& what) const {
     throw std::runtime_error(where_ + what);
-  }
-
-  void parse(States& states) {
-    std::array<bool, kJointCount> seen{};
-    std::vector<std::vector<double>> forces(kOuterCount);
-    bool joints = false;
-    object([&](const std::string& key) {
-      if (key == "joints") {
-        joints = true;
-        object([&](const std::string& name) { read_joint(name, seen, states); });
-      } else if (key == "forces" && kOuterCount > 0) {
-        object([&](const std::string& name) { read_force(name, forces); });
-      } else if (key == "floating") {
-        if (boolean() != kFloatingBase)
-          refuse(std::string("\"floating\": this solver's base is ") +
-                 (kFloatingBase ? "floating" : "fixed") + "; generate it anew");
-      } else if (key == "gravity") {
-        const std::vector<double> given = numbers();
-        if (given.size() != 3 || !std::equal(given.begin(), given.end(), kGravity.begin()))
-          refuse("\"gravity\": another gravity is compiled into this solver; generate it anew");
-      } else {
-        refuse("unknown member " + quoted(key.c_str()));
-      }
-    });
-    white();
-    if (at_ != text_.size()) refuse("text behind the end");
-    if (!joints) refuse("\"joints\" is missing");
-    for (int j = 0; j < kJointCount; ++j)
-      if (!seen[j] && kJoints[j].source < 0)
-        refuse("joint " + quoted(kJoints[j].name) + " is missing");
-    fill_slaved(states);
-    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
-  }
-
-  void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
-    int j = 0;
-    while (j < kJointCount && name != kJoints[j].name) ++j;
-    if (j == kJointCount) refuse("unknown joint " + quoted(name.c_str()));
-    const std::string joint = "joint " + quoted(name.c_str());
-    if (seen[j]) refuse(joint + " comes twice");
-    seen[j] = true;
-    std::array<bool, 3> found{};
-    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
-    object([&](const std::string& key) {
-      if (key == "type" || (key == "qdd" && key != input))
-        return skip();  // as in a file of true answers
-      const char* const fields[] = {"q", "v", input};
-      const auto field = std::find(std::begin(fields), std::end(fields), key);
-      if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
-      bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
-      if (there) refuse(joint + ": " + key + " comes twice");
-      there = true;
-      where_ = joint + ": " + key + ": ";
-      read_field(kJoints[j], key, states);
-      where_.clear();
-    });
-    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
-  }
-
-  // One of q, v and tau of a joint: an entry for each state.
-  void read_field(const JointConstants& joint, const std::string& key, States& states) {
-    const bool is_q = key == "q";
-    const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
-    const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
-    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
-    std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
-    int count = 0;
-    array([&] {
-      const std::vector<double> entry = numbers();
-      if (entry.size() != size)
-        refuse("state " + std::to_string(count + 1) + " has " + std::to_string(entry.size()) +
-               " numbers, not " + std::to_string(size));
-      const std::size_t row = stride * static_cast<std::size_t>(count);
-      if (values.size() < row + stride) values.resize(row + stride);
-      for (std::size_t k = 0; k < size; ++k) values[row + start + k] = static_cast<Real>(entry[k]);
-      ++count;
-    });
-    if (count == 0) refuse("there is no state");
-    if (states.count == 0) states.count = count;
-    if (count != states.count)
-      refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
-  }
-
-  // One link's outer force: six numbers for each state.
-  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
-    std::size_t k = 0;
-    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
-    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
-    where_ = "force on link " + quoted(name.c_str()) + ": ";
-    if (!forces[k].empty()) refuse("comes twice");
-    array([&] {
-      const std::vector<double> entry = numbers();
-      if (entry.size() != 6) refuse("needs six numbers for each state");
-      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
-    });
-    where_.clear();
-  }
-
-  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
-    if (given.size() != 6 * static_cast<std::size_t>(states.count))
-      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
-             std::to_string(given.size() / 6) + " states, but the joints have " +
-             std::to_string(states.count));
-    for (std::size_t i = 0; i < given.size(); ++i)
-      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
-  }
-
-  static void fill_slaved(States& states) {
-    for (int s = 0; s < states.count; ++s)
-      slave(states.q.data() + static_cast<long>(s) * kNq,
-            states.v.data() + static_cast<long>(s) * kNv);
   }
 
   void white() {
@@ -2535,6 +2408,141 @@ class StatesReader {
   std::string text_, where_;
   std::size_t at_ = 0;
   int depth_ = 0;
+};
+
+// Reads a states file (JSON) and writes a result file, joints by name.
+struct States {
+  int count = 0;
+  std::vector<Real> q, v, tau;  // one state after the other
+};
+
+class StatesReader : private JsonReader {
+ public:
+  explicit StatesReader(std::string text) : JsonReader(std::move(text)) {}
+
+  // Returns an empty string, or what is wrong, as "LINE: message".
+  std::string read(States& states) {
+    try {
+      parse(states);
+      return "";
+    } catch (const std::runtime_error& error) {
+      return std::to_string(
+                 1 + std::count(text_.begin(), text_.begin() + static_cast<long>(at_), '\n')) +
+             ": error: " + error.what();
+    }
+  }
+
+ private:
+  void parse(States& states) {
+    std::array<bool, kJointCount> seen{};
+    std::vector<std::vector<double>> forces(kOuterCount);
+    bool joints = false;
+    object([&](const std::string& key) {
+      if (key == "joints") {
+        joints = true;
+        object([&](const std::string& name) { read_joint(name, seen, states); });
+      } else if (key == "forces" && kOuterCount > 0) {
+        object([&](const std::string& name) { read_force(name, forces); });
+      } else if (key == "floating") {
+        if (boolean() != kFloatingBase)
+          refuse(std::string("\"floating\": this solver's base is ") +
+                 (kFloatingBase ? "floating" : "fixed") + "; generate it anew");
+      } else if (key == "gravity") {
+        const std::vector<double> given = numbers();
+        if (given.size() != 3 || !std::equal(given.begin(), given.end(), kGravity.begin()))
+          refuse("\"gravity\": another gravity is compiled into this solver; generate it anew");
+      } else {
+        refuse("unknown member " + quoted(key.c_str()));
+      }
+    });
+    white();
+    if (at_ != text_.size()) refuse("text behind the end");
+    if (!joints) refuse("\"joints\" is missing");
+    for (int j = 0; j < kJointCount; ++j)
+      if (!seen[j] && kJoints[j].source < 0)
+        refuse("joint " + quoted(kJoints[j].name) + " is missing");
+    fill_slaved(states);
+    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
+  }
+
+  void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
+    int j = 0;
+    while (j < kJointCount && name != kJoints[j].name) ++j;
+    if (j == kJointCount) refuse("unknown joint " + quoted(name.c_str()));
+    const std::string joint = "joint " + quoted(name.c_str());
+    if (seen[j]) refuse(joint + " comes twice");
+    seen[j] = true;
+    std::array<bool, 3> found{};
+    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
+    object([&](const std::string& key) {
+      if (key == "type" || (key == "qdd" && key != input))
+        return skip();  // as in a file of true answers
+      const char* const fields[] = {"q", "v", input};
+      const auto field = std::find(std::begin(fields), std::end(fields), key);
+      if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
+      bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
+      if (there) refuse(joint + ": " + key + " comes twice");
+      there = true;
+      where_ = joint + ": " + key + ": ";
+      read_field(kJoints[j], key, states);
+      where_.clear();
+    });
+    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
+  }
+
+  // One of q, v and tau of a joint: an entry for each state.
+  void read_field(const JointConstants& joint, const std::string& key, States& states) {
+    const bool is_q = key == "q";
+    const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
+    const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
+    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
+    std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
+    int count = 0;
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != size)
+        refuse("state " + std::to_string(count + 1) + " has " + std::to_string(entry.size()) +
+               " numbers, not " + std::to_string(size));
+      const std::size_t row = stride * static_cast<std::size_t>(count);
+      if (values.size() < row + stride) values.resize(row + stride);
+      for (std::size_t k = 0; k < size; ++k) values[row + start + k] = static_cast<Real>(entry[k]);
+      ++count;
+    });
+    if (count == 0) refuse("there is no state");
+    if (states.count == 0) states.count = count;
+    if (count != states.count)
+      refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
+  }
+
+  // One link's outer force: six numbers for each state.
+  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
+    std::size_t k = 0;
+    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
+    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
+    where_ = "force on link " + quoted(name.c_str()) + ": ";
+    if (!forces[k].empty()) refuse("comes twice");
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != 6) refuse("needs six numbers for each state");
+      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
+    });
+    where_.clear();
+  }
+
+  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
+    if (given.size() != 6 * static_cast<std::size_t>(states.count))
+      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
+             std::to_string(given.size() / 6) + " states, but the joints have " +
+             std::to_string(states.count));
+    for (std::size_t i = 0; i < given.size(); ++i)
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
+  }
+
+  static void fill_slaved(States& states) {
+    for (int s = 0; s < states.count; ++s)
+      slave(states.q.data() + static_cast<long>(s) * kNq,
+            states.v.data() + static_cast<long>(s) * kNv);
+  }
 };
 
 // more: further members of the file, each after a comma.
