@@ -208,6 +208,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
         chosen = {"shape": best.shape, "chunk": best.chunk, "compiler": best.compiler}
     with stages.stage("emit"), progress("emitting"):
         from adagen.emit import emit
+        from adagen.schedule import load_profile
 
         name = Path(options.model).stem if options.name is None else options.name
         files = emit(
@@ -216,6 +217,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             svg=draw(schedule, model),
             refine=options.refine,
             batch=batch,
+            profile=load_profile(options.profile),
             **chosen,
         )
     return Generated(schedule, plan, files, chosen.get("compiler", ""))

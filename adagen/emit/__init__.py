@@ -15,6 +15,7 @@ from adagen.model.kinds import KINDS
 from adagen.plan import Plan, plan_to_json
 from adagen.plan.refine import refinable
 from adagen.plan.steps import LinkBias, StartLink
+from adagen.schedule import CostProfile, load_profile
 
 # Largest residual that an emitted self-check lets pass: what the scalar keeps, with a margin for
 # long chains (docs/accuracy.md).
@@ -64,11 +65,12 @@ def emit(
     batch: int = 0,
     chunk: int = 0,
     compiler: str = "",
+    profile: CostProfile | None = None,
 ) -> dict[str, str]:
     """Return the emitted files, file name to text.
 
     Args:
-        plan: the plan; nothing else is looked at.
+        plan: the plan.
         name: what to call the files (made safe here); the robot's name if not given.
         svg: a drawing of the schedule to put beside them.
         shape: shape of the code, one of ``adagen.emit.shapes.SHAPES``, or "auto".
@@ -76,6 +78,8 @@ def emit(
         batch: if not 0, solve many states at once on so many processes, each by the plan of one.
         chunk: values that one function of shape unrolled computes; 0 for its default.
         compiler: what the MPI wrapper is to call; "" for its own choice.
+        profile: what messages cost where the program plays stretches of computing through instead
+            of timing itself; without it, or if it tells nothing of messages, the shipped one.
 
     Returns:
         NAME_pP.cpp, NAME_pP.plan.json, Makefile and, if given, NAME_pP.svg.
@@ -86,7 +90,7 @@ def emit(
     processes = batch or len(plan.processes)
     stem = f"{file_stem(plan.name if name is None else name)}_p{processes}"
     files = {
-        f"{stem}.cpp": source(plan, stem, shape, refine, chunk, compiler, batch),
+        f"{stem}.cpp": source(plan, stem, shape, refine, chunk, compiler, batch, profile),
         f"{stem}.plan.json": plan_to_json(plan),
         "Makefile": render("Makefile.j2", stem=stem, process_count=processes, compiler=compiler),
     }
@@ -103,6 +107,7 @@ def source(
     chunk: int = 0,
     compiler: str = "",
     batch: int = 0,
+    profile: CostProfile | None = None,
 ) -> str:
     """Return the C++ source of a plan; ``stem`` begins the names of its C functions.
 
@@ -174,8 +179,18 @@ def source(
         refine=refine,
         messages=plan.messages,
         channel_messages=_channel_messages(words),
+        hops=_hops(profile),
         **KNOWN[shape].values(words),
     )
+
+
+def _hops(profile: CostProfile | None) -> dict[str, object]:
+    """What messages cost, as the template takes it."""
+    if profile is None or profile.steps is None:
+        profile = load_profile("default")
+    assert profile.steps is not None  # the shipped one has them
+    costs = profile.steps
+    return {"profile": profile.name, "window": costs.window, "message": costs.message}
 
 
 def check_batch(plan: Plan, shape: str, refine: int) -> None:

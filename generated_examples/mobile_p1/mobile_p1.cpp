@@ -326,6 +326,51 @@ std::string describe(int status) {
 constexpr std::array<MessageInfo, 0> kMessages{ {
 } };
 
+// What a process does in an evaluation as the others see it: the messages that it sends and
+// receives, in order, and what those received hold. Played again, it computes the same by itself:
+// what it sends goes nowhere, and what it receives is there at once. (--stretches)
+class Take {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  // Notes from here on what goes through the channel.
+  void record() { playing_ = false; }
+
+  // Plays from the start, and looks at the clock at each message.
+  void play() {
+    playing_ = true;
+    next_ = 0;
+  }
+
+  bool playing() const { return playing_; }
+  const std::vector<int>& messages() const { return messages_; }
+  const std::vector<Clock::rep>& looks() const { return looks_; }  // one at each message
+
+  // Message k was sent, or received with this content, its status before it.
+  ADAGEN_NOINLINE void note(int k, const Real* content = nullptr) {
+    messages_.push_back(k);
+    looks_.push_back(0);
+    starts_.push_back(contents_.size());
+    const std::size_t size =
+        content ? static_cast<std::size_t>(kMessages[static_cast<std::size_t>(k)].size) + 1 : 0;
+    contents_.insert(contents_.end(), content, content + size);
+  }
+
+  // The next message is due; returns its content, if it is one received.
+  ADAGEN_NOINLINE const Real* pass() {
+    looks_[next_] = Clock::now().time_since_epoch().count();
+    return contents_.data() + starts_[next_++];
+  }
+
+ private:
+  bool playing_ = false;
+  std::size_t next_ = 0;
+  std::vector<int> messages_;
+  std::vector<Clock::rep> looks_;
+  std::vector<std::size_t> starts_;  // in contents_
+  std::vector<Real> contents_;
+};
+
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
 // that its source fills and then numbers (release), and that its target reads once it sees the
 // number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
@@ -387,6 +432,10 @@ class Channel {
   }
 
   void send(int k, int& status) {
+    if (take_) {
+      if (take_->playing()) return void(take_->pass());
+      take_->note(k);
+    }
     Port& port = ports_[k];
     if (port.slots) {
       Slot& slot = port.slot(++port.count, k);
@@ -402,6 +451,7 @@ class Channel {
   // Waits for message k and returns its content; what its source knows of failures joins the
   // status.
   const Real* receive(int k, int& status) {
+    if (take_ && take_->playing()) return opened(take_->pass(), status);
     Port& port = ports_[k];
     const Real* content;
     if (port.slots) {
@@ -416,9 +466,12 @@ class Channel {
       wait_for_request(port, kMessages[k].source, status);
       content = port.buffer.data();
     }
-    if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
-    return content + 1;
+    if (take_) take_->note(k, content);
+    return opened(content, status);
   }
+
+  // Notes from here on what is sent and received, or plays it; null for neither.
+  void use(Take* take) { take_ = take; }
 
   static void fail(int& status, int failure) {
     if (status == kFine) status = failure;
@@ -446,6 +499,11 @@ class Channel {
     std::vector<Real> buffer;
     MPI_Request request = MPI_REQUEST_NULL;
   };
+
+  static const Real* opened(const Real* content, int& status) {
+    if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
+    return content + 1;
+  }
 
   static std::size_t slot_bytes(const MessageInfo& info) {
     const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Real);
@@ -536,6 +594,7 @@ class Channel {
   int rank_ = 0;
   Clock::duration time_limit_{};
   bool broken_ = false;
+  Take* take_ = nullptr;
   std::vector<Port> ports_;
 };
 
@@ -2580,7 +2639,7 @@ struct SimulationOptions {
 // What the program is asked to do.
 struct Options {
   std::string states, result, trace;
-  bool check = false, time = false, json = false, help = false, pin = true;
+  bool check = false, time = false, stretches = false, json = false, help = false, pin = true;
   int repeat = 200;
   std::uint64_t seed = 1;
   double time_limit = 30, tolerance = kTolerance;
@@ -2605,6 +2664,9 @@ const char* const kUsageText =
     "  --every N         keep every Nth step of it (1), and the last\n"
     "  --trace FILE      when each process did what, as JSON (medians over random states)\n"
     "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
+    "                    (where there are more processes than cores, as --stretches)\n"
+    "  --stretches       time what each process computes between messages, one process at a time,\n"
+    "                    and play it through with what messages cost; stands in for --time\n"
     "  --repeat N        evaluations of each random state when timing (200)\n"
     "  --seed N          seed of the random states (1)\n"
     "  --tolerance X     largest residual that --check lets pass\n"
@@ -2650,8 +2712,8 @@ std::string parse_simulation(const std::string& word, const std::string& value, 
 
 // Returns what is wrong with what was asked for together, and settles what was left open.
 std::string settle(bool simulation_words, Options& options) {
-  if (kBatch && (options.simulation.seconds > 0 || !options.trace.empty()))
-    return "a batch solver has neither --simulate nor --trace";
+  if (kBatch && (options.simulation.seconds > 0 || !options.trace.empty() || options.stretches))
+    return "a batch solver has neither --simulate nor --trace nor --stretches";
   const bool others = options.check || options.time || !options.trace.empty();
   if (options.simulation.seconds > 0) {
     if (others || !options.result.empty())
@@ -2676,6 +2738,8 @@ std::string parse(int count, char** words, Options& options) {
       options.check = true;
     else if (flag("--time"))
       options.time = true;
+    else if (flag("--stretches"))
+      options.time = options.stretches = true;
     else if (flag("--json"))
       options.json = true;
     else if (flag("--help"))
@@ -2792,6 +2856,36 @@ constexpr std::array<Stage, 3> kStages_0{ {
 constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data()};
 constexpr std::array<int, kProcesses> kStageCount{3};
 
+struct Statistics {
+  double median = 0, least = 0, percentile99 = 0;
+};
+
+Statistics statistics(std::vector<double> ns) {
+  std::sort(ns.begin(), ns.end());
+  const auto at = [&ns](double part) {
+    return ns[std::min(ns.size() - 1,
+                       static_cast<std::size_t>(part * static_cast<double>(ns.size())))];
+  };
+  return {at(0.5), ns.front(), at(0.99)};
+}
+
+double nanoseconds(std::chrono::steady_clock::rep ticks) {
+  using Duration = std::chrono::steady_clock::duration;
+  return std::chrono::duration<double, std::nano>(Duration(ticks)).count();
+}
+
+// What one look at the clock takes; each time between two looks holds one.
+double clock_cost() {
+  using Clock = std::chrono::steady_clock;
+  double best = 1e9;
+  for (int k = 0; k < 64; ++k) {
+    const Clock::time_point start = Clock::now();
+    for (int i = 0; i < 64; ++i) (void)Clock::now();
+    best = std::min(best, nanoseconds((Clock::now() - start).count()) / 65);
+  }
+  return best;
+}
+
 // What --trace FILE writes: when each stage of each process began and ended, as the medians over
 // many evaluations of random states; ns from the instant at which the processes start together.
 class Trace {
@@ -2813,10 +2907,10 @@ class Trace {
     MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_LONG_LONG, MPI_MIN, comm);
     if (!keep || starts_.size() == kMost * (stamps_.size() - 1)) return;
     for (std::size_t k = 0; k + 1 < stamps_.size(); ++k) {
-      starts_.push_back(ns(stamps_[k] - first));
-      lengths_.push_back(ns(stamps_[k + 1] - stamps_[k]));
+      starts_.push_back(nanoseconds(stamps_[k] - first));
+      lengths_.push_back(nanoseconds(stamps_[k + 1] - stamps_[k]));
     }
-    lasts_.push_back(ns(stamps_.back() - first));
+    lasts_.push_back(nanoseconds(stamps_.back() - first));
   }
 
   // Collective; process 0 returns the text.
@@ -2853,10 +2947,6 @@ class Trace {
  private:
   static constexpr int kTag = 0x7ace;
 
-  static double ns(Clock::rep ticks) {
-    return std::chrono::duration<double, std::nano>(Clock::duration(ticks)).count();
-  }
-
   static std::string number(double x) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f", x);
@@ -2879,17 +2969,6 @@ class Trace {
     if (one.empty()) return 0;
     std::nth_element(one.begin(), one.begin() + static_cast<long>(one.size() / 2), one.end());
     return one[one.size() / 2];
-  }
-
-  // What one look at the clock takes; each stage's length holds one.
-  static double clock_cost() {
-    double best = 1e9;
-    for (int k = 0; k < 64; ++k) {
-      const Clock::time_point start = Clock::now();
-      for (int i = 0; i < 64; ++i) (void)Clock::now();
-      best = std::min(best, ns((Clock::now() - start).count()) / 65);
-    }
-    return best;
   }
 
   int rank_, stages_;
@@ -3019,28 +3098,317 @@ struct Session {
   }
 };
 
-// How long an evaluation takes (--time), and where the time goes (--trace).
-struct Statistics {
-  double median = 0, least = 0, percentile99 = 0;
+// The cores that the processes on this node may use: whether there is one for each of them.
+class Cores {
+ public:
+  // Collective.
+  explicit Cores(MPI_Comm comm) : comm_(comm) {
+    MPI_Comm node;
+    int processes = 1;
+    MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+    MPI_Comm_rank(node, &place_);
+    MPI_Comm_size(node, &processes);
+#if defined(__linux__)
+    CPU_ZERO(&own_);
+    cpu_set_t all;
+    known_ = sched_getaffinity(0, sizeof own_, &own_) == 0;
+    // Each may be bound to one of its own.
+    MPI_Allreduce(&own_, &all, static_cast<int>(sizeof all), MPI_BYTE, MPI_BOR, node);
+    count_ = CPU_COUNT(&all);
+    own_is_enough_ = known_ && CPU_COUNT(&own_) >= processes;
+#endif
+    if (count_ == 0) count_ = static_cast<int>(std::thread::hardware_concurrency());
+    int enough = count_ == 0 || count_ >= processes;
+    MPI_Allreduce(MPI_IN_PLACE, &enough, 1, MPI_INT, MPI_MIN, comm);
+    enough_ = enough != 0;
+    MPI_Comm_free(&node);
+  }
+
+  // Whether every process, on any node, can have one to itself.
+  bool enough() const { return enough_; }
+
+  int count() const { return count_; }
+
+  // Collective. Each process onto one of its own, if there are as many; whether all are.
+  bool pin() const {
+    int pinned = own_is_enough_ && pin_to(place_);
+    MPI_Allreduce(MPI_IN_PLACE, &pinned, 1, MPI_INT, MPI_MIN, comm_);
+    return pinned != 0;
+  }
+
+  // This process onto one that others may have, too.
+  void pin_in_turn() const { pin_to(place_); }
+
+ private:
+  // Onto the k-th of those that this process may use, counted round and round.
+  bool pin_to([[maybe_unused]] int k) const {
+#if defined(__linux__)
+    if (!known_) return false;
+    k %= CPU_COUNT(&own_);
+    int cpu = 0;
+    for (; cpu < CPU_SETSIZE; ++cpu)
+      if (CPU_ISSET(cpu, &own_) && k-- == 0) break;
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(cpu, &one);
+    return sched_setaffinity(0, sizeof one, &one) == 0;
+#else
+    return false;
+#endif
+  }
+
+  MPI_Comm comm_;
+  int place_ = 0, count_ = 0;
+  bool enough_ = true, own_is_enough_ = false;
+#if defined(__linux__)
+  bool known_ = false;
+  cpu_set_t own_;
+#endif
 };
 
-Statistics statistics(std::vector<double> ns) {
-  std::sort(ns.begin(), ns.end());
-  const auto at = [&ns](double part) {
-    return ns[std::min(ns.size() - 1,
-                       static_cast<std::size_t>(part * static_cast<double>(ns.size())))];
+// A process's part in an evaluation: the messages that it sends and receives, in order, and how
+// long it computes before each and after the last; ns.
+struct Part {
+  std::vector<int> messages;
+  std::vector<double> stretches;  // one more than messages
+};
+
+// What a message costs, ns: its sender, from sent to seen, and per number to put it in and take it
+// out again.
+struct Hop {
+  double send, latency, number;
+};
+
+// When the last process is done, were all to begin together on cores of their own: their parts
+// played through, each message of a process waited for.
+inline double makespan(const std::vector<Part>& parts, const std::vector<MessageInfo>& messages,
+                       const Hop& hop) {
+  std::vector<double> clock(parts.size(), 0);
+  std::vector<std::size_t> at(parts.size(), 0), received(messages.size(), 0);
+  std::vector<std::vector<double>> sent(messages.size());  // when, each time
+  const auto advance = [&](std::size_t p) {
+    const std::size_t k = static_cast<std::size_t>(parts[p].messages[at[p]]);
+    const double ready = clock[p] + parts[p].stretches[at[p]];
+    const double copying = hop.number * messages[k].size / 2;
+    if (messages[k].source == static_cast<int>(p)) {
+      clock[p] = ready + hop.send + copying;
+      sent[k].push_back(clock[p]);
+    } else {
+      if (received[k] == sent[k].size()) return false;  // not sent yet
+      clock[p] = std::max(ready, sent[k][received[k]++] + hop.latency) + copying;
+    }
+    ++at[p];
+    return true;
   };
-  return {at(0.5), ns.front(), at(0.99)};
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (std::size_t p = 0; p < parts.size(); ++p)
+      while (at[p] < parts[p].messages.size() && advance(p)) moved = true;
+  }
+  double last = 0;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    last = std::max(last, clock[p] + parts[p].stretches.back());
+  return last;
 }
 
+// As the cost profile default has them.
+constexpr Hop kWindowHop{0, 58.7, 0.934};
+constexpr Hop kMessageHop{0, 357, 12.5};
+
+// What messages cost on a channel.
+inline const Hop& hop_of(const Channel& channel) {
+  return channel.windowed() ? kWindowHop : kMessageHop;
+}
+
+// How long an evaluation would take if each process had a core of its own, where they have not: its
+// processes compute one at a time, the others asleep, with the messages that they have once had
+// (take.hpp); then these stretches and what messages cost are played through (makespan.hpp).
+class Stretches {
+ public:
+  explicit Stretches(Session& session) : session_(session) {}
+
+  // Collective. Evaluates each state of the session by evaluate(s), which returns its status; is
+  // told before each turn, and after it. Returns the first failure.
+  template <class Evaluate, class Turn>
+  int measure(Evaluate evaluate, Turn turn) {
+    takes_.assign(count(), Take());
+    lengths_.assign(count(), {});
+    int failed = record(evaluate);
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (failed != kFine) return failed;
+    const int repeat = evaluations() / session_.states.count, rounds = std::min(kRounds, repeat);
+    for (int round = 0; round < rounds; ++round)
+      for (int p = 0; p < kProcesses; ++p) {
+        rest();
+        if (p != session_.rank) continue;
+        turn();
+        play(evaluate, repeat * (round + 1) / rounds - repeat * round / rounds);
+      }
+    rest();
+    return kFine;
+  }
+
+  // Of each state, at most as many as are kept.
+  int evaluations() const {
+    return std::min(session_.options.repeat, kMost) * session_.states.count;
+  }
+
+  // Collective. Over the states, at process 0: medians of the stretches played through, and the
+  // least of all. Holds one look at the clock, as other times do.
+  Statistics played_through() {
+    const std::vector<std::vector<double>> told = bring_together();
+    if (session_.rank != 0) return {};
+    const std::vector<MessageInfo> messages(kMessages.begin(), kMessages.end());
+    std::vector<const double*> next;
+    for (const std::vector<double>& one : told) next.push_back(one.data());
+    work_.assign(kProcesses, 0);
+    std::vector<double> typical, least;
+    for (std::size_t s = 0; s < count(); ++s) {
+      std::vector<Part> medians(kProcesses), leasts(kProcesses);
+      for (std::size_t p = 0; p < kProcesses; ++p) {
+        next[p] = read(next[p], medians[p], leasts[p]);
+        for (const double ns : medians[p].stretches) work_[p] += ns / static_cast<double>(count());
+      }
+      typical.push_back(makespan(medians, messages, hop()) + look_);
+      least.push_back(makespan(leasts, messages, hop()) + look_);
+    }
+    Statistics found = statistics(std::move(typical));
+    found.least = *std::min_element(least.begin(), least.end());
+    return found;
+  }
+
+  // For how long each process computes in an evaluation, ns, as last played through.
+  const std::vector<double>& work() const { return work_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr int kTag = 0x57e7, kRounds = 5, kMost = 1000;
+
+  std::size_t count() const { return static_cast<std::size_t>(session_.states.count); }
+  const Hop& hop() const { return hop_of(session_.solver.channel); }
+
+  template <class Evaluate>
+  int record(Evaluate evaluate) {
+    int failed = kFine;
+    for (int s = 0; s < session_.states.count; ++s) {
+      Take& take = takes_[static_cast<std::size_t>(s)];
+      take.record();
+      session_.solver.channel.use(&take);
+      const int found = evaluate(s);
+      session_.solver.channel.use(nullptr);
+      session_.give_up_if_broken(found);
+      if (failed == kFine) failed = found;
+    }
+    return failed;
+  }
+
+  // A turn: all states as often as asked for, after once to warm up.
+  template <class Evaluate>
+  void play(Evaluate evaluate, int passes) {
+    look_ = clock_cost();
+    for (int pass = -1; pass < passes; ++pass)
+      for (int s = 0; s < session_.states.count; ++s) {
+        Take& take = takes_[static_cast<std::size_t>(s)];
+        take.play();
+        session_.solver.channel.use(&take);
+        const Clock::rep start = Clock::now().time_since_epoch().count();
+        evaluate(s);
+        const Clock::rep end = Clock::now().time_since_epoch().count();
+        session_.solver.channel.use(nullptr);
+        if (pass >= 0) keep(start, take.looks(), end, lengths_[static_cast<std::size_t>(s)]);
+      }
+  }
+
+  void keep(Clock::rep start, const std::vector<Clock::rep>& looks, Clock::rep end,
+            std::vector<double>& lengths) const {
+    for (std::size_t k = 0; k <= looks.size(); ++k) {
+      const Clock::rep until = k < looks.size() ? looks[k] : end;
+      lengths.push_back(std::max(0.0, nanoseconds(until - start) - look_));
+      start = until;
+    }
+  }
+
+  // Waits for the others, asleep: whoever computes is not disturbed.
+  void rest() const {
+    MPI_Request request;
+    MPI_Ibarrier(session_.comm(), &request);
+    for (int done = 0; MPI_Test(&request, &done, MPI_STATUS_IGNORE), !done;)
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    session_.watch.again();
+  }
+
+  // Collective. At process 0, for each process what it found of all states, one after the other:
+  // number of messages, the messages, then medians and least of their stretches.
+  std::vector<std::vector<double>> bring_together() {
+    std::vector<double> own;
+    for (std::size_t s = 0; s < count(); ++s) {
+      const std::vector<int>& messages = takes_[s].messages();
+      own.push_back(static_cast<double>(messages.size()));
+      own.insert(own.end(), messages.begin(), messages.end());
+      const std::vector<Statistics> found = of_stretches(lengths_[s], messages.size() + 1);
+      for (const Statistics& one : found) own.push_back(one.median);
+      for (const Statistics& one : found) own.push_back(one.least);
+    }
+    std::vector<std::vector<double>> all(kProcesses);
+    if (session_.rank != 0) {
+      MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, session_.comm());
+      return all;
+    }
+    all[0] = std::move(own);
+    for (int p = 1; p < kProcesses; ++p) {
+      MPI_Status status;
+      int size = 0;
+      MPI_Probe(p, kTag, session_.comm(), &status);
+      MPI_Get_count(&status, MPI_DOUBLE, &size);
+      all[static_cast<std::size_t>(p)].resize(static_cast<std::size_t>(size));
+      MPI_Recv(all[static_cast<std::size_t>(p)].data(), size, MPI_DOUBLE, p, kTag, session_.comm(),
+               MPI_STATUS_IGNORE);
+    }
+    return all;
+  }
+
+  static std::vector<Statistics> of_stretches(const std::vector<double>& lengths,
+                                              std::size_t stretches) {
+    std::vector<Statistics> found;
+    for (std::size_t first = 0; first < stretches; ++first) {
+      std::vector<double> one;
+      for (std::size_t k = first; k < lengths.size(); k += stretches) one.push_back(lengths[k]);
+      found.push_back(statistics(std::move(one)));
+    }
+    return found;
+  }
+
+  static const double* read(const double* from, Part& median, Part& least) {
+    const std::size_t messages = static_cast<std::size_t>(*from++);
+    median.messages.assign(from, from + messages);
+    least.messages = median.messages;
+    from += messages;
+    median.stretches.assign(from, from + messages + 1);
+    from += messages + 1;
+    least.stretches.assign(from, from + messages + 1);
+    return from + messages + 1;
+  }
+
+  Session& session_;
+  std::vector<Take> takes_;                   // of each state
+  std::vector<std::vector<double>> lengths_;  // of each state: one evaluation after the other
+  double look_ = 0;                           // at the clock
+  std::vector<double> work_;
+};
+
+// How long an evaluation takes (--time, --stretches), and where the time goes (--trace).
 class Timing {
  public:
   explicit Timing(Session& session) : session_(session) {}
 
   int time_all() {
-    if constexpr (kBatch) return time_batch(session_.solver);
+    const Cores cores(session_.comm());
+    crowded_ = !cores.enough();
+    cores_ = cores.count();
+    if constexpr (kBatch) return time_batch(session_.solver, cores);
     session_.use(random_states(kRandomStates, session_.options.seed));
-    session_.pinned = pin();
+    if (crowded_ || session_.options.stretches) return time_stretches(cores);
+    session_.pinned = session_.options.pin && cores.pin();
     std::vector<double> in_place, at_root;
     int failed = kFine;
     for (int pass = -1; pass < session_.options.repeat && failed == kFine;
@@ -3074,16 +3442,41 @@ class Timing {
                   MPI_MAX, session_.comm());
     in_place_ = statistics(std::move(in_place));
     at_root_ = statistics(std::move(at_root));
-    timed_ = true;
+    evaluations_ = session_.options.repeat * kRandomStates;
+    return kDone;
+  }
+
+  // Where processes share cores, or where it is asked for.
+  int time_stretches(const Cores& cores) {
+    const auto turn = [&] {
+      if (session_.options.pin) cores.pin_in_turn();
+    };
+    const auto in_place = [this](int s) {
+      return session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s),
+                                   session_.acceleration(s));
+    };
+    const auto at_root = [this](int s) {
+      return session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s),
+                                           session_.acceleration(s));
+    };
+    Stretches stretches(session_);
+    int failed = stretches.measure(at_root, turn);
+    if (failed == kFine) at_root_ = stretches.played_through();
+    if (failed == kFine) failed = stretches.measure(in_place, turn);
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+    in_place_ = stretches.played_through();
+    work_ = stretches.work();
+    evaluations_ = stretches.evaluations();
     return kDone;
   }
 
   // A batch of as many random states for each process; nanoseconds for each state and process.
   template <class S>
-  int time_batch(S& solver) {
+  int time_batch(S& solver, const Cores& cores) {
     constexpr int kCount = kRandomStates * kProcesses;
     session_.use(random_states(kCount, session_.options.seed));
-    session_.pinned = pin();
+    session_.pinned = session_.options.pin && cores.pin();
     std::vector<double> in_place, at_root;
     int failed = kFine;
     for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
@@ -3114,14 +3507,14 @@ class Timing {
                     session_.comm());
     in_place_ = statistics(std::move(in_place));
     at_root_ = statistics(std::move(at_root));
-    timed_ = true;
+    evaluations_ = session_.options.repeat * kRandomStates;
     return kDone;
   }
 
   // The same evaluations with time stamps between the stages of each process.
   int trace_all() {
     session_.use(random_states(kRandomStates, session_.options.seed));
-    session_.pinned = session_.pinned || pin();
+    if (!session_.pinned && session_.options.pin) session_.pinned = Cores(session_.comm()).pin();
     Trace trace(session_.rank);
     int failed = kFine;
     for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
@@ -3152,27 +3545,39 @@ class Timing {
 
   // Nothing where nothing was timed.
   std::string json() const {
-    if (!timed_) return "";
-    char text[300];
-    std::snprintf(text, sizeof text,
-                  ", \"time\": {\"evaluations\": %d, \"pinned\": %s, "
-                  "\"in_place\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}, "
-                  "\"through_root\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}}",
-                  session_.options.repeat * kRandomStates, session_.pinned ? "true" : "false",
-                  in_place_.median, in_place_.least, in_place_.percentile99, at_root_.median,
-                  at_root_.least, at_root_.percentile99);
-    return text;
+    if (evaluations_ == 0) return "";
+    std::string text = ", \"time\": {\"source\": ";
+    text += work_.empty() ? "\"clock\"" : "\"stretches\"";
+    text += ", \"evaluations\": " + std::to_string(evaluations_);
+    text += session_.pinned ? ", \"pinned\": true" : ", \"pinned\": false";
+    text += figures("in_place", in_place_) + figures("through_root", at_root_);
+    std::string each;
+    for (const double ns : work_) each += (each.empty() ? "" : ", ") + whole(ns);
+    return text + (each.empty() ? "" : ", \"work_ns\": [" + each + "]") + "}";
   }
 
   void print(std::FILE* out) const {
-    if (!timed_) return;
+    if (evaluations_ == 0) return;
     std::fprintf(out, "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
                  kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "",
                  kBatch ? "state and process" : "evaluation");
+    if (crowded_)
+      std::fprintf(out, "       (%d cores for %d processes: a wall time %s)\n", cores_, kProcesses,
+                   kBatch ? "says little" : "would mean nothing");
+    if (!work_.empty())
+      std::fprintf(out,
+                   "       (from measured stretches of computing, one process at a time, played "
+                   "through\n        with what messages cost: %.0f ns each and %.2f per number)\n",
+                   hop().send + hop().latency, hop().number);
     std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
                  in_place_.median, in_place_.least, in_place_.percentile99);
     std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n", at_root_.median,
                  at_root_.least, at_root_.percentile99);
+    if (!work_.empty()) {
+      std::fprintf(out, "       each process computes           ");
+      for (const double ns : work_) std::fprintf(out, "%8.0f ", ns);
+      std::fprintf(out, "\n");
+    }
     if (kBatch)
       std::fprintf(out, "       states per second in place      %8.3g (%.3g per process)\n",
                    1e9 * kProcesses / in_place_.median, 1e9 / in_place_.median);
@@ -3180,31 +3585,6 @@ class Timing {
 
  private:
   using Clock = std::chrono::steady_clock;
-
-  // Each process on a core of its own, where there are enough of them.
-  bool pin() {
-    int pinned = 0;
-#if defined(__linux__)
-    MPI_Comm node;
-    int place = 0, count = 1;
-    MPI_Comm_split_type(session_.comm(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
-    MPI_Comm_rank(node, &place);
-    MPI_Comm_size(node, &count);
-    MPI_Comm_free(&node);
-    cpu_set_t allowed, one;
-    if (session_.options.pin && sched_getaffinity(0, sizeof allowed, &allowed) == 0 &&
-        CPU_COUNT(&allowed) >= count) {
-      int cpu = 0;
-      for (int k = -1; cpu < CPU_SETSIZE; ++cpu)
-        if (CPU_ISSET(cpu, &allowed) && ++k == place) break;
-      CPU_ZERO(&one);
-      CPU_SET(cpu, &one);
-      pinned = sched_setaffinity(0, sizeof one, &one) == 0;
-    }
-#endif
-    MPI_Allreduce(MPI_IN_PLACE, &pinned, 1, MPI_INT, MPI_MIN, session_.comm());
-    return pinned != 0;
-  }
 
   // All processes start an evaluation at the same instant of their common clock (on one node).
   Clock::time_point start_together() const {
@@ -3220,9 +3600,21 @@ class Timing {
     return now;
   }
 
+  static std::string whole(double ns) { return std::to_string(std::llround(ns)); }
+
+  static std::string figures(const char* what, const Statistics& of) {
+    return std::string(", \"") + what + "\": {\"median_ns\": " + whole(of.median) +
+           ", \"min_ns\": " + whole(of.least) + ", \"p99_ns\": " + whole(of.percentile99) + "}";
+  }
+
+  const Hop& hop() const { return hop_of(session_.solver.channel); }
+
   Session& session_;
-  bool timed_ = false;
+  int evaluations_ = 0;
+  bool crowded_ = false;  // not a core for each process
+  int cores_ = 0;
   Statistics in_place_, at_root_;
+  std::vector<double> work_;  // of each process, where times are from stretches
 };
 
 // --simulate: process 0 integrates, all processes evaluate. The torques of the initial state act

@@ -59,6 +59,10 @@ class Channel {
   }
 
   void send(int k, int& status) {
+    if (take_) {
+      if (take_->playing()) return void(take_->pass());
+      take_->note(k);
+    }
     Port& port = ports_[k];
     if (port.slots) {
       Slot& slot = port.slot(++port.count, k);
@@ -74,6 +78,7 @@ class Channel {
   // Waits for message k and returns its content; what its source knows of failures joins the
   // status.
   const Real* receive(int k, int& status) {
+    if (take_ && take_->playing()) return opened(take_->pass(), status);
     Port& port = ports_[k];
     const Real* content;
     if (port.slots) {
@@ -88,9 +93,12 @@ class Channel {
       wait_for_request(port, kMessages[k].source, status);
       content = port.buffer.data();
     }
-    if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
-    return content + 1;
+    if (take_) take_->note(k, content);
+    return opened(content, status);
   }
+
+  // Notes from here on what is sent and received, or plays it; null for neither.
+  void use(Take* take) { take_ = take; }
 
   static void fail(int& status, int failure) {
     if (status == kFine) status = failure;
@@ -118,6 +126,11 @@ class Channel {
     std::vector<Real> buffer;
     MPI_Request request = MPI_REQUEST_NULL;
   };
+
+  static const Real* opened(const Real* content, int& status) {
+    if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
+    return content + 1;
+  }
 
   static std::size_t slot_bytes(const MessageInfo& info) {
     const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Real);
@@ -208,5 +221,6 @@ class Channel {
   int rank_ = 0;
   Clock::duration time_limit_{};
   bool broken_ = false;
+  Take* take_ = nullptr;
   std::vector<Port> ports_;
 };

@@ -8,7 +8,7 @@ struct SimulationOptions {
 // What the program is asked to do.
 struct Options {
   std::string states, result, trace;
-  bool check = false, time = false, json = false, help = false, pin = true;
+  bool check = false, time = false, stretches = false, json = false, help = false, pin = true;
   int repeat = 200;
   std::uint64_t seed = 1;
   double time_limit = 30, tolerance = kTolerance;
@@ -33,6 +33,9 @@ const char* const kUsageText =
     "  --every N         keep every Nth step of it (1), and the last\n"
     "  --trace FILE      when each process did what, as JSON (medians over random states)\n"
     "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
+    "                    (where there are more processes than cores, as --stretches)\n"
+    "  --stretches       time what each process computes between messages, one process at a time,\n"
+    "                    and play it through with what messages cost; stands in for --time\n"
     "  --repeat N        evaluations of each random state when timing (200)\n"
     "  --seed N          seed of the random states (1)\n"
     "  --tolerance X     largest residual that --check lets pass\n"
@@ -78,8 +81,8 @@ std::string parse_simulation(const std::string& word, const std::string& value, 
 
 // Returns what is wrong with what was asked for together, and settles what was left open.
 std::string settle(bool simulation_words, Options& options) {
-  if (kBatch && (options.simulation.seconds > 0 || !options.trace.empty()))
-    return "a batch solver has neither --simulate nor --trace";
+  if (kBatch && (options.simulation.seconds > 0 || !options.trace.empty() || options.stretches))
+    return "a batch solver has neither --simulate nor --trace nor --stretches";
   const bool others = options.check || options.time || !options.trace.empty();
   if (options.simulation.seconds > 0) {
     if (others || !options.result.empty())
@@ -104,6 +107,8 @@ std::string parse(int count, char** words, Options& options) {
       options.check = true;
     else if (flag("--time"))
       options.time = true;
+    else if (flag("--stretches"))
+      options.time = options.stretches = true;
     else if (flag("--json"))
       options.json = true;
     else if (flag("--help"))

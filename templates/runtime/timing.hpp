@@ -1,25 +1,16 @@
-// How long an evaluation takes (--time), and where the time goes (--trace).
-struct Statistics {
-  double median = 0, least = 0, percentile99 = 0;
-};
-
-Statistics statistics(std::vector<double> ns) {
-  std::sort(ns.begin(), ns.end());
-  const auto at = [&ns](double part) {
-    return ns[std::min(ns.size() - 1,
-                       static_cast<std::size_t>(part * static_cast<double>(ns.size())))];
-  };
-  return {at(0.5), ns.front(), at(0.99)};
-}
-
+// How long an evaluation takes (--time, --stretches), and where the time goes (--trace).
 class Timing {
  public:
   explicit Timing(Session& session) : session_(session) {}
 
   int time_all() {
-    if constexpr (kBatch) return time_batch(session_.solver);
+    const Cores cores(session_.comm());
+    crowded_ = !cores.enough();
+    cores_ = cores.count();
+    if constexpr (kBatch) return time_batch(session_.solver, cores);
     session_.use(random_states(kRandomStates, session_.options.seed));
-    session_.pinned = pin();
+    if (crowded_ || session_.options.stretches) return time_stretches(cores);
+    session_.pinned = session_.options.pin && cores.pin();
     std::vector<double> in_place, at_root;
     int failed = kFine;
     for (int pass = -1; pass < session_.options.repeat && failed == kFine;
@@ -53,16 +44,41 @@ class Timing {
                   MPI_MAX, session_.comm());
     in_place_ = statistics(std::move(in_place));
     at_root_ = statistics(std::move(at_root));
-    timed_ = true;
+    evaluations_ = session_.options.repeat * kRandomStates;
+    return kDone;
+  }
+
+  // Where processes share cores, or where it is asked for.
+  int time_stretches(const Cores& cores) {
+    const auto turn = [&] {
+      if (session_.options.pin) cores.pin_in_turn();
+    };
+    const auto in_place = [this](int s) {
+      return session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s),
+                                   session_.acceleration(s));
+    };
+    const auto at_root = [this](int s) {
+      return session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s),
+                                           session_.acceleration(s));
+    };
+    Stretches stretches(session_);
+    int failed = stretches.measure(at_root, turn);
+    if (failed == kFine) at_root_ = stretches.played_through();
+    if (failed == kFine) failed = stretches.measure(in_place, turn);
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+    in_place_ = stretches.played_through();
+    work_ = stretches.work();
+    evaluations_ = stretches.evaluations();
     return kDone;
   }
 
   // A batch of as many random states for each process; nanoseconds for each state and process.
   template <class S>
-  int time_batch(S& solver) {
+  int time_batch(S& solver, const Cores& cores) {
     constexpr int kCount = kRandomStates * kProcesses;
     session_.use(random_states(kCount, session_.options.seed));
-    session_.pinned = pin();
+    session_.pinned = session_.options.pin && cores.pin();
     std::vector<double> in_place, at_root;
     int failed = kFine;
     for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
@@ -93,14 +109,14 @@ class Timing {
                     session_.comm());
     in_place_ = statistics(std::move(in_place));
     at_root_ = statistics(std::move(at_root));
-    timed_ = true;
+    evaluations_ = session_.options.repeat * kRandomStates;
     return kDone;
   }
 
   // The same evaluations with time stamps between the stages of each process.
   int trace_all() {
     session_.use(random_states(kRandomStates, session_.options.seed));
-    session_.pinned = session_.pinned || pin();
+    if (!session_.pinned && session_.options.pin) session_.pinned = Cores(session_.comm()).pin();
     Trace trace(session_.rank);
     int failed = kFine;
     for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
@@ -131,27 +147,39 @@ class Timing {
 
   // Nothing where nothing was timed.
   std::string json() const {
-    if (!timed_) return "";
-    char text[300];
-    std::snprintf(text, sizeof text,
-                  ", \"time\": {\"evaluations\": %d, \"pinned\": %s, "
-                  "\"in_place\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}, "
-                  "\"through_root\": {\"median_ns\": %.0f, \"min_ns\": %.0f, \"p99_ns\": %.0f}}",
-                  session_.options.repeat * kRandomStates, session_.pinned ? "true" : "false",
-                  in_place_.median, in_place_.least, in_place_.percentile99, at_root_.median,
-                  at_root_.least, at_root_.percentile99);
-    return text;
+    if (evaluations_ == 0) return "";
+    std::string text = ", \"time\": {\"source\": ";
+    text += work_.empty() ? "\"clock\"" : "\"stretches\"";
+    text += ", \"evaluations\": " + std::to_string(evaluations_);
+    text += session_.pinned ? ", \"pinned\": true" : ", \"pinned\": false";
+    text += figures("in_place", in_place_) + figures("through_root", at_root_);
+    std::string each;
+    for (const double ns : work_) each += (each.empty() ? "" : ", ") + whole(ns);
+    return text + (each.empty() ? "" : ", \"work_ns\": [" + each + "]") + "}";
   }
 
   void print(std::FILE* out) const {
-    if (!timed_) return;
+    if (evaluations_ == 0) return;
     std::fprintf(out, "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
                  kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "",
                  kBatch ? "state and process" : "evaluation");
+    if (crowded_)
+      std::fprintf(out, "       (%d cores for %d processes: a wall time %s)\n", cores_, kProcesses,
+                   kBatch ? "says little" : "would mean nothing");
+    if (!work_.empty())
+      std::fprintf(out,
+                   "       (from measured stretches of computing, one process at a time, played "
+                   "through\n        with what messages cost: %.0f ns each and %.2f per number)\n",
+                   hop().send + hop().latency, hop().number);
     std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
                  in_place_.median, in_place_.least, in_place_.percentile99);
     std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n", at_root_.median,
                  at_root_.least, at_root_.percentile99);
+    if (!work_.empty()) {
+      std::fprintf(out, "       each process computes           ");
+      for (const double ns : work_) std::fprintf(out, "%8.0f ", ns);
+      std::fprintf(out, "\n");
+    }
     if (kBatch)
       std::fprintf(out, "       states per second in place      %8.3g (%.3g per process)\n",
                    1e9 * kProcesses / in_place_.median, 1e9 / in_place_.median);
@@ -159,31 +187,6 @@ class Timing {
 
  private:
   using Clock = std::chrono::steady_clock;
-
-  // Each process on a core of its own, where there are enough of them.
-  bool pin() {
-    int pinned = 0;
-#if defined(__linux__)
-    MPI_Comm node;
-    int place = 0, count = 1;
-    MPI_Comm_split_type(session_.comm(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
-    MPI_Comm_rank(node, &place);
-    MPI_Comm_size(node, &count);
-    MPI_Comm_free(&node);
-    cpu_set_t allowed, one;
-    if (session_.options.pin && sched_getaffinity(0, sizeof allowed, &allowed) == 0 &&
-        CPU_COUNT(&allowed) >= count) {
-      int cpu = 0;
-      for (int k = -1; cpu < CPU_SETSIZE; ++cpu)
-        if (CPU_ISSET(cpu, &allowed) && ++k == place) break;
-      CPU_ZERO(&one);
-      CPU_SET(cpu, &one);
-      pinned = sched_setaffinity(0, sizeof one, &one) == 0;
-    }
-#endif
-    MPI_Allreduce(MPI_IN_PLACE, &pinned, 1, MPI_INT, MPI_MIN, session_.comm());
-    return pinned != 0;
-  }
 
   // All processes start an evaluation at the same instant of their common clock (on one node).
   Clock::time_point start_together() const {
@@ -199,7 +202,19 @@ class Timing {
     return now;
   }
 
+  static std::string whole(double ns) { return std::to_string(std::llround(ns)); }
+
+  static std::string figures(const char* what, const Statistics& of) {
+    return std::string(", \"") + what + "\": {\"median_ns\": " + whole(of.median) +
+           ", \"min_ns\": " + whole(of.least) + ", \"p99_ns\": " + whole(of.percentile99) + "}";
+  }
+
+  const Hop& hop() const { return hop_of(session_.solver.channel); }
+
   Session& session_;
-  bool timed_ = false;
+  int evaluations_ = 0;
+  bool crowded_ = false;  // not a core for each process
+  int cores_ = 0;
   Statistics in_place_, at_root_;
+  std::vector<double> work_;  // of each process, where times are from stretches
 };

@@ -19,10 +19,10 @@ class Trace {
     MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_LONG_LONG, MPI_MIN, comm);
     if (!keep || starts_.size() == kMost * (stamps_.size() - 1)) return;
     for (std::size_t k = 0; k + 1 < stamps_.size(); ++k) {
-      starts_.push_back(ns(stamps_[k] - first));
-      lengths_.push_back(ns(stamps_[k + 1] - stamps_[k]));
+      starts_.push_back(nanoseconds(stamps_[k] - first));
+      lengths_.push_back(nanoseconds(stamps_[k + 1] - stamps_[k]));
     }
-    lasts_.push_back(ns(stamps_.back() - first));
+    lasts_.push_back(nanoseconds(stamps_.back() - first));
   }
 
   // Collective; process 0 returns the text.
@@ -59,10 +59,6 @@ class Trace {
  private:
   static constexpr int kTag = 0x7ace;
 
-  static double ns(Clock::rep ticks) {
-    return std::chrono::duration<double, std::nano>(Clock::duration(ticks)).count();
-  }
-
   static std::string number(double x) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f", x);
@@ -85,17 +81,6 @@ class Trace {
     if (one.empty()) return 0;
     std::nth_element(one.begin(), one.begin() + static_cast<long>(one.size() / 2), one.end());
     return one[one.size() / 2];
-  }
-
-  // What one look at the clock takes; each stage's length holds one.
-  static double clock_cost() {
-    double best = 1e9;
-    for (int k = 0; k < 64; ++k) {
-      const Clock::time_point start = Clock::now();
-      for (int i = 0; i < 64; ++i) (void)Clock::now();
-      best = std::min(best, ns((Clock::now() - start).count()) / 65);
-    }
-    return best;
   }
 
   int rank_, stages_;

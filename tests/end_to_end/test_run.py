@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from adagen.states import read_result, write_states
-from tests.emitted import Builder, Solver, forward_error, states_text, truth_of
+from tests.emitted import Builder, Solver, cores, forward_error, states_text, truth_of
 from tests.end_to_end.subjects import Subject, subject
 from tests.spoilt import SPOILT, Spoilt, spoil
 
@@ -193,7 +193,8 @@ class TestUsage:
             assert (done.status, done.stderr) == (0, "")
             assert done.stdout.startswith("usage: mpiexec -n 2 ")
             for option in ("states", "result", "check", "time", "repeat", "seed", "tolerance",
-                           "channel", "timeout", "no-pin", "json", "help"):  # fmt: skip
+                           "channel", "timeout", "no-pin", "stretches", "json",
+                           "help"):  # fmt: skip
                 assert f"  --{option} " in done.stdout
 
 
@@ -211,6 +212,7 @@ class TestReports:
         assert told["check"]["ok"] is True
         assert 0 < told["check"]["residual_median"] <= told["check"]["residual_max"]
         assert told["check"]["residual_max"] < told["check"]["tolerance"] == 1e-9
+        assert told["time"]["source"] == ("clock" if cores() >= 2 else "stretches")
         assert told["time"]["evaluations"] == 192
         assert told["time"]["pinned"] in (True, False)
         for way in ("in_place", "through_root"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import subprocess
 from pathlib import Path
@@ -56,7 +57,17 @@ def test_an_example_passes_its_own_check_and_is_timed(stem: str, builder: Builde
     assert (done.status, done.stderr) == (0, "")
     check, *time = done.stdout.splitlines()
     assert check.startswith("check ") and check.endswith(": right")
-    assert len(time) == (4 if BY_STEM[stem].batch else 3)  # a batch tells states per second, too
+    assert time[0].startswith(f"time   {BY_STEM[stem].processes} process")
+    assert sum("in place  " in line for line in time) == 1 + BY_STEM[stem].batch
+
+
+@pytest.mark.parametrize("stem", [e.stem for e in EXAMPLES if not e.batch])
+def test_an_example_tells_what_its_processes_compute(stem: str, builder: Builder) -> None:
+    done = built(BY_STEM[stem], builder).run("--stretches", "--json", "--repeat", "2")
+    assert (done.status, done.stderr) == (0, "")
+    time = json.loads(done.stdout)["time"]
+    assert time["source"] == "stretches" and len(time["work_ns"]) == BY_STEM[stem].processes
+    assert 0 < time["in_place"]["min_ns"] <= time["in_place"]["median_ns"] < 1e6
 
 
 def test_the_makefile_builds_and_checks_every_example(builder: Builder) -> None:
