@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import note
-from adagen.cli.options import Parser, make_parser, parse
+from adagen.cli.parser import Parser, make_parser, parse, whole
 
 if TYPE_CHECKING:
     from adagen.bench.record import Record
@@ -56,17 +56,20 @@ def run(argv: Sequence[str]) -> int:
 
 def _parser() -> Parser:
     parser = make_parser("adagen bench", _DESCRIPTION, _EPILOG)
-    parser.add_argument("models", nargs="+", metavar="MODEL", help="robot description (URDF)")
+    parser.add_argument("models", nargs="+", metavar="MODEL", help="robot descriptions (URDF)")
     parser.add_argument("--floating", action="store_true", help="put the robots on floating bases")
     parser.add_argument(
-        "--profile", default="default", metavar="NAME|FILE", help="what predicts and schedules"
+        "--profile",
+        default="default",
+        metavar="NAME|FILE",
+        help="cost profile that predicts and schedules: a name or a TOML file (default: default)",
     )
     parser.add_argument(
         "--variant",
         action="append",
         metavar="WORDS",
-        help="what to emit, as options of adagen MODEL; may be given several times (default: one "
-        "and two processes, float, and every code shape)",
+        help="what to emit, as options of adagen MODEL, such as --variant='--procs 1 --refine 1'; "
+        "may be given several times (default: one and two processes, float, and every code shape)",
     )
     parser.add_argument(
         "--peers",
@@ -75,7 +78,11 @@ def _parser() -> Parser:
         help=f"which of {', '.join(PEERS)} take part, with commas, or none (default: all)",
     )
     parser.add_argument(
-        "--rounds", type=_rounds, default=9, metavar="N", help="turns of each solver (default: 9)"
+        "--rounds",
+        type=whole(1, 1000),
+        default=9,
+        metavar="N",
+        help="turns of each solver (default: 9)",
     )
     parser.add_argument("--quick", action="store_true", help="few turns and variants, for a look")
     parser.add_argument("--json", action="store_true", help="the record on standard output")
@@ -89,14 +96,9 @@ def _peers(text: str) -> tuple[str, ...]:
     names = () if text == "none" else tuple(text.split(","))
     for name in names:
         if name not in PEERS:
-            raise argparse.ArgumentTypeError(f"no peer is called {name!r}")
+            known = ", ".join(PEERS)
+            raise argparse.ArgumentTypeError(f"no peer is called {name!r}; known: {known}, none")
     return names
-
-
-def _rounds(text: str) -> int:
-    if not (text.isascii() and text.isdigit() and 1 <= int(text[:6]) <= 1000):
-        raise argparse.ArgumentTypeError(f"must be a whole number from 1 to 1000, not {text!r}")
-    return int(text)
 
 
 def _show(record: Record) -> None:

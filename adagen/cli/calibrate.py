@@ -14,7 +14,7 @@ from statistics import median
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import note, warn
-from adagen.cli.options import make_parser, parse
+from adagen.cli.parser import make_parser, parse
 from adagen.errors import EnvironmentFault
 
 if TYPE_CHECKING:
@@ -54,11 +54,10 @@ def run(argv: Sequence[str]) -> int:
 
     toolchain = find_toolchain()
     path = options.out or profiles_folder() / f"{options.name}.toml"
+    _make_folder(path.parent, make=options.out is None)  # refused before anything is measured
     began = time.monotonic()
     with _bar() as progress:
         found = calibrate(options.name, toolchain, quick=options.quick, progress=progress)
-    if options.out is None:
-        _make_folder(path.parent)
     write_file(path, profile_text(found.profile, _remark(found)))
     if options.json:
         print(json.dumps(_summary(found, str(path)), indent=1))
@@ -83,7 +82,11 @@ def _name(text: str) -> str:
     return text
 
 
-def _make_folder(folder: Path) -> None:
+def _make_folder(folder: Path, *, make: bool) -> None:
+    if not make:
+        if not folder.is_dir():
+            raise EnvironmentFault(f"cannot write to {folder}: there is no such folder")
+        return
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from adagen.cli.chart_options import parser_of_charts
 from adagen.cli.console import Stages, note, warn
-from adagen.cli.options import parse
-from adagen.errors import AdagenError, UsageError
+from adagen.cli.parser import parse
+from adagen.errors import AdagenError
 
 if TYPE_CHECKING:
     from adagen.bench.contest import Contestant
@@ -23,9 +23,12 @@ if TYPE_CHECKING:
 
 def run(argv: Sequence[str]) -> int:
     """Carry out ``adagen chart`` with the arguments after the verb; return the exit status."""
-    options = parse(parser_of_charts(), argv)
+    parser = parser_of_charts()
+    options = parse(parser, argv)
     if options.budget is not None and options.simulate is not None:
-        raise UsageError("--budget and --simulate exclude each other")
+        parser.error("--budget and --simulate exclude each other")
+    if options.step is not None and options.simulate is None:
+        parser.error("--step is for --simulate S")
     if options.picture:
         from adagen.chart.draw import pyplot
 
@@ -52,7 +55,7 @@ def _chart(options: argparse.Namespace) -> None:
     with speaking(Path(options.model).stem) as said, tempfile.TemporaryDirectory() as folder:
         truth = truth_of(model, options.states, said=said)
         others = _peers(model, truth, Path(folder), said) if options.peers else []
-        rounds = 2 if options.quick else options.rounds[0]
+        rounds = 2 if options.quick else options.rounds
         study = Study(_variants(options), rounds, repeat=10 if options.quick else 20)
         chart = chart_of(model, truth, study, find_toolchain(), others, said)
     _write(chart, options)

@@ -8,6 +8,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from adagen.cli.chart_options import LARGEST_STEP
 from adagen.cli.console import Stages, note
 
 if TYPE_CHECKING:
@@ -36,7 +37,8 @@ def chart_motion(options: argparse.Namespace) -> None:
         stem = stem_of(plan)
         said(f"compiling {stem}")
         program = build_executable(REFERENCE.files(plan)[f"{stem}.cpp"], stem, toolchain)
-        steps = [options.step / 2**k for k in range(_HALVINGS + 1)]
+        largest = LARGEST_STEP if options.step is None else options.step
+        steps = [largest / 2**k for k in range(_HALVINGS + 1)]
         player = Player(model, program, len(plan.processes), toolchain)
         chart = motion_chart(player, options.simulate, steps, said)
     _write(chart, options)

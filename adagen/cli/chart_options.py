@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from adagen.cli.options import Parser, add_model, make_parser, seconds
+from adagen.cli.options import add_model, add_out
+from adagen.cli.parser import Parser, make_parser, seconds, whole
 from adagen.errors import UsageError
 
 if TYPE_CHECKING:
@@ -31,23 +31,33 @@ examples:
 
 _SCALARS = ("double", "float")
 _LEAST_STATES = 20
+LARGEST_STEP = 0.008
+"""Largest step of a chart of integrators where none is given, s."""
 
 
 def parser_of_charts() -> Parser:
     """Return the parser of ``adagen chart``."""
-    from adagen.chart.variants import NAMES, SCHEDULES
-    from adagen.emit.shapes import BASELINES, SHAPES
-
     parser = make_parser("adagen chart", _DESCRIPTION, _EPILOG)
     add_model(parser, several=True)
-    add = parser.add_argument
-    add(
+    parser.add_argument(
         "--budget",
         type=_budget,
         metavar="TERMS",
         help="say which variant to use and emit it: error<1e-10, time<2us, or both with a comma",
     )
-    add("--out", type=Path, default=Path(), metavar="DIR", help="where to write (default: here)")
+    add_out(parser)
+    parser.add_argument("--no-picture", dest="picture", action="store_false", help="data alone")
+    _add_variants(parser)
+    _add_measurement(parser)
+    _add_simulation(parser)
+    return parser
+
+
+def _add_variants(parser: Parser) -> None:
+    from adagen.chart.variants import NAMES, SCHEDULES
+    from adagen.emit.shapes import BASELINES, SHAPES
+
+    add = parser.add_argument_group("what takes part").add_argument
     add(
         "--procs",
         type=_list_of(int, range(1, 65)),
@@ -69,46 +79,51 @@ def parser_of_charts() -> Parser:
         metavar="N,...",
         help="steps of iterative refinement (default: 0,1,2)",
     )
-    add(
-        "--shapes",
-        type=_list_of(str, ("auto", *SHAPES)),
-        default=("auto",),
-        metavar="NAME,...",
-        help=f"code shapes, of auto, {', '.join(SHAPES)} (default: auto)",
-    )
-    add(
-        "--algorithms",
-        type=_list_of(str, NAMES),
-        default=tuple(NAMES),
-        metavar="NAME,...",
-        help=f"of {', '.join(NAMES)}; {', '.join(BASELINES)} are baselines (default: all)",
-    )
-    add(
-        "--schedules",
-        type=_list_of(str, SCHEDULES),
-        default=SCHEDULES,
-        metavar="NAME,...",
-        help=f"of {', '.join(SCHEDULES)} (default: all)",
-    )
+    for name, what, known, default, said in (
+        ("--shapes", "code shapes, ", ("auto", *SHAPES), ("auto",), "auto"),
+        (
+            "--algorithms",
+            f"{', '.join(BASELINES)} are baselines; ",
+            tuple(NAMES),
+            tuple(NAMES),
+            "all",
+        ),
+        ("--schedules", "", tuple(SCHEDULES), tuple(SCHEDULES), "all"),
+    ):
+        add(
+            name,
+            type=_list_of(str, known),
+            default=default,
+            metavar="NAME,...",
+            help=f"{what}of {', '.join(known)} (default: {said})",
+        )
     add(
         "--whole", action="store_true", help="the whole product: schedules in float and refined too"
     )
     add("--peers", action="store_true", help="pinocchio, casadi and MuJoCo beside, if installed")
+
+
+def _add_measurement(parser: Parser) -> None:
+    add = parser.add_argument_group("how it is measured").add_argument
     add(
         "--states",
-        type=_states,
+        type=whole(_LEAST_STATES, 10_000),
         default=_LEAST_STATES,
         metavar="N",
         help=f"states that errors are the largest of (default and least: {_LEAST_STATES})",
     )
     add(
         "--rounds",
-        type=_list_of(int, range(1, 1001)),
-        default=(5,),
+        type=whole(1, 1000),
+        default=5,
         metavar="N",
         help="rounds of timing by turns (default: 5)",
     )
     add("--quick", action="store_true", help="two rounds, one schedule, no refinement: for a look")
+
+
+def _add_simulation(parser: Parser) -> None:
+    add = parser.add_argument_group("integrators").add_argument
     add(
         "--simulate",
         type=seconds,
@@ -118,12 +133,9 @@ def parser_of_charts() -> Parser:
     add(
         "--step",
         type=seconds,
-        default=0.008,
         metavar="H",
-        help="largest step of --simulate, in seconds (default: 0.008)",
+        help=f"largest step of --simulate, in seconds (default: {LARGEST_STEP})",
     )
-    add("--no-picture", dest="picture", action="store_false", help="data alone")  # fmt: skip
-    return parser
 
 
 def _list_of(kind: Callable[[str], Any], known: Any) -> Callable[[str], tuple[Any, ...]]:
@@ -137,19 +149,15 @@ def _list_of(kind: Callable[[str], Any], known: Any) -> Callable[[str], tuple[An
             except ValueError:
                 item = None
             if item is None or item not in known:
-                names = known if not isinstance(known, range) else (known[0], "...", known[-1])
+                limits = isinstance(known, range) and f"from {known[0]} to {known[-1]}"
                 raise argparse.ArgumentTypeError(
-                    f"{word.strip()!r} is none of {', '.join(map(str, names))}"
+                    f"{word.strip()!r} is "
+                    + (f"no number {limits}" if limits else f"none of {', '.join(known)}")
                 )
             items.append(item)
         return tuple(dict.fromkeys(items))
 
     return read
-
-
-def _states(text: str) -> int:
-    (count,) = _list_of(int, range(_LEAST_STATES, 10001))(text)
-    return int(count)
 
 
 def _budget(text: str) -> Budget:

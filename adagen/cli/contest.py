@@ -20,7 +20,8 @@ from adagen.bench.record import ModelRecord, Record, Row
 from adagen.build import find_toolchain
 from adagen.cli import pipeline
 from adagen.cli.console import Stages, note, progress
-from adagen.cli.options import AUTO, add_emission, add_model, add_schedule, make_parser, parse
+from adagen.cli.options import AUTO, add_emission, add_model, add_schedule, check_emission
+from adagen.cli.parser import make_parser, parse
 from adagen.emit.shapes import chosen_shape
 from adagen.errors import AdagenError, UsageError
 from adagen.model import Model, canonical
@@ -133,6 +134,7 @@ def _options(entry: Entry, variant: str) -> argparse.Namespace:
     add_schedule(parser)
     add_emission(parser)
     options = parse(parser, [str(entry.file), *entry.words, *shlex.split(variant)])
+    check_emission(parser, options)
     options.name = None
     if options.procs == AUTO:
         raise UsageError("a variant needs a number of processes")

@@ -8,7 +8,7 @@ import shlex
 from collections.abc import Sequence
 
 from adagen.build import cache_folder, find_toolchain
-from adagen.cli.options import make_parser, parse
+from adagen.cli.parser import make_parser, parse
 
 _EPILOG = """examples:
   adagen env                         what would be used, a line each

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 
 from adagen.cli.console import Stages, note
-from adagen.cli.options import add_emission, add_model, add_schedule, make_parser, parse
+from adagen.cli.options import add_emission, add_model, add_out, add_schedule, check_emission
+from adagen.cli.parser import make_parser, parse
 
 _DESCRIPTION = """\
 Compile a robot description into one C++/MPI source file for P processes that computes its
@@ -18,6 +18,8 @@ other commands (each has a --help of its own):
   adagen solve MODEL --procs P --states FILE       generate, build and run for given states
   adagen calibrate                                 measure what operations cost on this machine
   adagen bench MODEL ...                           time it beside pinocchio, casadi, MuJoCo
+  adagen chart MODEL ...                           draw its error beside its time
+  adagen stability                                 where methods fail, and what is kept
   adagen env                                       the compiler, MPI and Eigen in use
 
 examples:
@@ -34,11 +36,10 @@ def run(argv: Sequence[str]) -> int:
     add_model(parser)
     add_schedule(parser)
     add_emission(parser)
-    parser.add_argument(
-        "--out", type=Path, default=Path(), metavar="DIR", help="where to write (default: here)"
-    )
+    add_out(parser)
     parser.add_argument("--name", help="name of the files (default: MODEL's, without its ending)")
     options = parse(parser, argv)
+    check_emission(parser, options)
 
     from adagen.cli import pipeline
     from adagen.cli.files import write_files

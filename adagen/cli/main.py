@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import os
 import signal
 import sys
@@ -11,7 +12,7 @@ from contextlib import suppress
 from importlib import import_module
 from types import FrameType
 
-from adagen.errors import AdagenError, printable
+from adagen.errors import AdagenError, UsageError, printable
 
 VERBS = ("schedule", "solve", "calibrate", "env", "bench", "stability", "chart")
 INTERNAL = 3
@@ -63,7 +64,15 @@ def _verb(words: Sequence[str]) -> str | None:
 
 
 def _command(words: Sequence[str]) -> Callable[[Sequence[str]], int]:
-    """Return what carries the words out; only its own module is imported."""
+    """Return what carries the words out; only its own module is imported.
+
+    Raises:
+        UsageError: the first word is nearly that of a command.
+    """
+    first = words[0] if words else ""
+    near = difflib.get_close_matches(first, VERBS, n=1, cutoff=0.75)
+    if near and first not in VERBS and not os.path.lexists(first):
+        raise UsageError(f"neither a command nor a file: {first}; did you mean '{near[0]}'?")
     module = import_module(f"adagen.cli.{_verb(words) or 'generate'}")
     run: Callable[[Sequence[str]], int] = module.run
     return run

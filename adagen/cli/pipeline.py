@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, get_args
 from adagen.cli.console import Stages, note, progress, warn
 from adagen.cli.options import AUTO
 from adagen.cli.predicted import scheduled
-from adagen.errors import InputError
+from adagen.errors import InputError, UsageError
 
 if TYPE_CHECKING:
     from adagen.model import Model
@@ -84,6 +84,7 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
 
     Raises:
         InputError: the profile or the schedule file is refused.
+        UsageError: there is no such profile or schedule.
     """
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
         from adagen.plan.clusters import fold_of
@@ -125,9 +126,15 @@ def _read_schedule(
 ) -> Schedule:
     """Return the schedule in the file that the user gave."""
     from adagen.schedule import schedule_from_json
+    from adagen.schedule.tree import Named
 
     try:
         text = Path(options.schedule).read_text(encoding="utf-8")
+    except FileNotFoundError:
+        known = ", ".join(("auto", *get_args(Named)))
+        raise UsageError(
+            f"--schedule: '{options.schedule}' is no file and none of {known}"
+        ) from None
     except OSError as error:
         raise InputError(f"cannot read it: {error.strerror}", options.schedule) from None
     except ValueError:

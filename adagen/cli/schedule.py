@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import Stages, note
-from adagen.cli.options import add_model, add_schedule, make_parser, parse
+from adagen.cli.options import add_model, add_schedule, check_search
+from adagen.cli.parser import make_parser, parse
 from adagen.cli.predicted import accuracy_line, predicted_accuracy, timeline, with_accuracy
 
 if TYPE_CHECKING:
@@ -38,6 +39,7 @@ def run(argv: Sequence[str]) -> int:
         help="with --svg: draw what a run measured (its --trace) under what is predicted",
     )
     options = parse(parser, argv)
+    check_search(parser, options)
     if options.trace is not None and options.svg is None:
         parser.error("--trace needs --svg FILE: the drawing to make")
 

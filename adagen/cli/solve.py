@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import Stages, note, progress
-from adagen.cli.options import add_emission, add_model, add_schedule, make_parser, parse, seconds
+from adagen.cli.options import add_emission, add_model, add_schedule, check_emission
+from adagen.cli.parser import make_parser, parse, seconds
 from adagen.errors import EnvironmentFault
 
 if TYPE_CHECKING:
@@ -50,6 +51,7 @@ def run(argv: Sequence[str]) -> int:
         help="end a run that takes longer (default: 600 s)",
     )
     options = parse(parser, argv)
+    check_emission(parser, options)
     options.name = None
     stages = Stages()
     try:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import note, progress
-from adagen.cli.options import make_parser, parse
+from adagen.cli.parser import make_parser, parse
 
 if TYPE_CHECKING:
     from adagen.stability import Outcome

@@ -47,7 +47,7 @@ HEADERS = (
     "vector",
 )
 
-__all__ = ["emit", "file_stem", "stem_of", "templates_folder"]
+__all__ = ["check_batch", "emit", "file_stem", "stem_of", "templates_folder"]
 
 
 def stem_of(plan: Plan, name: str | None = None) -> str:
@@ -115,7 +115,9 @@ def source(
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
     if batch:
-        check_batch(plan, shape, refine)
+        if len(plan.processes) > 1:
+            raise UsageError("a batch is solved by the plan of one process")
+        check_batch(shape, refine)
         shape = "kernels"
     shape = chosen_shape(plan, checked_steps(refine, shape))
     plan = refinable(plan) if refine else plan
@@ -193,14 +195,12 @@ def _hops(profile: CostProfile | None) -> dict[str, object]:
     return {"profile": profile.name, "window": costs.window, "message": costs.message}
 
 
-def check_batch(plan: Plan, shape: str, refine: int) -> None:
+def check_batch(shape: str, refine: int) -> None:
     """Refuse what is not emitted for batches.
 
     Raises:
-        UsageError: the plan, the shape or refinement cannot be had for batches.
+        UsageError: the shape or refinement cannot be had for batches.
     """
-    if len(plan.processes) > 1:
-        raise UsageError("a batch is solved by the plan of one process")
     if refine:
         raise UsageError("batches are not refined; leave out --refine or --batch")
     if shape not in ("auto", "kernels"):

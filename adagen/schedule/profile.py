@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 from importlib import resources
 from pathlib import Path
 
-from adagen.errors import InputError
+from adagen.errors import InputError, UsageError
 from adagen.schedule.costs import StepCosts, read_steps
 
 TICKS = 1_000_000
@@ -117,7 +117,8 @@ def load_profile(name: str) -> CostProfile:
     what has been measured here.
 
     Raises:
-        InputError: there is no such profile, or the file is not a valid one.
+        UsageError: there is no such profile.
+        InputError: the file cannot be read or is not a valid profile.
     """
     if name in SHIPPED:
         text = (resources.files("adagen.schedule") / "profiles" / f"{name}.toml").read_text("utf-8")
@@ -129,7 +130,7 @@ def load_profile(name: str) -> CostProfile:
         return parse_profile(path.read_text("utf-8"), str(path))
     except FileNotFoundError:
         known = ", ".join(dict.fromkeys((*SHIPPED, *stored_profiles())))
-        raise InputError(
+        raise UsageError(
             f"no cost profile '{name}': give a TOML file or one of {known}; adagen calibrate "
             "measures this machine's"
         ) from None
@@ -137,7 +138,7 @@ def load_profile(name: str) -> CostProfile:
         raise InputError("a cost profile must be UTF-8 text", name) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or "not a usable path"
-        raise InputError(f"cannot read the cost profile '{name}': {reason}") from None
+        raise InputError(f"cannot read the cost profile: {reason}", name) from None
 
 
 def parse_profile(text: str, file: str) -> CostProfile:

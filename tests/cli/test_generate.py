@@ -213,7 +213,7 @@ class TestSchedule:
     def test_a_file_that_is_not_there_is_told(
         self, words: list[str], arm: Path, said: Said
     ) -> None:
-        assert main(["schedule", str(arm), "--procs", "2", *words]) == 1
+        assert main(["schedule", str(arm), "--procs", "2", *words]) == 2
         stderr = said()[1]
         assert "error: " in stderr and "none" in stderr and stderr.count("\n") == 1
 

@@ -17,6 +17,7 @@ import pytest
 
 import adagen
 from adagen.cli import env, main
+from adagen.cli.main import VERBS
 from adagen.errors import InputError
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -64,6 +65,14 @@ class TestUsage:
             (["env", "--mpicxx", "--eigen"], "not allowed with"),
             (["r.urdf", "--procs", "2", "--name=--"], "cannot have the value --"),
             (["r.urdf", "--procs", "2", "a\nb"], "a\\nb"),
+            (["schedul", "robot.urdf", "--procs", "2"], "did you mean 'schedule'?"),
+            (["r.urdf", "--procs", "2", "--batch", "--refine", "1"], "batches are not refined"),
+            (["r.urdf", "--procs", "2", "--batch", "--shape", "joints"], "in shape kernels"),
+            (["r.urdf", "--procs", "2", "--batch", "--tune"], "nothing to --tune"),
+            (["r.urdf", "--procs", "2", "--refine", "1", "--shape", "kernels"], "no refinement"),
+            (["r.urdf", "--procs", "2", "--naive"], "--naive is for --strategy astar or paper"),
+            (["r.urdf", "--procs", "2", "--schedule", "balanced", "--tie", "lex"], "--tie is for"),
+            (["chart", "r.urdf", "--step", "0.1"], "--step is for --simulate"),
         ],
     )
     def test_a_wrong_command_line_is_one_line_and_status_2(
@@ -81,7 +90,7 @@ class TestUsage:
         assert (done.returncode, done.stdout) == (2, "")
         assert done.stderr.startswith("error: ") and "Traceback" not in done.stderr
 
-    @pytest.mark.parametrize("verb", [[], ["schedule"], ["solve"], ["env"]])
+    @pytest.mark.parametrize("verb", [[], *([verb] for verb in VERBS)], ids=str)
     def test_help_and_version_are_data(
         self, verb: list[str], capsys: pytest.CaptureFixture[str]
     ) -> None:
