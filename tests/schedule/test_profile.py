@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from adagen.errors import InputError
+from adagen.errors import InputError, UsageError
 from adagen.schedule import Topology, find_schedule, load_profile
 
 GOOD = 'name = "mine"\n[join]\nalpha = 1\nbeta = 0.5\ngamma = -0.1\ndelta = 2.0\n'
@@ -56,7 +56,9 @@ def test_a_wrong_file_is_refused(
 
 
 def test_a_missing_or_unreadable_file_is_refused(tmp_path: Path) -> None:
-    for name in (str(tmp_path / "none.toml"), str(tmp_path), "nul\0byte"):
+    with pytest.raises(UsageError, match="default, paper"):
+        load_profile(str(tmp_path / "none.toml"))
+    for name in (str(tmp_path), "nul\0byte"):
         with pytest.raises(InputError):
             load_profile(name)
     (tmp_path / "binary.toml").write_bytes(b"\xff\xfe")
