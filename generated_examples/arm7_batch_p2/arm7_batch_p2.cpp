@@ -41,12 +41,17 @@ arm7_batch_p2_solver* arm7_batch_p2_open(MPI_Comm comm, const char* channel, dou
 
 // Accelerations of count states, each process for itself. Of each state in turn: q 9 numbers, v and
 // tau 9 each, qdd 9; joints in order, quaternions x y z w (normalised here), floating joints [linear;
-// angular] in the body's frame. Returns 0, or what arm7_batch_p2_failure puts into words.
+// angular] in the body's frame. Returns 0, or what arm7_batch_p2_failure puts into words: states
+// that cannot be solved get NaN for accelerations, all others theirs.
 int arm7_batch_p2_solve_batch(arm7_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd);
 
-// The same, collective: process 0 passes all states and gets all accelerations, the others may pass
-// null and any count. Each process solves an equal share.
+// The same, collective: process 0 passes all states and gets all accelerations, and hears of states
+// that cannot be solved; the others may pass null and any count. Faster processes get more to solve.
 int arm7_batch_p2_solve_batch_at_root(arm7_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd);
+
+// The k-th of the states that the last call could not solve, counted from 0; -1 where there are not so
+// many. arm7_batch_p2_failure says why.
+int arm7_batch_p2_failed_state(arm7_batch_p2_solver* solver, int k);
 
 
 // The last failure in words; valid until the next call.
@@ -670,30 +675,37 @@ class Channel {
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;
 
-  // Collective. Returns an empty string, or what is wrong.
-  std::string open(MPI_Comm comm, ChannelMode mode, double time_limit) {
+  // Collective. Returns an empty string, or what is wrong. hosts: if not 0, processes are taken to
+  // be on so many hosts, in equal parts, whatever they share.
+  std::string open(MPI_Comm comm, ChannelMode mode, double time_limit, int hosts = 0) {
     MPI_Comm_dup(comm, &comm_);
     MPI_Comm_rank(comm_, &rank_);
     time_limit_ = std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(std::min(time_limit, 1e8)));
     ports_.resize(kMessages.size());
-    if (mode != ChannelMode::kMessage) open_window(mode);
-    int missing = 0;
+    find_node(hosts);
+    const bool window = mode == ChannelMode::kMessage || open_window();
+    std::array<int, 2> ways{};  // messages through MPI, through the window
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
-      if (ports_[k].slots || (info.source != rank_ && info.target != rank_)) continue;
-      if (mode == ChannelMode::kWindow) ++missing;
-      ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
+      if (info.source != rank_ && info.target != rank_) continue;
+      ++ways[ports_[k].slots ? 1 : 0];
+      if (!ports_[k].slots) ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
     }
-    MPI_Allreduce(MPI_IN_PLACE, &missing, 1, MPI_INT, MPI_SUM, comm_);
-    return missing == 0 ? "" : "channel window: not all processes are on one node";
+    MPI_Allreduce(MPI_IN_PLACE, ways.data(), 2, MPI_INT, MPI_SUM, comm_);
+    name_ = ways[0] == 0   ? (ways[1] == 0 ? "message" : "window")
+            : ways[1] == 0 ? "message"
+                           : "mixed";
+    if (mode != ChannelMode::kWindow || ways[0] == 0) return "";
+    return window ? "channel window: not all processes are on one node"
+                  : "channel window: this MPI gives processes no common memory";
   }
 
   void close() {
     if (comm_ == MPI_COMM_NULL) return;
-    for (Port& port : ports_)
-      if (port.request != MPI_REQUEST_NULL)
-        MPI_Cancel(&port.request), MPI_Request_free(&port.request);
+    int status = kFine;
+    for (std::size_t k = 0; k < ports_.size(); ++k)  // what others still wait for gets there
+      wait(ports_[k].request, kMessages[k].target, status);
     if (window_ != MPI_WIN_NULL) {
       MPI_Win_unlock_all(window_);
       MPI_Win_free(&window_);
@@ -706,7 +718,7 @@ class Channel {
   Real* outgoing(int k, int& status) {
     Port& port = ports_[k];
     if (port.slots) return port.slot(port.count + 1, k).content() + 1;
-    if (port.request != MPI_REQUEST_NULL) wait_for_request(port, kMessages[k].target, status);
+    wait(port.request, kMessages[k].target, status);
     return port.buffer.data() + 1;
   }
 
@@ -742,7 +754,7 @@ class Channel {
     } else {
       MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
                 kMessages[k].source, k, comm_, &port.request);
-      wait_for_request(port, kMessages[k].source, status);
+      wait(port.request, kMessages[k].source, status);
       content = port.buffer.data();
     }
     if (take_) take_->note(k, content);
@@ -752,6 +764,28 @@ class Channel {
   // Notes from here on what is sent and received, or plays it; null for neither.
   void use(Take* take) { take_ = take; }
 
+  // Waits until a peer has done its part; then tells done of it. What never comes is given up.
+  template <class Done>
+  void wait(MPI_Request& request, int peer, int& status, Done done) {
+    if (request == MPI_REQUEST_NULL) return;
+    MPI_Status found;
+    const bool in_time = wait_until([&] {
+      int flag = 0;
+      MPI_Test(&request, &flag, &found);
+      return flag != 0;
+    });
+    if (in_time) return done(found);
+    give_up(request);
+    fail(status, failure(kNoAnswer, peer));
+  }
+  void wait(MPI_Request& request, int peer, int& status) {
+    wait(request, peer, status, [](const MPI_Status&) {});
+  }
+
+  static void give_up(MPI_Request& request) {
+    if (request != MPI_REQUEST_NULL) MPI_Cancel(&request), MPI_Request_free(&request);
+  }
+
   static void fail(int& status, int failure) {
     if (status == kFine) status = failure;
   }
@@ -760,6 +794,8 @@ class Channel {
   int rank() const { return rank_; }
   bool broken() const { return broken_; }
   bool windowed() const { return window_ != MPI_WIN_NULL; }
+  bool on_one_host() const { return on_one_host_; }
+  const char* name() const { return name_; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -789,9 +825,19 @@ class Channel {
     return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
   }
 
-  // Each process holds the slots of the messages that it sends to processes on its node.
-  void open_window(ChannelMode mode) {
-    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node_);
+  void find_node(int hosts) {
+    MPI_Comm real;
+    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &real);
+    MPI_Comm_split(real, rank_ * hosts / kProcesses, 0, &node_);
+    MPI_Comm_free(&real);
+    int size = 0;
+    MPI_Comm_size(node_, &size);
+    on_one_host_ = size == kProcesses;
+  }
+
+  // Each process holds the slots of the messages that it sends to processes on its node. Returns
+  // whether there was memory to share.
+  bool open_window() {
     std::vector<int> on_node(kProcesses, MPI_UNDEFINED), all(kProcesses);
     for (int p = 0; p < kProcesses; ++p) all[p] = p;
     MPI_Group whole, near;
@@ -800,24 +846,14 @@ class Channel {
     MPI_Group_translate_ranks(whole, kProcesses, all.data(), near, on_node.data());
     MPI_Group_free(&whole);
     MPI_Group_free(&near);
-    int node_size = 1;
-    MPI_Comm_size(node_, &node_size);
-    if (node_size == 1 && mode == ChannelMode::kAuto) return;  // nobody to share a window with
-
     const auto near_pair = [&](const MessageInfo& info) {
       return on_node[info.source] != MPI_UNDEFINED && on_node[info.target] != MPI_UNDEFINED;
     };
+    if (std::none_of(kMessages.begin(), kMessages.end(), near_pair)) return true;
     std::size_t own = 0;
     for (const MessageInfo& info : kMessages)
       if (info.source == rank_ && near_pair(info)) own += 2 * slot_bytes(info);
-    char* base = nullptr;
-    MPI_Info hints;
-    MPI_Info_create(&hints);
-    MPI_Info_set(hints, "alloc_shared_noncontig",
-                 "true");  // every part on pages of its own process
-    MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base, &window_);
-    MPI_Info_free(&hints);
-    MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
+    if (!share_memory(own)) return false;
     std::vector<char*> next(kProcesses, nullptr);
     for (int p = 0; p < kProcesses; ++p) {
       if (on_node[p] == MPI_UNDEFINED) continue;
@@ -838,6 +874,27 @@ class Channel {
     MPI_Win_sync(window_);
     MPI_Barrier(node_);
     MPI_Win_sync(window_);
+    return true;
+  }
+
+  // Returns whether all processes of the node could.
+  bool share_memory(std::size_t own) {
+    char* base = nullptr;
+    MPI_Info hints;
+    MPI_Info_create(&hints);
+    MPI_Info_set(hints, "alloc_shared_noncontig",
+                 "true");  // every part on pages of its own process
+    MPI_Comm_set_errhandler(node_, MPI_ERRORS_RETURN);
+    int good = MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base,
+                                       &window_) == MPI_SUCCESS;
+    MPI_Comm_set_errhandler(node_, MPI_ERRORS_ARE_FATAL);
+    MPI_Info_free(&hints);
+    MPI_Allreduce(MPI_IN_PLACE, &good, 1, MPI_INT, MPI_MIN, node_);
+    if (good != 0)
+      MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
+    else
+      window_ = MPI_WIN_NULL;
+    return good != 0;
   }
 
   // Spins briefly, then yields, so that more processes than cores still finish.
@@ -859,21 +916,13 @@ class Channel {
     return true;
   }
 
-  void wait_for_request(Port& port, int peer, int& status) {
-    const bool done = wait_until([&] {
-      int flag = 0;
-      MPI_Test(&port.request, &flag, MPI_STATUS_IGNORE);
-      return flag != 0;
-    });
-    if (!done) fail(status, failure(kNoAnswer, peer));
-  }
-
   MPI_Comm comm_ = MPI_COMM_NULL, node_ = MPI_COMM_NULL;
   MPI_Win window_ = MPI_WIN_NULL;
   int rank_ = 0;
   Clock::duration time_limit_{};
-  bool broken_ = false;
+  bool broken_ = false, on_one_host_ = true;
   Take* take_ = nullptr;
+  const char* name_ = "message";
   std::vector<Port> ports_;
 };
 
@@ -1767,8 +1816,167 @@ constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {9, kReadQ_0.data(), 9, kReadV_0.data(), 9, kOwn_0.data(), 9, kTorque_0.data()},
 } };
 
+// States of process 0, one after the other, and where their accelerations go.
+struct Batch {
+  int count;
+  const Real *q, *v, *tau;
+  Real* qdd;
+};
+
+// Process 0 hands pieces of a batch to the others as they finish earlier ones, and solves pieces in
+// between itself: faster processes get more, wherever they are. A process has two pieces, so that
+// one is on its way while the other is solved. A piece is one message, all q, then all v, then all
+// tau; an empty one is the end. The answer is the accelerations.
+class Handout {
+ public:
+  // At process 0. Returns whether all states could be solved; that a process is gone joins the
+  // status.
+  template <class Solve>
+  bool hand_out(Channel& channel, int helpers, const Batch& batch, Solve solve, int& status) {
+    helpers_.resize(static_cast<std::size_t>(kProcesses - 1));
+    bool good = true;
+    int next = 0;
+    const auto take = [&] {
+      const int first = next;
+      next += piece(batch.count - first);
+      return first;
+    };
+    while (next < batch.count && status == kFine) {
+      for (int p = 1; p <= helpers; ++p) {
+        Helper& helper = helpers_[static_cast<std::size_t>(p - 1)];
+        while (helper.busy > 0 && is_done(helper.oldest().answered, good)) helper.drop_oldest();
+        while (helper.busy < 2 && next < batch.count) {
+          const int first = take();
+          give(channel, helper.add(), p, batch, first, next - first, status);
+        }
+      }
+      const int first = take();
+      if (first < next) good &= solve_in_place(batch, first, next - first, solve);
+    }
+    for (int p = 1; p < kProcesses; ++p) {
+      Helper& helper = helpers_[static_cast<std::size_t>(p - 1)];
+      for (; helper.busy > 0; helper.drop_oldest())
+        channel.wait(helper.oldest().answered, p, status,
+                     [&](const MPI_Status& s) { good &= s.MPI_TAG == kSolved; });
+      for (Given& given : helper.given) {
+        channel.wait(given.sent, p, status);
+        MPI_Isend(nullptr, 0, kMpiReal, p, kStates, channel.comm(), &given.sent);
+      }
+    }
+    for (int p = 1; p < kProcesses; ++p)
+      for (Given& given : helpers_[static_cast<std::size_t>(p - 1)].given)
+        channel.wait(given.sent, p, status);
+    return good;
+  }
+
+  // At the others, until process 0 has nothing more.
+  template <class Solve>
+  void help(Channel& channel, Solve solve, int& status) {
+    for (Taken& piece : taken_) {
+      piece.states.resize(static_cast<std::size_t>(kMost) * kNumbers);
+      piece.qdd.resize(static_cast<std::size_t>(kMost) * kNv);
+      ask(channel, piece);
+    }
+    int ends = 0;
+    for (std::size_t k = 0; ends < 2 && status == kFine; k ^= 1) {
+      Taken& piece = taken_[k];
+      int numbers = 0;
+      channel.wait(piece.asked, 0, status,
+                   [&](const MPI_Status& s) { MPI_Get_count(&s, kMpiReal, &numbers); });
+      channel.wait(piece.answered, 0, status);
+      if (numbers == 0) {
+        ++ends;
+        continue;
+      }
+      const int count = numbers / kNumbers;
+      const Real* const v = piece.states.data() + count * kNq;
+      const bool good = solve(count, piece.states.data(), v, v + count * kNv, piece.qdd.data());
+      MPI_Isend(piece.qdd.data(), count * kNv, kMpiReal, 0, good ? kSolved : kFailed,
+                channel.comm(), &piece.answered);
+      ask(channel, piece);
+    }
+  }
+
+ private:
+  static constexpr int kNumbers = kNq + 2 * kNv;               // of a state
+  static constexpr int kStates = 0, kSolved = 1, kFailed = 2;  // what a message is
+  // States of a piece, at most: about 64 kB, which is on its way for less time than it takes.
+  static constexpr int kMost =
+      std::max(1, (1 << 16) / (kNumbers * static_cast<int>(sizeof(Real)) * kLanes)) * kLanes;
+
+  // A piece at process 0, which another solves, and at that one.
+  struct Given {
+    MPI_Request sent = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
+  };
+  struct Taken {
+    std::vector<Real> states, qdd;
+    MPI_Request asked = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
+  };
+
+  struct Helper {
+    std::array<Given, 2> given;
+    std::size_t next = 0;
+    int busy = 0;
+    Given& oldest() { return given[busy == 2 ? next : next ^ 1]; }
+    void drop_oldest() { --busy; }
+    Given& add() {
+      ++busy;
+      next ^= 1;
+      return given[next ^ 1];
+    }
+  };
+
+  // Pieces shrink towards the end, so that all are done at about the same time; but for the last,
+  // they fill all lanes.
+  static int piece(int left) {
+    const int share = left / (4 * kProcesses) / kLanes * kLanes;
+    return std::min(left, std::clamp(share, kLanes, kMost));
+  }
+
+  static bool is_done(MPI_Request& answered, bool& good) {
+    int done = 0;
+    MPI_Status status;
+    MPI_Test(&answered, &done, &status);
+    if (done != 0) good &= status.MPI_TAG == kSolved;
+    return done != 0;
+  }
+
+  static void give(Channel& channel, Given& given, int p, const Batch& batch, int first, int count,
+                   int& status) {
+    const long row = first;
+    const std::array<const Real*, 3> from{batch.q + row * kNq, batch.v + row * kNv,
+                                          batch.tau + row * kNv};
+    const std::array<int, 3> lengths{count * kNq, count * kNv, count * kNv};
+    std::array<MPI_Aint, 3> places;
+    for (std::size_t k = 0; k < 3; ++k) MPI_Get_address(from[k], &places[k]);
+    MPI_Datatype rows;
+    MPI_Type_create_hindexed(3, lengths.data(), places.data(), kMpiReal, &rows);
+    MPI_Type_commit(&rows);
+    channel.wait(given.sent, p, status);
+    MPI_Isend(MPI_BOTTOM, 1, rows, p, kStates, channel.comm(), &given.sent);
+    MPI_Type_free(&rows);
+    MPI_Irecv(batch.qdd + row * kNv, count * kNv, kMpiReal, p, MPI_ANY_TAG, channel.comm(),
+              &given.answered);
+  }
+
+  template <class Solve>
+  static bool solve_in_place(const Batch& batch, int first, int count, Solve solve) {
+    const long row = first;
+    return solve(count, batch.q + row * kNq, batch.v + row * kNv, batch.tau + row * kNv,
+                 batch.qdd + row * kNv);
+  }
+
+  static void ask(Channel& channel, Taken& piece) {
+    MPI_Irecv(piece.states.data(), static_cast<int>(piece.states.size()), kMpiReal, 0, kStates,
+              channel.comm(), &piece.asked);
+  }
+
+  std::vector<Helper> helpers_;
+  std::array<Taken, 2> taken_;
+};
+
 // Solves many states at once, one in each lane of a register. Each process solves states of its
-// own; where process 0 has them all, it hands out as equal shares as there are.
+// own; where process 0 has them all, it hands them out (handout.hpp).
 class Solver {
  public:
   Workspace w;
@@ -1776,45 +1984,38 @@ class Solver {
   std::string text;  // of the last failure
 
   // States one after the other, as are their accelerations; nothing is said to other processes.
+  // Accelerations of a state that fails are not numbers; the others are what they should be.
   int solve_batch(int count, const Real* q, const Real* v, const Real* tau, Real* qdd) {
-    for (int first = 0; first < count; first += kLanes) {
-      const int states = std::min(kLanes, count - first);
-      const long row = first;
-      spread(states, q + row * kNq, kNq, q_.data());
-      spread(states, v + row * kNv, kNv, v_.data());
-      spread(states, tau + row * kNv, kNv, tau_.data());
-      const int status = run();
-      if (status != kFine) {
-        text = "state " + std::to_string(first + 1 + culprit(states)) + ": " + describe(status);
-        return status;
-      }
-      for (int s = 0; s < states; ++s)
-        for (int k = 0; k < kNv; ++k) qdd[(row + s) * kNv + k] = qdd_[size(k)][s];
-    }
-    return kFine;
+    forget();
+    return solve_rows(count, q, v, tau, qdd) ? kFine : name_failures(count, q, v, tau, qdd);
   }
 
   int solve(const Real* q, const Real* v, const Real* tau, Real* qdd) {
     return solve_batch(1, q, v, tau, qdd);
   }
 
-  // Collective: process 0 has all states and gets all accelerations.
-  int solve_batch_at_root(int count, const Real* q, const Real* v, const Real* tau, Real* qdd) {
-    MPI_Bcast(&count, 1, MPI_INT, 0, channel.comm());
-    const int own = share(count, channel.rank() + 1) - share(count, channel.rank());
-    std::vector<Real> own_q(size(own) * kNq), own_v(size(own) * kNv), own_tau(size(own) * kNv),
-        own_qdd(size(own) * kNv);
-    scatter(count, q, kNq, own_q);
-    scatter(count, v, kNv, own_v);
-    scatter(count, tau, kNv, own_tau);
-    int status = solve_batch(own, own_q.data(), own_v.data(), own_tau.data(), own_qdd.data());
-    std::vector<int> counts(kProcesses), starts(kProcesses);
-    rows_of(count, kNv, counts, starts);
-    MPI_Gatherv(own_qdd.data(), own * kNv, kMpiReal, qdd, counts.data(), starts.data(), kMpiReal, 0,
-                channel.comm());
-    MPI_Allreduce(MPI_IN_PLACE, &status, 1, MPI_INT, MPI_MAX, channel.comm());
-    if (status != kFine && text.empty()) text = describe(status);
+  // Collective: process 0 has all states and gets all accelerations, and to know what failed; the
+  // others return once it has. Of them, processes 1 to helpers help.
+  int solve_batch_at_root(int count, const Real* q, const Real* v, const Real* tau, Real* qdd,
+                          int helpers = kProcesses - 1) {
+    if constexpr (kProcesses == 1) return solve_batch(count, q, v, tau, qdd);
+    forget();
+    const auto solve = [this](auto... rows) { return solve_rows(rows...); };
+    int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
+    if (status == kFine && channel.rank() > 0)
+      handout_.help(channel, solve, status);
+    else if (status == kFine &&
+             !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd}, solve, status))
+      return name_failures(count, q, v, tau, qdd);
+    if (status != kFine) text = describe(status);
     return status;
+  }
+
+  // The k-th failure of the last call: its state, counted from 0; -1 where there is none.
+  int failed_state(std::size_t k) {
+    if (k >= failures_.size()) return -1;
+    text = in_words(failures_[k]);
+    return failures_[k].state;
   }
 
   // What simulates asks for one state at a time.
@@ -1823,13 +2024,65 @@ class Solver {
   }
   int end_at_root() { return kFine; }
 
-  // The first of the states of process p, of so many.
-  static int share(int count, int p) {
-    return static_cast<int>(static_cast<long long>(count) * p / kProcesses);
+ private:
+  struct FailedState {
+    int state, status;
+  };
+
+  static std::size_t size(int n) { return static_cast<std::size_t>(n); }
+
+  void forget() {
+    failures_.clear();
+    text.clear();
   }
 
- private:
-  static std::size_t size(int n) { return static_cast<std::size_t>(n); }
+  // Returns whether all states could be solved.
+  bool solve_rows(int count, const Real* q, const Real* v, const Real* tau, Real* qdd) {
+    bool good = true;
+    for (int first = 0, states; first < count; first += states) {
+      states = std::min(kLanes, count - first);
+      const long row = first;
+      spread(states, q + row * kNq, kNq, q_.data());
+      spread(states, v + row * kNv, kNv, v_.data());
+      spread(states, tau + row * kNv, kNv, tau_.data());
+      if (run() == kFine) {
+        for (int s = 0; s < states; ++s) take(s, qdd + (row + s) * kNv);
+        continue;
+      }
+      good = false;
+      const auto all_q = q_;
+      const auto all_v = v_, all_tau = tau_;
+      for (int s = 0; s < states; ++s) {
+        everywhere(q_, all_q, s), everywhere(v_, all_v, s), everywhere(tau_, all_tau, s);
+        if (run() == kFine)
+          take(s, qdd + (row + s) * kNv);
+        else
+          std::fill_n(qdd + (row + s) * kNv, kNv, std::numeric_limits<Real>::quiet_NaN());
+      }
+    }
+    return good;
+  }
+
+  // Tries the states that have no accelerations once more, each by itself; returns the first
+  // failure.
+  int name_failures(int count, const Real* q, const Real* v, const Real* tau, const Real* qdd) {
+    for (int s = 0; s < count; ++s) {
+      const long row = s;
+      if (qdd[row * kNv] == qdd[row * kNv]) continue;
+      spread(1, q + row * kNq, kNq, q_.data());
+      spread(1, v + row * kNv, kNv, v_.data());
+      spread(1, tau + row * kNv, kNv, tau_.data());
+      failures_.push_back({s, run()});
+    }
+    text = in_words(failures_.front());
+    if (failures_.size() > 1)
+      text += " (and " + std::to_string(failures_.size() - 1) + " more states)";
+    return failures_.front().status;
+  }
+
+  static std::string in_words(const FailedState& failed) {
+    return "state " + std::to_string(failed.state + 1) + ": " + describe(failed.status);
+  }
 
   // Rows of numbers into lanes; lanes without a state repeat the last one.
   static void spread(int states, const Real* rows, int width, Value* lanes) {
@@ -1842,6 +2095,16 @@ class Solver {
       for (int s = 0; s < kLanes; ++s) lanes[k][s] = rows[std::min(s, states - 1) * width + k];
   }
 
+  // One lane of some values in all lanes.
+  template <class Values>
+  static void everywhere(Values& lanes, const Values& all, int s) {
+    for (std::size_t k = 0; k < lanes.size(); ++k) lanes[k] = Value{} + all[k][s];
+  }
+
+  void take(int s, Real* qdd) const {
+    for (int k = 0; k < kNv; ++k) qdd[k] = qdd_[size(k)][s];
+  }
+
   int run() {
     w.q = q_.data(), w.v = v_.data(), w.tau = tau_.data(), w.qdd = qdd_.data();
     w.status = kFine;
@@ -1849,36 +2112,10 @@ class Solver {
     return w.status;
   }
 
-  // The lane that failed: each is tried by itself.
-  int culprit(int states) {
-    const auto all_q = q_;
-    const auto all_v = v_, all_tau = tau_;
-    const auto only = [](auto& lanes, const auto& all, int s) {
-      for (std::size_t k = 0; k < lanes.size(); ++k) lanes[k] = Value{} + all[k][s];
-    };
-    for (int s = 0; s < states; ++s) {
-      only(q_, all_q, s), only(v_, all_v, s), only(tau_, all_tau, s);
-      if (run() != kFine) return s;
-    }
-    return 0;
-  }
-
-  void rows_of(int count, int width, std::vector<int>& counts, std::vector<int>& starts) const {
-    for (int p = 0; p < kProcesses; ++p) {
-      starts[size(p)] = share(count, p) * width;
-      counts[size(p)] = share(count, p + 1) * width - starts[size(p)];
-    }
-  }
-
-  void scatter(int count, const Real* all, int width, std::vector<Real>& own) const {
-    std::vector<int> counts(kProcesses), starts(kProcesses);
-    rows_of(count, width, counts, starts);
-    MPI_Scatterv(all, counts.data(), starts.data(), kMpiReal, own.data(),
-                 static_cast<int>(own.size()), kMpiReal, 0, channel.comm());
-  }
-
   std::array<Value, kNq> q_{};
   std::array<Value, kNv> v_{}, tau_{}, qdd_{};
+  std::vector<FailedState> failures_;
+  Handout handout_;
 };
 
 }  // namespace
@@ -1914,6 +2151,10 @@ int arm7_batch_p2_solve_batch(arm7_batch_p2_solver* solver, int count, const dou
 
 int arm7_batch_p2_solve_batch_at_root(arm7_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd) {
   return solver->solve_batch_at_root(count, q, v, tau, qdd);
+}
+
+int arm7_batch_p2_failed_state(arm7_batch_p2_solver* solver, int k) {
+  return k < 0 ? -1 : solver->failed_state(static_cast<std::size_t>(k));
 }
 
 const char* arm7_batch_p2_failure(const arm7_batch_p2_solver* solver) { return solver->text.c_str(); }
@@ -2483,7 +2724,10 @@ bool write_result(const std::string& path, const std::vector<Real>& qdd, int cou
       std::fputs(s == 0 ? "" : ", ", file);
       if (kJoints[j].nv > 1) std::fputs("[", file);
       for (int k = 0; k < kJoints[j].nv; ++k)
-        std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
+        if (x[k] == x[k])
+          std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
+        else  // of a batch, a state that failed
+          std::fputs(k == 0 ? "null" : ", null", file);
       if (kJoints[j].nv > 1) std::fputs("]", file);
     }
     std::fputs("]}", file);
@@ -2999,6 +3243,7 @@ struct Options {
   std::uint64_t seed = 1;
   double time_limit = 30, tolerance = kTolerance;
   ChannelMode channel = kChannelMode;
+  int hosts = 0;  // as many as there are
   SimulationOptions simulation;
 };
 
@@ -3026,6 +3271,8 @@ const char* const kUsageText =
     "  --seed N          seed of the random states (1)\n"
     "  --tolerance X     largest residual that --check lets pass\n"
     "  --channel KIND    auto, window (processes share memory) or message (MPI messages)\n"
+    "  --hosts N         take the processes to be on N hosts, in equal parts: only those of one "
+    "share memory\n"
     "  --timeout S       how long a process waits for another before it gives up, in seconds (30)\n"
     "  --no-pin          leave the processes to the system's scheduler when timing\n"
     "  --json            report as JSON on standard output\n"
@@ -3102,8 +3349,8 @@ std::string parse(int count, char** words, Options& options) {
     else if (flag("--no-pin"))
       options.pin = false;
     else {
-      const char* const known[] = {"--states", "--result",    "--trace",   "--repeat",
-                                   "--seed",   "--tolerance", "--channel", "--timeout"};
+      const char* const known[] = {"--states",    "--result",  "--trace", "--repeat", "--seed",
+                                   "--tolerance", "--channel", "--hosts", "--timeout"};
       const bool of_simulation =
           std::any_of(kSimulationWords.begin(), kSimulationWords.end(), flag);
       if (!of_simulation && std::none_of(std::begin(known), std::end(known), flag))
@@ -3143,6 +3390,11 @@ std::string parse(int count, char** words, Options& options) {
         if (number > 0x1p53 || number != std::floor(number))
           return "--seed takes a whole number of 0 or more";
         options.seed = static_cast<std::uint64_t>(number);
+      } else if (flag("--hosts")) {
+        if (number < 1 || number > kProcesses || number != std::floor(number))
+          return "--hosts takes a whole number from 1 to " + std::to_string(kProcesses) +
+                 ", that of processes";
+        options.hosts = static_cast<int>(number);
       } else if (flag("--tolerance"))
         options.tolerance = number;
       else if (number <= 0 || number > 1e6)
@@ -3410,6 +3662,7 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
     x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
     MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiReal, 0, comm);
   };
+  if (kBatch) return status;  // handed out as they are solved
   share(states.q, kNq);
   share(states.v, kNv);
   share(states.tau, kNtau);
@@ -3454,7 +3707,7 @@ struct Session {
 
   const char* channel_name() const {
     if (kProcesses == 1) return "none";
-    return solver.channel.windowed() ? "window" : "message";
+    return solver.channel.name();
   }
 };
 
@@ -3756,6 +4009,99 @@ class Stretches {
   std::vector<double> work_;
 };
 
+// How long batches take (--time): on one process, two, four, ... and all.
+class BatchTiming {
+ public:
+  explicit BatchTiming(Session& session) : session_(session) {}
+
+  static constexpr int kStates = 1024;  // for each process
+
+  // Collective. Times batches of random states, each begun by start(), which returns when that was.
+  // Returns the first failure.
+  template <class S, class Start>
+  int measure(S& solver, Start start) {
+    const int count = kStates * (session_.rank == 0 ? kProcesses : 1);
+    session_.use(random_states(count, session_.options.seed));
+    for (int active = 1;; active = std::min(2 * active, kProcesses)) {
+      const int failed = measure_on(active, solver, start);
+      if (failed != kFine || active == kProcesses) return failed;
+    }
+  }
+
+  // Nanoseconds for each state and process, on all processes.
+  const Statistics& in_place() const { return steps_.back().in_place; }
+  const Statistics& at_root() const { return steps_.back().at_root; }
+
+  // Nothing where nothing was timed.
+  std::string json() const {
+    std::string text;
+    for (const Step& step : steps_) {
+      char words[120];
+      std::snprintf(words, sizeof words,
+                    "%s{\"processes\": %d, \"in_place\": %.4g, \"through_root\": %.4g}",
+                    text.empty() ? ", \"states_per_second\": [" : ", ", step.processes,
+                    step.per_second(step.in_place), step.per_second(step.at_root));
+      text += words;
+    }
+    return text + (text.empty() ? "" : "]");
+  }
+
+  void print(std::FILE* out) const {
+    if (steps_.empty()) return;
+    std::fprintf(out,
+                 "       states per second:  in place  per process   through 0  per process\n");
+    for (const Step& step : steps_) {
+      const double in_place = step.per_second(step.in_place);
+      const double at_root = step.per_second(step.at_root);
+      std::fprintf(out, "       %4d process%-2s   %11.3g  %11.3g %11.3g  %11.3g\n", step.processes,
+                   step.processes == 1 ? "" : "es", in_place, in_place / step.processes, at_root,
+                   at_root / step.processes);
+    }
+  }
+
+ private:
+  struct Step {
+    int processes;
+    Statistics in_place, at_root;
+    double per_second(const Statistics& ns) const { return 1e9 * processes / ns.median; }
+  };
+
+  template <class S, class Start>
+  int measure_on(int active, S& solver, Start start) {
+    std::vector<double> in_place, at_root;
+    int failed = kFine;
+    const auto time = [&](std::vector<double>* times, auto solve) {
+      const std::chrono::steady_clock::time_point begin = start();
+      const int found = solve();
+      const double ns = nanoseconds((std::chrono::steady_clock::now() - begin).count());
+      session_.give_up_if_broken(found);
+      if (failed == kFine) failed = found;
+      if (times != nullptr) times->push_back(ns / kStates);
+    };
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
+      session_.watch.again();
+      const Real *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
+      Real* const qdd = session_.acceleration(0);
+      time(pass < 0 ? nullptr : &in_place, [&] {
+        return solver.solve_batch(session_.rank < active ? kStates : 0, q, v, tau, qdd);
+      });
+      time(pass < 0 ? nullptr : &at_root, [&] {
+        return solver.solve_batch_at_root(kStates * active, q, v, tau, qdd, active - 1);
+      });
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    }
+    if (failed != kFine) return failed;
+    for (std::vector<double>* ns : {&in_place, &at_root})  // over when the last process is done
+      MPI_Allreduce(MPI_IN_PLACE, ns->data(), static_cast<int>(ns->size()), MPI_DOUBLE, MPI_MAX,
+                    session_.comm());
+    steps_.push_back({active, statistics(std::move(in_place)), statistics(std::move(at_root))});
+    return kFine;
+  }
+
+  Session& session_;
+  std::vector<Step> steps_;
+};
+
 // How long an evaluation takes (--time, --stretches), and where the time goes (--trace).
 class Timing {
  public:
@@ -3831,43 +4177,16 @@ class Timing {
     return kDone;
   }
 
-  // A batch of as many random states for each process; nanoseconds for each state and process.
   template <class S>
   int time_batch(S& solver, const Cores& cores) {
-    constexpr int kCount = kRandomStates * kProcesses;
-    session_.use(random_states(kCount, session_.options.seed));
     session_.pinned = session_.options.pin && cores.pin();
-    std::vector<double> in_place, at_root;
     int failed = kFine;
-    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
-      session_.watch.again();
-      if constexpr (kBatch) {
-        const int first = kRandomStates * session_.rank;
-        const Clock::time_point start = start_together();
-        failed = solver.solve_batch(kRandomStates, session_.q(first), session_.v(first),
-                                    session_.tau(first), session_.acceleration(first));
-        const double in_place_ns =
-            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-        const Clock::time_point start_root = start_together();
-        const int second = solver.solve_batch_at_root(kCount, session_.q(0), session_.v(0),
-                                                      session_.tau(0), session_.acceleration(0));
-        const double root_ns =
-            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
-        if (failed == kFine) failed = second;
-        if (pass < 0) continue;
-        in_place.push_back(in_place_ns / kRandomStates);
-        at_root.push_back(root_ns / kRandomStates);
-      }
-      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
-    }
+    if constexpr (kBatch) failed = batches_.measure(solver, [this] { return start_together(); });
     if (failed != kFine)
       return session_.complain(kInputAtFault, "random states: " + describe(failed));
-    for (std::vector<double>* ns : {&in_place, &at_root})  // over when the last process is done
-      MPI_Allreduce(MPI_IN_PLACE, ns->data(), static_cast<int>(ns->size()), MPI_DOUBLE, MPI_MAX,
-                    session_.comm());
-    in_place_ = statistics(std::move(in_place));
-    at_root_ = statistics(std::move(at_root));
-    evaluations_ = session_.options.repeat * kRandomStates;
+    in_place_ = batches_.in_place();
+    at_root_ = batches_.at_root();
+    evaluations_ = session_.options.repeat * BatchTiming::kStates;
     return kDone;
   }
 
@@ -3913,7 +4232,8 @@ class Timing {
     text += figures("in_place", in_place_) + figures("through_root", at_root_);
     std::string each;
     for (const double ns : work_) each += (each.empty() ? "" : ", ") + whole(ns);
-    return text + (each.empty() ? "" : ", \"work_ns\": [" + each + "]") + "}";
+    if (!each.empty()) text += ", \"work_ns\": [" + each + "]";
+    return text + batches_.json() + "}";
   }
 
   void print(std::FILE* out) const {
@@ -3938,17 +4258,19 @@ class Timing {
       for (const double ns : work_) std::fprintf(out, "%8.0f ", ns);
       std::fprintf(out, "\n");
     }
-    if (kBatch)
-      std::fprintf(out, "       states per second in place      %8.3g (%.3g per process)\n",
-                   1e9 * kProcesses / in_place_.median, 1e9 / in_place_.median);
+    batches_.print(out);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  // All processes start an evaluation at the same instant of their common clock (on one node).
+  // All processes start an evaluation at the same instant of their common clock; hosts have none.
   Clock::time_point start_together() const {
     if (kProcesses == 1) return Clock::now();
+    if (!session_.solver.channel.on_one_host()) {
+      MPI_Barrier(session_.comm());
+      return Clock::now();
+    }
     Clock::rep start = 0;
     if (session_.rank == 0)
       start = (Clock::now() + std::chrono::microseconds(5)).time_since_epoch().count();
@@ -3974,6 +4296,7 @@ class Timing {
   bool crowded_ = false;  // not a core for each process
   int cores_ = 0;
   Statistics in_place_, at_root_;
+  BatchTiming batches_{session_};
   std::vector<double> work_;  // of each process, where times are from stretches
 };
 
@@ -4235,8 +4558,8 @@ class Program {
   int run() {
     const Options& options = session_.options;
     session_.watch.start(session_.rank, options.time_limit);
-    const std::string wrong =
-        session_.solver.channel.open(MPI_COMM_WORLD, options.channel, options.time_limit);
+    const std::string wrong = session_.solver.channel.open(MPI_COMM_WORLD, options.channel,
+                                                           options.time_limit, options.hosts);
     if (!wrong.empty()) return session_.complain(kFault, wrong);
     int status = options.simulation.seconds > 0 ? simulation_.run() : answer();
     const auto also = [&status](bool asked, auto task) {
@@ -4260,8 +4583,9 @@ class Program {
     int status = kDone;
     if (!options.states.empty()) {
       status = load(options.states, session_.comm(), session_.rank, session_.states);
-      if (status == kDone) status = solve_all();
-      if (status == kDone && session_.rank == 0) {
+      const bool loaded = status == kDone;
+      if (loaded) status = solve_all();
+      if ((status == kDone || (kBatch && loaded)) && session_.rank == 0) {
         const std::string path = options.result.empty() ? "/dev/stdout" : options.result;
         if (!write_result(path, session_.qdd, session_.states.count, corrections_.every()))
           status = session_.complain(kFault, "cannot write the result", path);
@@ -4280,7 +4604,7 @@ class Program {
   int solve_all() {
     Session& on = session_;
     on.use(std::move(on.states));
-    if constexpr (kBatch) return solve_shares(on.solver);
+    if constexpr (kBatch) return solve_many(on.solver);
     int failed = kFine, at = 0;
     for (int s = 0; s < on.states.count && failed == kFine; ++s) {
       on.watch.again();
@@ -4297,21 +4621,24 @@ class Program {
     return bring_together();
   }
 
-  // As many states at once as there are lanes, each process its share.
+  // As many states at once as there are lanes. States that fail are named, all others solved.
   template <class S>
-  int solve_shares(S& solver) {
+  int solve_many(S& solver) {
+    constexpr int kNamed = 20;
     Session& on = session_;
-    int failed = kFine;
+    int status = kDone;
     if constexpr (kBatch) {
-      const int first = S::share(on.states.count, on.rank);
-      const int count = S::share(on.states.count, on.rank + 1) - first;
-      failed = solver.solve_batch(count, on.q(first), on.v(first), on.tau(first),
-                                  on.acceleration(first));
+      on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
+                                                      on.acceleration(0)));
+      solved_ = on.states.count;
+      for (std::size_t k = 0; solver.failed_state(k) >= 0; ++k, --solved_) {
+        status = kInputAtFault;
+        if (k < kNamed) on.complain(status, solver.text, on.options.states);
+        if (k == kNamed) on.complain(status, "and more states", on.options.states);
+      }
     }
-    if (failed != kFine)
-      std::fprintf(stderr, "error: process %d: %s\n", on.rank, solver.text.c_str());
-    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
-    return failed == kFine ? bring_together() : kInputAtFault;
+    MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
+    return status;
   }
 
   int bring_together() {

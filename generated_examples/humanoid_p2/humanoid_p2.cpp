@@ -798,30 +798,37 @@ class Channel {
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;
 
-  // Collective. Returns an empty string, or what is wrong.
-  std::string open(MPI_Comm comm, ChannelMode mode, double time_limit) {
+  // Collective. Returns an empty string, or what is wrong. hosts: if not 0, processes are taken to
+  // be on so many hosts, in equal parts, whatever they share.
+  std::string open(MPI_Comm comm, ChannelMode mode, double time_limit, int hosts = 0) {
     MPI_Comm_dup(comm, &comm_);
     MPI_Comm_rank(comm_, &rank_);
     time_limit_ = std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(std::min(time_limit, 1e8)));
     ports_.resize(kMessages.size());
-    if (mode != ChannelMode::kMessage) open_window(mode);
-    int missing = 0;
+    find_node(hosts);
+    const bool window = mode == ChannelMode::kMessage || open_window();
+    std::array<int, 2> ways{};  // messages through MPI, through the window
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
-      if (ports_[k].slots || (info.source != rank_ && info.target != rank_)) continue;
-      if (mode == ChannelMode::kWindow) ++missing;
-      ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
+      if (info.source != rank_ && info.target != rank_) continue;
+      ++ways[ports_[k].slots ? 1 : 0];
+      if (!ports_[k].slots) ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
     }
-    MPI_Allreduce(MPI_IN_PLACE, &missing, 1, MPI_INT, MPI_SUM, comm_);
-    return missing == 0 ? "" : "channel window: not all processes are on one node";
+    MPI_Allreduce(MPI_IN_PLACE, ways.data(), 2, MPI_INT, MPI_SUM, comm_);
+    name_ = ways[0] == 0   ? (ways[1] == 0 ? "message" : "window")
+            : ways[1] == 0 ? "message"
+                           : "mixed";
+    if (mode != ChannelMode::kWindow || ways[0] == 0) return "";
+    return window ? "channel window: not all processes are on one node"
+                  : "channel window: this MPI gives processes no common memory";
   }
 
   void close() {
     if (comm_ == MPI_COMM_NULL) return;
-    for (Port& port : ports_)
-      if (port.request != MPI_REQUEST_NULL)
-        MPI_Cancel(&port.request), MPI_Request_free(&port.request);
+    int status = kFine;
+    for (std::size_t k = 0; k < ports_.size(); ++k)  // what others still wait for gets there
+      wait(ports_[k].request, kMessages[k].target, status);
     if (window_ != MPI_WIN_NULL) {
       MPI_Win_unlock_all(window_);
       MPI_Win_free(&window_);
@@ -834,7 +841,7 @@ class Channel {
   Real* outgoing(int k, int& status) {
     Port& port = ports_[k];
     if (port.slots) return port.slot(port.count + 1, k).content() + 1;
-    if (port.request != MPI_REQUEST_NULL) wait_for_request(port, kMessages[k].target, status);
+    wait(port.request, kMessages[k].target, status);
     return port.buffer.data() + 1;
   }
 
@@ -870,7 +877,7 @@ class Channel {
     } else {
       MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
                 kMessages[k].source, k, comm_, &port.request);
-      wait_for_request(port, kMessages[k].source, status);
+      wait(port.request, kMessages[k].source, status);
       content = port.buffer.data();
     }
     if (take_) take_->note(k, content);
@@ -880,6 +887,28 @@ class Channel {
   // Notes from here on what is sent and received, or plays it; null for neither.
   void use(Take* take) { take_ = take; }
 
+  // Waits until a peer has done its part; then tells done of it. What never comes is given up.
+  template <class Done>
+  void wait(MPI_Request& request, int peer, int& status, Done done) {
+    if (request == MPI_REQUEST_NULL) return;
+    MPI_Status found;
+    const bool in_time = wait_until([&] {
+      int flag = 0;
+      MPI_Test(&request, &flag, &found);
+      return flag != 0;
+    });
+    if (in_time) return done(found);
+    give_up(request);
+    fail(status, failure(kNoAnswer, peer));
+  }
+  void wait(MPI_Request& request, int peer, int& status) {
+    wait(request, peer, status, [](const MPI_Status&) {});
+  }
+
+  static void give_up(MPI_Request& request) {
+    if (request != MPI_REQUEST_NULL) MPI_Cancel(&request), MPI_Request_free(&request);
+  }
+
   static void fail(int& status, int failure) {
     if (status == kFine) status = failure;
   }
@@ -888,6 +917,8 @@ class Channel {
   int rank() const { return rank_; }
   bool broken() const { return broken_; }
   bool windowed() const { return window_ != MPI_WIN_NULL; }
+  bool on_one_host() const { return on_one_host_; }
+  const char* name() const { return name_; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -917,9 +948,19 @@ class Channel {
     return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
   }
 
-  // Each process holds the slots of the messages that it sends to processes on its node.
-  void open_window(ChannelMode mode) {
-    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node_);
+  void find_node(int hosts) {
+    MPI_Comm real;
+    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &real);
+    MPI_Comm_split(real, rank_ * hosts / kProcesses, 0, &node_);
+    MPI_Comm_free(&real);
+    int size = 0;
+    MPI_Comm_size(node_, &size);
+    on_one_host_ = size == kProcesses;
+  }
+
+  // Each process holds the slots of the messages that it sends to processes on its node. Returns
+  // whether there was memory to share.
+  bool open_window() {
     std::vector<int> on_node(kProcesses, MPI_UNDEFINED), all(kProcesses);
     for (int p = 0; p < kProcesses; ++p) all[p] = p;
     MPI_Group whole, near;
@@ -928,24 +969,14 @@ class Channel {
     MPI_Group_translate_ranks(whole, kProcesses, all.data(), near, on_node.data());
     MPI_Group_free(&whole);
     MPI_Group_free(&near);
-    int node_size = 1;
-    MPI_Comm_size(node_, &node_size);
-    if (node_size == 1 && mode == ChannelMode::kAuto) return;  // nobody to share a window with
-
     const auto near_pair = [&](const MessageInfo& info) {
       return on_node[info.source] != MPI_UNDEFINED && on_node[info.target] != MPI_UNDEFINED;
     };
+    if (std::none_of(kMessages.begin(), kMessages.end(), near_pair)) return true;
     std::size_t own = 0;
     for (const MessageInfo& info : kMessages)
       if (info.source == rank_ && near_pair(info)) own += 2 * slot_bytes(info);
-    char* base = nullptr;
-    MPI_Info hints;
-    MPI_Info_create(&hints);
-    MPI_Info_set(hints, "alloc_shared_noncontig",
-                 "true");  // every part on pages of its own process
-    MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base, &window_);
-    MPI_Info_free(&hints);
-    MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
+    if (!share_memory(own)) return false;
     std::vector<char*> next(kProcesses, nullptr);
     for (int p = 0; p < kProcesses; ++p) {
       if (on_node[p] == MPI_UNDEFINED) continue;
@@ -966,6 +997,27 @@ class Channel {
     MPI_Win_sync(window_);
     MPI_Barrier(node_);
     MPI_Win_sync(window_);
+    return true;
+  }
+
+  // Returns whether all processes of the node could.
+  bool share_memory(std::size_t own) {
+    char* base = nullptr;
+    MPI_Info hints;
+    MPI_Info_create(&hints);
+    MPI_Info_set(hints, "alloc_shared_noncontig",
+                 "true");  // every part on pages of its own process
+    MPI_Comm_set_errhandler(node_, MPI_ERRORS_RETURN);
+    int good = MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base,
+                                       &window_) == MPI_SUCCESS;
+    MPI_Comm_set_errhandler(node_, MPI_ERRORS_ARE_FATAL);
+    MPI_Info_free(&hints);
+    MPI_Allreduce(MPI_IN_PLACE, &good, 1, MPI_INT, MPI_MIN, node_);
+    if (good != 0)
+      MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
+    else
+      window_ = MPI_WIN_NULL;
+    return good != 0;
   }
 
   // Spins briefly, then yields, so that more processes than cores still finish.
@@ -987,21 +1039,13 @@ class Channel {
     return true;
   }
 
-  void wait_for_request(Port& port, int peer, int& status) {
-    const bool done = wait_until([&] {
-      int flag = 0;
-      MPI_Test(&port.request, &flag, MPI_STATUS_IGNORE);
-      return flag != 0;
-    });
-    if (!done) fail(status, failure(kNoAnswer, peer));
-  }
-
   MPI_Comm comm_ = MPI_COMM_NULL, node_ = MPI_COMM_NULL;
   MPI_Win window_ = MPI_WIN_NULL;
   int rank_ = 0;
   Clock::duration time_limit_{};
-  bool broken_ = false;
+  bool broken_ = false, on_one_host_ = true;
   Take* take_ = nullptr;
+  const char* name_ = "message";
   std::vector<Port> ports_;
 };
 
@@ -2709,7 +2753,10 @@ bool write_result(const std::string& path, const std::vector<Real>& qdd, int cou
       std::fputs(s == 0 ? "" : ", ", file);
       if (kJoints[j].nv > 1) std::fputs("[", file);
       for (int k = 0; k < kJoints[j].nv; ++k)
-        std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
+        if (x[k] == x[k])
+          std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
+        else  // of a batch, a state that failed
+          std::fputs(k == 0 ? "null" : ", null", file);
       if (kJoints[j].nv > 1) std::fputs("]", file);
     }
     std::fputs("]}", file);
@@ -3225,6 +3272,7 @@ struct Options {
   std::uint64_t seed = 1;
   double time_limit = 30, tolerance = kTolerance;
   ChannelMode channel = kChannelMode;
+  int hosts = 0;  // as many as there are
   SimulationOptions simulation;
 };
 
@@ -3252,6 +3300,8 @@ const char* const kUsageText =
     "  --seed N          seed of the random states (1)\n"
     "  --tolerance X     largest residual that --check lets pass\n"
     "  --channel KIND    auto, window (processes share memory) or message (MPI messages)\n"
+    "  --hosts N         take the processes to be on N hosts, in equal parts: only those of one "
+    "share memory\n"
     "  --timeout S       how long a process waits for another before it gives up, in seconds (30)\n"
     "  --no-pin          leave the processes to the system's scheduler when timing\n"
     "  --json            report as JSON on standard output\n"
@@ -3328,8 +3378,8 @@ std::string parse(int count, char** words, Options& options) {
     else if (flag("--no-pin"))
       options.pin = false;
     else {
-      const char* const known[] = {"--states", "--result",    "--trace",   "--repeat",
-                                   "--seed",   "--tolerance", "--channel", "--timeout"};
+      const char* const known[] = {"--states",    "--result",  "--trace", "--repeat", "--seed",
+                                   "--tolerance", "--channel", "--hosts", "--timeout"};
       const bool of_simulation =
           std::any_of(kSimulationWords.begin(), kSimulationWords.end(), flag);
       if (!of_simulation && std::none_of(std::begin(known), std::end(known), flag))
@@ -3369,6 +3419,11 @@ std::string parse(int count, char** words, Options& options) {
         if (number > 0x1p53 || number != std::floor(number))
           return "--seed takes a whole number of 0 or more";
         options.seed = static_cast<std::uint64_t>(number);
+      } else if (flag("--hosts")) {
+        if (number < 1 || number > kProcesses || number != std::floor(number))
+          return "--hosts takes a whole number from 1 to " + std::to_string(kProcesses) +
+                 ", that of processes";
+        options.hosts = static_cast<int>(number);
       } else if (flag("--tolerance"))
         options.tolerance = number;
       else if (number <= 0 || number > 1e6)
@@ -3642,6 +3697,7 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
     x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
     MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiReal, 0, comm);
   };
+  if (kBatch) return status;  // handed out as they are solved
   share(states.q, kNq);
   share(states.v, kNv);
   share(states.tau, kNtau);
@@ -3686,7 +3742,7 @@ struct Session {
 
   const char* channel_name() const {
     if (kProcesses == 1) return "none";
-    return solver.channel.windowed() ? "window" : "message";
+    return solver.channel.name();
   }
 };
 
@@ -3988,6 +4044,99 @@ class Stretches {
   std::vector<double> work_;
 };
 
+// How long batches take (--time): on one process, two, four, ... and all.
+class BatchTiming {
+ public:
+  explicit BatchTiming(Session& session) : session_(session) {}
+
+  static constexpr int kStates = 1024;  // for each process
+
+  // Collective. Times batches of random states, each begun by start(), which returns when that was.
+  // Returns the first failure.
+  template <class S, class Start>
+  int measure(S& solver, Start start) {
+    const int count = kStates * (session_.rank == 0 ? kProcesses : 1);
+    session_.use(random_states(count, session_.options.seed));
+    for (int active = 1;; active = std::min(2 * active, kProcesses)) {
+      const int failed = measure_on(active, solver, start);
+      if (failed != kFine || active == kProcesses) return failed;
+    }
+  }
+
+  // Nanoseconds for each state and process, on all processes.
+  const Statistics& in_place() const { return steps_.back().in_place; }
+  const Statistics& at_root() const { return steps_.back().at_root; }
+
+  // Nothing where nothing was timed.
+  std::string json() const {
+    std::string text;
+    for (const Step& step : steps_) {
+      char words[120];
+      std::snprintf(words, sizeof words,
+                    "%s{\"processes\": %d, \"in_place\": %.4g, \"through_root\": %.4g}",
+                    text.empty() ? ", \"states_per_second\": [" : ", ", step.processes,
+                    step.per_second(step.in_place), step.per_second(step.at_root));
+      text += words;
+    }
+    return text + (text.empty() ? "" : "]");
+  }
+
+  void print(std::FILE* out) const {
+    if (steps_.empty()) return;
+    std::fprintf(out,
+                 "       states per second:  in place  per process   through 0  per process\n");
+    for (const Step& step : steps_) {
+      const double in_place = step.per_second(step.in_place);
+      const double at_root = step.per_second(step.at_root);
+      std::fprintf(out, "       %4d process%-2s   %11.3g  %11.3g %11.3g  %11.3g\n", step.processes,
+                   step.processes == 1 ? "" : "es", in_place, in_place / step.processes, at_root,
+                   at_root / step.processes);
+    }
+  }
+
+ private:
+  struct Step {
+    int processes;
+    Statistics in_place, at_root;
+    double per_second(const Statistics& ns) const { return 1e9 * processes / ns.median; }
+  };
+
+  template <class S, class Start>
+  int measure_on(int active, S& solver, Start start) {
+    std::vector<double> in_place, at_root;
+    int failed = kFine;
+    const auto time = [&](std::vector<double>* times, auto solve) {
+      const std::chrono::steady_clock::time_point begin = start();
+      const int found = solve();
+      const double ns = nanoseconds((std::chrono::steady_clock::now() - begin).count());
+      session_.give_up_if_broken(found);
+      if (failed == kFine) failed = found;
+      if (times != nullptr) times->push_back(ns / kStates);
+    };
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
+      session_.watch.again();
+      const Real *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
+      Real* const qdd = session_.acceleration(0);
+      time(pass < 0 ? nullptr : &in_place, [&] {
+        return solver.solve_batch(session_.rank < active ? kStates : 0, q, v, tau, qdd);
+      });
+      time(pass < 0 ? nullptr : &at_root, [&] {
+        return solver.solve_batch_at_root(kStates * active, q, v, tau, qdd, active - 1);
+      });
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    }
+    if (failed != kFine) return failed;
+    for (std::vector<double>* ns : {&in_place, &at_root})  // over when the last process is done
+      MPI_Allreduce(MPI_IN_PLACE, ns->data(), static_cast<int>(ns->size()), MPI_DOUBLE, MPI_MAX,
+                    session_.comm());
+    steps_.push_back({active, statistics(std::move(in_place)), statistics(std::move(at_root))});
+    return kFine;
+  }
+
+  Session& session_;
+  std::vector<Step> steps_;
+};
+
 // How long an evaluation takes (--time, --stretches), and where the time goes (--trace).
 class Timing {
  public:
@@ -4063,43 +4212,16 @@ class Timing {
     return kDone;
   }
 
-  // A batch of as many random states for each process; nanoseconds for each state and process.
   template <class S>
   int time_batch(S& solver, const Cores& cores) {
-    constexpr int kCount = kRandomStates * kProcesses;
-    session_.use(random_states(kCount, session_.options.seed));
     session_.pinned = session_.options.pin && cores.pin();
-    std::vector<double> in_place, at_root;
     int failed = kFine;
-    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
-      session_.watch.again();
-      if constexpr (kBatch) {
-        const int first = kRandomStates * session_.rank;
-        const Clock::time_point start = start_together();
-        failed = solver.solve_batch(kRandomStates, session_.q(first), session_.v(first),
-                                    session_.tau(first), session_.acceleration(first));
-        const double in_place_ns =
-            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-        const Clock::time_point start_root = start_together();
-        const int second = solver.solve_batch_at_root(kCount, session_.q(0), session_.v(0),
-                                                      session_.tau(0), session_.acceleration(0));
-        const double root_ns =
-            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
-        if (failed == kFine) failed = second;
-        if (pass < 0) continue;
-        in_place.push_back(in_place_ns / kRandomStates);
-        at_root.push_back(root_ns / kRandomStates);
-      }
-      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
-    }
+    if constexpr (kBatch) failed = batches_.measure(solver, [this] { return start_together(); });
     if (failed != kFine)
       return session_.complain(kInputAtFault, "random states: " + describe(failed));
-    for (std::vector<double>* ns : {&in_place, &at_root})  // over when the last process is done
-      MPI_Allreduce(MPI_IN_PLACE, ns->data(), static_cast<int>(ns->size()), MPI_DOUBLE, MPI_MAX,
-                    session_.comm());
-    in_place_ = statistics(std::move(in_place));
-    at_root_ = statistics(std::move(at_root));
-    evaluations_ = session_.options.repeat * kRandomStates;
+    in_place_ = batches_.in_place();
+    at_root_ = batches_.at_root();
+    evaluations_ = session_.options.repeat * BatchTiming::kStates;
     return kDone;
   }
 
@@ -4145,7 +4267,8 @@ class Timing {
     text += figures("in_place", in_place_) + figures("through_root", at_root_);
     std::string each;
     for (const double ns : work_) each += (each.empty() ? "" : ", ") + whole(ns);
-    return text + (each.empty() ? "" : ", \"work_ns\": [" + each + "]") + "}";
+    if (!each.empty()) text += ", \"work_ns\": [" + each + "]";
+    return text + batches_.json() + "}";
   }
 
   void print(std::FILE* out) const {
@@ -4170,17 +4293,19 @@ class Timing {
       for (const double ns : work_) std::fprintf(out, "%8.0f ", ns);
       std::fprintf(out, "\n");
     }
-    if (kBatch)
-      std::fprintf(out, "       states per second in place      %8.3g (%.3g per process)\n",
-                   1e9 * kProcesses / in_place_.median, 1e9 / in_place_.median);
+    batches_.print(out);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  // All processes start an evaluation at the same instant of their common clock (on one node).
+  // All processes start an evaluation at the same instant of their common clock; hosts have none.
   Clock::time_point start_together() const {
     if (kProcesses == 1) return Clock::now();
+    if (!session_.solver.channel.on_one_host()) {
+      MPI_Barrier(session_.comm());
+      return Clock::now();
+    }
     Clock::rep start = 0;
     if (session_.rank == 0)
       start = (Clock::now() + std::chrono::microseconds(5)).time_since_epoch().count();
@@ -4206,6 +4331,7 @@ class Timing {
   bool crowded_ = false;  // not a core for each process
   int cores_ = 0;
   Statistics in_place_, at_root_;
+  BatchTiming batches_{session_};
   std::vector<double> work_;  // of each process, where times are from stretches
 };
 
@@ -4467,8 +4593,8 @@ class Program {
   int run() {
     const Options& options = session_.options;
     session_.watch.start(session_.rank, options.time_limit);
-    const std::string wrong =
-        session_.solver.channel.open(MPI_COMM_WORLD, options.channel, options.time_limit);
+    const std::string wrong = session_.solver.channel.open(MPI_COMM_WORLD, options.channel,
+                                                           options.time_limit, options.hosts);
     if (!wrong.empty()) return session_.complain(kFault, wrong);
     int status = options.simulation.seconds > 0 ? simulation_.run() : answer();
     const auto also = [&status](bool asked, auto task) {
@@ -4492,8 +4618,9 @@ class Program {
     int status = kDone;
     if (!options.states.empty()) {
       status = load(options.states, session_.comm(), session_.rank, session_.states);
-      if (status == kDone) status = solve_all();
-      if (status == kDone && session_.rank == 0) {
+      const bool loaded = status == kDone;
+      if (loaded) status = solve_all();
+      if ((status == kDone || (kBatch && loaded)) && session_.rank == 0) {
         const std::string path = options.result.empty() ? "/dev/stdout" : options.result;
         if (!write_result(path, session_.qdd, session_.states.count, corrections_.every()))
           status = session_.complain(kFault, "cannot write the result", path);
@@ -4512,7 +4639,7 @@ class Program {
   int solve_all() {
     Session& on = session_;
     on.use(std::move(on.states));
-    if constexpr (kBatch) return solve_shares(on.solver);
+    if constexpr (kBatch) return solve_many(on.solver);
     int failed = kFine, at = 0;
     for (int s = 0; s < on.states.count && failed == kFine; ++s) {
       on.watch.again();
@@ -4529,21 +4656,24 @@ class Program {
     return bring_together();
   }
 
-  // As many states at once as there are lanes, each process its share.
+  // As many states at once as there are lanes. States that fail are named, all others solved.
   template <class S>
-  int solve_shares(S& solver) {
+  int solve_many(S& solver) {
+    constexpr int kNamed = 20;
     Session& on = session_;
-    int failed = kFine;
+    int status = kDone;
     if constexpr (kBatch) {
-      const int first = S::share(on.states.count, on.rank);
-      const int count = S::share(on.states.count, on.rank + 1) - first;
-      failed = solver.solve_batch(count, on.q(first), on.v(first), on.tau(first),
-                                  on.acceleration(first));
+      on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
+                                                      on.acceleration(0)));
+      solved_ = on.states.count;
+      for (std::size_t k = 0; solver.failed_state(k) >= 0; ++k, --solved_) {
+        status = kInputAtFault;
+        if (k < kNamed) on.complain(status, solver.text, on.options.states);
+        if (k == kNamed) on.complain(status, "and more states", on.options.states);
+      }
     }
-    if (failed != kFine)
-      std::fprintf(stderr, "error: process %d: %s\n", on.rank, solver.text.c_str());
-    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
-    return failed == kFine ? bring_together() : kInputAtFault;
+    MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
+    return status;
   }
 
   int bring_together() {

@@ -1,5 +1,5 @@
 // Solves many states at once, one in each lane of a register. Each process solves states of its
-// own; where process 0 has them all, it hands out as equal shares as there are.
+// own; where process 0 has them all, it hands them out (handout.hpp).
 class Solver {
  public:
   Workspace w;
@@ -7,45 +7,38 @@ class Solver {
   std::string text;  // of the last failure
 
   // States one after the other, as are their accelerations; nothing is said to other processes.
+  // Accelerations of a state that fails are not numbers; the others are what they should be.
   int solve_batch(int count, const Real* q, const Real* v, const Real* tau, Real* qdd) {
-    for (int first = 0; first < count; first += kLanes) {
-      const int states = std::min(kLanes, count - first);
-      const long row = first;
-      spread(states, q + row * kNq, kNq, q_.data());
-      spread(states, v + row * kNv, kNv, v_.data());
-      spread(states, tau + row * kNv, kNv, tau_.data());
-      const int status = run();
-      if (status != kFine) {
-        text = "state " + std::to_string(first + 1 + culprit(states)) + ": " + describe(status);
-        return status;
-      }
-      for (int s = 0; s < states; ++s)
-        for (int k = 0; k < kNv; ++k) qdd[(row + s) * kNv + k] = qdd_[size(k)][s];
-    }
-    return kFine;
+    forget();
+    return solve_rows(count, q, v, tau, qdd) ? kFine : name_failures(count, q, v, tau, qdd);
   }
 
   int solve(const Real* q, const Real* v, const Real* tau, Real* qdd) {
     return solve_batch(1, q, v, tau, qdd);
   }
 
-  // Collective: process 0 has all states and gets all accelerations.
-  int solve_batch_at_root(int count, const Real* q, const Real* v, const Real* tau, Real* qdd) {
-    MPI_Bcast(&count, 1, MPI_INT, 0, channel.comm());
-    const int own = share(count, channel.rank() + 1) - share(count, channel.rank());
-    std::vector<Real> own_q(size(own) * kNq), own_v(size(own) * kNv), own_tau(size(own) * kNv),
-        own_qdd(size(own) * kNv);
-    scatter(count, q, kNq, own_q);
-    scatter(count, v, kNv, own_v);
-    scatter(count, tau, kNv, own_tau);
-    int status = solve_batch(own, own_q.data(), own_v.data(), own_tau.data(), own_qdd.data());
-    std::vector<int> counts(kProcesses), starts(kProcesses);
-    rows_of(count, kNv, counts, starts);
-    MPI_Gatherv(own_qdd.data(), own * kNv, kMpiReal, qdd, counts.data(), starts.data(), kMpiReal, 0,
-                channel.comm());
-    MPI_Allreduce(MPI_IN_PLACE, &status, 1, MPI_INT, MPI_MAX, channel.comm());
-    if (status != kFine && text.empty()) text = describe(status);
+  // Collective: process 0 has all states and gets all accelerations, and to know what failed; the
+  // others return once it has. Of them, processes 1 to helpers help.
+  int solve_batch_at_root(int count, const Real* q, const Real* v, const Real* tau, Real* qdd,
+                          int helpers = kProcesses - 1) {
+    if constexpr (kProcesses == 1) return solve_batch(count, q, v, tau, qdd);
+    forget();
+    const auto solve = [this](auto... rows) { return solve_rows(rows...); };
+    int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
+    if (status == kFine && channel.rank() > 0)
+      handout_.help(channel, solve, status);
+    else if (status == kFine &&
+             !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd}, solve, status))
+      return name_failures(count, q, v, tau, qdd);
+    if (status != kFine) text = describe(status);
     return status;
+  }
+
+  // The k-th failure of the last call: its state, counted from 0; -1 where there is none.
+  int failed_state(std::size_t k) {
+    if (k >= failures_.size()) return -1;
+    text = in_words(failures_[k]);
+    return failures_[k].state;
   }
 
   // What simulates asks for one state at a time.
@@ -54,13 +47,65 @@ class Solver {
   }
   int end_at_root() { return kFine; }
 
-  // The first of the states of process p, of so many.
-  static int share(int count, int p) {
-    return static_cast<int>(static_cast<long long>(count) * p / kProcesses);
+ private:
+  struct FailedState {
+    int state, status;
+  };
+
+  static std::size_t size(int n) { return static_cast<std::size_t>(n); }
+
+  void forget() {
+    failures_.clear();
+    text.clear();
   }
 
- private:
-  static std::size_t size(int n) { return static_cast<std::size_t>(n); }
+  // Returns whether all states could be solved.
+  bool solve_rows(int count, const Real* q, const Real* v, const Real* tau, Real* qdd) {
+    bool good = true;
+    for (int first = 0, states; first < count; first += states) {
+      states = std::min(kLanes, count - first);
+      const long row = first;
+      spread(states, q + row * kNq, kNq, q_.data());
+      spread(states, v + row * kNv, kNv, v_.data());
+      spread(states, tau + row * kNv, kNv, tau_.data());
+      if (run() == kFine) {
+        for (int s = 0; s < states; ++s) take(s, qdd + (row + s) * kNv);
+        continue;
+      }
+      good = false;
+      const auto all_q = q_;
+      const auto all_v = v_, all_tau = tau_;
+      for (int s = 0; s < states; ++s) {
+        everywhere(q_, all_q, s), everywhere(v_, all_v, s), everywhere(tau_, all_tau, s);
+        if (run() == kFine)
+          take(s, qdd + (row + s) * kNv);
+        else
+          std::fill_n(qdd + (row + s) * kNv, kNv, std::numeric_limits<Real>::quiet_NaN());
+      }
+    }
+    return good;
+  }
+
+  // Tries the states that have no accelerations once more, each by itself; returns the first
+  // failure.
+  int name_failures(int count, const Real* q, const Real* v, const Real* tau, const Real* qdd) {
+    for (int s = 0; s < count; ++s) {
+      const long row = s;
+      if (qdd[row * kNv] == qdd[row * kNv]) continue;
+      spread(1, q + row * kNq, kNq, q_.data());
+      spread(1, v + row * kNv, kNv, v_.data());
+      spread(1, tau + row * kNv, kNv, tau_.data());
+      failures_.push_back({s, run()});
+    }
+    text = in_words(failures_.front());
+    if (failures_.size() > 1)
+      text += " (and " + std::to_string(failures_.size() - 1) + " more states)";
+    return failures_.front().status;
+  }
+
+  static std::string in_words(const FailedState& failed) {
+    return "state " + std::to_string(failed.state + 1) + ": " + describe(failed.status);
+  }
 
   // Rows of numbers into lanes; lanes without a state repeat the last one.
   static void spread(int states, const Real* rows, int width, Value* lanes) {
@@ -73,6 +118,16 @@ class Solver {
       for (int s = 0; s < kLanes; ++s) lanes[k][s] = rows[std::min(s, states - 1) * width + k];
   }
 
+  // One lane of some values in all lanes.
+  template <class Values>
+  static void everywhere(Values& lanes, const Values& all, int s) {
+    for (std::size_t k = 0; k < lanes.size(); ++k) lanes[k] = Value{} + all[k][s];
+  }
+
+  void take(int s, Real* qdd) const {
+    for (int k = 0; k < kNv; ++k) qdd[k] = qdd_[size(k)][s];
+  }
+
   int run() {
     w.q = q_.data(), w.v = v_.data(), w.tau = tau_.data(), w.qdd = qdd_.data();
     w.status = kFine;
@@ -80,34 +135,8 @@ class Solver {
     return w.status;
   }
 
-  // The lane that failed: each is tried by itself.
-  int culprit(int states) {
-    const auto all_q = q_;
-    const auto all_v = v_, all_tau = tau_;
-    const auto only = [](auto& lanes, const auto& all, int s) {
-      for (std::size_t k = 0; k < lanes.size(); ++k) lanes[k] = Value{} + all[k][s];
-    };
-    for (int s = 0; s < states; ++s) {
-      only(q_, all_q, s), only(v_, all_v, s), only(tau_, all_tau, s);
-      if (run() != kFine) return s;
-    }
-    return 0;
-  }
-
-  void rows_of(int count, int width, std::vector<int>& counts, std::vector<int>& starts) const {
-    for (int p = 0; p < kProcesses; ++p) {
-      starts[size(p)] = share(count, p) * width;
-      counts[size(p)] = share(count, p + 1) * width - starts[size(p)];
-    }
-  }
-
-  void scatter(int count, const Real* all, int width, std::vector<Real>& own) const {
-    std::vector<int> counts(kProcesses), starts(kProcesses);
-    rows_of(count, width, counts, starts);
-    MPI_Scatterv(all, counts.data(), starts.data(), kMpiReal, own.data(),
-                 static_cast<int>(own.size()), kMpiReal, 0, channel.comm());
-  }
-
   std::array<Value, kNq> q_{};
   std::array<Value, kNv> v_{}, tau_{}, qdd_{};
+  std::vector<FailedState> failures_;
+  Handout handout_;
 };

@@ -18,30 +18,37 @@ class Channel {
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;
 
-  // Collective. Returns an empty string, or what is wrong.
-  std::string open(MPI_Comm comm, ChannelMode mode, double time_limit) {
+  // Collective. Returns an empty string, or what is wrong. hosts: if not 0, processes are taken to
+  // be on so many hosts, in equal parts, whatever they share.
+  std::string open(MPI_Comm comm, ChannelMode mode, double time_limit, int hosts = 0) {
     MPI_Comm_dup(comm, &comm_);
     MPI_Comm_rank(comm_, &rank_);
     time_limit_ = std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(std::min(time_limit, 1e8)));
     ports_.resize(kMessages.size());
-    if (mode != ChannelMode::kMessage) open_window(mode);
-    int missing = 0;
+    find_node(hosts);
+    const bool window = mode == ChannelMode::kMessage || open_window();
+    std::array<int, 2> ways{};  // messages through MPI, through the window
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
-      if (ports_[k].slots || (info.source != rank_ && info.target != rank_)) continue;
-      if (mode == ChannelMode::kWindow) ++missing;
-      ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
+      if (info.source != rank_ && info.target != rank_) continue;
+      ++ways[ports_[k].slots ? 1 : 0];
+      if (!ports_[k].slots) ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
     }
-    MPI_Allreduce(MPI_IN_PLACE, &missing, 1, MPI_INT, MPI_SUM, comm_);
-    return missing == 0 ? "" : "channel window: not all processes are on one node";
+    MPI_Allreduce(MPI_IN_PLACE, ways.data(), 2, MPI_INT, MPI_SUM, comm_);
+    name_ = ways[0] == 0   ? (ways[1] == 0 ? "message" : "window")
+            : ways[1] == 0 ? "message"
+                           : "mixed";
+    if (mode != ChannelMode::kWindow || ways[0] == 0) return "";
+    return window ? "channel window: not all processes are on one node"
+                  : "channel window: this MPI gives processes no common memory";
   }
 
   void close() {
     if (comm_ == MPI_COMM_NULL) return;
-    for (Port& port : ports_)
-      if (port.request != MPI_REQUEST_NULL)
-        MPI_Cancel(&port.request), MPI_Request_free(&port.request);
+    int status = kFine;
+    for (std::size_t k = 0; k < ports_.size(); ++k)  // what others still wait for gets there
+      wait(ports_[k].request, kMessages[k].target, status);
     if (window_ != MPI_WIN_NULL) {
       MPI_Win_unlock_all(window_);
       MPI_Win_free(&window_);
@@ -54,7 +61,7 @@ class Channel {
   Real* outgoing(int k, int& status) {
     Port& port = ports_[k];
     if (port.slots) return port.slot(port.count + 1, k).content() + 1;
-    if (port.request != MPI_REQUEST_NULL) wait_for_request(port, kMessages[k].target, status);
+    wait(port.request, kMessages[k].target, status);
     return port.buffer.data() + 1;
   }
 
@@ -90,7 +97,7 @@ class Channel {
     } else {
       MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
                 kMessages[k].source, k, comm_, &port.request);
-      wait_for_request(port, kMessages[k].source, status);
+      wait(port.request, kMessages[k].source, status);
       content = port.buffer.data();
     }
     if (take_) take_->note(k, content);
@@ -100,6 +107,28 @@ class Channel {
   // Notes from here on what is sent and received, or plays it; null for neither.
   void use(Take* take) { take_ = take; }
 
+  // Waits until a peer has done its part; then tells done of it. What never comes is given up.
+  template <class Done>
+  void wait(MPI_Request& request, int peer, int& status, Done done) {
+    if (request == MPI_REQUEST_NULL) return;
+    MPI_Status found;
+    const bool in_time = wait_until([&] {
+      int flag = 0;
+      MPI_Test(&request, &flag, &found);
+      return flag != 0;
+    });
+    if (in_time) return done(found);
+    give_up(request);
+    fail(status, failure(kNoAnswer, peer));
+  }
+  void wait(MPI_Request& request, int peer, int& status) {
+    wait(request, peer, status, [](const MPI_Status&) {});
+  }
+
+  static void give_up(MPI_Request& request) {
+    if (request != MPI_REQUEST_NULL) MPI_Cancel(&request), MPI_Request_free(&request);
+  }
+
   static void fail(int& status, int failure) {
     if (status == kFine) status = failure;
   }
@@ -108,6 +137,8 @@ class Channel {
   int rank() const { return rank_; }
   bool broken() const { return broken_; }
   bool windowed() const { return window_ != MPI_WIN_NULL; }
+  bool on_one_host() const { return on_one_host_; }
+  const char* name() const { return name_; }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -137,9 +168,19 @@ class Channel {
     return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
   }
 
-  // Each process holds the slots of the messages that it sends to processes on its node.
-  void open_window(ChannelMode mode) {
-    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node_);
+  void find_node(int hosts) {
+    MPI_Comm real;
+    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &real);
+    MPI_Comm_split(real, rank_ * hosts / kProcesses, 0, &node_);
+    MPI_Comm_free(&real);
+    int size = 0;
+    MPI_Comm_size(node_, &size);
+    on_one_host_ = size == kProcesses;
+  }
+
+  // Each process holds the slots of the messages that it sends to processes on its node. Returns
+  // whether there was memory to share.
+  bool open_window() {
     std::vector<int> on_node(kProcesses, MPI_UNDEFINED), all(kProcesses);
     for (int p = 0; p < kProcesses; ++p) all[p] = p;
     MPI_Group whole, near;
@@ -148,24 +189,14 @@ class Channel {
     MPI_Group_translate_ranks(whole, kProcesses, all.data(), near, on_node.data());
     MPI_Group_free(&whole);
     MPI_Group_free(&near);
-    int node_size = 1;
-    MPI_Comm_size(node_, &node_size);
-    if (node_size == 1 && mode == ChannelMode::kAuto) return;  // nobody to share a window with
-
     const auto near_pair = [&](const MessageInfo& info) {
       return on_node[info.source] != MPI_UNDEFINED && on_node[info.target] != MPI_UNDEFINED;
     };
+    if (std::none_of(kMessages.begin(), kMessages.end(), near_pair)) return true;
     std::size_t own = 0;
     for (const MessageInfo& info : kMessages)
       if (info.source == rank_ && near_pair(info)) own += 2 * slot_bytes(info);
-    char* base = nullptr;
-    MPI_Info hints;
-    MPI_Info_create(&hints);
-    MPI_Info_set(hints, "alloc_shared_noncontig",
-                 "true");  // every part on pages of its own process
-    MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base, &window_);
-    MPI_Info_free(&hints);
-    MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
+    if (!share_memory(own)) return false;
     std::vector<char*> next(kProcesses, nullptr);
     for (int p = 0; p < kProcesses; ++p) {
       if (on_node[p] == MPI_UNDEFINED) continue;
@@ -186,6 +217,27 @@ class Channel {
     MPI_Win_sync(window_);
     MPI_Barrier(node_);
     MPI_Win_sync(window_);
+    return true;
+  }
+
+  // Returns whether all processes of the node could.
+  bool share_memory(std::size_t own) {
+    char* base = nullptr;
+    MPI_Info hints;
+    MPI_Info_create(&hints);
+    MPI_Info_set(hints, "alloc_shared_noncontig",
+                 "true");  // every part on pages of its own process
+    MPI_Comm_set_errhandler(node_, MPI_ERRORS_RETURN);
+    int good = MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base,
+                                       &window_) == MPI_SUCCESS;
+    MPI_Comm_set_errhandler(node_, MPI_ERRORS_ARE_FATAL);
+    MPI_Info_free(&hints);
+    MPI_Allreduce(MPI_IN_PLACE, &good, 1, MPI_INT, MPI_MIN, node_);
+    if (good != 0)
+      MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
+    else
+      window_ = MPI_WIN_NULL;
+    return good != 0;
   }
 
   // Spins briefly, then yields, so that more processes than cores still finish.
@@ -207,20 +259,12 @@ class Channel {
     return true;
   }
 
-  void wait_for_request(Port& port, int peer, int& status) {
-    const bool done = wait_until([&] {
-      int flag = 0;
-      MPI_Test(&port.request, &flag, MPI_STATUS_IGNORE);
-      return flag != 0;
-    });
-    if (!done) fail(status, failure(kNoAnswer, peer));
-  }
-
   MPI_Comm comm_ = MPI_COMM_NULL, node_ = MPI_COMM_NULL;
   MPI_Win window_ = MPI_WIN_NULL;
   int rank_ = 0;
   Clock::duration time_limit_{};
-  bool broken_ = false;
+  bool broken_ = false, on_one_host_ = true;
   Take* take_ = nullptr;
+  const char* name_ = "message";
   std::vector<Port> ports_;
 };

@@ -7,8 +7,8 @@ class Program {
   int run() {
     const Options& options = session_.options;
     session_.watch.start(session_.rank, options.time_limit);
-    const std::string wrong =
-        session_.solver.channel.open(MPI_COMM_WORLD, options.channel, options.time_limit);
+    const std::string wrong = session_.solver.channel.open(MPI_COMM_WORLD, options.channel,
+                                                           options.time_limit, options.hosts);
     if (!wrong.empty()) return session_.complain(kFault, wrong);
     int status = options.simulation.seconds > 0 ? simulation_.run() : answer();
     const auto also = [&status](bool asked, auto task) {
@@ -32,8 +32,9 @@ class Program {
     int status = kDone;
     if (!options.states.empty()) {
       status = load(options.states, session_.comm(), session_.rank, session_.states);
-      if (status == kDone) status = solve_all();
-      if (status == kDone && session_.rank == 0) {
+      const bool loaded = status == kDone;
+      if (loaded) status = solve_all();
+      if ((status == kDone || (kBatch && loaded)) && session_.rank == 0) {
         const std::string path = options.result.empty() ? "/dev/stdout" : options.result;
         if (!write_result(path, session_.qdd, session_.states.count, corrections_.every()))
           status = session_.complain(kFault, "cannot write the result", path);
@@ -52,7 +53,7 @@ class Program {
   int solve_all() {
     Session& on = session_;
     on.use(std::move(on.states));
-    if constexpr (kBatch) return solve_shares(on.solver);
+    if constexpr (kBatch) return solve_many(on.solver);
     int failed = kFine, at = 0;
     for (int s = 0; s < on.states.count && failed == kFine; ++s) {
       on.watch.again();
@@ -69,21 +70,24 @@ class Program {
     return bring_together();
   }
 
-  // As many states at once as there are lanes, each process its share.
+  // As many states at once as there are lanes. States that fail are named, all others solved.
   template <class S>
-  int solve_shares(S& solver) {
+  int solve_many(S& solver) {
+    constexpr int kNamed = 20;
     Session& on = session_;
-    int failed = kFine;
+    int status = kDone;
     if constexpr (kBatch) {
-      const int first = S::share(on.states.count, on.rank);
-      const int count = S::share(on.states.count, on.rank + 1) - first;
-      failed = solver.solve_batch(count, on.q(first), on.v(first), on.tau(first),
-                                  on.acceleration(first));
+      on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
+                                                      on.acceleration(0)));
+      solved_ = on.states.count;
+      for (std::size_t k = 0; solver.failed_state(k) >= 0; ++k, --solved_) {
+        status = kInputAtFault;
+        if (k < kNamed) on.complain(status, solver.text, on.options.states);
+        if (k == kNamed) on.complain(status, "and more states", on.options.states);
+      }
     }
-    if (failed != kFine)
-      std::fprintf(stderr, "error: process %d: %s\n", on.rank, solver.text.c_str());
-    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
-    return failed == kFine ? bring_together() : kInputAtFault;
+    MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
+    return status;
   }
 
   int bring_together() {

@@ -13,6 +13,7 @@ struct Options {
   std::uint64_t seed = 1;
   double time_limit = 30, tolerance = kTolerance;
   ChannelMode channel = kChannelMode;
+  int hosts = 0;  // as many as there are
   SimulationOptions simulation;
 };
 
@@ -40,6 +41,8 @@ const char* const kUsageText =
     "  --seed N          seed of the random states (1)\n"
     "  --tolerance X     largest residual that --check lets pass\n"
     "  --channel KIND    auto, window (processes share memory) or message (MPI messages)\n"
+    "  --hosts N         take the processes to be on N hosts, in equal parts: only those of one "
+    "share memory\n"
     "  --timeout S       how long a process waits for another before it gives up, in seconds (30)\n"
     "  --no-pin          leave the processes to the system's scheduler when timing\n"
     "  --json            report as JSON on standard output\n"
@@ -116,8 +119,8 @@ std::string parse(int count, char** words, Options& options) {
     else if (flag("--no-pin"))
       options.pin = false;
     else {
-      const char* const known[] = {"--states", "--result",    "--trace",   "--repeat",
-                                   "--seed",   "--tolerance", "--channel", "--timeout"};
+      const char* const known[] = {"--states",    "--result",  "--trace", "--repeat", "--seed",
+                                   "--tolerance", "--channel", "--hosts", "--timeout"};
       const bool of_simulation =
           std::any_of(kSimulationWords.begin(), kSimulationWords.end(), flag);
       if (!of_simulation && std::none_of(std::begin(known), std::end(known), flag))
@@ -157,6 +160,11 @@ std::string parse(int count, char** words, Options& options) {
         if (number > 0x1p53 || number != std::floor(number))
           return "--seed takes a whole number of 0 or more";
         options.seed = static_cast<std::uint64_t>(number);
+      } else if (flag("--hosts")) {
+        if (number < 1 || number > kProcesses || number != std::floor(number))
+          return "--hosts takes a whole number from 1 to " + std::to_string(kProcesses) +
+                 ", that of processes";
+        options.hosts = static_cast<int>(number);
       } else if (flag("--tolerance"))
         options.tolerance = number;
       else if (number <= 0 || number > 1e6)

@@ -72,6 +72,7 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
     x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
     MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiReal, 0, comm);
   };
+  if (kBatch) return status;  // handed out as they are solved
   share(states.q, kNq);
   share(states.v, kNv);
   share(states.tau, kNtau);
@@ -116,6 +117,6 @@ struct Session {
 
   const char* channel_name() const {
     if (kProcesses == 1) return "none";
-    return solver.channel.windowed() ? "window" : "message";
+    return solver.channel.name();
   }
 };

@@ -146,7 +146,10 @@ bool write_result(const std::string& path, const std::vector<Real>& qdd, int cou
       std::fputs(s == 0 ? "" : ", ", file);
       if (kJoints[j].nv > 1) std::fputs("[", file);
       for (int k = 0; k < kJoints[j].nv; ++k)
-        std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
+        if (x[k] == x[k])
+          std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
+        else  // of a batch, a state that failed
+          std::fputs(k == 0 ? "null" : ", null", file);
       if (kJoints[j].nv > 1) std::fputs("]", file);
     }
     std::fputs("]}", file);

@@ -73,43 +73,16 @@ class Timing {
     return kDone;
   }
 
-  // A batch of as many random states for each process; nanoseconds for each state and process.
   template <class S>
   int time_batch(S& solver, const Cores& cores) {
-    constexpr int kCount = kRandomStates * kProcesses;
-    session_.use(random_states(kCount, session_.options.seed));
     session_.pinned = session_.options.pin && cores.pin();
-    std::vector<double> in_place, at_root;
     int failed = kFine;
-    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
-      session_.watch.again();
-      if constexpr (kBatch) {
-        const int first = kRandomStates * session_.rank;
-        const Clock::time_point start = start_together();
-        failed = solver.solve_batch(kRandomStates, session_.q(first), session_.v(first),
-                                    session_.tau(first), session_.acceleration(first));
-        const double in_place_ns =
-            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-        const Clock::time_point start_root = start_together();
-        const int second = solver.solve_batch_at_root(kCount, session_.q(0), session_.v(0),
-                                                      session_.tau(0), session_.acceleration(0));
-        const double root_ns =
-            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
-        if (failed == kFine) failed = second;
-        if (pass < 0) continue;
-        in_place.push_back(in_place_ns / kRandomStates);
-        at_root.push_back(root_ns / kRandomStates);
-      }
-      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
-    }
+    if constexpr (kBatch) failed = batches_.measure(solver, [this] { return start_together(); });
     if (failed != kFine)
       return session_.complain(kInputAtFault, "random states: " + describe(failed));
-    for (std::vector<double>* ns : {&in_place, &at_root})  // over when the last process is done
-      MPI_Allreduce(MPI_IN_PLACE, ns->data(), static_cast<int>(ns->size()), MPI_DOUBLE, MPI_MAX,
-                    session_.comm());
-    in_place_ = statistics(std::move(in_place));
-    at_root_ = statistics(std::move(at_root));
-    evaluations_ = session_.options.repeat * kRandomStates;
+    in_place_ = batches_.in_place();
+    at_root_ = batches_.at_root();
+    evaluations_ = session_.options.repeat * BatchTiming::kStates;
     return kDone;
   }
 
@@ -155,7 +128,8 @@ class Timing {
     text += figures("in_place", in_place_) + figures("through_root", at_root_);
     std::string each;
     for (const double ns : work_) each += (each.empty() ? "" : ", ") + whole(ns);
-    return text + (each.empty() ? "" : ", \"work_ns\": [" + each + "]") + "}";
+    if (!each.empty()) text += ", \"work_ns\": [" + each + "]";
+    return text + batches_.json() + "}";
   }
 
   void print(std::FILE* out) const {
@@ -180,17 +154,19 @@ class Timing {
       for (const double ns : work_) std::fprintf(out, "%8.0f ", ns);
       std::fprintf(out, "\n");
     }
-    if (kBatch)
-      std::fprintf(out, "       states per second in place      %8.3g (%.3g per process)\n",
-                   1e9 * kProcesses / in_place_.median, 1e9 / in_place_.median);
+    batches_.print(out);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  // All processes start an evaluation at the same instant of their common clock (on one node).
+  // All processes start an evaluation at the same instant of their common clock; hosts have none.
   Clock::time_point start_together() const {
     if (kProcesses == 1) return Clock::now();
+    if (!session_.solver.channel.on_one_host()) {
+      MPI_Barrier(session_.comm());
+      return Clock::now();
+    }
     Clock::rep start = 0;
     if (session_.rank == 0)
       start = (Clock::now() + std::chrono::microseconds(5)).time_since_epoch().count();
@@ -216,5 +192,6 @@ class Timing {
   bool crowded_ = false;  // not a core for each process
   int cores_ = 0;
   Statistics in_place_, at_root_;
+  BatchTiming batches_{session_};
   std::vector<double> work_;  // of each process, where times are from stretches
 };

@@ -193,7 +193,7 @@ class TestUsage:
             assert (done.status, done.stderr) == (0, "")
             assert done.stdout.startswith("usage: mpiexec -n 2 ")
             for option in ("states", "result", "check", "time", "repeat", "seed", "tolerance",
-                           "channel", "timeout", "no-pin", "stretches", "json",
+                           "channel", "hosts", "timeout", "no-pin", "stretches", "json",
                            "help"):  # fmt: skip
                 assert f"  --{option} " in done.stdout
 

@@ -58,7 +58,11 @@ def test_an_example_passes_its_own_check_and_is_timed(stem: str, builder: Builde
     check, *time = done.stdout.splitlines()
     assert check.startswith("check ") and check.endswith(": right")
     assert time[0].startswith(f"time   {BY_STEM[stem].processes} process")
+    # A batch tells states per second, too, on one process and on two.
     assert sum("in place  " in line for line in time) == 1 + BY_STEM[stem].batch
+    rows = [line.split() for line in time]
+    numbers = [row[0] for row in rows if row[1].startswith("process") and row[0].isdigit()]
+    assert numbers == (["1", "2"] if BY_STEM[stem].batch else [])
 
 
 @pytest.mark.parametrize("stem", [e.stem for e in EXAMPLES if not e.batch])

@@ -1,0 +1,107 @@
+"""Batches of any size, with bad states among them, shared by processes of one host or several."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.emit import emit
+from adagen.states import random_states, write_states
+from tests.emitted import Builder, Solver, forward_error, plan_of, states_text, truth_of
+from tests.end_to_end.hosts import APART
+from tests.golden.examples import EXAMPLES, FOLDER
+
+STEM = "arm7_batch_p2"
+ARM = next(example for example in EXAMPLES if example.stem == STEM)
+FLAGS = ("-O1", "-march=native")
+SIZES = (0, 1, 7, 8, 9, 16, 17, 63, 64, 65, 1000, 5003)
+SPOILT = ((1, 0), (9, 8), (64, 0, 7, 8, 63), (1003, 5, 500, 1002), (16, *range(16)))
+
+
+@pytest.fixture(scope="module")
+def program(builder: Builder) -> Solver:
+    source = (FOLDER / STEM / f"{STEM}.cpp").read_text()
+    object_file = builder.compile(source, f"{STEM}.o", (*FLAGS, "-DADAGEN_NO_MAIN", "-c"))
+    text = Path(__file__).with_name("batches.cpp").read_text()
+    flags = ("-O0", "-march=native", f"-I{FOLDER / STEM}", str(object_file))
+    return Solver(builder.compile(text, "batches", flags), 2, builder.toolchain)
+
+
+@pytest.fixture(scope="module", params=["one host", *APART])
+def said(
+    request: pytest.FixtureRequest, program: Solver, tmp_path_factory: pytest.TempPathFactory
+) -> list[str]:
+    """What the program printed, sorted."""
+    states = random_states(ARM.model(), 37, seed=4)
+    path = tmp_path_factory.mktemp("batches") / "states"
+    rows = zip(states.q, states.v, states.tau, strict=True)
+    np.savetxt(path, [np.concatenate(row) for row in rows], fmt="%.17g")
+    variables = APART.get(request.param, ())
+    apart = replace(program.toolchain, environment=(*program.toolchain.environment, *variables))
+    cases = [str(n) for n in SIZES] + [" ".join(map(str, case)) for case in SPOILT]
+    done = replace(program, toolchain=apart).run("message", path, *cases)
+    assert (done.status, done.stderr) == (0, "")
+    return sorted(done.stdout.splitlines())
+
+
+@pytest.mark.parametrize("who", ["alone", "shared"])
+def test_a_batch_of_any_size_is_solved_as_its_states_are_one_by_one(
+    who: str, said: list[str]
+) -> None:
+    for size in SIZES:
+        assert f"{who} {size}: fine;; same" in said
+
+
+@pytest.mark.parametrize("who", ["alone", "shared"])
+def test_bad_states_are_named_and_all_others_solved(who: str, said: list[str]) -> None:
+    joint = ARM.model().joints[3].name
+    for size, *bad in SPOILT:
+        why = f'state {bad[0] + 1}: joint "{joint}": its q, v or tau is not a finite number'
+        why += f" (and {len(bad) - 1} more states)" * (len(bad) > 1)
+        numbers = " ".join(map(str, bad))
+        assert f"{who} {size} {numbers}: failed; {why}; {numbers}; same" in said
+
+
+def test_the_other_processes_do_not_hear_of_bad_states(said: list[str]) -> None:
+    assert len(said) == 2 * (len(SIZES) + len(SPOILT))
+
+
+@pytest.mark.parametrize("scalar", ["double", "float"])
+def test_a_program_names_states_with_bad_quaternions_and_answers_the_others(
+    scalar: str, builder: Builder, tmp_path: Path
+) -> None:
+    model = next(e for e in EXAMPLES if e.stem == "humanoid_p1").model()
+    plan = plan_of(model, 1, scalar=scalar)
+    source = emit(plan, name="humanoid", batch=2)["humanoid_p2.cpp"]
+    solver = Solver(builder.compile(source, "humanoid_p2", FLAGS), 2, builder.toolchain)
+    states = random_states(model, 23, seed=6)
+    data = states_text(model, states, tmp_path)
+    for bad in (4, 20):
+        data["joints"]["__base__"]["q"][bad][3:] = [0, 0, 0, 0]
+    given, result = tmp_path / "given.json", tmp_path / "result.json"
+    given.write_text(json.dumps(data))
+    done = solver.run("--states", given, "--result", result, "--check")
+    assert done.status == 1
+    why = 'joint "__base__": its quaternion cannot be normalised'
+    assert done.stderr.splitlines() == [
+        f"{given}: error: state 5: {why}",
+        f"{given}: error: state 21: {why}",
+    ]
+    answers = json.loads(result.read_text())["joints"]
+    qdd = np.array(
+        [
+            np.reshape(np.array(answers[j.name]["qdd"], dtype=float), (23, -1))
+            for j in model.joints[1:]
+        ]
+    )[..., 0].T
+    assert np.array_equal(np.flatnonzero(np.isnan(qdd).any(axis=1)), [4, 20])
+    good = [0, 3, 5, 19, 21, 22]
+    few = replace(states, q=states.q[good], v=states.v[good], tau=states.tau[good])
+    truth = truth_of(model, few)
+    assert forward_error(qdd[good], truth[:, 6:]) < (1e-11 if scalar == "double" else 1e-4)
+    write_states(few, model, given)
+    assert solver.run("--states", given, "--result", result, "--check").status == 0
