@@ -1,10 +1,11 @@
-"""Predicted against measured times, over models and schedules, at P = 1 and 2.
+"""Predicted against measured times, over models and schedules, at P = 1, 2 and 4.
 
     python benchmarks/prediction.py measure FILE.json      builds and times; takes long
     python benchmarks/prediction.py report FILE.json [--profile NAME] > docs/prediction.md
 
 Programs of one model are timed in turn, several times over, and the least median is kept: other
-work on the machine only ever adds to a time.
+work on the machine only ever adds to a time. Where there are more processes than cores, times are
+from measured stretches of computing (docs/benchmarks.md); the report says so of each.
 """
 
 from __future__ import annotations
@@ -76,6 +77,8 @@ def schedules(model: Model) -> Iterator[tuple[str, Schedule]]:
     yield "segment, P=2, gathered", best_schedule(model, 2, profile)
     for seed, share in ((1, 0.35), (2, 0.25), (3, 0.0)):
         yield f"segment, P=2, random {seed}", made(seed, 2, share, False)
+    yield "segment, P=4, searched", find_schedule(topology, 4, profile=profile)
+    yield "segment, P=4, gathered", best_schedule(model, 4, profile)
     yield "ada, P=1, random", made(5, 1, 0.0, True)
     yield "ada, P=2, searched", best
     yield "ada, P=2, random orders", made(7, 2, 0.3, True)
@@ -124,13 +127,14 @@ def measure(path: Path) -> None:
 
 @dataclasses.dataclass(frozen=True)
 class Row:
-    """A program's measured and predicted time, microseconds."""
+    """A program's measured and predicted time, microseconds; ``played`` if from stretches."""
 
     model: str
     label: str
     measured: float
     predicted: float
     fastest: float
+    played: bool
 
     @property
     def error(self) -> float:
@@ -154,6 +158,7 @@ def report(path: Path, profile: str, machine: str) -> str:
             row["measured"]["time"],
             predict(plan_from_json(row["plan"]), costs).makespan,
             row["measured"]["best"],
+            row["measured"]["source"] == "stretches",
         )
         for row in json.loads(path.read_text())
     ]
@@ -179,9 +184,13 @@ def _summary(rows: list[Row], names: list[str], profile: str, machine: str) -> I
         ("form segment", "segment"),
         ("form segment, P = 1", "segment, P=1"),
         ("form segment, P = 2", "segment, P=2"),
+        ("form segment, P = 4", "segment, P=4"),
         ("form ada", "ada"),
     ):
         some = [row for row in rows if row.label.startswith(wanted)]
+        if not some:
+            continue
+        title += ", from stretches" if all(row.played for row in some) else ""
         sizes = sorted(abs(row.error) for row in some)
         rank = spearman([r.predicted for r in some], [r.measured for r in some])
         yield (
@@ -199,6 +208,12 @@ def _summary(rows: list[Row], names: list[str], profile: str, machine: str) -> I
         "The fastest evaluation is what the machine does undisturbed: with two processes on two "
         "cores, whatever else\nruns delays one of them in many evaluations, and the median too.\n"
     )
+    if any(row.played for row in rows):
+        yield (
+            "≈: more processes than cores. A wall time means nothing then; what each process "
+            "computes between messages is\nmeasured by itself, and played through with what the "
+            "shipped profile says of messages ([benchmarks](benchmarks.md)).\n"
+        )
 
 
 def _by_model(rows: list[Row], names: list[str]) -> Iterator[str]:
@@ -225,8 +240,8 @@ def _all(rows: list[Row]) -> Iterator[str]:
     yield "|---|---|---|---|---|---|"
     for r in rows:
         yield (
-            f"| {r.model} | {r.label} | {r.measured:.2f} | {r.fastest:.2f} | {r.predicted:.2f} | "
-            f"{r.error:+.1%} |"
+            f"| {r.model} | {r.label} | {'≈' if r.played else ''}{r.measured:.2f} | "
+            f"{r.fastest:.2f} | {r.predicted:.2f} | {r.error:+.1%} |"
         )
 
 

@@ -16,6 +16,25 @@ from adagen.states import States
 Array = NDArray[np.float64]
 
 
+WORDS = {
+    "in_place": "",
+    "through_root": ", through process 0",
+    "stretches": ", from stretches",
+    "stretches_through_root": ", through process 0, from stretches",
+}
+"""What is timed, and what tables call it behind a contestant's name.
+
+States and results are in place, or go through process 0. A time that is *from stretches* is not
+the clock's: each process's computing between messages is measured by itself, and played through
+with what messages cost. It stands in where there are more processes than cores.
+"""
+
+
+def from_stretches(what: str) -> str:
+    """Return what a time is called if it is from stretches."""
+    return "stretches" if what == "in_place" else f"stretches_{what}"
+
+
 @dataclass(frozen=True)
 class Rules:
     """How a contest is held.
@@ -73,7 +92,7 @@ class Contestant:
         scalar: number type.
         solve: accelerations for states, shape (S, nv).
         turn: times evaluations once; its argument is how often each state. What is timed by what
-            it is called: ``in_place``, ``through_root``.
+            it is called, a key of WORDS.
         predicted: nanoseconds that were predicted, if anything was.
     """
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import tempfile
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.bench.contest import Contestant, Turn
+from adagen.bench.contest import Contestant, Turn, cores, from_stretches
 from adagen.build import Toolchain, build_executable
 from adagen.errors import EnvironmentFault
 from adagen.model import Model
@@ -45,8 +47,13 @@ class Emitted:
     scalar: str
     predicted: float | None
 
-    def contestant(self, toolchain: Toolchain) -> Contestant:
+    def contestant(self, toolchain: Toolchain, *, stretches: bool = False) -> Contestant:
         """Return it as a contestant, compiled now or found in the cache.
+
+        Args:
+            toolchain: what to build and run it with.
+            stretches: whether several processes are also timed by their stretches of computing
+                where there are cores enough for the clock.
 
         Raises:
             EnvironmentFault: the compiler failed.
@@ -67,12 +74,11 @@ class Emitted:
                 return read_result(found, self.model)
 
         def turn(repeat: int) -> dict[str, Turn]:
-            said = json.loads(run(["--time", "--json", "--repeat", str(repeat)]))["time"]
-            return {
-                what: Turn(float(times["median_ns"]), float(times["min_ns"]))
-                for what, times in said.items()
-                if isinstance(times, dict) and _telling(what, self.processes)
-            }
+            words = ["--time", "--json", "--repeat", str(repeat)]
+            found = _turn(json.loads(run(words))["time"], self.processes)
+            if stretches and 1 < self.processes <= cores():
+                found |= _turn(json.loads(run([*words, "--stretches"]))["time"], self.processes)
+            return found
 
         return Contestant(
             name=self.name,
@@ -86,6 +92,13 @@ class Emitted:
         )
 
 
-def _telling(what: str, processes: int) -> bool:
-    """Whether a time says something: on one process, everything is in place at process 0."""
-    return processes > 1 or what != "through_root"
+def _turn(said: Mapping[str, Any], processes: int) -> dict[str, Turn]:
+    """Return the times in a program's report; on one process, all is in place at process 0."""
+    ways = ("in_place", "through_root") if processes > 1 else ("in_place",)
+    played = said["source"] == "stretches"
+    return {
+        from_stretches(what) if played else what: Turn(
+            float(said[what]["median_ns"]), float(said[what]["min_ns"])
+        )
+        for what in ways
+    }

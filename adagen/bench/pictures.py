@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,7 @@ import matplotlib as mpl
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
+from adagen.bench.contest import from_stretches
 from adagen.bench.record import ModelRecord, Record, Row
 
 # Okabe and Ito's colours, told apart by everybody.
@@ -19,6 +21,7 @@ SERIES: dict[str, tuple[str, str]] = {
     "casadi": ("casadi-generated ABA, best build", "#e69f00"),
     "adagen 1": ("adagen, one process", "#d55e00"),
     "adagen 2": ("adagen, two processes", "#009e73"),
+    "adagen 4": ("adagen, four processes", "#cc79a7"),
 }
 STYLE: Any = {
     "font.size": 10,
@@ -30,10 +33,13 @@ STYLE: Any = {
     "svg.hashsalt": "adagen",
 }
 PLACES = {
-    "in_place": ("o", "#009e73", "states and results in place"),
-    "through_root": ("s", "#56b4e9", "all through process 0"),
+    "in_place": ("#009e73", "states and results in place"),
+    "through_root": ("#56b4e9", "all through process 0"),
 }
-"""Mark, colour and words for what is timed on several processes."""
+"""Colour and words for what is timed on several processes."""
+MARKS = {2: "o", 4: "D"}
+"""By number of processes; hollow where a time is from stretches."""
+PLAYED = "from stretches"
 CHAIN = "chain"
 
 
@@ -70,9 +76,14 @@ def rows_of(model: ModelRecord) -> Iterator[tuple[str, Row]]:
     """Yield the best row of each series of SERIES that has one, states and results in place."""
     for key in SERIES:
         team, _, processes = key.partition(" ")
-        row = model.best(team, scalar="double", processes=int(processes or 1))
+        row = model.timed(team, scalar="double", processes=int(processes or 1))
         if row is not None:
             yield key, row
+
+
+def _label(key: str, rows: Iterable[Row]) -> str:
+    """Return what a series is called, and whether its times are not the clock's."""
+    return SERIES[key][0] + (f" ({PLAYED})" if any(row.played for row in rows) else "")
 
 
 def _is_chain(model: ModelRecord) -> bool:
@@ -104,12 +115,12 @@ def boxes(record: Record) -> Figure | None:
         return None
     figure, axes = _figure(record, "Time of one evaluation", 9.5, 2.4 + 0.8 * len(models))
     pitch = 1.0 / (len(SERIES) + 1)
-    shown = set()
+    shown: dict[str, list[Row]] = {}
     for place, model in enumerate(models):
         for key, row in rows_of(model):
             k = list(SERIES).index(key)
             _box(axes, row, place + (k - (len(SERIES) - 1) / 2) * pitch, pitch, SERIES[key][1])
-            shown.add(key)
+            shown.setdefault(key, []).append(row)
     axes.set_xscale("log")
     turns = [ns for model in models for _, row in rows_of(model) for ns in row.turns]
     axes.set_xlim(min(turns) / 1.2, 1.5 * max(turns))  # with room for what is written beside
@@ -121,7 +132,8 @@ def boxes(record: Record) -> Figure | None:
     axes.set_xlabel("µs (boxes: medians of the rounds; whiskers: their range)")
     _microseconds(axes.xaxis)
     for key in filter(shown.__contains__, SERIES):
-        axes.plot([], [], color=SERIES[key][1], linewidth=6, label=SERIES[key][0])
+        label = _label(key, shown[key])
+        axes.plot([], [], color=SERIES[key][1], linewidth=6, label=label)
     figure.legend(loc="outside lower center", ncols=3, frameon=False, fontsize=9)
     return figure
 
@@ -150,9 +162,11 @@ def against_joints(record: Record) -> Figure | None:
     if len(chains) < 2:
         return None
     figure, axes = _figure(record, "Serial chains: time of one evaluation against joints", 8, 5.2)
-    for key, (label, colour) in SERIES.items():
-        points = [(m.joints, row.median) for m in chains if (row := dict(rows_of(m)).get(key))]
-        if points:
+    for key, (_, colour) in SERIES.items():
+        rows = [(m.joints, row) for m in chains if (row := dict(rows_of(m)).get(key))]
+        if rows:
+            points = [(joints, row.median) for joints, row in rows]
+            label = _label(key, (row for _, row in rows))
             axes.plot(*zip(*points, strict=True), "o-", color=colour, label=label, markersize=4)
     axes.set_xscale("log")
     axes.set_yscale("log")
@@ -168,29 +182,31 @@ def against_joints(record: Record) -> Figure | None:
 
 def over_processes(record: Record) -> Figure | None:
     """Return times on several processes, as shares of the best on one."""
-    points: dict[tuple[int, str], list[tuple[float, int]]] = {}
+    points: dict[tuple[int, str, bool], list[tuple[float, int]]] = {}
     shown: list[ModelRecord] = []
     for model in record.models:
         one = model.best("adagen", processes=1, scalar="double")
         many = {row.processes for row in model.rows} - {1}
         if one is None or not many:
             continue
-        for processes in many:
-            for what in PLACES:
+        for processes, place in product(many, PLACES):
+            for what in (place, from_stretches(place)):
                 row = model.best("adagen", what, processes=processes, scalar="double")
                 if row is not None:
                     share = 100 * row.median / one.median
-                    points.setdefault((processes, what), []).append((share, len(shown)))
+                    key = processes, place, row.played
+                    points.setdefault(key, []).append((share, len(shown)))
         shown.append(model)
     if not shown:
         return None
     title = "Several processes, against the best on one"
     figure, axes = _figure(record, title, 8.5, 2.4 + 0.36 * len(shown))
     axes.axvline(100, color=SERIES["adagen 1"][1], linewidth=1.2, label="P=1")
-    for (processes, what), some in sorted(points.items()):
-        mark, colour, label = PLACES[what]
-        label = f"P={processes}, {label}"
-        axes.plot(*zip(*some, strict=True), mark, color=colour, label=label, markersize=7)
+    for (processes, place, played), some in sorted(points.items()):
+        colour, label = PLACES[place]
+        label = f"P={processes}, {label}" + (f", {PLAYED}" if played else "")
+        face, mark = "none" if played else colour, MARKS.get(processes, "s")
+        axes.plot(*zip(*some, strict=True), mark, color=colour, mfc=face, label=label, markersize=7)
     axes.set_yticks(range(len(shown)), [f"{m.name}, {m.dofs} DOF" for m in shown])
     axes.set_ylim(len(shown) - 0.5, -0.5)
     axes.set_xlim(left=0)
@@ -199,22 +215,29 @@ def over_processes(record: Record) -> Figure | None:
     return figure
 
 
+def _beside(model: ModelRecord, row: Row) -> bool:
+    """Whether a row is in place, by the clock, or from stretches where it has no time by that."""
+    clocked = any(other.name == row.name and not other.played for other in model.rows)
+    return row.what == ("in_place" if clocked else from_stretches("in_place"))
+
+
 def beside_prediction(record: Record) -> Figure | None:
     """Return measured against predicted times, on logarithmic axes."""
     rows = [
         (model, row)
         for model in record.models
         for row in model.rows
-        if row.predicted is not None and row.what == "in_place" and row.scalar == "double"
+        if row.predicted is not None and row.scalar == "double" and _beside(model, row)
     ]
     if not rows:
         return None
     figure, axes = _figure(record, "Predicted and measured", 6.6, 6.2)
-    marks = {1: ("o", "#d55e00"), 2: ("^", "#009e73")}
+    marks = {1: ("o", "#d55e00"), 2: ("^", "#009e73"), 4: ("D", "#cc79a7")}
     for processes in sorted({row.processes for _, row in rows}):
-        mark, colour = marks.get(processes, ("D", "#cc79a7"))
+        mark, colour = marks.get(processes, ("s", "#999999"))
         some = [(r.predicted, r.median) for _, r in rows if r.processes == processes]
-        label = f"P={processes}"
+        played = any(r.played for _, r in rows if r.processes == processes)
+        label = f"P={processes}" + (f", {PLAYED}" if played else "")
         axes.plot(
             *zip(*some, strict=True), mark, color=colour, label=label, markersize=6, alpha=0.8
         )

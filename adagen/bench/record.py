@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from adagen.bench.contest import Rules
+from adagen.bench.contest import Rules, from_stretches
 from adagen.errors import InputError
 from adagen.jsonfile import write_whole
 
@@ -26,7 +26,8 @@ class Row:
         build: compiler and options, code shape.
         processes: how many it ran on.
         scalar: number type.
-        what: ``in_place`` or ``through_root`` (states and results through process 0).
+        what: a key of ``adagen.bench.contest.WORDS``: where states and results are, and whether
+            the time is the clock's or from stretches.
         median: median of the turns' medians.
         least: the fastest evaluation.
         turns: each turn's median, in the order of the rounds.
@@ -47,6 +48,11 @@ class Row:
     forward_error: float
     residual: float
     predicted: float | None = None
+
+    @property
+    def played(self) -> bool:
+        """Whether the time is from stretches, not the clock's."""
+        return self.what.startswith(from_stretches("in_place"))
 
 
 @dataclass(frozen=True)
@@ -79,6 +85,10 @@ class ModelRecord:
             and all(getattr(row, key) == value for key, value in wanted.items())
         ]
         return min(rows, key=lambda row: row.median, default=None)
+
+    def timed(self, team: str, what: str = "in_place", **wanted: Any) -> Row | None:
+        """Return the same by the clock, or else, with more processes than cores, from stretches."""
+        return self.best(team, what, **wanted) or self.best(team, from_stretches(what), **wanted)
 
 
 @dataclass(frozen=True)

@@ -52,12 +52,15 @@ class Trial:
         nanoseconds: of an evaluation: the least median of several rounds; None where it failed.
         seconds: that its compilation took.
         failure: why it failed, else "".
+        source: of the nanoseconds: "clock", or "stretches" of computing, played through, where
+            there are more processes than cores.
     """
 
     candidate: Candidate
     nanoseconds: float | None
     seconds: float
     failure: str = ""
+    source: str = "clock"
 
 
 def candidates(shapes: Iterable[str], compilers: Sequence[str]) -> list[Candidate]:
@@ -122,25 +125,27 @@ def tune(
         except EnvironmentFault as fault:
             trials.append(Trial(candidate, None, time.perf_counter() - start, str(fault)))
     least: dict[Candidate, float] = {}
+    source = "clock"
     for turn in range(1, _ROUNDS + 1):
         with show(f"timing {len(built)} candidates, round {turn} of {_ROUNDS}"):
             for candidate, executable, _ in built:
-                found = _median(executable, processes, toolchain)
+                found, source = _median(executable, processes, toolchain)
                 least[candidate] = min(found, least.get(candidate, found))
-    trials += [Trial(candidate, least[candidate], seconds) for candidate, _, seconds in built]
+    trials += [Trial(c, least[c], seconds, source=source) for c, _, seconds in built]
     trials.sort(key=lambda trial: (trial.nanoseconds is None, trial.nanoseconds or 0.0))
     if not trials or trials[0].nanoseconds is None:
         raise EnvironmentFault(trials[0].failure if trials else "there is nothing to try")
     return trials
 
 
-def _median(executable: Path, processes: int, toolchain: Toolchain) -> float:
-    """Time an executable once; ns."""
+def _median(executable: Path, processes: int, toolchain: Toolchain) -> tuple[float, str]:
+    """Time an executable once; ns, and by what."""
     words = ["--time", "--json", "--repeat", _REPEAT]
     done = launch(executable, processes, words, toolchain, _TIMEOUT)
     if done.status != 0:
         raise EnvironmentFault(f"{executable.name} cannot be timed: {done.stderr}")
-    return float(json.loads(done.stdout)["time"]["in_place"]["median_ns"])
+    told = json.loads(done.stdout)["time"]
+    return float(told["in_place"]["median_ns"]), str(told["source"])
 
 
 def table(trials: Sequence[Trial]) -> str:

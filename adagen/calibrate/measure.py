@@ -49,6 +49,8 @@ class Measurement:
         stages: in the order of ``adagen.plan.stages.stages``, process by process.
         channel: window, message or none.
         pinned: whether each process had a core of its own.
+        source: of the first two: "clock", or "stretches" of computing, played through, where there
+            are more processes than cores.
     """
 
     time: float
@@ -56,6 +58,7 @@ class Measurement:
     stages: tuple[StageTime, ...]
     channel: str
     pinned: bool
+    source: str = "clock"
 
     def of(self, process: int) -> tuple[StageTime, ...]:
         """Return the stages of one process."""
@@ -125,6 +128,7 @@ def _measurement(report: dict[str, Any], trace: dict[str, Any]) -> Measurement:
         stages,
         str(trace["channel"]),
         bool(report["time"]["pinned"]),
+        str(report["time"]["source"]),
     )
 
 
@@ -150,4 +154,5 @@ def least(measurements: Sequence[Measurement]) -> Measurement:
         stages,
         first.channel,
         all(m.pinned for m in measurements),
+        first.source,
     )

@@ -40,7 +40,7 @@ class Budget:
         Raises:
             InputError: nothing keeps the budget; the message says what comes nearest.
         """
-        own = [p for p in points if p.team == "adagen" and p.error is not None and p.time_ns]
+        own = [p for p in points if p.team == "adagen" and p.error is not None and p.clocked]
         if not own:
             raise InputError("nothing was both solved and timed, so that no budget can be kept")
 

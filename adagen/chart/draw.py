@@ -141,6 +141,8 @@ def _mark(axes: Any, point: Point, x: float, y: float, colour: str) -> None:
     marker = "x" if point.failed else _MARKERS[min(point.refine, len(_MARKERS) - 1)]
     face = colour if point.scalar == "double" or point.failed else "white"
     axes.plot(x, y, marker, color=colour, mfc=face, ms=7 if point.front else 5.5, alpha=0.85)
+    if point.source == "stretches":
+        axes.plot(x, y, "o", color=colour, mfc="none", ms=11, mew=0.8, alpha=0.7)
     if point.processes > 1 and not point.failed:
         axes.annotate(str(point.processes), (x, y), fontsize=6, xytext=(3.5, 2.5),
                       textcoords="offset points", color=colour)  # fmt: skip
@@ -206,6 +208,10 @@ def _handles(chart: Chart, colours: dict[str, str]) -> list[Any]:
         rows.append(handle("o", "black", "white", "float (hollow)"))
     for n in sorted({p.refine for p in chart.points if p.refine}):
         rows.append(handle(_MARKERS[min(n, len(_MARKERS) - 1)], "black", "black", f"refined {n}x"))
+    if any(p.source == "stretches" for p in chart.points):
+        ring = handle("o", "black", "none", "ringed: time from measured stretches (P > cores)")
+        ring.set_markersize(11)
+        rows.append(ring)
     if any(p.processes > 1 for p in chart.points):
         rows.append(handle("$2$", "black", "black", "processes (1 if none)"))
     return rows

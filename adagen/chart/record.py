@@ -29,6 +29,8 @@ class Point:
         refine: steps of iterative refinement.
         shape: shape of the code.
         time_ns: median time of an evaluation, state and result in place; None where not timed.
+        source: of the time: "clock", or "stretches" of computing, played through, where there are
+            more processes than cores; None where not timed.
         ratio: median over the rounds of its time over the reference's.
         error: largest forward error in the energy norm; None where it failed.
         residual: largest torque residual.
@@ -46,6 +48,7 @@ class Point:
     refine: int
     shape: str
     time_ns: float | None = None
+    source: str | None = None
     ratio: float | None = None
     error: float | None = None
     residual: float | None = None
@@ -57,6 +60,11 @@ class Point:
     def failed(self) -> bool:
         """Whether it gives no answer."""
         return self.error is None
+
+    @property
+    def clocked(self) -> bool:
+        """Whether its time is one by the clock of the machine."""
+        return self.time_ns is not None and self.source != "stretches"
 
 
 @dataclass(frozen=True)
@@ -86,12 +94,12 @@ def front(points: Sequence[Point]) -> set[int]:
     """Return which points are on the Pareto front: none is as fast and as right, and better in one.
 
     Args:
-        points: any; those without time or finite error are not on it.
+        points: any; those without a time by the clock, or finite error, are not on it.
     """
     known = sorted(
         (p.time_ns, p.error, k)
         for k, p in enumerate(points)
-        if p.time_ns is not None and p.error is not None and math.isfinite(p.error)
+        if p.time_ns is not None and p.clocked and p.error is not None and math.isfinite(p.error)
     )
     best, last, found = math.inf, (math.nan, math.nan), set()
     for time, error, k in known:

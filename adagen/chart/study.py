@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from statistics import median
 
-from adagen.bench.contest import Contestant, Rules, Times, cores, hold
+from adagen.bench.contest import Contestant, Rules, Times, cores, from_stretches, hold
 from adagen.bench.emitted import Emitted
 from adagen.bench.machine import processor
 from adagen.build import Toolchain
@@ -68,14 +68,9 @@ def chart_of(
         said(f"solving {truth.states.count} states: {k} of {len(contestants)}")
         points[name] = _judged(points[name], contestant, truth)
     solved = [c for name, c in contestants.items() if not points[name].failed]
-    timed = [c for c in solved if c.processes <= cores()]
-    times, gone = hold(timed, Rules(study.rounds, study.repeat), said)
+    times, gone = hold(solved, Rules(study.rounds, study.repeat), said)
     for name, reason in gone.items():
         points[name] = replace(points[name], why=reason)
-    for contestant in solved:
-        if contestant.processes > cores():
-            why = f"not timed: {contestant.processes} processes, {cores()} cores"
-            points[contestant.name] = replace(points[contestant.name], why=why)
     with_times = [_timed(point, times) for point in points.values()]
     count, digits = truth.states.count, truth.digits
     return Chart(model.name, model.nv, count, digits, study.rounds, processor(), marked(with_times))
@@ -163,14 +158,16 @@ def _judged(point: Point, contestant: Contestant, truth: Truth) -> Point:
 
 def _timed(point: Point, times: dict[str, dict[str, Times]]) -> Point:
     """Return the point with its time, and its ratio to the reference round by round."""
-    mine = times.get(point.label, {}).get("in_place")
+    kinds = times.get(point.label, {})
+    source = "clock" if "in_place" in kinds else "stretches"
+    mine = kinds.get("in_place", kinds.get(from_stretches("in_place")))
     if mine is None:
         return point
     base = times.get(REFERENCE.label, {}).get("in_place")
     ratio = None
     if base is not None and len(base.turns) == len(mine.turns):
         ratio = median(a / b for a, b in zip(mine.turns, base.turns, strict=True))
-    return replace(point, time_ns=mine.median, ratio=ratio)
+    return replace(point, time_ns=mine.median, source=source, ratio=ratio)
 
 
 def _reason(error: Exception) -> str:

@@ -69,7 +69,8 @@ def _parser() -> Parser:
         action="append",
         metavar="WORDS",
         help="what to emit, as options of adagen MODEL, such as --variant='--procs 1 --refine 1'; "
-        "may be given several times (default: one and two processes, float, and every code shape)",
+        "may be given several times (default: one, two and four processes, float, and every code "
+        "shape); with more processes than cores, times are from measured stretches of computing",
     )
     parser.add_argument(
         "--peers",

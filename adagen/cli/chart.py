@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import argparse
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.chart_options import parser_of_charts
-from adagen.cli.console import Stages, note, warn
+from adagen.cli.console import Stages, note, speaking, warn
 from adagen.cli.parser import parse
 from adagen.errors import AdagenError
 
@@ -148,25 +147,3 @@ def _answer(point: Point, model: Model, options: argparse.Namespace) -> None:
     write_files(options.out, files)
     print(f"{point.label}: {point.time_ns / 1e3:.3g} us, error {point.error:.1e}")
     note(f"wrote {', '.join(str(options.out / name) for name in sorted(files))}")
-
-
-@contextmanager
-def speaking(about: str) -> Iterator[Callable[[str], None]]:
-    """Show what is being done: in one changing line on a terminal, else each sort of it once."""
-    import sys
-
-    if sys.stderr.isatty():
-        from rich.console import Console
-
-        with Console(stderr=True).status(about) as status:
-            yield lambda text: status.update(f"{about}: {text}")
-        return
-    sorts: set[str] = set()
-
-    def say(text: str) -> None:
-        sort = text.rstrip("0123456789 of")
-        if sort not in sorts:
-            sorts.add(sort)
-            note(f"{about}: {text} ...")
-
-    yield say

@@ -27,7 +27,7 @@ def chart_motion(options: argparse.Namespace) -> None:
     from adagen.chart.motion import Player, motion_chart
     from adagen.chart.variants import REFERENCE
     from adagen.cli import pipeline
-    from adagen.cli.chart import speaking
+    from adagen.cli.console import speaking
     from adagen.emit import stem_of
 
     model = pipeline.read_model(options, Stages(), options.gravity)

@@ -63,7 +63,8 @@ def _add_variants(parser: Parser) -> None:
         type=_list_of(int, range(1, 65)),
         default=(1, 2, 4),
         metavar="P,...",
-        help="numbers of processes (default: 1,2,4); what exceeds the cores is not timed",
+        help="numbers of processes (default: 1,2,4); where they exceed the cores, times are from "
+        "measured stretches of computing",
     )
     add(
         "--scalars",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from adagen.errors import printable
@@ -40,6 +40,26 @@ def progress(doing: str) -> Iterator[None]:
         yield
     finally:
         timer.cancel()
+
+
+@contextmanager
+def speaking(about: str) -> Iterator[Callable[[str], None]]:
+    """Show what is being done: in one changing line on a terminal, else each sort of it once."""
+    if sys.stderr.isatty():
+        from rich.console import Console
+
+        with Console(stderr=True).status(about) as status:
+            yield lambda text: status.update(f"{about}: {text}")
+        return
+    sorts: set[str] = set()
+
+    def say(text: str) -> None:
+        sort = text.rstrip("0123456789 of")
+        if sort not in sorts:
+            sorts.add(sort)
+            note(f"{about}: {text} ...")
+
+    yield say
 
 
 class Stages:

@@ -19,7 +19,7 @@ from adagen.bench.peers import PEERS, missing
 from adagen.bench.record import ModelRecord, Record, Row
 from adagen.build import find_toolchain
 from adagen.cli import pipeline
-from adagen.cli.console import Stages, note, progress
+from adagen.cli.console import Stages, note, progress, speaking
 from adagen.cli.options import AUTO, add_emission, add_model, add_schedule, check_emission
 from adagen.cli.parser import make_parser, parse
 from adagen.emit.shapes import chosen_shape
@@ -32,6 +32,7 @@ from adagen.states import States, random_states
 VARIANTS = (
     "--procs 1",
     "--procs 2",
+    "--procs 4",
     "--procs 1 --scalar float",
     "--procs 1 --shape unrolled",
     "--procs 1 --shape kernels",
@@ -39,17 +40,27 @@ VARIANTS = (
     "--procs 1 --batch --scalar float",
 )
 """What adagen is asked for, in its own command line's words; what it cannot do is skipped."""
+MOST_TURNS = 16
+"""Processes that are timed in turns, by their stretches, where there are fewer cores."""
 MOST_TEXT = 1_500_000
 """Characters of a source that is still built: with more, a contest would be one of compilers."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Entry:
-    """A robot to be measured: what tables call it, its file, and options that go with it."""
+    """A robot to be measured.
+
+    Attributes:
+        name: what tables call it.
+        file: its description.
+        words: options that go with it.
+        too_slow: peers that would take minutes on it, and are left out.
+    """
 
     name: str
     file: Path
     words: tuple[str, ...] = ()
+    too_slow: tuple[str, ...] = ()
 
 
 def contest(
@@ -78,9 +89,10 @@ def contest(
     """
     known = {model.name: model for model in before}
     record = Record(machine(), rules, ())
-    for entry in entries:
+    for k, entry in enumerate(entries, start=1):
         found = known.get(entry.name)
         if found is None:
+            note(f"{entry.name}, robot {k} of {len(entries)}")
             try:
                 found = measure(entry, rules, variants, peers)
             except AdagenError as error:
@@ -109,18 +121,27 @@ def measure(
     states = random_states(model, rules.states, rules.seed)
     judged = rules.judged if model.nv <= DIRECT else 1
     few = States(*(x[:judged] for x in (states.q, states.v, states.tau)))
-    absent: dict[str, str] = {}
+    absent = {name: "it would take minutes" for name in entry.too_slow if name in peers}
     with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
         taking_part = _emitted(entry, model, variants, absent)
-        taking_part += _others(model, states, peers, Path(folder), absent)
+        taking_part += _others(
+            model, states, [name for name in peers if name not in absent], Path(folder), absent
+        )
         if not taking_part:
             raise UsageError(f"nothing to time: {next(iter(absent.values()), 'no variant')}")
-        with progress(f"{entry.name}: timing {len(taking_part)} solvers"):
-            times, gone = hold(taking_part, rules, lambda _: None)
+        times, gone = _timed(entry, taking_part, rules)
         absent |= gone
         rows = _judged(taking_part, times, Judge(model, few), absent)
     seconds = time.perf_counter() - start
     return ModelRecord(entry.name, len(model.joints), model.nv, rows, absent, round(seconds, 1))
+
+
+def _timed(
+    entry: Entry, contestants: Sequence[Contestant], rules: Rules
+) -> tuple[dict[str, dict[str, Times]], dict[str, str]]:
+    """Hold the contest, and show each round."""
+    with speaking(f"{entry.name}: timing {len(contestants)} solvers") as said:
+        return hold(contestants, rules, said)
 
 
 def _options(entry: Entry, variant: str) -> argparse.Namespace:
@@ -157,7 +178,7 @@ def _emitted(
 
     def build(emitted: Emitted) -> Contestant | str:
         try:
-            return emitted.contestant(toolchain)
+            return emitted.contestant(toolchain, stretches=True)
         except AdagenError as error:
             return str(error).removeprefix("error: ")
 
@@ -176,8 +197,9 @@ def _emit(entry: Entry, model: Model, variant: str) -> Emitted:
         AdagenError: this adagen cannot do it, or not for this robot.
     """
     options = _options(entry, variant)
-    if options.procs > cores():
-        raise UsageError(f"{options.procs} processes need as many cores; here are {cores()}")
+    most = cores() if options.batch else max(cores(), MOST_TURNS)
+    if options.procs > most:
+        raise UsageError(f"{options.procs} processes: at most {most} are timed on {cores()} cores")
     made = pipeline.generate(model, options, Stages())
     shape = "kernels" if options.batch else chosen_shape(made.plan, options.shape)
     profile = load_profile(options.profile)

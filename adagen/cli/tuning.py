@@ -45,7 +45,9 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
             find_toolchain(),
             progress,
         )
-    note("tried, ns per evaluation with state and result in place:")
+    played = trials[0].source == "stretches"
+    how = " (more processes than cores: from measured stretches of computing)" if played else ""
+    note(f"tried, ns per evaluation with state and result in place{how}:")
     for line in table(trials).splitlines():
         note(line)
     return trials[0].candidate

@@ -33,10 +33,18 @@ class Program:
 
 @dataclass(frozen=True)
 class Times:
-    """Microseconds of one evaluation over all runs: median of their medians, least of all."""
+    """Microseconds of one evaluation over all runs: median of their medians, least of all.
+
+    Attributes:
+        median: median of the runs' medians.
+        least: the fastest evaluation.
+        played: whether they are not the clock's but from measured stretches of computing, as with
+            more processes than cores.
+    """
 
     median: float
     least: float
+    played: bool
 
 
 def model_of(text: str) -> Model:
@@ -58,23 +66,27 @@ def build(model: Model, schedule: Schedule) -> Program:
 
 def measure(programs: Sequence[Program], rounds: int = 5, repeat: int = 20) -> list[Times]:
     """Return the times of programs, run by turns so that a noisy minute hits all alike."""
-    found: list[list[tuple[float, float]]] = [[] for _ in programs]
+    found: list[list[Times]] = [[] for _ in programs]
     for _ in range(rounds):
         for times, program in zip(found, programs, strict=True):
             times.append(_run(program, repeat))
     return [
-        Times(statistics.median(m for m, _ in times), min(least for _, least in times))
+        Times(
+            statistics.median(t.median for t in times), min(t.least for t in times), times[0].played
+        )
         for times in found
     ]
 
 
-def _run(program: Program, repeat: int) -> tuple[float, float]:
+def _run(program: Program, repeat: int) -> Times:
     words = ["--time", "--json", "--repeat", str(repeat)]
     done = launch(program.executable, program.processes, words, program.toolchain, TIMEOUT)
     if done.status != 0:
         raise SystemExit(f"error: {program.executable.name}: {done.stderr}")
-    times = json.loads(done.stdout)["time"]["in_place"]
-    return float(times["median_ns"]) / 1e3, float(times["min_ns"]) / 1e3
+    told = json.loads(done.stdout)["time"]
+    times = told["in_place"]
+    played = told["source"] == "stretches"
+    return Times(float(times["median_ns"]) / 1e3, float(times["min_ns"]) / 1e3, played)
 
 
 def machine() -> str:

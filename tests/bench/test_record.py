@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +10,7 @@ import pytest
 
 from adagen.bench.contest import Rules
 from adagen.bench.record import ModelRecord, Record, Row, read_record, write_record
-from adagen.bench.report import DETAILS, SUMMARY, details, markdown, summary
+from adagen.bench.report import DETAILS, PLAYED, SUMMARY, details, markdown, summary
 from adagen.errors import InputError
 
 MACHINE: dict[str, Any] = {
@@ -50,6 +51,8 @@ def model(name: str, joints: int) -> ModelRecord:
         row("adagen", 100.0 * joints, scalar="float"),
         row("adagen", 90.0 * joints, processes=2, predicted=80.0 * joints),
         row("adagen", 96.0 * joints, processes=2, what="through_root", predicted=80.0 * joints),
+        row("adagen", 87.0 * joints, processes=2, what="stretches", predicted=80.0 * joints),
+        row("adagen", 60.0 * joints, processes=4, what="stretches", predicted=55.0 * joints),
     )
     return ModelRecord(name, joints, joints, rows, {"casadi, clang++": "it failed"}, 1.5)
 
@@ -81,9 +84,25 @@ def test_the_summary_compares_the_best_of_each(record: Record) -> None:
     assert summary(record.models[0])[9:13] == ["630", "25%", "672", "20%"]
 
 
+def test_times_from_stretches_are_marked(record: Record) -> None:
+    assert summary(record.models[0])[13:16] == ["≈609", "≈420", "50%"]
+    names = {cells[0] for cells in details(record.models[0])}
+    assert {"adagen 420, from stretches", "adagen 672, through process 0"} <= names
+    assert PLAYED in markdown(record)
+    clock = replace(record, models=(replace(record.models[0], rows=record.models[0].rows[:6]),))
+    assert PLAYED not in markdown(clock)
+
+
+def test_the_clock_is_preferred_to_stretches(record: Record) -> None:
+    two = record.models[0].timed("adagen", processes=2)
+    four = record.models[0].timed("adagen", processes=4)
+    assert two is not None and (two.what, two.played) == ("in_place", False)
+    assert four is not None and (four.what, four.played) == ("stretches", True)
+
+
 def test_who_is_absent_leaves_a_dash() -> None:
     alone = ModelRecord("arm", 7, 7, (row("adagen", 500.0),), {}, 1.0)
-    assert summary(alone) == ["arm", "7", "–", "–", "–", "500", *["–"] * 10]
+    assert summary(alone) == ["arm", "7", "–", "–", "–", "500", *["–"] * 13]
     assert details(alone) == [["adagen 500", "500", "450", "–", "", "1e-15", "2e-16"]]
 
 

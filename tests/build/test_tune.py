@@ -32,7 +32,9 @@ def built(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     def launch(program: Path, processes: int, *_: object) -> Completed:
         assert processes == 2
         median = next(turns[program.parent.name])
-        return Completed(0, json.dumps({"time": {"in_place": {"median_ns": median}}}), "")
+        return Completed(
+            0, json.dumps({"time": {"source": "clock", "in_place": {"median_ns": median}}}), ""
+        )
 
     monkeypatch.setattr("adagen.build.tune.build_executable", build)
     monkeypatch.setattr("adagen.build.tune.launch", launch)

@@ -13,8 +13,16 @@ from adagen.cli import main
 from adagen.errors import InputError, UsageError
 
 
-def point(label: str, time: float | None, error: float | None, team: str = "adagen") -> Point:
-    return Point(label, team, "segment", "auto", "double", 1, 0, "auto", time, 1.0, error, error)
+def point(
+    label: str,
+    time: float | None,
+    error: float | None,
+    team: str = "adagen",
+    source: str | None = "clock",
+) -> Point:
+    return Point(
+        label, team, "segment", "auto", "double", 1, 0, "auto", time, source, 1.0, error, error
+    )
 
 
 @pytest.mark.parametrize(
@@ -64,6 +72,7 @@ class TestChoice:
         point("between", 400.0, 1e-9),
         point("a textbook", 50.0, 1e-16, team="baseline"),
         point("not timed", None, 1e-16),
+        point("from stretches", 50.0, 1e-16, source="stretches"),
         point("failed", 10.0, None),
     )
 

@@ -47,6 +47,7 @@ SCHEMA = {
                     "refine": {"type": "integer", "minimum": 0},
                     **dict.fromkeys(("time_ns", "ratio", "error", "residual"), OPTIONAL),
                     "predicted": OPTIONAL,
+                    "source": {"enum": ["clock", "stretches", None]},
                     "why": {"type": ["string", "null"]},
                     "front": {"type": "boolean"},
                 },
@@ -66,8 +67,9 @@ def some_chart() -> Chart:
                 residual=1e-15, predicted=3e-14),
         replace(segment, label="ada refined", algorithm="ada", refine=1, time_ns=6e3, ratio=6.6,
                 error=2e-16, residual=1e-15),
-        replace(segment, label="four", processes=4, error=4e-16, residual=1e-15,
-                why="not timed: 4 processes, 2 cores"),
+        replace(segment, label="four", processes=4, time_ns=500.0, ratio=0.6, source="stretches",
+                error=2e-16, residual=1e-15),
+        replace(segment, label="gone", processes=2, error=4e-16, residual=1e-15, why="no answer"),
         replace(segment, label="broken", algorithm="ada", why='joint "a": no inverse'),
     )  # fmt: skip
     return Chart("robot", 7, 20, 100, 5, "a machine", marked(points))
@@ -118,7 +120,8 @@ class TestPictures:
     def test_a_chart_becomes_a_picture_with_all_its_marks(self, tmp_path: Path) -> None:
         text = self.check(save(work_precision(some_chart()), tmp_path / "c"))
         for words in (
-            "Pareto front", "form segment: 900 ns, 1.00x", "no answer", "No answer:", "eps, float"
+            "Pareto front", "ringed: time from measured stretches",
+            "form segment: 900 ns, 1.00x", "no answer", "No answer:", "eps, float"
         ):  # fmt: skip
             assert f"<!-- {words}" in text or words in text
 
