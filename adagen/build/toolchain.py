@@ -9,7 +9,7 @@ import shutil
 import subprocess
 import sysconfig
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import metadata
 from pathlib import Path
 
@@ -91,6 +91,14 @@ def find_toolchain(environ: Mapping[str, str] | None = None) -> Toolchain:
             )
         ),
     )
+
+
+def with_compiler(toolchain: Toolchain, compiler: str) -> Toolchain:
+    """Return the toolchain with another compiler behind Open MPI's or MPICH's wrapper."""
+    if not compiler:
+        return toolchain
+    words = (("OMPI_CXX", compiler), ("MPICH_CXX", compiler))
+    return replace(toolchain, environment=(*toolchain.environment, *words))
 
 
 def mpi_environment(environ: Mapping[str, str], uid: int, *, wheel: bool = True) -> dict[str, str]:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.chart_options import LARGEST_STEP
-from adagen.cli.console import Stages, note
+from adagen.cli.console import Stages, note, speaking
 
 if TYPE_CHECKING:
     from adagen.chart.motion import MotionChart
@@ -27,7 +27,6 @@ def chart_motion(options: argparse.Namespace) -> None:
     from adagen.chart.motion import Player, motion_chart
     from adagen.chart.variants import REFERENCE
     from adagen.cli import pipeline
-    from adagen.cli.console import speaking
     from adagen.emit import stem_of
 
     model = pipeline.read_model(options, Stages(), options.gravity)

@@ -7,8 +7,12 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 from adagen.errors import printable
+
+if TYPE_CHECKING:
+    from adagen.urdf import Reading
 
 _PATIENCE_SECONDS = 1.0
 
@@ -22,6 +26,15 @@ def warn(message: str) -> None:
 def note(message: str) -> None:
     """Print a line for people to stderr."""
     print(printable(message), file=sys.stderr)
+
+
+def tell(reading: Reading, verbose: bool) -> None:
+    """Pass on what the reader of a robot description has to say."""
+    for warning in reading.warnings:
+        warn(warning)
+    if verbose:
+        for ignored in reading.ignored:
+            note(f"note: {ignored}")
 
 
 @contextmanager

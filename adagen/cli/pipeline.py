@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
-from adagen.cli.console import Stages, note, progress, warn
+from adagen.cli.console import Stages, progress, tell, warn
 from adagen.cli.options import AUTO
 from adagen.cli.predicted import scheduled
 from adagen.errors import InputError, UsageError
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from adagen.model import Model
     from adagen.plan import Plan
     from adagen.schedule import CostProfile, Schedule, Topology
-    from adagen.urdf import Reading
 
 
 @dataclass(frozen=True)
@@ -66,17 +65,8 @@ def read_model(
             mimic=options.mimic,
             gravity=gravity,
         )
-    tell(reading, options)
+    tell(reading, options.verbose > 0)
     return reading.model
-
-
-def tell(reading: Reading, options: argparse.Namespace) -> None:
-    """Pass on what the reader has to say."""
-    for warning in reading.warnings:
-        warn(warning)
-    if options.verbose:
-        for ignored in reading.ignored:
-            note(f"note: {ignored}")
 
 
 def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) -> Schedule:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from adagen.cli.console import note, warn
+from adagen.cli.console import note, tell, warn
 from adagen.errors import InputError, UsageError
 from adagen.scene import Reduction, apply_scene, read_scene
 from adagen.scene.report import Cost, removed, saved
@@ -29,7 +29,6 @@ def read_in_scene(options: argparse.Namespace, gravity: Sequence[float] | None) 
         InputError: the robot description or the scene is refused.
         UsageError: the command line contradicts the scene.
     """
-    from adagen.cli.pipeline import tell
     from adagen.urdf import check_reduced, read_robot
 
     scene = read_scene(options.scene)
@@ -42,7 +41,7 @@ def read_in_scene(options: argparse.Namespace, gravity: Sequence[float] | None) 
         effects=scene.from_urdf,
         check=False,
     )
-    tell(reading, options)
+    tell(reading, options.verbose > 0)
     reduction = apply_scene(reading.model, scene)
     for warning in check_reduced(reading, reduction.model):
         warn(warning)

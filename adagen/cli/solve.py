@@ -63,7 +63,7 @@ def run(argv: Sequence[str]) -> int:
 
 def _solve(options: argparse.Namespace, stages: Stages) -> int:
     from adagen.build import build_executable, find_toolchain
-    from adagen.build.tune import with_compiler
+    from adagen.build.toolchain import with_compiler
     from adagen.cli import pipeline
     from adagen.cli.files import write_file
     from adagen.states import read_states, states_gravity

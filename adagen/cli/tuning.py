@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from adagen.cli.console import Stages, note, progress
 
 if TYPE_CHECKING:
-    from adagen.build.tune import Candidate
     from adagen.plan import Plan
+    from adagen.run.tune import Candidate
 
 
 def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
@@ -20,9 +20,9 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
         EnvironmentFault: nothing could be built and run.
     """
     from adagen.build import find_toolchain
-    from adagen.build.tune import candidates, compilers, table, tune
     from adagen.emit import emit, stem_of
     from adagen.emit.shapes import SHAPES, chosen_shape
+    from adagen.run.tune import candidates, compilers, table, tune
 
     if options.shape == "auto":
         shapes = [name for name, shape in SHAPES.items() if shape.why_not(plan) is None]

@@ -10,8 +10,8 @@ gives force (N) and moment (N m) at the link's origin in its axes, for each stat
 
 from __future__ import annotations
 
-from adagen.states.draw import random_states
 from adagen.states.read import read_result, read_states, states_gravity
+from adagen.states.sampling import random_states
 from adagen.states.types import States
 from adagen.states.write import write_result, write_states
 

@@ -7,13 +7,13 @@ import shutil
 import time
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from adagen.build.cache import Progress, build_executable
-from adagen.build.toolchain import Toolchain
+from adagen.build.toolchain import Toolchain, with_compiler
 from adagen.errors import EnvironmentFault
-from adagen.run import launch
+from adagen.run.launch import launch
 
 CHUNKS = (250, 1000, 4000)
 """Lengths of functions that are tried where the code is a straight line."""
@@ -74,14 +74,6 @@ def candidates(shapes: Iterable[str], compilers: Sequence[str]) -> list[Candidat
 def compilers() -> tuple[str, ...]:
     """Return the compilers to try: the wrapper's own, and clang++ where it is installed."""
     return ("", "clang++") if shutil.which("clang++") else ("",)
-
-
-def with_compiler(toolchain: Toolchain, compiler: str) -> Toolchain:
-    """Return the toolchain with another compiler behind Open MPI's or MPICH's wrapper."""
-    if not compiler:
-        return toolchain
-    words = (("OMPI_CXX", compiler), ("MPICH_CXX", compiler))
-    return replace(toolchain, environment=(*toolchain.environment, *words))
 
 
 def tune(

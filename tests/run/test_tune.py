@@ -7,10 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from adagen.build import Toolchain, tune
-from adagen.build.tune import Candidate, Trial, candidates, table, with_compiler
+from adagen.build import Toolchain
+from adagen.build.toolchain import with_compiler
 from adagen.errors import EnvironmentFault
-from adagen.run import Completed
+from adagen.run import Completed, tune
+from adagen.run.tune import Candidate, Trial, candidates, table
 
 TOOLS = Toolchain(("mpicxx",), ("mpiexec",), Path("eigen"), (), False, (("A", "1"),))
 TIMES = {"slow": [90.0] * 5, "fast": [50.0, 40.0, 60.0, 80.0, 70.0]}
@@ -36,8 +37,8 @@ def built(monkeypatch: pytest.MonkeyPatch) -> list[str]:
             0, json.dumps({"time": {"source": "clock", "in_place": {"median_ns": median}}}), ""
         )
 
-    monkeypatch.setattr("adagen.build.tune.build_executable", build)
-    monkeypatch.setattr("adagen.build.tune.launch", launch)
+    monkeypatch.setattr("adagen.run.tune.build_executable", build)
+    monkeypatch.setattr("adagen.run.tune.launch", launch)
     return log
 
 
