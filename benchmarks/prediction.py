@@ -174,8 +174,8 @@ def _summary(rows: list[Row], names: list[str], profile: str, machine: str) -> I
         "Made by `python benchmarks/prediction.py measure FILE` and `... report FILE`: every "
         "schedule is emitted, built\nand timed with state and result in place (median over 64 "
         "random states, the least of several interleaved\nruns); the prediction plays the steps of "
-        "its plan through (docs/profiles.md). No measured time is used to\npredict: the profile "
-        "comes from `adagen calibrate`, whose robots are others.\n"
+        "its plan through ([profiles](profiles.md)). No measured time is used to\npredict: the "
+        "profile comes from `adagen calibrate`, whose robots are others.\n"
     )
     yield "| programs | count | median error | 90 % below | largest | rank correlation |"
     yield "|---|---|---|---|---|---|"

@@ -147,7 +147,7 @@ def line(*cells: object) -> str:
     return "| " + " | ".join(str(cell) for cell in cells) + " |"
 
 
-HEAD = "# How far the search gets\n"
+HEAD = "# The search, and how far it gets\n"
 TITLES = {
     "joins": """## By joins
 

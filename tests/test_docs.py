@@ -1,0 +1,54 @@
+"""Links in the documents lead somewhere, every picture is shown, and no command is left out."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from adagen.cli import main
+from adagen.cli.main import VERBS
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+
+
+def anchors(page: Path) -> set[str]:
+    """Return the anchors that GitHub makes of a page's headings."""
+    titles = re.findall(r"^#+ (.*)$", page.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.name))
+def test_links_lead_somewhere(page: Path) -> None:
+    for link in LINK.findall(page.read_text(encoding="utf-8")):
+        if "://" in link:
+            continue
+        name, _, anchor = link.partition("#")
+        target = (page.parent / name).resolve() if name else page
+        assert target.exists(), link
+        assert not anchor or anchor in anchors(target), link
+
+
+def test_every_picture_is_shown() -> None:
+    shown = {link for page in PAGES for link in LINK.findall(page.read_text(encoding="utf-8"))}
+    pictures = {path.name for path in (ROOT / "docs" / "pictures").iterdir()}
+    assert pictures == {Path(link).name for link in shown if "pictures/" in link}
+
+
+def test_every_page_is_in_the_list_of_documents() -> None:
+    listed = {Path(link).name for link in LINK.findall(PAGES[0].read_text(encoding="utf-8"))}
+    assert {page.name for page in PAGES[1:]} <= listed
+
+
+def test_the_page_on_the_command_line_tells_what_help_tells(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    page = (ROOT / "docs" / "command_line.md").read_text(encoding="utf-8")
+    for verb in VERBS:
+        assert f"`adagen {verb} " in page, verb
+    main(["--help"])
+    for option in set(re.findall(r"^  (--[a-z]+)", capsys.readouterr().out, flags=re.MULTILINE)):
+        assert option == "--version" or option in page, option
