@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from statistics import median
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,9 +18,9 @@ from adagen.calibrate.nnls import nnls
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
 from adagen.plan.stages import Stage, stages
-from adagen.predict.features import Features, features
-from adagen.predict.simulate import message_numbers
-from adagen.schedule.costs import NAMES, PER_KIND, ChannelCosts, StepCosts
+from adagen.predict.features import Features, work_features
+from adagen.predict.straight import straight_features
+from adagen.schedule.costs import NAMES, PER_KIND, StepCosts
 
 Array = NDArray[np.float64]
 _STEADY = 1e-2
@@ -29,11 +28,6 @@ _STEADY = 1e-2
 apart (a link's start and its joint's articulation, say)."""
 _SHORT = 0.05
 """Microseconds that a short stage may be off by before its relative error counts in full."""
-
-
-_WAITED = 0.1
-"""Microseconds that a receiver must have begun to wait before a message is sent, to tell its way
-from other delays."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +46,7 @@ class Equation:
 
     def predicted(self, costs: StepCosts) -> float:
         """Return the time that a profile gives it, microseconds."""
-        return sum(costs[name] * count for name, count in self.features.items())
+        return costs.total(self.features)
 
 
 @dataclass(frozen=True)
@@ -69,10 +63,7 @@ class Sample:
             for stage, time in self._timed(p):
                 if stage.message is None and stage.what != "slaved":
                     steps = self.plan.processes[p].steps[stage.first : stage.last]
-                    total: Features = {}
-                    for step in steps:
-                        for name, count in features(step, self.plan.joints).items():
-                            total[name] = total.get(name, 0) + count
+                    total = work_features(steps, self.plan.joints)
                     found.append(Equation(stage.what, total, time))
         return found
 
@@ -85,36 +76,12 @@ class Sample:
         """Return what one process takes apart from its stages, microseconds."""
         return self.measured.time - sum(stage.length for stage in self.measured.stages)
 
-    def messages(self) -> list[tuple[int, float, float | None]]:
-        """Return for each message its numbers, the time to send it, and how long it travelled.
-
-        The last is None where the receiver was not waiting for it; microseconds.
-        """
-        sent: dict[int, float] = {}
-        used: dict[int, tuple[float, float]] = {}
-        times: dict[int, float] = {}
-        for p in range(len(self.plan.processes)):
-            row = self.measured.of(p)
-            for stage, after in zip(row, (*row[1:], None), strict=True):
-                if stage.message is None:
-                    continue
-                end = stage.start + stage.length if after is None else after.start
-                if stage.what == "send":
-                    sent[stage.message], times[stage.message] = end, stage.length
-                else:
-                    used[stage.message] = (stage.start, end)
-        found = []
-        for number, message in enumerate(self.plan.messages):
-            begin, end = used[number]
-            travelled = end - sent[number] if begin < sent[number] - _WAITED else None
-            found.append((message_numbers(self.plan, message), times[number], travelled))
-        return found
-
 
 def fit_steps(samples: Sequence[Sample]) -> dict[str, float]:
     """Return a coefficient for each of ``NAMES``, microseconds.
 
-    Those that no sample tells anything about are those of their group on average.
+    Those that no sample tells anything about are those of their group on average, or 0 where they
+    are not of steps.
     """
     equations = [equation for sample in samples for equation in sample.equations()]
     column = {name: k for k, name in enumerate(NAMES)}
@@ -158,21 +125,19 @@ def _alike() -> Array:
     return np.array(rows)
 
 
-def fit_channel(samples: Sequence[Sample]) -> ChannelCosts:
-    """Return what the messages of samples over one channel cost.
+def fit_straight(plans: Sequence[Plan], times: Sequence[float]) -> dict[str, float]:
+    """Return the coefficients of straight lines of statements, microseconds.
 
-    Time per number is told by how much longer large messages take than small ones.
+    Args:
+        plans: of one process each, emitted in shape `unrolled`.
+        times: of an evaluation by each, microseconds.
     """
-    rows = [row for sample in samples for row in sample.messages()]
-    waited = [(numbers, time) for numbers, _, time in rows if time is not None]
-    if len(waited) < 2:
-        raise ValueError("too few messages were waited for")
-    times = np.array([max(0.0, time) for _, time in waited])
-    A = np.array([[1.0, numbers / 2] for numbers, _ in waited])
-    scale = 1 / (times + _SHORT)
-    latency, number = (float(x) for x in nnls(A * scale[:, None], times * scale))
-    send = median(max(0.0, time - numbers * number / 2) for numbers, time, _ in rows)
-    return ChannelCosts(send, latency, number)
+    rows = [straight_features(plan) for plan in plans]
+    names = list(rows[0])
+    A = np.array([[row[name] for name in names] for row in rows])
+    weight = 1 / np.array(times)
+    x = nnls(A * weight[:, None], np.ones(len(times)))
+    return dict(zip(names, map(float, x), strict=True))
 
 
 def evaluation_cost(samples: Sequence[Sample]) -> float:

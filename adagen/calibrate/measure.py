@@ -11,7 +11,7 @@ from typing import Any
 
 from adagen.build import Toolchain, build_executable
 from adagen.emit import emit, stem_of
-from adagen.emit.shapes import stepwise
+from adagen.emit.shapes import chosen_shape
 from adagen.errors import EnvironmentFault
 from adagen.plan import Plan
 from adagen.run import launch
@@ -71,17 +71,20 @@ class Program:
     Args:
         plan: what to emit.
         toolchain: what to build and run it with.
+        shape: of the code.
 
     Raises:
         EnvironmentFault: the compiler failed.
+        UsageError: the plan cannot be emitted in this shape.
     """
 
-    def __init__(self, plan: Plan, toolchain: Toolchain) -> None:
+    def __init__(self, plan: Plan, toolchain: Toolchain, shape: str = "auto") -> None:
         self.plan = plan
         self.toolchain = toolchain
+        self.shape = chosen_shape(plan, shape)
         stem = stem_of(plan)
         self.executable = build_executable(
-            emit(plan, shape=stepwise(plan))[f"{stem}.cpp"], stem, toolchain
+            emit(plan, shape=self.shape)[f"{stem}.cpp"], stem, toolchain
         )
 
     def measure(

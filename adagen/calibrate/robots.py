@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,6 +75,25 @@ def tree(joints: int, branching: float, seed: int) -> list[int]:
         parents.append(path[-1])
         path.append(j + 1)
     return parents
+
+
+def squared(model: Model) -> Model:
+    """Return a robot as robots are built: in right angles, its bodies symmetric about their axes.
+
+    Much of what is computed of it is known to be zero beforehand.
+    """
+    turns = (np.eye(3), np.eye(3)[[0, 2, 1]] * [1, -1, 1], np.eye(3)[[1, 2, 0]])
+    joints = [
+        replace(joint, rotation=turns[j % 3], translation=np.roll([joint.translation[0], 0, 0], j))
+        for j, joint in enumerate(model.joints)
+    ]
+    ground, *links = model.links
+    bodies = [
+        Inertia(body.mass, np.roll([body.com[0], 0, 0], k), np.diag(np.diag(body.tensor)))
+        for k, body in enumerate(link.inertia for link in links)
+    ]
+    squared = [replace(link, inertia=body) for link, body in zip(links, bodies, strict=True)]
+    return replace(model, joints=tuple(joints), links=(ground, *squared))
 
 
 def _vector(rng: random.Random, least: float, most: float) -> Array:

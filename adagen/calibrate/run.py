@@ -10,20 +10,29 @@ from dataclasses import dataclass, replace
 from statistics import median
 
 from adagen.build import Toolchain
+from adagen.calibrate.channel import (
+    Channels,
+    channel_errors,
+    channel_program,
+    fit_channel,
+    least_times,
+    message_times,
+)
 from adagen.calibrate.fit import (
     Sample,
     evaluation_cost,
-    fit_channel,
     fit_steps,
+    fit_straight,
     relative_errors,
 )
 from adagen.calibrate.measure import Measurement, Program, least
-from adagen.calibrate.samples import calibration_plans
+from adagen.calibrate.samples import calibration_plans, straight_plans
 from adagen.calibrate.surrogate import fit_equation11
+from adagen.emit.shapes import stepwise
 from adagen.plan import Plan
 from adagen.predict import predict
 from adagen.schedule import CostProfile, load_profile
-from adagen.schedule.costs import ChannelCosts, StepCosts
+from adagen.schedule.costs import CHANNELS, StepCosts
 
 Progress = Callable[[str, int, int], None]
 """Called with what is being done, how many parts of the work are done, and of how many."""
@@ -40,7 +49,8 @@ class Calibration:
 
     Attributes:
         profile: the fitted profile.
-        errors: relative errors of the stages of work, by sort of work.
+        errors: relative errors of the stages of work, by sort of work, and of the messages, by
+            channel.
         totals: label, measured and predicted time of each program in microseconds.
         pinned: whether every process had a core of its own.
         messages_measured: whether there were two cores to exchange messages between; else the
@@ -52,6 +62,25 @@ class Calibration:
     totals: list[tuple[str, float, float]]
     pinned: bool
     messages_measured: bool
+
+
+@dataclass(frozen=True)
+class _Measured:
+    """What was measured.
+
+    Attributes:
+        labels: of the samples, in order.
+        stepwise: of programs that go step by step.
+        straight: of straight lines of statements.
+        channels: times of messages; None with one core.
+        speeds: of the cores; () if they are alike.
+    """
+
+    labels: list[str]
+    stepwise: list[Sample]
+    straight: list[Sample]
+    channels: Channels | None
+    speeds: tuple[float, ...]
 
 
 def calibrate(
@@ -69,32 +98,67 @@ def calibrate(
         EnvironmentFault: a program cannot be built or run.
     """
     default = load_profile("default")
-    plans = calibration_plans(default, quick)
+    found = _measure(default, toolchain, quick, progress)
+    free = [sample for sample in found.stepwise if not sample.plan.slaved]
+    costs = _costs(free, found, default)
+    costs = _with_slaved(costs, [sample for sample in found.stepwise if sample.plan.slaved])
+    profile = replace(fit_equation11(name, costs), steps=costs)
+    totals = [
+        (label, sample.measured.time, predict(sample.plan, profile, shape).makespan)
+        for label, (sample, shape) in zip(
+            found.labels,
+            [
+                *((sample, "kernels") for sample in found.stepwise),
+                *((sample, "unrolled") for sample in found.straight),
+            ],
+            strict=True,
+        )
+    ]
+    errors = relative_errors(free, costs)
+    for channel, times in (found.channels or {}).items():
+        errors[f"messages, {channel}"] = channel_errors(times, costs.channel(channel))
+    return Calibration(
+        profile,
+        errors,
+        totals,
+        all(sample.measured.pinned for sample in found.stepwise),
+        found.channels is not None,
+    )
+
+
+def _measure(
+    profile: CostProfile, toolchain: Toolchain, quick: bool, progress: Progress | None
+) -> _Measured:
+    """Build all programs and time them in turn, several times over."""
+    plans, straight = calibration_plans(profile, quick), straight_plans(profile)
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
     if cores < 2:
         plans = [(label, plan) for label, plan in plans if len(plan.processes) == 1]
+    shapes = [
+        *((plan, stepwise(plan)) for _, plan in plans),
+        *((plan, "unrolled") for _, plan in straight),
+    ]
     rounds = 2 if quick else _ROUNDS
-    steps = _Steps(len(plans) + rounds + 2, progress)
-    programs = _built([plan for _, plan in plans], toolchain, min(cores, 4), steps)
-    samples = _measured(programs, rounds, steps)
-    message = _over_messages(programs, 1 if quick else 2) if cores > 1 else []
-    steps.done("timing messages")
+    steps = _Steps(len(shapes) + rounds + 1, progress)
+    programs = _built(shapes, toolchain, min(cores, 4), steps)
+    channel = channel_program(toolchain) if cores > 1 else None
+    found: list[list[Measurement]] = [[] for _ in programs]
+    messages: list[Channels] = []
+    for _ in range(rounds):
+        for program, times in zip(programs, found, strict=True):
+            times.append(program.measure(repeat=_REPEAT))
+        if channel is not None:
+            messages.append(message_times(channel, toolchain))
+        steps.done("timing")
     speeds = _speeds(programs, cores) if cores <= _MOST_CORES else ()
     steps.done("comparing cores")
-    free = [sample for sample in samples if not sample.plan.slaved]
-    costs = _costs(free, message, default, speeds)
-    costs = _with_slaved(costs, [sample for sample in samples if sample.plan.slaved])
-    profile = replace(fit_equation11(name, costs), steps=costs)
-    totals = [
-        (label, sample.measured.time, predict(sample.plan, profile).makespan)
-        for (label, _), sample in zip(plans, samples, strict=True)
-    ]
-    return Calibration(
-        profile,
-        relative_errors(free, costs),
-        totals,
-        all(sample.measured.pinned for sample in samples),
-        bool(message),
+    samples = [Sample(p.plan, least(times)) for p, times in zip(programs, found, strict=True)]
+    return _Measured(
+        [label for label, _ in (*plans, *straight)],
+        samples[: len(plans)],
+        samples[len(plans) :],
+        least_times(messages) if messages else None,
+        speeds,
     )
 
 
@@ -109,10 +173,10 @@ class _Steps:
 
 
 def _built(
-    plans: Sequence[Plan], toolchain: Toolchain, workers: int, steps: _Steps
+    shapes: Sequence[tuple[Plan, str]], toolchain: Toolchain, workers: int, steps: _Steps
 ) -> list[Program]:
     with ThreadPoolExecutor(workers) as pool:
-        futures = [pool.submit(Program, plan, toolchain) for plan in plans]
+        futures = [pool.submit(Program, plan, toolchain, shape) for plan, shape in shapes]
         try:
             for future in as_completed(futures):
                 future.result()
@@ -123,42 +187,20 @@ def _built(
         return [future.result() for future in futures]
 
 
-def _measured(programs: Sequence[Program], rounds: int, steps: _Steps) -> list[Sample]:
-    """Time all programs in turn, several times over."""
-    found: list[list[Measurement]] = [[] for _ in programs]
-    for _ in range(rounds):
-        for program, times in zip(programs, found, strict=True):
-            times.append(program.measure(repeat=_REPEAT))
-        steps.done("timing")
-    return [Sample(p.plan, least(times)) for p, times in zip(programs, found, strict=True)]
-
-
-def _over_messages(programs: Sequence[Program], rounds: int) -> list[Sample]:
-    """Time what programs on two processes take over MPI messages."""
-    pairs = [p for p in programs if len(p.plan.processes) == 2][:4]
-    return [
-        Sample(p.plan, least([p.measure(repeat=_REPEAT, channel="message") for _ in range(rounds)]))
-        for p in pairs
-    ]
-
-
-def _costs(
-    samples: Sequence[Sample],
-    message: Sequence[Sample],
-    default: CostProfile,
-    speeds: tuple[float, ...],
-) -> StepCosts:
-    table = fit_steps(samples)
-    table["process.evaluation"] = evaluation_cost(samples)
-    window = [s for s in samples if s.measured.channel == "window"]
-    channels: list[ChannelCosts] = []
-    for channel, known in (("window", window), ("message", message)):
-        if known:
-            channels.append(fit_channel(known))
-        else:
-            assert default.steps is not None  # the shipped profile has been measured
-            channels.append(default.steps.channel(channel))
-    return StepCosts(table, channels[0], channels[1], speeds)
+def _costs(free: Sequence[Sample], found: _Measured, default: CostProfile) -> StepCosts:
+    """Return the costs, but for those of slaved joints."""
+    table = fit_steps(free)
+    table["process.evaluation"] = evaluation_cost(free)
+    table |= fit_straight(
+        [sample.plan for sample in found.straight],
+        [sample.measured.time for sample in found.straight],
+    )
+    if found.channels is not None:
+        window, message = (fit_channel(found.channels[channel]) for channel in CHANNELS)
+    else:
+        assert default.steps is not None  # the shipped profile has been measured
+        window, message = default.steps.window, default.steps.message
+    return StepCosts(table, window, message, found.speeds)
 
 
 def _with_slaved(costs: StepCosts, samples: Sequence[Sample]) -> StepCosts:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from adagen.calibrate.robots import chain, robot, tree
+from adagen.calibrate.robots import chain, robot, squared, star, tree
 from adagen.calibrate.schedules import random_schedule
 from adagen.model import Mimic, Model
 from adagen.plan import Plan, make_plan
@@ -52,6 +52,23 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
     ]
     slaved = _slaved(robot("slaved", chain(12), ["revolute"], 6))
     return [*found, ("segment slaved P=1", _plan(slaved, "segment", 1, 1, "", profile))]
+
+
+def straight_plans(profile: CostProfile) -> list[tuple[str, Plan]]:
+    """Return labels and plans of robots that are small enough for a straight line of statements.
+
+    Their operations for each degree of freedom differ, and so does what waits for what.
+    """
+    robots = [
+        robot("pair", chain(2), ["revolute"], 1),
+        robot("oblique", chain(4), ["revolute"], 1),
+        squared(robot("arm", chain(14), ["revolute"], 1)),
+        squared(robot("hand", star(4, 3), ["revolute"], 1)),
+        squared(robot("balls", chain(5), ["spherical"], 1)),
+    ]
+    return [
+        (f"straight {model.name}", _plan(model, "segment", 1, 1, "", profile)) for model in robots
+    ]
 
 
 def _plan(

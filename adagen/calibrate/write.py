@@ -10,7 +10,7 @@ from adagen.schedule.costs import CHANNEL_KEYS, CHANNELS, OTHERS, PER_KIND
 from adagen.schedule.profile import CostProfile
 
 
-def profile_text(profile: CostProfile, remark: str, digits: int = 6) -> str:
+def profile_text(profile: CostProfile, remark: str, digits: int = 8) -> str:
     """Return the text of a profile file.
 
     Args:

@@ -25,7 +25,7 @@ from adagen.cli.parser import make_parser, parse
 from adagen.emit.shapes import chosen_shape
 from adagen.errors import AdagenError, UsageError
 from adagen.model import Model, canonical
-from adagen.predict import predicted_time
+from adagen.predict import is_priced, predict
 from adagen.schedule import load_profile
 from adagen.states import States, random_states
 
@@ -204,8 +204,8 @@ def _emit(entry: Entry, model: Model, variant: str) -> Emitted:
     shape = "kernels" if options.batch else chosen_shape(made.plan, options.shape)
     profile = load_profile(options.profile)
     predicted = None
-    if profile.steps is not None and not options.batch:
-        predicted = 1e3 * predicted_time(model, made.schedule, profile, options.form)
+    if profile.steps is not None and not options.batch and is_priced(made.plan, shape):
+        predicted = 1e3 * predict(made.plan, profile, shape).makespan
     words = shlex.split(variant)
     more = [w for k, w in enumerate(words) if not {w, *words[k - 1 : k]} & _NAMED]
     names = [shape, *([options.scalar] if options.scalar != "double" else []), *more]

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from adagen.model import Model
     from adagen.plan import Plan
     from adagen.schedule import CostProfile, Schedule, Topology
+    from adagen.schedule.timeline import MachineTimeline
 
 
 @dataclass(frozen=True)
@@ -259,8 +260,15 @@ def _warn_of_lost_digits(plan: Plan, file: str) -> None:
         )
 
 
-def prediction(schedule: Schedule) -> str:
-    """Return in a few words what a schedule is predicted to cost."""
+def prediction(schedule: Schedule, line: MachineTimeline | None) -> str:
+    """Return in a few words what a schedule is predicted to cost.
+
+    Args:
+        schedule: the schedule.
+        line: how it is predicted to go on a machine, where the profile tells that.
+    """
+    if line is not None and line.straight:
+        return f"{line.makespan:.2f} us predicted ({schedule.profile} profile, shape unrolled)"
     if schedule.verdict == "optimal":
         proof = "optimal"
     else:

@@ -15,6 +15,7 @@ from adagen.errors import printable
 
 if TYPE_CHECKING:
     from adagen.model import Model
+    from adagen.plan import Plan
     from adagen.predict.objective import Digits
     from adagen.schedule import CostProfile, Schedule
     from adagen.schedule.timeline import MachineTimeline
@@ -38,9 +39,9 @@ def scheduled(
     from adagen.predict import choose_processes, predicted_time
     from adagen.predict.choose import WORTH
 
-    profile = _profile(options)
+    profile, shape = _profile(options), priced_shape(options)
     if options.procs == AUTO:
-        found = choose_processes(model, profile, options.form, cores(), schedule)
+        found = choose_processes(model, profile, options.form, cores(), schedule, shape)
         best = found[0]
         options.procs = best.processes
         times = ", ".join(
@@ -50,8 +51,8 @@ def scheduled(
         return best.schedule
     chosen = schedule(options.procs)
     if options.procs > 1 and profile.steps is not None:
-        many = predicted_time(model, chosen, profile, options.form)
-        one = predicted_time(model, schedule(1), profile, options.form)
+        many = predicted_time(model, chosen, profile, options.form, shape)
+        one = predicted_time(model, schedule(1), profile, options.form, shape)
         if many > (1 - WORTH) * one:
             warn(
                 f"{options.model}: warning: {options.procs} processes do not pay: predicted "
@@ -68,18 +69,33 @@ def cores() -> int:
     return min(count or 1, MOST_CORES)
 
 
+def priced_shape(options: argparse.Namespace) -> str:
+    """Return the shape that a prediction is of: what is asked for, or comes with other wishes."""
+    if getattr(options, "batch", False):
+        return "kernels"
+    if getattr(options, "refine", 0):
+        return "joints"
+    return str(getattr(options, "shape", "auto"))
+
+
 def timeline(
     model: Model, schedule: Schedule, options: argparse.Namespace
 ) -> MachineTimeline | None:
-    """Return how an evaluation is predicted to go step by step, if the profile can tell."""
+    """Return how an evaluation is predicted to go, if the profile can tell."""
     from adagen.plan import make_plan
+
+    plan = make_plan(model, schedule, form=options.form, scalar=options.scalar)
+    return timeline_of(plan, options)
+
+
+def timeline_of(plan: Plan, options: argparse.Namespace) -> MachineTimeline | None:
+    """Return how an evaluation by a plan is predicted to go, if the profile can tell."""
     from adagen.predict import predict
 
     profile = _profile(options)
     if profile.steps is None:
         return None
-    plan = make_plan(model, schedule, form=options.form, scalar=options.scalar)
-    return predict(plan, profile)
+    return predict(plan, profile, priced_shape(options))
 
 
 def predicted_accuracy(

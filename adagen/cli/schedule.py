@@ -68,7 +68,7 @@ def run(argv: Sequence[str]) -> int:
         _show_loads(schedule)
     else:
         _show_machine(schedule, line, options.form)
-    print(pipeline.prediction(schedule))
+    print(pipeline.prediction(schedule, line))
     print(accuracy_line(digits))
     return 0
 
@@ -106,6 +106,8 @@ def _show_machine(schedule: Schedule, line: MachineTimeline, form: str) -> None:
         table.add_row(str(process), f"{busy:.2f}", f"{waiting:.2f}", share)
     console = Console()
     console.print(table)
+    if line.straight:
+        return
     above = line.makespan / schedule.lower_bound - 1
     proof = ""
     by_steps = schedule.split == "always" and schedule.strategy not in ("astar", "paper")

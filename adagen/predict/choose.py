@@ -24,20 +24,23 @@ class Candidate:
     time: float
 
 
-def predicted_time(model: Model, schedule: Schedule, profile: CostProfile, form: str) -> float:
+def predicted_time(
+    model: Model, schedule: Schedule, profile: CostProfile, form: str, shape: str = "auto"
+) -> float:
     """Return what a schedule is predicted to take, microseconds.
 
-    By the steps of its plan where the profile prices them, else by Eq. (11).
+    By its plan where the profile prices steps, else by Eq. (11).
 
     Args:
         model: the robot.
         schedule: of its joints.
         profile: the costs.
         form: of the algorithm.
+        shape: of the code.
     """
     if profile.steps is None:
         return schedule.makespan
-    return predict(make_plan(model, schedule, form=form), profile).makespan
+    return predict(make_plan(model, schedule, form=form), profile, shape).makespan
 
 
 def choose_processes(
@@ -46,6 +49,7 @@ def choose_processes(
     form: str,
     most: int,
     schedule: Callable[[int], Schedule],
+    shape: str = "auto",
 ) -> list[Candidate]:
     """Return candidates for 1 process and more, the best one first.
 
@@ -55,12 +59,17 @@ def choose_processes(
         form: of the algorithm.
         most: processes to consider at most, such as the number of cores.
         schedule: finds a schedule for a number of processes.
+        shape: of the code.
     """
-    best = Candidate(1, one := schedule(1), predicted_time(model, one, profile, form))
+
+    def candidate(processes: int) -> Candidate:
+        found = schedule(processes)
+        return Candidate(processes, found, predicted_time(model, found, profile, form, shape))
+
+    best = candidate(1)
     seen = [best]
     for processes in range(2, most + 1):
-        found = schedule(processes)
-        seen.append(Candidate(processes, found, predicted_time(model, found, profile, form)))
+        seen.append(candidate(processes))
         if seen[-1].time < (1 - WORTH) * best.time:
             best = seen[-1]
         elif processes - best.processes >= _PATIENCE:

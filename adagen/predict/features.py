@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from adagen.model.kinds import KINDS
 from adagen.plan.steps import (
@@ -115,14 +115,37 @@ def _turned(group: str, key: str, turned: bool) -> Features:
     return {f"{group}.{key}": 1, **({f"{group}.reversed": 1} if turned else {})}
 
 
-def step_time(step: Step, joints: Sequence[PlanJoint], costs: StepCosts, slaved: int = 0) -> float:
-    """Return what a step takes on a core of speed 1, microseconds.
+def work_features(steps: Iterable[Step], joints: Sequence[PlanJoint]) -> Features:
+    """Return what steps of one process, done without a message between them, are made of.
+
+    This is the one place where steps are added up: of what is predicted and of what is fitted to
+    measured times.
 
     Args:
-        step: a step of a plan.
+        steps: some steps of a process, in order.
+        joints: the plan's joints.
+    """
+    total: Features = {}
+    for step in steps:
+        for name, count in features(step, joints).items():
+            total[name] = total.get(name, 0) + count
+    return total
+
+
+def work_time(
+    steps: Iterable[Step], joints: Sequence[PlanJoint], costs: StepCosts, slaved: int = 0
+) -> float:
+    """Return what steps of one process take together on a core of speed 1, microseconds.
+
+    Args:
+        steps: some steps of a process, in order, without a message between them.
         joints: the plan's joints.
         costs: the machine's coefficients.
         slaved: number of slaved joints, each of which adds a right-hand side to every step.
     """
-    time = sum(costs[name] * count for name, count in features(step, joints).items())
-    return time * (1 + slaved * costs["slaved.column"])
+    return costs.total(work_features(steps, joints)) * (1 + slaved * costs["slaved.column"])
+
+
+def step_time(step: Step, joints: Sequence[PlanJoint], costs: StepCosts, slaved: int = 0) -> float:
+    """Return what a step takes by itself on a core of speed 1, microseconds; see ``work_time``."""
+    return work_time((step,), joints, costs, slaved)

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from adagen.plan import Plan
 from adagen.plan.stages import Stage, stages
 from adagen.plan.types import Message
-from adagen.predict.features import step_time
+from adagen.predict.features import work_time
+from adagen.predict.straight import goes_straight, straight_timeline
 from adagen.schedule.costs import ChannelCosts, StepCosts
 from adagen.schedule.profile import CostProfile
 from adagen.schedule.timeline import Exchange, Interval, MachineTimeline
@@ -23,20 +24,25 @@ def message_numbers(plan: Plan, message: Message) -> int:
     return matrices + 6 * columns * vectors + columns * len(message.joints)
 
 
-def predict(plan: Plan, profile: CostProfile) -> MachineTimeline:
+def predict(plan: Plan, profile: CostProfile, shape: str = "auto") -> MachineTimeline:
     """Return how one evaluation is predicted to go.
 
-    Each process is taken to have a core of its own, and all to begin at the same instant.
+    Each process is taken to have a core of its own, and all to begin at the same instant. One
+    process that goes through a straight line of statements is priced by its operations, all others
+    step by step, as the fastest shape that does them so.
 
     Args:
         plan: what each process does, in either form.
         profile: a profile with the costs of steps.
+        shape: of the code, as ``adagen.emit.emit`` takes it.
 
     Raises:
         ValueError: the profile prices joins alone, as the paper's does.
     """
     if profile.steps is None:
         raise ValueError(f"the profile {profile.name} has no costs of steps")
+    if goes_straight(plan, shape):
+        return straight_timeline(plan, profile.steps)
     return _Run(plan, profile.steps).play()
 
 
@@ -77,7 +83,7 @@ class _Run:
         if stage.message is None:
             joints, slaved = self.plan.joints, len(self.plan.slaved)
             steps = self.plan.processes[p].steps[stage.first : stage.last]
-            time = sum(step_time(step, joints, self.costs, slaved) for step in steps)
+            time = work_time(steps, joints, self.costs, slaved)
             self._note(p, stage, start, start + time / self.costs.speed(p))
             return True
         message = self.plan.messages[stage.message]

@@ -40,8 +40,12 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "free": ("base", "acceleration"),
     "slaved": ("solve", "apply", "column"),
     "process": ("evaluation",),
+    "unrolled": ("evaluation", "operation", "sine", "cycle"),
 }
-"""Groups with coefficients of their own; ``slaved.column`` is a share, the others are times."""
+"""Groups with coefficients of their own; ``slaved.column`` is a share, the others are times.
+
+``unrolled`` prices no steps but a straight line of statements as a whole (shape `unrolled`).
+"""
 
 NAMES: tuple[str, ...] = tuple(
     f"{group}.{key}"
@@ -107,6 +111,10 @@ class StepCosts:
     def __getitem__(self, name: str) -> float:
         """Return a coefficient."""
         return self.table[name]
+
+    def total(self, counts: Mapping[str, float]) -> float:
+        """Return the time of something by how often each coefficient counts, microseconds."""
+        return sum(self.table[name] * count for name, count in counts.items())
 
     def channel(self, name: str) -> ChannelCosts:
         """Return the costs of a channel; ``auto`` is the window, as on one node."""

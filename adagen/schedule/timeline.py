@@ -134,12 +134,15 @@ class MachineTimeline:
         exchanges: messages between processes.
         makespan: when the last process is done.
         source: ``predicted`` or ``measured``.
+        straight: whether it is predicted of one process in shape `unrolled`, a straight line of
+            statements, and not step by step.
     """
 
     intervals: tuple[Interval, ...]
     exchanges: tuple[Exchange, ...]
     makespan: float
     source: str
+    straight: bool = False
 
     def busy(self, process: int) -> float:
         """Return for how long a process works."""

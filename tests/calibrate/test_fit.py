@@ -5,23 +5,37 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from adagen.calibrate.fit import Sample, evaluation_cost, fit_channel, fit_steps, relative_errors
+from adagen.calibrate.channel import (
+    SIZES,
+    MessageTime,
+    channel_errors,
+    fit_channel,
+    least_times,
+)
+from adagen.calibrate.fit import (
+    Sample,
+    evaluation_cost,
+    fit_steps,
+    fit_straight,
+    relative_errors,
+)
 from adagen.calibrate.measure import Measurement, StageTime
 from adagen.calibrate.nnls import nnls
-from adagen.calibrate.samples import calibration_plans
+from adagen.calibrate.samples import calibration_plans, straight_plans
 from adagen.calibrate.surrogate import fit_equation11, join_time
 from adagen.calibrate.write import profile_text
+from adagen.emit.shapes import chosen_shape
 from adagen.plan import Plan
 from adagen.predict import predict
 from adagen.schedule import load_profile, parse_profile
-from adagen.schedule.costs import NAMES, StepCosts
+from adagen.schedule.costs import NAMES, ChannelCosts, StepCosts
 from adagen.schedule.profile import CostProfile
-from tests.predict.costs import WINDOW, step_costs
+from tests.predict.costs import MESSAGE, WINDOW, step_costs
 
 
 def played(plan: Plan, costs: StepCosts, noise: float, rng: np.random.Generator) -> Sample:
     """Return what would be measured on a machine with these costs."""
-    line = predict(plan, CostProfile("x", 0.1, 0.1, 0.0, 1.0, steps=costs))
+    line = predict(plan, CostProfile("x", 0.1, 0.1, 0.0, 1.0, steps=costs), "kernels")
     rows, waiting = [], {}
     for i in line.intervals:
         if i.what == "wait":
@@ -79,14 +93,55 @@ def test_noise_and_an_outlier_do_little(plans: list[Plan]) -> None:
     assert np.median(errors) < 0.03
 
 
-def test_channels_and_evaluation_are_found_again(plans: list[Plan]) -> None:
+def messages_over(channel: ChannelCosts, noise: float = 0.0) -> tuple[MessageTime, ...]:
+    """Return what would be measured of a channel with these costs."""
+    rng = np.random.default_rng(6)
+    return tuple(
+        MessageTime(
+            n,
+            (channel.send + channel.latency + n * channel.number) * (1 + noise * rng.normal()),
+            channel.send + n * channel.number / 2,
+        )
+        for n in SIZES
+    )
+
+
+@pytest.mark.parametrize("truth", [WINDOW, MESSAGE, ChannelCosts(0.0, 0.05, 0.0)])
+def test_channels_are_found_again(truth: ChannelCosts) -> None:
+    found = fit_channel(messages_over(truth))
+    for key in ("send", "latency", "number"):
+        assert getattr(found, key) == pytest.approx(getattr(truth, key), rel=1e-6, abs=1e-9)
+    assert channel_errors(messages_over(truth), found) == pytest.approx([0.0] * len(SIZES))
+    rough = fit_channel(messages_over(truth, 0.03))
+    assert rough.send + rough.latency == pytest.approx(truth.send + truth.latency, rel=0.05)
+
+
+def test_a_disturbed_run_of_messages_does_nothing() -> None:
+    calm = {"window": messages_over(WINDOW), "message": messages_over(MESSAGE)}
+    slow = [MessageTime(m.numbers, 5 * m.way, 5 * m.send) for m in calm["window"]]
+    assert least_times([{**calm, "window": tuple(slow)}, calm]) == calm
+
+
+def test_a_sender_never_takes_longer_than_the_way() -> None:
+    found = fit_channel([MessageTime(n, 0.1, 0.5) for n in SIZES])
+    assert found.send == pytest.approx(0.1) and found.latency == 0
+
+
+def test_costs_of_straight_lines_are_found_again() -> None:
+    profile = CostProfile("x", 0.1, 0.1, 0.0, 1.0, steps=step_costs())
+    plans = [plan for _, plan in straight_plans(load_profile("paper"))]
+    assert "unrolled" in {chosen_shape(plan) for plan in plans}
+    times = [predict(plan, profile, "unrolled").makespan for plan in plans]
+    found = fit_straight(plans, times)
+    truth = step_costs()
+    assert set(found) == {name for name in NAMES if name.startswith("unrolled.")}
+    assert found == pytest.approx({name: truth[name] for name in found}, rel=1e-5)
+
+
+def test_an_evaluation_is_found_again(plans: list[Plan]) -> None:
     rng = np.random.default_rng(4)
     truth = step_costs()
     samples = [played(plan, truth, 0.0, rng) for plan in plans]
-    channel = fit_channel([s for s in samples if len(s.plan.processes) == 2])
-    assert channel.latency == pytest.approx(WINDOW.latency, rel=0.05)
-    assert channel.number == pytest.approx(WINDOW.number, rel=0.05)
-    assert channel.send == pytest.approx(WINDOW.send, rel=0.05)
     assert evaluation_cost(samples) == pytest.approx(truth["process.evaluation"], rel=1e-6)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 from typing import Any
 
 from adagen.emit.unrolled.machine import Machine
@@ -27,14 +28,15 @@ class Simulated:
     machine: Machine
     ends: tuple[int, ...]
 
-    @property
+    @cached_property
     def operations(self) -> Operations:
         """What an evaluation costs this process."""
         return count_operations(self.machine.graph, self.machine.roots())
 
 
+@lru_cache(maxsize=2)  # a plan is judged, priced and emitted one after the other
 def simulate(plan: Plan) -> tuple[Simulated, ...]:
-    """Return the plan's processes, each after all its steps.
+    """Return the plan's processes, each after all its steps; nobody may change them.
 
     Raises:
         RuntimeError: the plan deadlocks.

@@ -1,0 +1,118 @@
+"""What a message takes, by sending messages of several sizes there and back.
+
+The program that does it goes through the very channel of emitted code, window or MPI messages.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+
+import numpy as np
+
+from adagen.build import Toolchain, build_executable
+from adagen.calibrate.measure import TIMEOUT
+from adagen.calibrate.nnls import nnls
+from adagen.emit import HEADERS
+from adagen.emit.templates import render
+from adagen.errors import EnvironmentFault
+from adagen.run import launch
+from adagen.schedule.costs import CHANNELS, ChannelCosts
+
+SIZES = (1, 6, 12, 27, 42, 78, 120, 240, 480)
+"""Numbers of the messages: of a bias, of a handle's block and bias, of several handles'."""
+
+_NAME = "channel_times"
+
+
+@dataclass(frozen=True)
+class MessageTime:
+    """What one message was measured to take; microseconds.
+
+    Attributes:
+        numbers: that it holds.
+        way: from when its numbers are about to be put in until they have been taken out.
+        send: until the sender can go on.
+    """
+
+    numbers: int
+    way: float
+    send: float
+
+
+Channels = dict[str, tuple[MessageTime, ...]]
+"""By channel, a time for each of ``SIZES``."""
+
+
+def channel_program(toolchain: Toolchain) -> Path:
+    """Return the program that measures messages.
+
+    Raises:
+        EnvironmentFault: the compiler failed.
+    """
+    messages = [
+        {"source": source, "target": 1 - source, "size": size, "comment": comment}
+        for size in SIZES
+        for source, comment in ((0, "there"), (1, "and back"))
+    ]
+    text = render("channel_times.cpp.j2", headers=HEADERS, channel_messages=messages)
+    return build_executable(text, _NAME, toolchain)
+
+
+def message_times(program: Path, toolchain: Toolchain, rounds: int = 100) -> Channels:
+    """Return the medians over some rounds for each channel and each of ``SIZES``.
+
+    Args:
+        program: of ``channel_program``.
+        toolchain: what to run it with.
+        rounds: how often each size is measured.
+
+    Raises:
+        EnvironmentFault: a channel cannot be opened here, or the time is up.
+    """
+    done = launch(program, 2, [str(rounds)], toolchain, TIMEOUT)
+    if done.status != 0:
+        raise EnvironmentFault(f"messages cannot be timed: {done.stderr}")
+    return {
+        channel: tuple(
+            MessageTime(int(row["numbers"]), row["way_ns"] / 1e3, max(0.0, row["send_ns"]) / 1e3)
+            for row in json.loads(line)
+        )
+        for channel, line in zip(CHANNELS, done.stdout.splitlines(), strict=True)
+    }
+
+
+def least_times(runs: Sequence[Channels]) -> Channels:
+    """Return the least times of several runs: other work on the machine only ever adds to one.
+
+    So does a hypervisor that moves virtual cores apart for a while.
+    """
+    return {
+        channel: tuple(
+            MessageTime(same[0].numbers, min(m.way for m in same), min(m.send for m in same))
+            for same in zip(*(run[channel] for run in runs), strict=True)
+        )
+        for channel in CHANNELS
+    }
+
+
+def fit_channel(times: Sequence[MessageTime]) -> ChannelCosts:
+    """Return what messages over a channel cost.
+
+    The way is the sender's time, the latency, and half of the time for its numbers at either end:
+    its slope is the time for a number, and what the sender does not take of the rest is latency.
+    """
+    ways = np.array([m.way for m in times])
+    rows = np.array([[1.0, m.numbers] for m in times])
+    whole, number = (float(x) for x in nnls(rows / ways[:, None], np.ones(len(times))))
+    send = median(max(0.0, m.send - m.numbers * number / 2) for m in times)
+    send = min(send, whole)
+    return ChannelCosts(send, whole - send, number)
+
+
+def channel_errors(times: Sequence[MessageTime], costs: ChannelCosts) -> list[float]:
+    """Return (predicted - measured) / measured of the way of each message."""
+    return [(costs.send + costs.latency + m.numbers * costs.number) / m.way - 1 for m in times]
