@@ -44,8 +44,6 @@ def wrapped(root: Node, model: Model, processes: int) -> Schedule:
         root=root,
         processes=processes,
         makespan=0.0,
-        verdict="gap",
-        gap=0.0,
         lower_bound=0.0,
         profile="paper",
         tie="work",

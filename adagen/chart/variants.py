@@ -158,8 +158,6 @@ def random_schedule(model: Model, processes: int, seed: int) -> Schedule:
         root=root,
         processes=processes,
         makespan=0.0,
-        verdict="gap",
-        gap=0.0,
         lower_bound=0.0,
         profile="default",
         tie="work",

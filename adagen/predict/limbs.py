@@ -91,8 +91,6 @@ def gathering(
         yield replace(
             gathered,
             makespan=time,
-            verdict="optimal" if lower >= time else "gap",
-            gap=time / lower - 1.0,
             lower_bound=lower,
         )
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from adagen.model import Model
 from adagen.reference.kinematics import Body, Placement, bodies, placements
+from adagen.reference.motion import moving_links
 from adagen.reference.numbers import Numbers, Numeric, cross
 from adagen.reference.passive import passive_torques, pushes
 
@@ -106,29 +105,16 @@ def energies(numbers: Numbers, model: Model, q: Numeric, v: Numeric) -> tuple[An
         q: configuration, shape (nq,).
         v: velocity, shape (nv,).
     """
-    still = numbers.zeros(3)
-    poses = [(numbers.array(np.eye(3)), still, still, still)]
     down = numbers.array(model.gravity)
-    kinetic = potential = still[0]
-    every = zip(
-        model.joints,
-        model.q_start,
-        model.v_start,
-        placements(numbers, model, q),
-        bodies(numbers, model),
-        strict=True,
-    )
-    for joint, start_q, start, place, body in every:
-        axes, origin, spin, speed = poses[joint.parent]
-        own, back = v[start : start + joint.kind.nv], place.rotation.T
-        speed = back.dot(speed + cross(spin, place.position)) + place.linear.dot(own)
-        spin = back.dot(spin) + place.angular.dot(own)
-        origin, axes = origin + axes.dot(place.position), axes.dot(place.rotation)
-        poses.append((axes, origin, spin, speed))
-        middle = speed + cross(spin, body.com)
-        twice = body.mass * middle.dot(middle) + spin.dot(body.tensor.dot(spin))
+    kinetic = potential = numbers.zeros(1)[0]
+    starts = zip(model.joints, model.q_start, model.v_start, strict=True)
+    for (joint, start_q, start), link in zip(
+        starts, moving_links(numbers, model, q, v), strict=True
+    ):
+        own, body = v[start : start + joint.kind.nv], link.body
+        twice = body.mass * link.speed.dot(link.speed) + link.spin.dot(body.tensor.dot(link.spin))
         kinetic = kinetic + twice / 2
-        potential = potential - body.mass * down.dot(origin + axes.dot(body.com))
+        potential = potential - body.mass * down.dot(link.origin + link.axes.dot(body.com))
         rotor, stiffness, rest = numbers.array(
             [joint.passive.rotor_inertia, joint.passive.stiffness, joint.passive.rest]
         )

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from adagen.errors import printable
 from adagen.schedule.outline import Row, robot_rows, schedule_rows
-from adagen.schedule.svg import INK, MUTED, Canvas, colour, shorten, text_width
+from adagen.schedule.svg import INK, MUTED, Canvas, colour, shorten, text_width, time_axis
 from adagen.schedule.timeline import Timeline, predict
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node, Schedule, preorder
@@ -143,7 +143,7 @@ def _gantt(
         canvas.text(start + timeline.end * scale + 8, place[p] + 15, share, 10, fill=MUTED)
     _messages(canvas, timeline, place, start, scale)
     bottom = top + LANE * len(lanes) + 4
-    _axis(canvas, timeline.end, start, scale, bottom)
+    time_axis(canvas, timeline.end, start, scale, bottom)
     if hidden:
         what = "1 process computes" if hidden == 1 else f"{hidden} processes compute"
         canvas.text(MARGIN, bottom + 28, f"{what} nothing or are not shown", 10, fill=MUTED)
@@ -203,19 +203,6 @@ def _messages(
         y2 = place[message.receiver] + (2 if down else LANE - 2)
         canvas.path([(x, y), (x2, y2)], INK)
         canvas.circle(x2, y2, 2, INK)
-
-
-def _axis(canvas: Canvas, end: float, start: float, scale: float, y: float) -> None:
-    step = 1e-6
-    while end / step > 10:
-        step *= 2.5 if f"{step:e}".startswith("2") else 2
-    digits = max(0, next(d for d in range(9) if abs(step - round(step, d)) < 1e-9 * step))
-    canvas.path([(start, y), (start + end * scale, y)])
-    for i in range(int(end / step + 1e-9) + 1):
-        x = start + i * step * scale
-        canvas.path([(x, y), (x, y + 4)])
-        canvas.text(x, y + 15, f"{i * step:.{digits}f}", 10, fill=MUTED, anchor="middle")
-    canvas.text(start + end * scale + 8, y + 15, "µs", 10, fill=MUTED)
 
 
 def _outline(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from adagen.schedule.svg import INK, MUTED, Canvas, colour, shorten, text_width
+from adagen.schedule.svg import INK, MUTED, Canvas, colour, shorten, text_width, time_axis
 from adagen.schedule.timeline import Interval, MachineTimeline
 
 MARGIN = 24.0
@@ -112,7 +112,7 @@ def _chart(
             canvas.path([(left + e.sent * scale, y), (left + e.used * scale, y2)], INK)
             canvas.circle(left + e.used * scale, y2, 2, INK)
     bottom = top + 12 + LANE * len(lanes) + 4
-    _axis(canvas, longest, left, scale, bottom)
+    time_axis(canvas, longest, left, scale, bottom)
     return bottom + 44
 
 
@@ -120,15 +120,3 @@ def _note(i: Interval, names: Sequence[str]) -> str:
     about = "" if i.joint is None else f" at {names[i.joint]}"
     about += "" if i.message is None else f" (message {i.message})"
     return f"{i.what}{about}: {i.start:.3f} to {i.end:.3f} µs"
-
-
-def _axis(canvas: Canvas, end: float, left: float, scale: float, y: float) -> None:
-    step = 1e-3
-    while end / step > 10:
-        step *= 2.5 if f"{step:e}".startswith("2") else 2
-    canvas.path([(left, y), (left + end * scale, y)])
-    for i in range(int(end / step + 1e-9) + 1):
-        x = left + i * step * scale
-        canvas.path([(x, y), (x, y + 4)])
-        canvas.text(x, y + 15, f"{i * step:.4g}", 10, fill=MUTED, anchor="middle")
-    canvas.text(left + end * scale + 8, y + 15, "µs", 10, fill=MUTED)

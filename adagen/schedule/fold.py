@@ -57,8 +57,6 @@ class Fold:
             schedule,
             root=root,
             makespan=makespan,
-            verdict="optimal" if lower >= makespan else "gap",
-            gap=makespan / lower - 1.0,
             lower_bound=lower,
             loads=loads_of(root, schedule.processes),
         )

@@ -95,8 +95,6 @@ def as_schedule(
         root=root,
         processes=processes,
         makespan=makespan,
-        verdict="gap" if lower < makespan else "optimal",
-        gap=makespan / lower - 1.0 if lower < makespan else 0.0,
         lower_bound=lower,
         profile=profile.name,
         tie="work",

@@ -142,8 +142,6 @@ def find_schedule(
         root=root,
         processes=processes,
         makespan=makespan,
-        verdict="optimal" if lower >= makespan else "gap",
-        gap=0.0 if lower >= makespan else makespan / lower - 1.0,
         lower_bound=min(lower, makespan),
         profile=profile.name,
         tie=tie,

@@ -122,3 +122,17 @@ class Canvas:
 
 def _close(tag: str, note: str) -> str:
     return f"><title>{escape(printable(note))}</title></{tag}>" if note else "/>"
+
+
+def time_axis(canvas: Canvas, end: float, start: float, scale: float, y: float) -> None:
+    """Draw an axis of time from 0 to ``end`` microseconds, ``scale`` units of length each."""
+    step = 1e-6
+    while end / step > 10:
+        step *= 2.5 if f"{step:e}".startswith("2") else 2
+    digits = max(0, next(d for d in range(9) if abs(step - round(step, d)) < 1e-9 * step))
+    canvas.path([(start, y), (start + end * scale, y)])
+    for i in range(int(end / step + 1e-9) + 1):
+        x = start + i * step * scale
+        canvas.path([(x, y), (x, y + 4)])
+        canvas.text(x, y + 15, f"{i * step:.{digits}f}", 10, fill=MUTED, anchor="middle")
+    canvas.text(start + end * scale + 8, y + 15, "µs", 10, fill=MUTED)

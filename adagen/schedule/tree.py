@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
@@ -63,9 +64,8 @@ class Schedule:
         processes: P.
         makespan: predicted time; the active time of a node is charged to every process of its
             range (III-B-2).
-        verdict: ``optimal`` if no schedule under the same rules is shorter, proven; else ``gap``.
-        gap: proven relative distance ``makespan / lower_bound - 1``; 0 when optimal.
-        lower_bound: proven: no schedule under the same rules is shorter than this.
+        lower_bound: proven: no schedule under the same rules is shorter than this; at most the
+            makespan.
         profile: name of the cost profile.
         tie: the preference among equally long schedules.
         tie_proven: whether the preference is known to be met.
@@ -81,8 +81,6 @@ class Schedule:
     root: Node
     processes: int
     makespan: float
-    verdict: Verdict
-    gap: float
     lower_bound: float
     profile: str
     tie: Tie
@@ -92,6 +90,18 @@ class Schedule:
     expanded: int
     loads: tuple[float, ...]
     meeting: Meeting = "join"
+
+    @property
+    def verdict(self) -> Verdict:
+        """``optimal`` if no schedule under the same rules is shorter, proven; else ``gap``."""
+        return "optimal" if self.lower_bound >= self.makespan else "gap"
+
+    @property
+    def gap(self) -> float:
+        """Proven relative distance ``makespan / lower_bound - 1``; 0 when optimal."""
+        if self.verdict == "optimal":
+            return 0.0
+        return self.makespan / self.lower_bound - 1.0 if self.lower_bound > 0.0 else math.inf
 
 
 def _sides(node: Node) -> Iterator[tuple[str, Node]]:
