@@ -5,15 +5,10 @@ from __future__ import annotations
 import difflib
 import json
 import math
-import os
 import re
-import tempfile
 from collections.abc import Iterable, Sequence
-from contextlib import suppress
 from pathlib import Path
 from typing import Any, NoReturn
-
-from adagen.errors import EnvironmentFault, printable
 
 
 class Refusal(Exception):
@@ -101,27 +96,3 @@ def nearest(name: str, names: Iterable[str]) -> str:
     """Return "; did you mean ...?" where one of the names is like the given one, else nothing."""
     near = difflib.get_close_matches(name, list(names), n=1)
     return f"; did you mean '{near[0]}'?" if near else ""
-
-
-def write_whole(path: Path, text: str) -> None:
-    """Write a text file, whole or not at all.
-
-    Raises:
-        EnvironmentFault: writing failed.
-    """
-    try:
-        handle, temporary = tempfile.mkstemp(prefix=".adagen-", dir=path.parent)
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-                file.write(text)
-            mask = os.umask(0)
-            os.umask(mask)
-            Path(temporary).chmod(0o666 & ~mask)  # mkstemp makes it private
-            Path(temporary).replace(path)
-        except BaseException:
-            with suppress(OSError):
-                Path(temporary).unlink()
-            raise
-    except OSError as error:
-        said = error.strerror or error
-        raise EnvironmentFault(f"cannot write {printable(str(path))}: {said}") from None

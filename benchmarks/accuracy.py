@@ -36,10 +36,10 @@ from adagen.run import launch
 from adagen.schedule import Topology, find_schedule, load_profile
 from adagen.states import States, random_states, read_result, write_states
 from adagen.urdf import read_robot
+from benchmarks.page import write_between_marks
 
 Array = NDArray[np.float64]
 ROOT = Path(__file__).resolve().parents[1]
-BEGIN, END = "<!-- benchmarks.accuracy -->", "<!-- end -->"
 
 
 def emitted(model: Model, form: str, scalar: str, processes: int, states: States) -> Array:
@@ -123,9 +123,7 @@ def main() -> int:
     if options.write is None:
         print(table)
         return 0
-    text = options.write.read_text(encoding="utf-8")
-    head, tail = text[: text.index(BEGIN)], text[text.index(END) :]
-    options.write.write_text(f"{head}{BEGIN}\n{table}\n{tail}", encoding="utf-8")
+    write_between_marks(options.write, "accuracy", table)
     return 0
 
 

@@ -24,11 +24,11 @@ from adagen.cli.bench import draw
 from adagen.cli.console import note
 from adagen.cli.contest import Entry, contest
 from adagen.errors import AdagenError
+from benchmarks.page import write_between_marks
 from benchmarks.paper import robots
 
 ROOT = Path(__file__).resolve().parents[1]
 WORK = ROOT / "build" / "bench"
-BEGIN, END = "<!-- benchmarks.bench -->", "<!-- end -->"
 REAL = (
     ("ur5", "ur_description/urdf/ur5_robot.urdf", False),
     ("panda", "panda_description/urdf/panda.urdf", False),
@@ -78,9 +78,7 @@ def publish(record: Record, out: Path | None) -> None:
     pictures = draw(record, ROOT / "docs" / "pictures")
     shown = "\n\n".join(f"![{path.stem}](pictures/{path.name})" for path in pictures)
     page = ROOT / "docs" / "benchmarks.md"
-    text = page.read_text(encoding="utf-8")
-    head, tail = text[: text.index(BEGIN)], text[text.index(END) :]
-    page.write_text(f"{head}{BEGIN}\n{shown}\n\n{markdown(record)}\n{tail}", encoding="utf-8")
+    write_between_marks(page, "bench", f"{shown}\n\n{markdown(record)}")
 
 
 def main(words: Sequence[str] | None = None) -> int:

@@ -28,10 +28,10 @@ from adagen.schedule.tree import Named
 from adagen.stability import robots
 from adagen.states import random_states
 from adagen.urdf import read_robot
+from benchmarks.page import write_between_marks
 from tests.schedules import random_schedule, wrapped
 
 ROOT = Path(__file__).resolve().parents[1]
-BEGIN, END = "<!-- benchmarks.order_and_accuracy -->", "<!-- end -->"
 STATES = 3
 NONE = float("inf")
 
@@ -157,9 +157,7 @@ def main() -> int:
     if options.write is None:
         print(text)
         return 0
-    held = options.write.read_text(encoding="utf-8")
-    head, tail = held[: held.index(BEGIN)], held[held.index(END) :]
-    options.write.write_text(f"{head}{BEGIN}\n{text}\n{tail}", encoding="utf-8")
+    write_between_marks(options.write, "order_and_accuracy", text)
     return 0
 
 

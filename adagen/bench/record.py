@@ -11,7 +11,7 @@ from typing import Any
 
 from adagen.bench.contest import Rules, from_stretches
 from adagen.errors import InputError
-from adagen.jsonfile import write_whole
+from adagen.wholefile import write_whole
 
 Numbers = tuple[float, ...]
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from adagen.errors import InputError
-from adagen.jsonfile import write_whole
+from adagen.wholefile import write_whole
 
 
 @dataclass(frozen=True)

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Mapping
-from contextlib import suppress
 from pathlib import Path
 
 from adagen.errors import EnvironmentFault, UsageError, printable
-from adagen.jsonfile import write_whole
+from adagen.wholefile import remove, write_beside, write_whole
 
 _SIGNATURE = b"adagen"
 _HEAD_BYTES = 1000
@@ -28,13 +26,13 @@ def write_files(folder: Path, files: Mapping[str, str]) -> None:
     for name in files:
         if not name or name in (".", "..") or any(c in name for c in "/\\\0"):
             raise ValueError(f"not a plain file name: {name!r}")
-    waiting: list[tuple[str, Path]] = []
+    waiting: list[tuple[Path, Path]] = []
     try:
         folder.mkdir(parents=True, exist_ok=True)
         for name, text in files.items():
             _check_ours(folder / name, text)
         for name, text in files.items():
-            waiting.append((_write_beside(folder, text), folder / name))
+            waiting.append((write_beside(folder, text), folder / name))
         while waiting:
             temporary, place = waiting[0]
             os.replace(temporary, place)  # noqa: PTH105 (a symlink is replaced, not followed)
@@ -45,8 +43,7 @@ def write_files(folder: Path, files: Mapping[str, str]) -> None:
         ) from None
     finally:
         for temporary, _ in waiting:
-            with suppress(OSError):
-                Path(temporary).unlink()
+            remove(temporary)
 
 
 def write_file(path: Path, text: str) -> None:
@@ -64,21 +61,6 @@ def write_file(path: Path, text: str) -> None:
             ) from None
     else:
         write_whole(path.resolve(), text)  # never in place of a link such as /dev/stdout
-
-
-def _write_beside(folder: Path, text: str) -> str:
-    handle, temporary = tempfile.mkstemp(prefix=".adagen-", dir=folder)
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        mask = os.umask(0)
-        os.umask(mask)
-        Path(temporary).chmod(0o666 & ~mask)  # mkstemp makes it private
-    except BaseException:
-        with suppress(OSError):
-            Path(temporary).unlink()
-        raise
-    return temporary
 
 
 def _check_ours(path: Path, text: str) -> None:

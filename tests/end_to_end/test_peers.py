@@ -17,6 +17,7 @@ import pytest
 from adagen.run import without_launcher_noise
 from tests.emitted import cores
 from tests.end_to_end.subjects import Subject
+from tests.running import running
 
 
 class TestPeers:
@@ -44,7 +45,7 @@ class TestPeers:
 
         yield start
         for child in children:
-            for pid in processes(human.folder / "human40_copy"):
+            for pid in running(human.folder / "human40_copy"):
                 os.kill(pid, signal.SIGKILL)
             if child.poll() is None:
                 child.kill()
@@ -77,7 +78,7 @@ class TestPeers:
             assert child.returncode == 3
             own = without_launcher_noise(said)[0].splitlines()
             assert own and all("did not answer within the time limit" in line for line in own)
-        wait_for(lambda: not processes(human.folder / "human40_copy"))
+        wait_for(lambda: not running(human.folder / "human40_copy"))
 
 
 class TestMachine:
@@ -104,22 +105,10 @@ class TestMachine:
             assert json.loads(arm.solver.run(*words).stdout)["time"]["pinned"] is True
 
 
-def processes(executable: Path) -> list[int]:
-    """Return the processes whose program is ``executable``."""
-    found = []
-    for folder in Path("/proc").glob("[0-9]*"):
-        try:
-            if os.path.realpath(folder / "exe") == str(executable.resolve()):
-                found.append(int(folder.name))
-        except OSError:
-            continue
-    return sorted(found)
-
-
 def running_ranks(executable: Path) -> dict[int, int]:
     """Return rank to process of a run, once all have their rank."""
     ranks = {}
-    for pid in processes(executable):
+    for pid in running(executable):
         try:
             variables = Path(f"/proc/{pid}/environ").read_bytes().split(b"\0")
         except OSError:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import signal
 import subprocess
 import sys
@@ -15,6 +14,7 @@ import pytest
 from adagen.build import Toolchain, build_executable, find_toolchain
 from adagen.errors import EnvironmentFault
 from adagen.run import launch, without_launcher_noise
+from tests.running import running
 
 SOURCE = r"""
 #include <mpi.h>
@@ -176,18 +176,6 @@ def test_noise_is_told_from_the_program_s_words() -> None:
 def test_a_frame_that_is_not_closed_is_a_notice() -> None:
     assert without_launcher_noise("-" * 74 + "\nno slots\n") == ("", "no slots")
     assert without_launcher_noise("") == ("", "")
-
-
-def running(executable: Path) -> list[int]:
-    """Return the processes whose program is ``executable``."""
-    found = []
-    for folder in Path("/proc").glob("[0-9]*"):
-        try:
-            if os.path.realpath(folder / "exe") == str(executable.resolve()):
-                found.append(int(folder.name))
-        except OSError:
-            continue
-    return found
 
 
 def wait_until(condition: object, limit: float = 20) -> None:
