@@ -23,6 +23,7 @@ _PEER_COLOURS = ("#009e73", "#56b4e9", "#e69f00", "#b09000")
 _MARKERS = ("o", "^", "D", "v", "P")  # by steps of refinement
 _LEAST = 1e-17  # errors below are drawn here
 _LINES = 11  # below the panels; the data has them all
+_TITLE, _PANELS, _GAP, _LINE, _LEGEND = 0.6, 5.2, 0.55, 0.155, 0.3  # heights in inches
 
 
 def pyplot() -> Any:
@@ -71,9 +72,14 @@ def work_precision(chart: Chart) -> Any:
 
     Below stand, in words, the Pareto front and why some have no answer.
     """
-    plt = pyplot()
-    figure = plt.figure(figsize=(13, 8.2))
-    grid = figure.add_gridspec(2, 2, height_ratios=(5, 1.5), hspace=0.22, width_ratios=(3, 2))
+    words = [_pareto(chart), _failures(chart)]
+    below = _LINE * max(text.count("\n") + 2 for text in words)
+    height = _TITLE + _PANELS + _GAP + below + _LEGEND
+    figure = pyplot().figure(figsize=(13, height))
+    grid = figure.add_gridspec(
+        2, 2, height_ratios=(_PANELS, below), hspace=2 * _GAP / (_PANELS + below),
+        top=1 - _TITLE / height, bottom=_LEGEND / height, width_ratios=(3, 2), wspace=0.27,
+    )  # fmt: skip
     left = figure.add_subplot(grid[0, 0])
     right = figure.add_subplot(grid[0, 1], sharex=left)
     colours = _colours(chart.points)
@@ -87,13 +93,13 @@ def work_precision(chart: Chart) -> Any:
     figure.suptitle(
         f"{chart.model}, {chart.dof} degrees of freedom: error against time on {chart.machine}\n"
         f"truth to {chart.digits} digits; medians over {chart.rounds} rounds, by turns",
-        y=0.96,
+        y=1.0,
     )
-    words = [_pareto(left, chart), _failures(chart)]
+    _staircase(left, chart)
     for k, text in enumerate(words):
-        below = figure.add_subplot(grid[1, k])
-        below.axis("off")
-        below.text(0, 0.95, text, fontsize=8, va="top", transform=below.transAxes)
+        words_axes = figure.add_subplot(grid[1, k])
+        words_axes.axis("off")
+        words_axes.text(0, 1, text, fontsize=8, va="top", transform=words_axes.transAxes)
     figure.legend(
         handles=_handles(chart, colours), loc="lower center", ncols=9, fontsize=8, frameon=False
     )
@@ -119,6 +125,7 @@ def _panel(axes: Any, chart: Chart, what: str, colours: dict[str, str]) -> None:
     untimed = any(p.time_ns is None for p in chart.points)
     axes.set_xlim(min(times) / 1.5, right * 1.5 if untimed else max(times) * 1.5)
     axes.grid(alpha=0.25, which="major")
+    label_steps(axes.xaxis)
     if untimed:
         axes.axvline(right / 1.4, color="black", lw=0.6, ls=":")
         axes.text(right, least / 200, "not\ntimed", ha="center", va="bottom", fontsize=7)
@@ -130,6 +137,16 @@ def _panel(axes: Any, chart: Chart, what: str, colours: dict[str, str]) -> None:
         axes.axhline(top / 4, color="black", lw=0.6, ls=":")
         axes.text(0.01, top * 1.3, "no answer", fontsize=7, va="center",
                   transform=axes.get_yaxis_transform())  # fmt: skip
+
+
+def label_steps(axis: Any) -> None:
+    """Label a logarithmic axis at 1, 2 and 5 times the powers of ten, in plain numbers."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+    axis.set_minor_formatter(NullFormatter())
+    axis.set_tick_params(labelsize=8)
 
 
 def _height(point: Point, what: str) -> float:
@@ -150,37 +167,44 @@ def _mark(axes: Any, point: Point, x: float, y: float, colour: str) -> None:
 
 def _guides(axes: Any, chart: Chart) -> None:
     """Draw the rounding of each scalar, and what the joins of form ada are predicted to lose."""
-    edge = 0.85 if any(p.time_ns is None for p in chart.points) else 0.99
     for scalar in sorted({p.scalar for p in chart.points}):
-        lines = [(EPSILON[scalar], f"eps, {scalar}")]
+        lines = [(EPSILON[scalar], f"eps,\n{scalar}")]
         grown = [
             p.predicted
             for p in chart.points
             if p.predicted and p.algorithm == "ada" and p.schedule == "auto"
             if p.scalar == scalar and p.processes == 1
         ]
-        lines += [(grown[0], f"eps Σg of form ada, {scalar}")] if grown else []
+        lines += [(grown[0], f"eps Σg, ada,\n{scalar}")] if grown else []
         for height, text in lines:
             axes.axhline(height, color="black", lw=0.7, ls="--", alpha=0.5)
-            axes.text(edge, height * 1.1, text, fontsize=7, alpha=0.7, va="bottom", ha="right",
+            axes.text(1.01, height, text, fontsize=7, alpha=0.8, va="center",
                       transform=axes.get_yaxis_transform())  # fmt: skip
 
 
-def _pareto(axes: Any, chart: Chart) -> str:
-    """Join the points that nothing beats by a staircase, numbered as in the list returned."""
-    on = sorted((p for p in chart.points if p.front), key=lambda p: p.time_ns or 0.0)
-    if not on:
-        return ""
+def _on_front(chart: Chart) -> list[Point]:
+    return sorted((p for p in chart.points if p.front), key=lambda p: p.time_ns or 0.0)
+
+
+def _staircase(axes: Any, chart: Chart) -> None:
+    """Join the points that nothing beats by a staircase, numbered as in the list below."""
+    on = _on_front(chart)
     xs, ys = [p.time_ns for p in on], [_height(p, "error") for p in on]
     axes.step(xs, ys, where="post", color="black", lw=1.1, alpha=0.6, zorder=0)
-    lines = ["Pareto front (time, ratio to the serial articulated-body solver, error):"]
-    for k, (point, x, y) in enumerate(zip(on, xs, ys, strict=True), start=1):
+    for k, (x, y) in enumerate(zip(xs, ys, strict=True), start=1):
         offset = (-4, -14 if k % 2 else -22)
         axes.annotate(f"{k}", (x, y), fontsize=8, weight="bold", xytext=offset,
                       textcoords="offset points")  # fmt: skip
+
+
+def _pareto(chart: Chart) -> str:
+    """Return the points that nothing beats, in words."""
+    lines = ["Pareto front (time, ratio to the serial articulated-body solver, error):"]
+    for k, point in enumerate(_on_front(chart), start=1):
         ratio = "" if point.ratio is None else f", {point.ratio:.2f}x"
-        lines.append(f"{k}  {point.label}: {point.time_ns:.0f} ns{ratio}, {point.error:.1e}")
-    return "\n".join(lines[:_LINES])
+        error = f"{_height(point, 'error'):.1e}"
+        lines.append(f"{k}  {point.label}: {point.time_ns:.0f} ns{ratio}, {error}")
+    return "\n".join(lines[:_LINES]) if len(lines) > 1 else ""
 
 
 def _failures(chart: Chart) -> str:

@@ -5,24 +5,26 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from adagen.chart.draw import pyplot
-from adagen.chart.motion import INTEGRATORS, MotionChart
+from adagen.chart.draw import label_steps, pyplot
+from adagen.chart.motion import INTEGRATORS, MotionChart, MotionPoint
 
-_LOOKS = {
-    "euler": ("#d55e00", "s"),
-    "semi-implicit": ("#cc79a7", "D"),
-    "implicit": ("#e69f00", "v"),
-    "rk4": ("#0072b2", "o"),
-    "rkmk4": ("#009e73", "^"),
+_LOOKS = {  # colour, marker and its size: what lies below another one is larger
+    "euler": ("#d55e00", "s", 9),
+    "semi-implicit": ("#cc79a7", "D", 5),
+    "implicit": ("#e69f00", "v", 5),
+    "rk4": ("#0072b2", "o", 9),
+    "rkmk4": ("#009e73", "^", 5),
 }
 
 
 def motion_picture(chart: MotionChart) -> Any:
     """Return the figure: state error against wall time, then drifts against the step."""
     plt = pyplot()
-    whats = ["error", "energy"]
-    whats += ["momentum"] if any(p.momentum is not None for p in chart.points) else []
-    figure, axes = plt.subplots(1, len(whats), figsize=(5.2 * len(whats), 4.6))
+    drifts = [w for w in ("energy", "momentum") if any(_finite(p, w) for p in chart.points)]
+    figure, grid = plt.subplots(
+        1, 1 + len(drifts), figsize=(5.4 * (1 + len(drifts)), 4.8), squeeze=False
+    )
+    axes = grid[0]
     _panel(axes[0], chart, "wall_s", "error")
     axes[0].set(
         xlabel="wall time per simulated second, s", ylabel=f"state error after {chart.seconds:g} s"
@@ -33,7 +35,7 @@ def motion_picture(chart: MotionChart) -> Any:
             0.02, chart.reference_error * 1.2, "the reference's own error", fontsize=7,
             transform=axes[0].get_yaxis_transform(),
         )  # fmt: skip
-    for panel, what in zip(axes[1:], whats[1:], strict=True):
+    for panel, what in zip(axes[1:], drifts, strict=True):
         _panel(panel, chart, "step", what)
         name = "energy" if what == "energy" else "angular momentum"
         panel.set(xlabel="step, s", ylabel=f"relative drift of {name}")
@@ -45,22 +47,25 @@ def motion_picture(chart: MotionChart) -> Any:
     return figure
 
 
+def _finite(point: MotionPoint, what: str) -> bool:
+    value = getattr(point, what)
+    return value is not None and math.isfinite(value)
+
+
 def _panel(axes: Any, chart: MotionChart, across: str, what: str) -> None:
     for integrator in INTEGRATORS:
-        colour, marker = _LOOKS[integrator]
+        colour, marker, size = _LOOKS[integrator]
         rows = [
             (getattr(p, across), max(getattr(p, what), 1e-17))
             for p in chart.points
-            if p.integrator == integrator
-            and p.wall_s is not None
-            and getattr(p, what) is not None
-            and math.isfinite(getattr(p, what))
+            if p.integrator == integrator and p.wall_s is not None and _finite(p, what)
         ]
         order = chart.order(integrator, what)
         label = integrator if order is None else f"{integrator}, order {order:.1f}"
         if rows:
-            axes.loglog(*zip(*rows, strict=True), marker=marker, color=colour, label=label)
+            axes.loglog(*zip(*rows, strict=True), marker=marker, ms=size, color=colour, label=label)
     axes.grid(alpha=0.25)
-    axes.minorticks_off()
     axes.margins(0.08)
-    axes.legend(fontsize=8, framealpha=0.7, loc="center left" if what == "error" else "best")
+    axes.tick_params(axis="y", which="minor", left=False)
+    label_steps(axes.xaxis)
+    axes.legend(fontsize=8, ncols=2, frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1.0))

@@ -37,7 +37,8 @@ class MotionPoint:
         step: its length, s.
         wall_s: wall time per simulated second; None where it failed.
         error: relative error of the state at the end, see ``state_error``.
-        energy: largest drift of the energy, relative to the largest kinetic energy.
+        energy: largest drift of the energy, relative to the largest kinetic energy; None where
+            joints damp, spring, carry rotors or are moved, so that it is not kept.
         momentum: largest drift of the angular momentum about the centre of mass, likewise; None
             where the base is fixed, so that it is not kept.
         why: the reason where it failed.
@@ -149,12 +150,18 @@ def state_error(model: Model, one: Played, other: Played) -> float:
     return float(np.linalg.norm(difference) / size)
 
 
-def drifts(model: Model, motion: Played) -> tuple[float, float | None]:
-    """Return the largest relative drift of energy and of angular momentum along a motion."""
+def drifts(model: Model, motion: Played) -> tuple[float | None, float | None]:
+    """Return the largest relative drift of energy and of angular momentum along a motion.
+
+    None for what is not kept: energy by damping, friction, springs, rotors and prescribed motion
+    (it is reckoned of the links alone), momentum by a base that is not free.
+    """
     rows = list(zip(motion.q, motion.v, strict=True))
-    kinetic = np.array([kinetic_energy(model, q, v) for q, v in rows])
-    total = kinetic + np.array([potential_energy(model, q) for q, _ in rows])
-    energy = float(np.abs(total - total[0]).max() / kinetic.max())
+    energy = None
+    if not any(j.passive.loads or j.passive.rotor_inertia or j.prescribed for j in model.joints):
+        kinetic = np.array([kinetic_energy(model, q, v) for q, v in rows])
+        total = kinetic + np.array([potential_energy(model, q) for q, _ in rows])
+        energy = float(np.abs(total - total[0]).max() / kinetic.max())
     if not model.floating:
         return energy, None
     spin = np.array([momentum(model, q, v)[1] for q, v in rows])

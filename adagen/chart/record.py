@@ -7,7 +7,7 @@ import dataclasses
 import io
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -146,10 +146,18 @@ def write_csv(chart: Chart, path: Path) -> None:
     Raises:
         EnvironmentFault: writing failed.
     """
-    text = io.StringIO()
     names = [field.name for field in dataclasses.fields(Point)]
-    writer = csv.DictWriter(text, ["model", *names], lineterminator="\n")
+    write_rows(path, ["model", *names], [{"model": chart.model, **vars(p)} for p in chart.points])
+
+
+def write_rows(path: Path, names: Sequence[str], rows: Iterable[Mapping[str, object]]) -> None:
+    """Write CSV: a line of names, then a line for each row; None is empty.
+
+    Raises:
+        EnvironmentFault: writing failed.
+    """
+    text = io.StringIO()
+    writer = csv.DictWriter(text, names, lineterminator="\n")
     writer.writeheader()
-    for point in chart.points:
-        writer.writerow({"model": chart.model, **dataclasses.asdict(point)})
+    writer.writerows(rows)
     write_whole(path, text.getvalue())

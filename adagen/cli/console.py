@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from adagen.urdf import Reading
 
 _PATIENCE_SECONDS = 1.0
+_SILENCE_SECONDS = 10.0  # between two lines that tell how far the same work is
 
 
 def warn(message: str) -> None:
@@ -57,19 +58,20 @@ def progress(doing: str) -> Iterator[None]:
 
 @contextmanager
 def speaking(about: str) -> Iterator[Callable[[str], None]]:
-    """Show what is being done: in one changing line on a terminal, else each sort of it once."""
+    """Show what is being done: one changing line on a terminal, else now and then a line."""
     if sys.stderr.isatty():
         from rich.console import Console
 
         with Console(stderr=True).status(about) as status:
             yield lambda text: status.update(f"{about}: {text}")
         return
-    sorts: set[str] = set()
+    sort, spoken = "", 0.0
 
     def say(text: str) -> None:
-        sort = text.rstrip("0123456789 of")
-        if sort not in sorts:
-            sorts.add(sort)
+        nonlocal sort, spoken
+        new, now = text.rstrip("0123456789 of"), time.monotonic()
+        if new != sort or now > spoken + _SILENCE_SECONDS:
+            sort, spoken = new, now
             note(f"{about}: {text} ...")
 
     yield say

@@ -19,6 +19,7 @@ from adagen.chart.draw import pyplot, save, work_precision
 from adagen.chart.motion import MotionChart, MotionPoint
 from adagen.chart.record import marked
 from adagen.cli import main
+from adagen.cli.console import speaking
 from adagen.errors import EnvironmentFault, InputError
 
 OPTIONAL = {"type": ["number", "null"], "minimum": 0}
@@ -121,7 +122,7 @@ class TestPictures:
         text = self.check(save(work_precision(some_chart()), tmp_path / "c"))
         for words in (
             "Pareto front", "ringed: time from measured stretches",
-            "form segment: 900 ns, 1.00x", "no answer", "No answer:", "eps, float"
+            "form segment: 900 ns, 1.00x", "no answer", "No answer:", "eps,"
         ):  # fmt: skip
             assert f"<!-- {words}" in text or words in text
 
@@ -142,6 +143,32 @@ class TestPictures:
         assert chart.order("euler", "energy") == pytest.approx(1)
         assert chart.order("rkmk4", "error") is None
         self.check(save(motion_picture(chart), tmp_path / "m"))
+        damped = replace(
+            chart, points=tuple(replace(p, energy=None, momentum=None) for p in points)
+        )
+        (panel,) = motion_picture(damped).axes
+        assert "wall time" in panel.get_xlabel()
+
+
+def test_progress_is_told_now_and_then_where_there_is_no_terminal(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    now = 0.0
+    monkeypatch.setattr("adagen.cli.console.time.monotonic", lambda: now)
+    with speaking("arm") as said:
+        for k in range(1, 31):
+            said(f"compiling {k} of 30")
+            now += 1.0
+        said("round 1 of 5")
+    assert capsys.readouterr().err.splitlines() == [
+        f"arm: {words} ..."
+        for words in (
+            "compiling 1 of 30",
+            "compiling 12 of 30",
+            "compiling 23 of 30",
+            "round 1 of 5",
+        )
+    ]
 
 
 def test_without_matplotlib_it_is_said_what_to_install(

@@ -11,10 +11,11 @@ import numpy as np
 import pytest
 
 from adagen.chart import Study, Variant, chart_of, every_variant
-from adagen.chart.motion import Player, motion_chart
+from adagen.chart.motion import Played, Player, drifts, motion_chart
 from adagen.chart.truth import truth_of
 from adagen.chart.variants import REFERENCE, random_schedule
 from adagen.cli import main
+from adagen.model import Passive
 from adagen.schedule import Topology, schedule_to_json, validate
 from adagen.states import random_states
 from tests.emitted import Builder, plan_of
@@ -96,6 +97,15 @@ def test_integrators_are_charted_with_their_orders(builder: Builder) -> None:
         assert order is not None and least < order < most
     assert all(p.momentum is not None for p in chart.points)
     assert random_states(model, 1).q.shape == (1, model.nq)
+
+
+def test_what_is_not_kept_has_no_drift() -> None:
+    model = serial_chain(2)
+    still = np.zeros((2, model.nq)), np.ones((2, model.nv))
+    motion = Played(np.array([0.0, 1.0]), *still, 1.0)
+    assert drifts(model, motion) == (0.0, None)
+    damped = [replace(joint, passive=Passive(damping=0.1)) for joint in model.joints]
+    assert drifts(replace(model, joints=tuple(damped)), motion) == (None, None)
 
 
 @pytest.mark.slow
