@@ -146,7 +146,7 @@ def label_steps(axis: Any) -> None:
     axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
     axis.set_minor_formatter(NullFormatter())
-    axis.set_tick_params(labelsize=8)
+    axis.set_tick_params(labelsize=7)
 
 
 def _height(point: Point, what: str) -> float:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import note, progress
-from adagen.cli.parser import make_parser, parse
+from adagen.cli.parser import Parser, make_parser, parse
 
 if TYPE_CHECKING:
     from adagen.stability import Outcome
@@ -29,6 +29,15 @@ examples:
 
 def run(argv: Sequence[str]) -> int:
     """Carry out ``adagen stability`` with the arguments after the verb; return the exit status."""
+    parser = parser_of_stability()
+    options = parse(parser, argv)
+    if options.family and options.map is None:
+        parser.error("--family needs --map DIR")
+    return _draw(options, parser.error) if options.map else _judge(options, parser.error)
+
+
+def parser_of_stability() -> Parser:
+    """Return the parser of ``adagen stability``."""
     parser = make_parser("adagen stability", "Show where methods fail and what is kept.", _EPILOG)
     parser.add_argument(
         "--case", type=int, action="append", metavar="N", help="only this case, 1 to 13"
@@ -44,10 +53,7 @@ def run(argv: Sequence[str]) -> int:
     parser.add_argument(
         "--family", action="append", metavar="NAME", help="with --map: only this family"
     )
-    options = parse(parser, argv)
-    if options.family and options.map is None:
-        parser.error("--family needs --map DIR")
-    return _draw(options, parser.error) if options.map else _judge(options, parser.error)
+    return parser
 
 
 def _judge(options: argparse.Namespace, refuse: object) -> int:
