@@ -65,7 +65,7 @@ golden: setup ## write generated_examples anew
 	$(BIN)/python -m pytest --update-golden -n 0 tests
 
 charts: setup ## accuracy beside speed of the shipped robots, into build/charts
-	$(BIN)/python -m adagen chart generated_examples/models/*.urdf --out build/charts
+	$(BIN)/python -m adagen chart generated_examples/models/*.urdf --out build/charts $(ARGS)
 
 paper: setup ## the paper's tables and figures, predicted and measured here
 	$(BIN)/python -m benchmarks.paper all
