@@ -10,7 +10,7 @@ from adagen.schedule.profile import CostProfile
 from adagen.schedule.single import SingleProcess
 from adagen.schedule.sweeps import loads_of, makespan_of
 from adagen.schedule.topology import Topology
-from adagen.schedule.tree import Schedule
+from adagen.schedule.tree import Node, Schedule
 
 
 def random_schedule(
@@ -66,11 +66,14 @@ def random_schedule(
 
     draft.root = build(WHOLE, (0, processes), shared)
     root = draft.finish(topology, profile)
-    makespan = makespan_of(root)
+    return _as_given(root, processes, profile)
+
+
+def _as_given(root: Node, processes: int, profile: CostProfile) -> Schedule:
     return Schedule(
         root=root,
         processes=processes,
-        makespan=makespan,
+        makespan=makespan_of(root),
         lower_bound=0.0,
         profile=profile.name,
         tie="work",

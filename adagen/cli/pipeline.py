@@ -184,13 +184,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             channel=options.channel,
             source_hash=source_hash(Path(options.model)),
         )
-    idle = sum(not process.owns for process in plan.processes)
-    if idle and not getattr(options, "told_to_use_fewer", False):
-        few = len(plan.processes) - idle
-        warn(
-            f"{options.model}: warning: {idle} of {len(plan.processes)} processes will have"
-            f" nothing to do; say --procs {few}"
-        )
+    _warn_of_idle(plan, options)
     if options.verbose and options.scene is not None:
         from adagen.cli.scenes import tell_savings
 
@@ -198,12 +192,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             tell_savings(plan, schedule, options)
     with stages.stage("assess"):
         _warn_of_lost_digits(plan, options.model)
-    chosen: dict[str, Any] = {"shape": options.shape}
-    if options.tune:
-        from adagen.cli.tuning import tuned
-
-        best = tuned(plan, options, stages)
-        chosen = {"shape": best.shape, "chunk": best.chunk, "compiler": best.compiler}
+    chosen = _shape(plan, options, stages)
     with stages.stage("emit"), progress("emitting"):
         from adagen.emit import emit
         from adagen.schedule import load_profile
@@ -219,6 +208,26 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             **chosen,
         )
     return Generated(schedule, plan, files, chosen.get("compiler", ""))
+
+
+def _shape(plan: Plan, options: argparse.Namespace, stages: Stages) -> dict[str, Any]:
+    """Return what ``emit`` is told of shape and compiler: as asked for, or found by trying."""
+    if not options.tune:
+        return {"shape": options.shape}
+    from adagen.cli.tuning import tuned
+
+    best = tuned(plan, options, stages)
+    return {"shape": best.shape, "chunk": best.chunk, "compiler": best.compiler}
+
+
+def _warn_of_idle(plan: Plan, options: argparse.Namespace) -> None:
+    idle = sum(not process.owns for process in plan.processes)
+    if idle and not getattr(options, "told_to_use_fewer", False):
+        few = len(plan.processes) - idle
+        warn(
+            f"{options.model}: warning: {idle} of {len(plan.processes)} processes will have"
+            f" nothing to do; say --procs {few}"
+        )
 
 
 def shared_by(options: argparse.Namespace) -> int:

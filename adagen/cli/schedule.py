@@ -45,7 +45,7 @@ def run(argv: Sequence[str]) -> int:
 
     from adagen.cli import pipeline
     from adagen.cli.files import write_file
-    from adagen.schedule import Topology, schedule_to_json, schedule_tree
+    from adagen.schedule import Topology, schedule_to_json
 
     stages = Stages()
     try:
@@ -62,15 +62,23 @@ def run(argv: Sequence[str]) -> int:
     if options.json:
         print(with_accuracy(schedule_to_json(schedule, topology), digits))
         return 0
-    print(schedule_tree(schedule, topology))
+    _show(model, schedule, options)
+    print(accuracy_line(digits))
+    return 0
+
+
+def _show(model: Model, schedule: Schedule, options: argparse.Namespace) -> None:
+    """Print the tree, what each process does, and what is predicted, for people."""
+    from adagen.cli.pipeline import prediction
+    from adagen.schedule import Topology, schedule_tree
+
+    print(schedule_tree(schedule, Topology.of(model)))
     line = timeline(model, schedule, options)
     if line is None:
         _show_loads(schedule)
     else:
         _show_machine(schedule, line, options.form)
-    print(pipeline.prediction(schedule, line))
-    print(accuracy_line(digits))
-    return 0
+    print(prediction(schedule, line))
 
 
 def _drawing(model: Model, schedule: Schedule, options: argparse.Namespace) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from adagen import __version__
-from adagen.emit import effects
+from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
 from adagen.emit.refine import checked_steps, refinement_messages
@@ -11,10 +11,8 @@ from adagen.emit.shapes import KNOWN, chosen_shape
 from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words
 from adagen.errors import UsageError
-from adagen.model.kinds import KINDS
 from adagen.plan import Plan, plan_to_json
 from adagen.plan.refine import refinable
-from adagen.plan.steps import LinkBias, StartLink
 from adagen.schedule import CostProfile, load_profile
 
 # Largest residual that an emitted self-check lets pass: what the scalar keeps, with a margin for
@@ -122,10 +120,6 @@ def source(
     shape = chosen_shape(plan, checked_steps(refine, shape))
     plan = refinable(plan) if refine else plan
     words = Words(plan, refine, chunk)
-    steps = [step for process in plan.processes for step in process.steps]
-    bare = {step.link for step in steps if isinstance(step, LinkBias)}
-    started = {step.link for step in steps if isinstance(step, StartLink)}
-    number, numbers = words.printer.number, words.printer.numbers
     processes = batch or len(plan.processes)
     return render(
         "solver.cpp.j2",
@@ -141,39 +135,11 @@ def source(
         base="floating" if plan.floating else "fixed",
         floating=plan.floating,
         schedule=quoted(plan.schedule)[1:-1],
-        gravity=", ".join(repr(g) for g in plan.gravity),
         tolerance=TOLERANCE[plan.scalar],
         headers=HEADERS,
-        nq=sum(KINDS[joint.kind].nq for joint in plan.joints),
-        nv=sum(KINDS[joint.kind].nv for joint in plan.joints),
-        outer_forces=[
-            {
-                "quoted": quoted(wrench.name),
-                "link": wrench.link,
-                "rotation": numbers(x for row in wrench.rotation for x in row),
-                "translation": numbers(wrench.translation),
-            }
-            for wrench in plan.wrenches
-        ],
-        prescribed=[quoted(joint.name) for joint in plan.joints if joint.prescribed],
         columns=plan.right_hand_sides,
         process_count=processes,
         batch=bool(batch),
-        links=[
-            {
-                "bare_block": words.bare_block(k) if k in bare else "",
-                "inertia": words.inertia(k) if k in started else "",
-                "index": k,
-                "quoted": quoted(link.name),
-                "mass": number(link.mass),
-                "com": numbers(link.com),
-                "tensor": numbers(x for row in link.tensor for x in row),
-                "tensor_inverse": numbers(x for row in link.tensor_inverse for x in row),
-                "phi_upper": numbers(x for i, row in enumerate(link.phi) for x in row[i:]),
-            }
-            for k, link in enumerate(plan.links)
-        ],
-        joints=_joint_constants(words),
         processes=process_rows(words) * (batch or 1),
         run_list=", ".join(
             "refined" if refine else f"run_{0 if batch else p}" for p in range(processes)
@@ -182,6 +148,7 @@ def source(
         messages=plan.messages,
         channel_messages=_channel_messages(words),
         hops=_hops(profile),
+        **model_values(words),
         **KNOWN[shape].values(words),
     )
 
@@ -211,31 +178,6 @@ def _tuning(chunk: int, compiler: str) -> str:
     """What was chosen by trying, for the header."""
     words = [f"functions of {chunk} values"] * bool(chunk) + [f"for {compiler}"] * bool(compiler)
     return f" ({', '.join(words)})" if words else ""
-
-
-def _joint_constants(words: Words) -> list[dict[str, object]]:
-    numbers = words.printer.numbers
-    rows = []
-    for j, joint in enumerate(words.plan.joints):
-        source, multiplier, offset = joint.mimic or (-1, 0.0, 0.0)
-        rows.append(
-            {
-                "quoted": quoted(joint.name),
-                "Kind": words.type_of(j),
-                "parent": joint.parent,
-                "q": joint.q,
-                "nq": words.kind(j).nq,
-                "v": joint.v,
-                "nv": words.kind(j).nv,
-                "rotation": numbers(x for row in joint.rotation for x in row),
-                "translation": numbers(joint.translation),
-                "source": source,
-                "multiplier": repr(multiplier),
-                "offset": repr(offset),
-                "effects": effects.constants(words, j),
-            }
-        )
-    return rows
 
 
 def _channel_messages(words: Words) -> list[dict[str, object]]:

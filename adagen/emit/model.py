@@ -1,0 +1,83 @@
+"""The model's constants as the template model.cpp.j2 takes them: joints, links and outer forces."""
+
+from __future__ import annotations
+
+from adagen.emit import effects
+from adagen.emit.names import quoted
+from adagen.emit.words import Words
+from adagen.model.kinds import KINDS
+from adagen.plan.steps import LinkBias, StartLink
+
+
+def model_values(words: Words) -> dict[str, object]:
+    """Return what the template is told of the robot itself."""
+    plan = words.plan
+    return {
+        "gravity": ", ".join(repr(g) for g in plan.gravity),
+        "nq": sum(KINDS[joint.kind].nq for joint in plan.joints),
+        "nv": sum(KINDS[joint.kind].nv for joint in plan.joints),
+        "links": _links(words),
+        "joints": _joints(words),
+        "outer_forces": _outer_forces(words),
+        "prescribed": [quoted(joint.name) for joint in plan.joints if joint.prescribed],
+    }
+
+
+def _links(words: Words) -> list[dict[str, object]]:
+    plan = words.plan
+    steps = [step for process in plan.processes for step in process.steps]
+    bare = {step.link for step in steps if isinstance(step, LinkBias)}
+    started = {step.link for step in steps if isinstance(step, StartLink)}
+    number, numbers = words.printer.number, words.printer.numbers
+    return [
+        {
+            "bare_block": words.bare_block(k) if k in bare else "",
+            "inertia": words.inertia(k) if k in started else "",
+            "index": k,
+            "quoted": quoted(link.name),
+            "mass": number(link.mass),
+            "com": numbers(link.com),
+            "tensor": numbers(x for row in link.tensor for x in row),
+            "tensor_inverse": numbers(x for row in link.tensor_inverse for x in row),
+            "phi_upper": numbers(x for i, row in enumerate(link.phi) for x in row[i:]),
+        }
+        for k, link in enumerate(plan.links)
+    ]
+
+
+def _joints(words: Words) -> list[dict[str, object]]:
+    numbers = words.printer.numbers
+    rows = []
+    for j, joint in enumerate(words.plan.joints):
+        source, multiplier, offset = joint.mimic or (-1, 0.0, 0.0)
+        rows.append(
+            {
+                "quoted": quoted(joint.name),
+                "Kind": words.type_of(j),
+                "parent": joint.parent,
+                "q": joint.q,
+                "nq": words.kind(j).nq,
+                "v": joint.v,
+                "nv": words.kind(j).nv,
+                "rotation": numbers(x for row in joint.rotation for x in row),
+                "translation": numbers(joint.translation),
+                "source": source,
+                "multiplier": repr(multiplier),
+                "offset": repr(offset),
+                "effects": effects.constants(words, j),
+            }
+        )
+    return rows
+
+
+def _outer_forces(words: Words) -> list[dict[str, object]]:
+    numbers = words.printer.numbers
+    return [
+        {
+            "quoted": quoted(wrench.name),
+            "link": wrench.link,
+            "rotation": numbers(x for row in wrench.rotation for x in row),
+            "translation": numbers(wrench.translation),
+        }
+        for wrench in words.plan.wrenches
+    ]
