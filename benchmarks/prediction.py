@@ -1,7 +1,11 @@
 """Predicted against measured times, over models and schedules, at P = 1, 2 and 4.
 
-    python benchmarks/prediction.py measure FILE.json      builds and times; takes long
-    python benchmarks/prediction.py report FILE.json [--profile NAME] > docs/prediction.md
+    python -m benchmarks.prediction measure FILE.json
+    python -m benchmarks.prediction report FILE.json [--profile NAME] [--write docs/prediction.md]
+
+The first builds what --shape auto emits and times it, about a quarter of an hour on two idle cores;
+after each robot the record so far is kept, and it goes on from there. The second prints tables, or
+writes them into a page between its markers: what is said there by hand stays.
 
 Programs of one model are timed in turn, several times over, and the least median is kept: other
 work on the machine only ever adds to a time. Where there are more processes than cores, times are
@@ -13,29 +17,29 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import json
-import sys
 import sysconfig
-from collections.abc import Iterator, Sequence
+import time
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from functools import partial
 from pathlib import Path
-from statistics import median
 from typing import Any
-
-import numpy as np
 
 from adagen.build import Toolchain, find_toolchain
 from adagen.calibrate.measure import Measurement, Program, least
-from adagen.calibrate.robots import chain, robot, star, tree
+from adagen.calibrate.robots import chain, robot, squared, star, tree
 from adagen.calibrate.schedules import random_schedule
+from adagen.cli.console import note
 from adagen.errors import AdagenError
 from adagen.model import Model
-from adagen.plan import make_plan, plan_from_json, plan_to_json
-from adagen.predict import best_schedule, predict
+from adagen.plan import Plan, make_plan, plan_to_json
+from adagen.plan.growth import predicted_growth
+from adagen.predict import best_schedule
 from adagen.schedule import Schedule, Topology, find_schedule, load_profile
 from adagen.urdf import read_robot
+from benchmarks.page import write_between_marks
+from benchmarks.prediction_report import report
 
-ROUNDS = 5
+ROUNDS = 4
 REPEAT = 30
 EXAMPLES = (
     ("ur5", "ur_description/urdf/ur5_robot.urdf", False),
@@ -55,6 +59,7 @@ def models() -> Iterator[Model]:
     yield robot("star5x5", star(5, 5), ["revolute"], 13)
     yield robot("tree30", tree(30, 0.3, 5), ["revolute", "revolute", "prismatic"], 14)
     yield robot("figure", [0, *tree(20, 0.25, 9)[1:]], ["floating", *["spherical"] * 15], 15)
+    yield squared(robot("arm9", chain(9), ["revolute"], 17))
     yield robot("chain48", chain(48), ["revolute"], 16)
     folder = Path(sysconfig.get_path("purelib"), "cmeel.prefix/share/example-robot-data/robots")
     for name, path, floating in EXAMPLES:
@@ -84,179 +89,81 @@ def schedules(model: Model) -> Iterator[tuple[str, Schedule]]:
     yield "ada, P=2, random orders", made(7, 2, 0.3, True)
 
 
-def build(
-    model: Model, toolchain: Toolchain, labelled: tuple[str, Schedule]
-) -> tuple[str, Program] | None:
-    """Return a schedule's program; None where its form cannot treat the robot."""
-    label, schedule = labelled
-    try:
-        plan = make_plan(model, schedule, form=label.split(",")[0])
-        return label, Program(plan, toolchain)
-    except AdagenError as error:
-        print(f"{model.name}: {label}: {str(error)[:200]}", file=sys.stderr)
-        return None
+def plans(model: Model) -> list[tuple[str, Plan]]:
+    """Return labels and plans that differ; without those whose form cannot treat the robot."""
+    found: dict[Plan, str] = {}
+    for label, schedule in schedules(model):
+        try:
+            plan = make_plan(model, schedule, form=label.split(",")[0])
+            predicted_growth(plan)
+        except (AdagenError, FloatingPointError) as error:
+            note(f"{model.name}: {label}: {str(error)[:200] or 'a factorization fails'}")
+            continue
+        found.setdefault(plan, label)
+    return [(label, plan) for plan, label in found.items()]
+
+
+def measured(
+    model: Model, toolchain: Toolchain, say: Callable[[str], None]
+) -> list[dict[str, Any]]:
+    """Build and time a robot's programs; return what is recorded of them."""
+    labelled = plans(model)
+    say(f"compiling {len(labelled)} programs")
+    with ThreadPoolExecutor(2) as pool:
+        programs = list(pool.map(lambda pair: Program(pair[1], toolchain), labelled))
+    say("timing")
+    found: list[list[Measurement]] = [[] for _ in programs]
+    for _ in range(ROUNDS):
+        for program, times in zip(programs, found, strict=True):
+            times.append(program.measure(repeat=REPEAT))
+    return [
+        {
+            "model": model.name,
+            "label": label,
+            "shape": program.shape,
+            "plan": plan_to_json(plan),
+            "measured": dataclasses.asdict(least(times)),
+        }
+        for (label, plan), program, times in zip(labelled, programs, found, strict=True)
+    ]
 
 
 def measure(path: Path) -> None:
-    """Build and time all, appending to the file model by model."""
+    """Build and time all, keeping the file up to date robot by robot."""
     toolchain = find_toolchain()
     rows: list[dict[str, Any]] = json.loads(path.read_text()) if path.exists() else []
     done = {row["model"] for row in rows}
-    for model in models():
+    every, start = list(models()), time.monotonic()
+    for k, model in enumerate(every):
         if model.name in done:
             continue
-        print(model.name, file=sys.stderr, flush=True)
-        with ThreadPoolExecutor(2) as pool:
-            built = list(pool.map(partial(build, model, toolchain), schedules(model)))
-        programs = [pair for pair in built if pair is not None]
-        found: list[list[Measurement]] = [[] for _ in programs]
-        for _ in range(ROUNDS):
-            for (_, program), all_of_it in zip(programs, found, strict=True):
-                all_of_it.append(program.measure(repeat=REPEAT))
-        for (label, program), all_of_it in zip(programs, found, strict=True):
-            rows.append(
-                {
-                    "model": model.name,
-                    "label": label,
-                    "plan": plan_to_json(program.plan),
-                    "measured": dataclasses.asdict(least(all_of_it)),
-                }
-            )
+
+        def say(what: str, place: str = f"{k + 1} of {len(every)}: {model.name}") -> None:
+            note(f"{time.monotonic() - start:4.0f} s  robot {place}: {what}")
+
+        rows += measured(model, toolchain, say)
         path.write_text(json.dumps(rows))
-
-
-@dataclasses.dataclass(frozen=True)
-class Row:
-    """A program's measured and predicted time, microseconds; ``played`` if from stretches."""
-
-    model: str
-    label: str
-    measured: float
-    predicted: float
-    fastest: float
-    played: bool
-
-    @property
-    def error(self) -> float:
-        """Relative error of the prediction."""
-        return self.predicted / self.measured - 1
-
-
-def spearman(a: Sequence[float], b: Sequence[float]) -> float:
-    """Return the rank correlation of two lists without many ties."""
-    ranks = [np.argsort(np.argsort(x, kind="stable"), kind="stable") for x in (a, b)]
-    return float(np.corrcoef(ranks[0], ranks[1])[0, 1])
-
-
-def report(path: Path, profile: str, machine: str) -> str:
-    """Return docs/prediction.md."""
-    costs = load_profile(profile)
-    rows = [
-        Row(
-            row["model"],
-            row["label"],
-            row["measured"]["time"],
-            predict(plan_from_json(row["plan"]), costs).makespan,
-            row["measured"]["best"],
-            row["measured"]["source"] == "stretches",
-        )
-        for row in json.loads(path.read_text())
-    ]
-    names = list(dict.fromkeys(row.model for row in rows))
-    lines = [*_summary(rows, names, costs.name, machine), *_by_model(rows, names), *_all(rows)]
-    return "\n".join(lines) + "\n"
-
-
-def _summary(rows: list[Row], names: list[str], profile: str, machine: str) -> Iterator[str]:
-    yield "# Predicted against measured times\n"
-    yield f"Machine: {machine}. Profile: `{profile}`. {len(names)} robots, {len(rows)} programs.\n"
-    yield (
-        "Made by `python benchmarks/prediction.py measure FILE` and `... report FILE`: every "
-        "schedule is emitted, built\nand timed with state and result in place (median over 64 "
-        "random states, the least of several interleaved\nruns); the prediction plays the steps of "
-        "its plan through ([profiles](profiles.md)). No measured time is used to\npredict: the "
-        "profile comes from `adagen calibrate`, whose robots are others.\n"
-    )
-    yield "| programs | count | median error | 90 % below | largest | rank correlation |"
-    yield "|---|---|---|---|---|---|"
-    for title, wanted in (
-        ("all", ""),
-        ("form segment", "segment"),
-        ("form segment, P = 1", "segment, P=1"),
-        ("form segment, P = 2", "segment, P=2"),
-        ("form segment, P = 4", "segment, P=4"),
-        ("form ada", "ada"),
-    ):
-        some = [row for row in rows if row.label.startswith(wanted)]
-        if not some:
-            continue
-        title += ", from stretches" if all(row.played for row in some) else ""
-        sizes = sorted(abs(row.error) for row in some)
-        rank = spearman([r.predicted for r in some], [r.measured for r in some])
-        yield (
-            f"| {title} | {len(some)} | {median(sizes):.1%} | "
-            f"{sizes[int(0.9 * (len(sizes) - 1))]:.1%} | {sizes[-1]:.1%} | {rank:.3f} |"
-        )
-    some = [abs(row.predicted / row.fastest - 1) for row in rows]
-    rank = spearman([r.predicted for r in rows], [r.fastest for r in rows])
-    yield (
-        f"| all, against the fastest evaluation | {len(rows)} | {median(some):.1%} | "
-        f"{sorted(some)[int(0.9 * (len(some) - 1))]:.1%} | {max(some):.1%} | {rank:.3f} |"
-    )
-    yield ""
-    yield (
-        "The fastest evaluation is what the machine does undisturbed: with two processes on two "
-        "cores, whatever else\nruns delays one of them in many evaluations, and the median too.\n"
-    )
-    if any(row.played for row in rows):
-        yield (
-            "≈: more processes than cores. A wall time means nothing then; what each process "
-            "computes between messages is\nmeasured by itself, and played through with what the "
-            "shipped profile says of messages ([benchmarks](benchmarks.md)).\n"
-        )
-
-
-def _by_model(rows: list[Row], names: list[str]) -> Iterator[str]:
-    yield "## The order of schedules\n"
-    yield (
-        "For each robot: the rank correlation over all of its programs, and how much slower the "
-        "schedule that is\npredicted to be the fastest really is than the fastest one.\n"
-    )
-    yield "| robot | programs | median error | rank correlation | lost by trusting the prediction |"
-    yield "|---|---|---|---|---|"
-    for name in names:
-        some = [row for row in rows if row.model == name]
-        rank = spearman([r.predicted for r in some], [r.measured for r in some])
-        chosen = min(some, key=lambda r: r.predicted).measured
-        lost = chosen / min(r.measured for r in some) - 1
-        typical = median(abs(r.error) for r in some)
-        yield f"| {name} | {len(some)} | {typical:.1%} | {rank:.2f} | {lost:.1%} |"
-    yield ""
-
-
-def _all(rows: list[Row]) -> Iterator[str]:
-    yield "## All programs\n"
-    yield "| robot | schedule | measured (µs) | fastest (µs) | predicted (µs) | error |"
-    yield "|---|---|---|---|---|---|"
-    for r in rows:
-        yield (
-            f"| {r.model} | {r.label} | {'≈' if r.played else ''}{r.measured:.2f} | "
-            f"{r.fastest:.2f} | {r.predicted:.2f} | {r.error:+.1%} |"
-        )
 
 
 def main() -> None:
     """Carry out the command line."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("what", choices=("measure", "report"))
     parser.add_argument("file", type=Path)
     parser.add_argument("--profile", default="default")
     parser.add_argument("--machine", default="this one", help="what the report calls it")
+    parser.add_argument("--write", type=Path, metavar="PAGE", help="put the tables there")
     options = parser.parse_args()
     if options.what == "measure":
         measure(options.file)
+        return
+    text = report(options.file, options.profile, options.machine)
+    if options.write is None:
+        print(text)
     else:
-        print(report(options.file, options.profile, options.machine), end="")
+        write_between_marks(options.write, "prediction", text)
 
 
 if __name__ == "__main__":

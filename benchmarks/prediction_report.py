@@ -1,0 +1,151 @@
+"""The record of predicted and measured times as Markdown."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from statistics import median
+
+import numpy as np
+
+from adagen.plan import plan_from_json
+from adagen.predict import predict
+from adagen.schedule import load_profile
+
+
+@dataclasses.dataclass(frozen=True)
+class Row:
+    """A program's measured and predicted time, microseconds; ``played`` if from stretches."""
+
+    model: str
+    label: str
+    shape: str
+    measured: float
+    predicted: float
+    fastest: float
+    played: bool
+
+    @property
+    def error(self) -> float:
+        """Relative error of the prediction."""
+        return self.predicted / self.measured - 1
+
+
+def spearman(a: Sequence[float], b: Sequence[float]) -> float:
+    """Return the rank correlation of two lists; what is equal shares its ranks.
+
+    It is nan where all of a list is equal.
+    """
+    if min(len(set(a)), len(set(b))) < 2:
+        return math.nan
+    ranks = []
+    for x in (a, b):
+        _, place, counts = np.unique(np.asarray(x), return_inverse=True, return_counts=True)
+        ranks.append((np.cumsum(counts) - (counts - 1) / 2)[place])
+    return float(np.corrcoef(ranks[0], ranks[1])[0, 1])
+
+
+def report(path: Path, profile: str, machine: str) -> str:
+    """Return the tables of docs/prediction.md.
+
+    Args:
+        path: the record.
+        profile: name or file of the cost profile.
+        machine: what was measured on.
+    """
+    costs = load_profile(profile)
+    rows = [
+        Row(
+            row["model"],
+            row["label"],
+            row["shape"],
+            row["measured"]["time"],
+            predict(plan_from_json(row["plan"]), costs, row["shape"]).makespan,
+            row["measured"]["best"],
+            row["measured"]["source"] == "stretches",
+        )
+        for row in json.loads(path.read_text())
+    ]
+    names = list(dict.fromkeys(row.model for row in rows))
+    lines = [*_summary(rows, names, costs.name, machine), *_by_model(rows, names), *_all(rows)]
+    return "\n".join(lines)
+
+
+GROUPS: dict[str, Callable[[Row], bool]] = {
+    "P = 1 and 2": lambda row: "P=4" not in row.label,
+    "form segment, P = 1": lambda row: row.label.startswith("segment, P=1"),
+    "form segment, P = 2": lambda row: row.label.startswith("segment, P=2"),
+    "form segment, P = 4": lambda row: row.label.startswith("segment, P=4"),
+    "form ada": lambda row: row.label.startswith("ada"),
+    "shape `kernels`": lambda row: row.shape == "kernels",
+    "shape `joints`": lambda row: row.shape == "joints",
+    "shape `unrolled`": lambda row: row.shape == "unrolled",
+}
+
+
+def _summary(rows: list[Row], names: list[str], profile: str, machine: str) -> Iterator[str]:
+    yield f"Machine: {machine}. Profile: `{profile}`. {len(names)} robots, {len(rows)} programs.\n"
+    yield "| programs | count | median error | 90 % below | largest | rank correlation |"
+    yield "|---|---|---|---|---|---|"
+    for title, wanted in GROUPS.items():
+        some = [row for row in rows if wanted(row)]
+        if not some:
+            continue
+        title += ", from stretches" if all(row.played for row in some) else ""
+        sizes = sorted(abs(row.error) for row in some)
+        rank = spearman([r.predicted for r in some], [r.measured for r in some])
+        yield (
+            f"| {title} | {len(some)} | {median(sizes):.1%} | "
+            f"{sizes[int(0.9 * (len(sizes) - 1))]:.1%} | {sizes[-1]:.1%} | {rank:.3f} |"
+        )
+    errors = [abs(row.predicted / row.fastest - 1) for row in rows]
+    rank = spearman([r.predicted for r in rows], [r.fastest for r in rows])
+    yield (
+        f"| all P, against the fastest evaluation | {len(rows)} | {median(errors):.1%} | "
+        f"{sorted(errors)[int(0.9 * (len(errors) - 1))]:.1%} | {max(errors):.1%} | {rank:.3f} |"
+    )
+    yield ""
+    yield (
+        "The fastest evaluation is what the machine does undisturbed: with two processes on two "
+        "cores, whatever else\nruns delays one of them in many evaluations, and the median too.\n"
+    )
+    if any(row.played for row in rows):
+        yield (
+            "≈: more processes than cores. A wall time means nothing then; what each process "
+            "computes between messages is\nmeasured by itself, and played through with what the "
+            "shipped profile says of messages ([benchmarks](benchmarks.md)).\n"
+        )
+
+
+def _by_model(rows: list[Row], names: list[str]) -> Iterator[str]:
+    yield "## The order of schedules\n"
+    yield (
+        "For each robot: the rank correlation over its programs on one and two processes, and how "
+        "much slower the schedule\nthat is predicted to be the fastest really is than the fastest "
+        "one.\n"
+    )
+    yield "| robot | programs | median error | rank correlation | lost by trusting the prediction |"
+    yield "|---|---|---|---|---|"
+    ranks = []
+    for name in names:
+        some = [row for row in rows if row.model == name and GROUPS["P = 1 and 2"](row)]
+        ranks.append(spearman([r.predicted for r in some], [r.measured for r in some]))
+        chosen = min(some, key=lambda r: r.predicted).measured
+        lost = chosen / min(r.measured for r in some) - 1
+        typical = median(abs(r.error) for r in some)
+        yield f"| {name} | {len(some)} | {typical:.1%} | {ranks[-1]:.2f} | {lost:.1%} |"
+    yield f"\nMedian of the rank correlations: {median(ranks):.2f}.\n"
+
+
+def _all(rows: list[Row]) -> Iterator[str]:
+    yield "## All programs\n"
+    yield "| robot | schedule | shape | measured (µs) | fastest (µs) | predicted (µs) | error |"
+    yield "|---|---|---|---|---|---|---|"
+    for r in rows:
+        yield (
+            f"| {r.model} | {r.label} | {r.shape} | {'≈' if r.played else ''}{r.measured:.2f} | "
+            f"{r.fastest:.2f} | {r.predicted:.2f} | {r.error:+.1%} |"
+        )
