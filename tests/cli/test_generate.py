@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import subprocess
-import time
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from pathlib import Path
@@ -14,7 +13,6 @@ import pytest
 
 from adagen.build import find_toolchain
 from adagen.cli import main
-from adagen.cli.console import Stages, note, progress, warn
 from adagen.plan import plan_from_json
 from adagen.plan.steps import StartLink
 from adagen.reference import forward_dynamics
@@ -293,35 +291,3 @@ def test_the_emitted_makefile_builds_and_checks(arm: Path, tmp_path: Path) -> No
     done = subprocess.run(command, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
     assert "right" in done.stdout
-
-
-class TestConsole:
-    def test_words_for_people_are_single_lines(self, said: Said) -> None:
-        warn("a.urdf:3: warning: two\nlines")
-        warn("plain")
-        note("\x1b[31mred")
-        assert said() == (
-            "",
-            "a.urdf:3: warning: two\\nlines\nwarning: plain\n\\x1b[31mred\n",
-        )
-
-    def test_what_is_quick_is_silent_and_what_is_slow_is_told(
-        self, said: Said, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
-        with progress("compiling"):
-            pass
-        assert said() == ("", "")
-        monkeypatch.setattr("adagen.cli.console._PATIENCE_SECONDS", 0.0)
-        with progress("compiling"):
-            time.sleep(0.2)
-        assert said() == ("", "compiling ...\n")
-
-    def test_stages_are_told_in_their_order_also_after_a_failure(self) -> None:
-        stages = Stages()
-        assert str(stages) == "stages: none"
-        with stages.stage("read"):
-            pass
-        with pytest.raises(ValueError), stages.stage("plan"):
-            raise ValueError
-        words = str(stages).replace(",", "").split()
-        assert words[1::3] == ["read", "plan", "total"]

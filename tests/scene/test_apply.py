@@ -29,26 +29,12 @@ from adagen.scene.source import Source
 from adagen.scene.types import Base, JointScene, PointMass, Scene
 from adagen.states import random_states
 from adagen.urdf import read_robot
-from tests.models import ALL_KINDS, binary, human_figure, random_tree, serial_chain
+from tests.models import ALL_KINDS, random_tree, serial_chain
+from tests.scene.held import held, rows
 from tests.scene.texts import reduced
 
 Array = NDArray[np.float64]
 SOURCE = Source("s.toml", "")
-
-
-def held(model: Model, locked: Sequence[int]) -> Model:
-    """Return the robot with joints kept at rest by prescribed accelerations."""
-    joints = list(model.joints)
-    for j in locked:
-        joints[j] = replace(joints[j], prescribed=True)
-    return replace(model, joints=tuple(joints))
-
-
-def rows(model: Model, joints: Sequence[int], what: str = "v") -> list[int]:
-    """Return the entries of some joints in v (or q)."""
-    start = model.q_start if what == "q" else model.v_start
-    size = {j: getattr(model.joints[j].kind, f"n{what}") for j in joints}
-    return [start[j] + k for j in joints for k in range(size[j])]
 
 
 def compare(model: Model, small: Model, locked: Sequence[int], seed: int = 1) -> None:
@@ -207,63 +193,6 @@ def test_a_point_mass_on_a_locked_link_goes_where_the_link_goes(tmp_path: Path) 
     want = exact_forward_dynamics(held(whole, [2]), q, v, tau).value[:2]
     got = exact_forward_dynamics(small, q[:2], v[:2], tau[:2]).value
     np.testing.assert_allclose(got, want, rtol=1e-13)
-
-
-@settings(max_examples=25, deadline=None)
-@given(st.integers(0, 10**6), st.integers(2, 14))
-def test_what_is_left_out_has_no_influence(seed: int, n: int) -> None:
-    """Wanted accelerations are the same to the bit whatever happens in the limbs left out."""
-    rng = np.random.default_rng(seed)
-    model = random_tree(rng, n, ALL_KINDS)
-    known = [j for j in range(n) if rng.random() < 0.4]
-    wanted = [j for j in range(n) if j not in known and rng.random() < 0.3]
-    if not wanted:
-        return
-    scene = Scene(
-        SOURCE,
-        accelerations=tuple(model.joints[j].name for j in wanted),
-        joints={model.joints[j].name: JointScene(prescribed=True) for j in known},
-    )
-    reduction = apply_scene(model, scene)
-    small, whole = reduction.model, held(model, known)
-    left = [j for j, joint in enumerate(model.joints) if joint.name not in reduction.dropped]
-    assert [joint.name for joint in small.joints] == [model.joints[j].name for j in left]
-    sample = random_states(model, 1, seed=2)
-    q, v, tau = sample.q[0], sample.v[0], sample.tau[0]
-    want = exact_forward_dynamics(whole, q, v, tau).value
-    of, at = rows(model, left), rows(model, left, "q")
-    got = exact_forward_dynamics(small, q[at], v[of], tau[of]).value
-    spot = {j: k for k, j in enumerate(left)}
-    for j in wanted:
-        mine = got[rows(small, [spot[j]])]
-        np.testing.assert_allclose(mine, want[rows(model, [j])], rtol=1e-14, atol=1e-15)
-
-
-def test_on_a_floating_base_everything_matters(tmp_path: Path) -> None:
-    text = 'accelerations = ["left_ankle"]\n'
-    assert reduced(human_figure(), tmp_path, text).dropped == ()
-
-
-def test_limbs_on_a_fixed_ground_do_not_feel_each_other(tmp_path: Path) -> None:
-    model = binary(2)
-    reduction = reduced(model, tmp_path, 'accelerations = ["bll"]\n')
-    assert [joint.name for joint in reduction.model.joints] == ["bl", "bll", "blr"]
-    assert reduction.dropped == ("br", "brl", "brr")
-    assert reduction.why_missing("br") == "nothing that the scene wants depends on it"
-    assert reduction.why_missing("bl") is None
-
-
-def test_a_kept_link_keeps_its_limb(tmp_path: Path) -> None:
-    model = binary(2)
-    text = f'accelerations = ["bll"]\nkeep = ["{model.links[-1].name}"]\n'
-    assert reduced(model, tmp_path, text).dropped == ()
-
-
-def test_a_force_that_cannot_matter_is_refused(tmp_path: Path) -> None:
-    model = binary(2)
-    text = f'accelerations = ["bll"]\nforces = ["{model.links[-1].name}"]\n'
-    with pytest.raises(InputError, match=r":2: error: .* cannot influence"):
-        reduced(model, tmp_path, text)
 
 
 def test_gravity_is_the_scenes(tmp_path: Path) -> None:
