@@ -20,13 +20,18 @@ def motion_transform(e: Array, r: Array) -> Array:
 
 
 def cross_motion(v: Array, m: Array) -> Array:
-    """Return v x m of two motion vectors [angular; linear]."""
+    """Return v x m of two motion vectors [angular; linear], shape (6,)."""
     linear = np.cross(v[:3], m[3:]) + np.cross(v[3:], m[:3])
     return np.concatenate([np.cross(v[:3], m[:3]), linear])
 
 
 def placement(kind: JointKind, q: Array) -> tuple[Array, Array]:
-    """Rotation and origin of the child frame in the canonical joint frame."""
+    """Return rotation, shape (3, 3), and origin, shape (3,), m, of the child in the joint's frame.
+
+    Args:
+        kind: of the joint, whose axis is z.
+        q: its configuration, shape (nq,); quaternions need not be of unit length.
+    """
     turn, shift = np.eye(3), np.zeros(3)
     if kind.quaternion is not None:
         x, y, z, w = q[kind.quaternion :] / np.linalg.norm(q[kind.quaternion :])

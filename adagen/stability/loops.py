@@ -55,7 +55,7 @@ class Pinned:
         return np.array(gaps), np.array(rows), np.array(free)
 
     def closed_state(self) -> tuple[Array, Array]:
-        """Return a configuration and a velocity that the pins allow, by Newton's method."""
+        """Return a configuration and a velocity that the pins allow, (n,) each, by Newton."""
         q = np.array(self.guess)
         for _ in range(30):
             gap, rows, _ = self.closure(q, q)

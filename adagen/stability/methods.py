@@ -41,12 +41,12 @@ class Trial:
 
     @cached_property
     def state(self) -> tuple[Array, Array, Array]:
-        """Configuration, velocity and torques."""
+        """Configuration (nq,), velocity (nv,) and torques (nv,)."""
         return state(self.model)
 
     @cached_property
     def truth(self) -> Array:
-        """The true accelerations, rounded to double."""
+        """The true accelerations, rounded to double, shape (nv,)."""
         return true_acceleration(self.model, *self.state)
 
     def plan(self, form: str, fused: bool = True) -> Plan:

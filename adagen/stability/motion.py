@@ -123,7 +123,14 @@ def integrate(
     step: float,
     advance: Callable[[Array, Array, float], tuple[Array, Array]],
 ) -> tuple[Array, Array]:
-    """Return quaternion (x, y, z, w) and angular velocity (body frame) after 20 s."""
+    """Return quaternion (x, y, z, w) and angular velocity (body frame, rad/s) after 20 s.
+
+    Args:
+        quaternion: at the start, shape (4,).
+        w: angular velocity at the start in the body frame, shape (3,), rad/s.
+        step: s.
+        advance: the method: from both and a step to both.
+    """
     for _ in range(round(SECONDS / step)):
         quaternion, w = advance(quaternion, w, step)
     return quaternion, w

@@ -129,6 +129,7 @@ def dill(level: int) -> Model:
 def state(model: Model) -> tuple[Array, Array, Array]:
     """Return the suite's state: q_i = pi sin 1.7i, v_i = cos 2.3i, tau_i = sin 3.1i, i from 1.
 
+    Shapes (nq,), (nv,) and (nv,); SI units.
     The quaternion of joint i is (sin 1.1i, cos 1.3i, sin 1.7i, cos 1.9i), normalised.
     """
     i = np.arange(1, model.nv + 1)

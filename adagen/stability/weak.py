@@ -72,6 +72,15 @@ def articulated(
 def true_acceleration(model: Model, q: Array, v: Array, tau: Array) -> Array:
     """Return the accelerations to all digits of a double, by the same recursion in balls.
 
+    Args:
+        model: the robot, without slaved joints.
+        q: configuration, shape (nq,).
+        v: velocity, shape (nv,).
+        tau: torques, shape (nv,).
+
+    Returns:
+        Accelerations, shape (nv,).
+
     Raises:
         FloatingPointError: no precision up to 32768 bits is enough: singular.
     """

@@ -78,7 +78,7 @@ def run_machines(plan: Plan, machines: Sequence[Machine]) -> None:
 
 
 def with_slaved(plan: Plan, q: Array, v: Array) -> tuple[Array, Array]:
-    """Return q and v with the entries of slaved joints taken from their sources."""
+    """Return q, shape (nq,), and v, shape (nv,), with slaved joints' entries from their sources."""
     q, v = np.array(q, dtype=float), np.array(v, dtype=float)
     for j in plan.slaved:
         joint = plan.joints[j]

@@ -113,17 +113,20 @@ class Machine:
         self.memory["motion", step.joint] = motion
 
     def column(self, first: Array) -> Array:
-        """First column of a right-hand side; the others answer to unit torques of slaved joints."""
+        """Return right-hand sides, shape (n, columns), from the first one, shape (n,).
+
+        The others answer to unit torques of slaved joints.
+        """
         result = np.zeros((len(first), self.columns))
         result[:, 0] = first
         return result
 
     def ground(self) -> Array:
-        """Acceleration of the ground relative to free fall."""
+        """Return the acceleration of the ground relative to free fall, shape (6, columns)."""
         return self.column(np.concatenate([np.zeros(3), -np.array(self.plan.gravity)]))
 
     def push(self, link: int) -> Array:
-        """Outer wrench [moment; force] on a link at its origin."""
+        """Return the outer wrench [moment; force] on a link at its origin, shape (6,)."""
         result = np.zeros(6)
         start = sum(KINDS[joint.kind].nv for joint in self.plan.joints)
         for k, wrench in enumerate(self.plan.wrenches):
@@ -141,7 +144,7 @@ class Machine:
         return HELD if joint.prescribed else KINDS[joint.kind]
 
     def velocity_product(self, j: int) -> Array:
-        """C = v x S qd of a joint, and S qdd where that is prescribed."""
+        """Return c = v x S qd, and S qdd where that is prescribed, shape (6, columns)."""
         velocity = self.memory["velocity", j + 1]
         c = self.column(cross_motion(velocity, self.memory["motion", j]))
         joint = self.plan.joints[j]

@@ -181,7 +181,7 @@ class WideLinks:
             self.product[j] = _cross_motion(self.velocity[j + 1], motion)
 
     def follow(self, qdd: Array) -> Array:
-        """Return accelerations with those of slaved joints taken from their sources."""
+        """Return accelerations, shape (nv,), with those of slaved joints from their sources."""
         qdd = qdd.copy()
         for j in self.plan.slaved:
             joint = self.plan.joints[j]
@@ -205,7 +205,7 @@ class WideLinks:
         return rho
 
     def energy(self, qdd: Array) -> Any:
-        """Return qdd^T H qdd from the links' motions."""
+        """Return qdd^T H qdd of accelerations, shape (nv,), from the links' motions."""
         w, energy = np.zeros((len(self.plan.joints) + 1, 6), dtype=self.wide), self.wide(0)
         for j, joint in enumerate(self.plan.joints):
             w[j + 1] = self._carried(j, w[joint.parent]) + self._along(j, qdd)
