@@ -119,7 +119,7 @@ def source(
         shape = "kernels"
     shape = chosen_shape(plan, checked_steps(refine, shape))
     plan = refinable(plan) if refine else plan
-    words = Words(plan, refine, chunk)
+    words = Words(plan, refine, chunk, bool(batch))
     processes = batch or len(plan.processes)
     return render(
         "solver.cpp.j2",

@@ -13,10 +13,19 @@ from fractions import Fraction
 from itertools import groupby
 
 from adagen.emit import mobility
+from adagen.emit.layout import Layout
 from adagen.emit.processes import describe_message
 from adagen.emit.stages import stamped_groups
 from adagen.emit.words import Words
 from adagen.plan import Plan
+from adagen.plan.abreast import (
+    Limbs,
+    Unit,
+    ends_of,
+    inward_order,
+    outward_order,
+    placed_links,
+)
 from adagen.plan.gather import why_not_gather
 from adagen.plan.interpret import recovering
 from adagen.plan.steps import (
@@ -24,7 +33,6 @@ from adagen.plan.steps import (
     Articulate,
     FreeAcceleration,
     FreeBase,
-    HoldMobility,
     Kinematics,
     LoadRoot,
     Receive,
@@ -84,6 +92,9 @@ def values(words: Words) -> dict[str, object]:
     plan = words.plan
     cuts = mobility.has_cuts(plan)
     again = recovering(plan).processes if any(p.recovery for p in plan.processes) else ()
+    layout = Layout.of(plan, words.batch)
+    writers = [_Writer(words, p, own, layout) for p, own in enumerate((*plan.processes, *again))]
+    lines = [writer.all_lines() for writer in writers]
     return {
         "runtime": [*RUNTIME, *(mobility.RUNTIME if cuts else ())],
         "cuts": cuts,
@@ -92,11 +103,12 @@ def values(words: Words) -> dict[str, object]:
             for j, lines in mobility.members(words).items()
         ],
         "inertias": [_inertia(words, link) for link in plan.links[1:]],
-        "roles": [_roles(plan, process) for process in (*plan.processes, *again)],
-        "steps": [_lines(words, p, process) for p, process in enumerate(plan.processes)],
-        "recovery": [
-            _lines(words, len(plan.processes) + p, process) for p, process in enumerate(again)
-        ],
+        "roles": [writer.roles() for writer in writers],
+        "steps": lines[: len(plan.processes)],
+        "recovery": lines[len(plan.processes) :],
+        "slots": layout.slots,
+        "slot_count": layout.count,
+        "limbs": [_limbs(words, layout, limbs) for limbs in layout.all_limbs],
     }
 
 
@@ -152,58 +164,69 @@ def swept(joints: Sequence[PlanJoint], steps: Sequence[Articulate | Accelerate])
     return found
 
 
-def placed_links(plan: Plan) -> set[int]:
-    """Return the links whose own inertia is put down before sweeps: they are swept to, or twice.
-
-    These are the links at which several processes' inertias are gathered, and those whose mobility
-    is taken for an inertia.
-    """
-    gathered = {link for message in plan.messages for link in message.inertias}
-    steps = (step for process in plan.processes for step in process.steps)
-    return gathered | {step.link for step in steps if isinstance(step, HoldMobility)}
-
-
 def _ends(joints: Sequence[PlanJoint], run: Run) -> tuple[int, int]:
     """The near and the far link of a run."""
     parent, child = joints[run.first].parent, run.last + 1
     return (child, parent) if run.reversed else (parent, child)
 
 
-def _roles(plan: Plan, process: Process) -> list[dict[str, bool]]:
-    """What a process does at each link: see LinkRole in templates/kernels.cpp.j2."""
-    inward = [s for s in process.steps if isinstance(s, Articulate)]
-    outward = [s for s in process.steps if isinstance(s, Accelerate)]
-    gathers = {_ends(plan.joints, run)[0] for run in swept(plan.joints, inward)}
-    gathers |= {s.joint + 1 for s in process.steps if isinstance(s, FreeBase)}
-    parts = {_ends(plan.joints, run)[0] for run in swept(plan.joints, outward)}
-    parts |= {s.joint + 1 for s in process.steps if isinstance(s, FreeAcceleration)}
-    gathers |= {s.link for s in process.steps if isinstance(s, StartEmpty)}
-    own = {s.link for s in process.steps if isinstance(s, StartLink)} - placed_links(plan)
-    gathers |= placed_links(plan)
-    parts |= {s.link for s in process.steps if isinstance(s, LoadRoot)}
-    return [
-        {"gathers": k in gathers, "adds_own": k in own, "parts": k in parts}
-        for k in range(len(plan.links))
-    ]
+def _limbs(words: Words, layout: Layout, limbs: Limbs) -> dict[str, object]:
+    return {
+        "count": limbs.count,
+        "joints": len(limbs.rows),
+        "slot": layout.slots[limbs.rows[0][0]],
+        "rows": limbs.rows,
+        "names": [words.span(*ends) for ends in zip(limbs.rows[0], limbs.rows[-1], strict=True)],
+    }
 
 
-def _lines(words: Words, p: int, process: Process) -> list[str]:
-    writer = _Writer(words, p, process)
-    return [
-        *writer.checks(),
-        *stamped_groups(process, writer.lines),
-        *writer.results(),
-    ]
+def _parts(units: Iterable[Unit]) -> Iterable[Limbs | list[int]]:
+    """Limbs, and the single joints between them."""
+    for limbs, group in groupby(units, lambda unit: isinstance(unit, Limbs)):
+        if limbs:
+            yield from (unit for unit in group if isinstance(unit, Limbs))
+        else:
+            yield [unit for unit in group if isinstance(unit, int)]
+
+
+def _spans(joints: Iterable[int]) -> list[tuple[int, int]]:
+    """Joints as ranges first .. last."""
+    found: list[tuple[int, int]] = []
+    for j in sorted(joints):
+        if found and found[-1][1] == j - 1:
+            found[-1] = (found[-1][0], j)
+        else:
+            found.append((j, j))
+    return found
 
 
 class _Writer:
     """Turns the steps of one process into lines."""
 
-    def __init__(self, words: Words, p: int, process: Process) -> None:
-        self.words, self.p, self.process = words, p, process
+    def __init__(self, words: Words, p: int, process: Process, layout: Layout) -> None:
+        self.words, self.p, self.process, self.layout = words, p, process, layout
         self.joints = words.plan.joints
+        self.limbs = layout.limbs[p] if p < len(layout.limbs) else ()  # none in recovery
         self.placed = placed_links(words.plan)
         self.started: set[int] = set()  # links whose body holds something
+        self.gathers = set(self.placed)  # links at which paths meet inwards
+        self.parts: set[int] = set()  # links at which paths part outwards
+
+    def all_lines(self) -> list[str]:
+        """Return the lines of the process."""
+        stages = stamped_groups(self.process, self.lines)
+        return [*self.checks(), *stages, *self.results()]
+
+    def roles(self) -> list[dict[str, bool]]:
+        """Return what the process does at each link, once its lines are written.
+
+        See LinkRole in templates/kernels.cpp.j2.
+        """
+        own = {s.link for s in self.process.steps if isinstance(s, StartLink)} - self.placed
+        return [
+            {"gathers": k in self.gathers, "adds_own": k in own, "parts": k in self.parts}
+            for k in range(len(self.words.plan.links))
+        ]
 
     def checks(self) -> list[str]:
         """Refuse a state that is not finite."""
@@ -248,6 +271,8 @@ class _Writer:
         for kind, group in groupby(steps, type):
             if issubclass(kind, mobility.STEPS):
                 for step in group:
+                    if isinstance(step, LoadRoot):
+                        self.parts.add(step.link)
                     lines += mobility.lines_of(self.words, self.p, step)
             else:
                 lines += getattr(self, f"_{kind.__name__}")(list(group))
@@ -263,9 +288,17 @@ class _Writer:
         lines += [f"orient<{j}>(w);" for j in oriented if j not in bases]
         lines += [f"free_base_frame<{j}>(w);" for j in bases]
         treated = {*self.process.owns, *self.process.shares}
-        for verb, run in self._outward([j for j in joints if j not in bases], treated):
-            lines.append(f"{verb}<{run.first}, {run.last}>(w);{self._names(run)}")
+        sweep = {j: ends_of(self.joints, j) for j in joints if j not in bases}
+        for part in _parts(outward_order(sweep, self.limbs)):
+            if isinstance(part, Limbs):
+                lines.append(f"outward_abreast<{self._number(part)}>(w);")
+                continue
+            for verb, run in self._outward(part, treated):
+                lines.append(f"{verb}<{run.first}, {run.last}>(w);{self._names(run)}")
         return lines
+
+    def _number(self, limbs: Limbs) -> str:
+        return f"kLimbs{self.layout.all_limbs.index(limbs)}"
 
     def _outward(self, joints: list[int], treated: set[int]) -> list[tuple[str, Run]]:
         """Runs outwards: of joints that are treated, and of those only passed on the way."""
@@ -289,6 +322,8 @@ class _Writer:
 
     def _angles(self, joints: list[int]) -> list[str]:
         """Copy the angles of joints that turn, as many at once as lie side by side."""
+        if not self.layout.plain:
+            return [f"take_angles<{a}, {b}>(w);" for a, b in _spans(joints)]
         copies: list[tuple[int, int, int]] = []  # joint, place in q, count
         for j in joints:
             kind = self.joints[j].kind
@@ -306,7 +341,7 @@ class _Writer:
     def _blocks(self, joints: Iterable[int]) -> list[tuple[str, str]]:
         """Ranges of blocks that hold joints, as expressions."""
         ranges: list[list[int]] = []
-        for j in sorted(joints):
+        for j in sorted(self.layout.slots[j] for j in joints):
             if ranges and j - ranges[-1][1] < _WIDEST:
                 ranges[-1][1] = j
             else:
@@ -329,6 +364,7 @@ class _Writer:
 
     def _StartEmpty(self, steps: list[StartEmpty]) -> list[str]:  # noqa: N802
         self.started -= {step.link for step in steps}  # what comes first takes its place
+        self.gathers |= {step.link for step in steps}
         return []
 
     def _Send(self, steps: list[Send]) -> list[str]:  # noqa: N802
@@ -370,37 +406,62 @@ class _Writer:
         return f"{verb}(from, w.bodies[{link}])"
 
     def _FreeBase(self, steps: list[FreeBase]) -> list[str]:  # noqa: N802
+        self.gathers |= {s.joint + 1 for s in steps}
         return [f"free_base<{s.joint}, {self._starts(s.joint + 1)}>(w);" for s in steps]
 
     def _Articulate(self, steps: list[Articulate]) -> list[str]:  # noqa: N802
         lines = []
-        for run in swept(self.joints, steps):
-            starts = self._starts(_ends(self.joints, run)[0])
-            verb = "inward_reversed" if run.reversed else "inward"
-            call = f"{verb}<{self.p}, {run.first}, {run.last}, {starts}>(w);"
-            lines.append(call + self._names(run))
+        sweep = {s.joint: ends_of(self.joints, s.joint, s.reversed) for s in steps}
+        by_joint = {step.joint: step for step in steps}
+        for part in _parts(inward_order(sweep, self.limbs)):
+            if isinstance(part, Limbs):
+                lines += self._inward_abreast(part)
+                continue
+            for run in swept(self.joints, [by_joint[j] for j in part]):
+                near = _ends(self.joints, run)[0]
+                self.gathers.add(near)
+                starts = self._starts(near)
+                verb = "inward_reversed" if run.reversed else "inward"
+                call = f"{verb}<{self.p}, {run.first}, {run.last}, {starts}>(w);"
+                lines.append(call + self._names(run))
         return lines
+
+    def _inward_abreast(self, limbs: Limbs) -> list[str]:
+        """Sweep limbs inwards and leave what is found at the links that they hang on."""
+        lines = [f"const auto X = inward_abreast<{self.p}, {self._number(limbs)}>(w);"]
+        for lane, first in enumerate(limbs.rows[0]):
+            near = self.joints[first].parent
+            self.gathers.add(near)
+            if near > 0:
+                lines.append(f"leave<{self._starts(near)}>(w, {near}, lane(X, {lane}));")
+        return ["{", *(f"  {line}" for line in lines), "}"]
 
     def _SolveRoot(self, steps: list[SolveRoot]) -> list[str]:  # noqa: N802
         return [f"solve_root<{self.p}, {step.link}>(w);" for step in steps]
 
     def _Accelerate(self, steps: list[Accelerate]) -> list[str]:  # noqa: N802
         lines = []
-        for run in swept(self.joints, steps):
-            verb = "accelerate_reversed" if run.reversed else "accelerate"
-            call = f"{verb}<{self.p}, {run.first}, {run.last}>(w);"
-            lines.append(call + self._names(run))
+        sweep = {s.joint: ends_of(self.joints, s.joint, s.reversed) for s in steps}
+        by_joint = {step.joint: step for step in steps}
+        for part in _parts(outward_order(sweep, self.limbs)):
+            if isinstance(part, Limbs):
+                self.parts |= {self.joints[first].parent for first in part.rows[0]}
+                lines.append(f"accelerate_abreast<{self.p}, {self._number(part)}>(w);")
+                continue
+            for run in swept(self.joints, [by_joint[j] for j in part]):
+                self.parts.add(_ends(self.joints, run)[0])
+                verb = "accelerate_reversed" if run.reversed else "accelerate"
+                call = f"{verb}<{self.p}, {run.first}, {run.last}>(w);"
+                lines.append(call + self._names(run))
         return lines
 
     def _FreeAcceleration(self, steps: list[FreeAcceleration]) -> list[str]:  # noqa: N802
+        self.parts |= {step.joint + 1 for step in steps}
         return [f"free_acceleration<{step.joint}>(w);" for step in steps]
 
     def _names(self, run: Run) -> str:
         """Which joints a run is of, as a comment."""
-        first, last = self.words.quoted_joint(run.first), self.words.quoted_joint(run.last)
-        if run.first == run.last:
-            return f"  // {first}"
-        return f"  // {first} .. {last}"
+        return f"  // {self.words.span(run.first, run.last)}"
 
 
 _WIDEST = 16  # joints in the widest block: two apart by less may share one

@@ -19,6 +19,7 @@ class Words:
     plan: Plan
     refine: int = 0  # steps of refinement
     chunk: int = 0  # values of one function in shape unrolled; 0 for its default
+    batch: bool = False  # whether lanes are for states
 
     @cached_property
     def joints(self) -> tuple[str, ...]:
@@ -113,6 +114,11 @@ class Words:
     def quoted_joint(self, joint: int) -> str:
         """A joint's name as a string literal."""
         return quoted(self.plan.joints[joint].name)
+
+    def span(self, first: int, last: int) -> str:
+        """Joints first .. last by their names, for comments."""
+        names = [self.quoted_joint(j) for j in dict.fromkeys((first, last))]
+        return " .. ".join(names)
 
     def quoted_link(self, link: int) -> str:
         """A link's name as a string literal."""

@@ -1,85 +1,106 @@
 // Outwards again: the joints' accelerations.
 
-ADAGEN_INLINE Value freedom(const Value* e, const Motion<Value>& a) {
+template <class T>
+ADAGEN_INLINE T freedom(const T* e, const Motion<T>& a) {
   return (e[6] - (e[0] * a.angular.x + e[1] * a.angular.y)) -
          ((e[2] * a.angular.z + e[3] * a.linear.x) + (e[4] * a.linear.y + e[5] * a.linear.z));
 }
 
+// Gives the k-th acceleration of each of the joints.
+template <class T>
+ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T& x) {
+  const auto place = [&](int lane) -> Value& {
+    const int v = kJoints[static_cast<std::size_t>(joints.joint[lane])].v;
+    return w.answer[static_cast<std::size_t>(v + k)];
+  };
+  if constexpr (kWidth<T> == 1)
+    place(0) = x;
+  else
+    ADAGEN_FOR (lane, 0, kWidth<T>) place(lane) = x[lane];
+}
+
 // The same for joints with several freedoms, told at the joint's origin throughout.
 template <bool reversed>
-ADAGEN_INLINE void move_at_joint(Workspace& w, int j, Motion<Value>& a) {
-  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-  [[maybe_unused]] const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
-  [[maybe_unused]] const Value* R = w.of(j, kAxes);
+ADAGEN_INLINE void move_at_joint(Workspace& w, const Joints<Value>& joints, Motion<Value>& a) {
+  const JointConstants& joint = joints.any();
+  [[maybe_unused]] const Value* const e = w.memory(joints).e;
+  [[maybe_unused]] const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
   [[maybe_unused]] Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
-  switch (joint.kind) {
-    case JointKind::kSpherical:
-      if constexpr (kAnySpherical) {
-        const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
-        const Vector<Value> far = Vector<Value>{e[9], e[10], e[11]} - K * a.linear;
-        const Vector<Value> x = transposed_times(matrix_at(R), far - a.angular);
-        qdd[0] = reversed ? -x.x : x.x, qdd[1] = reversed ? -x.y : x.y;
-        qdd[2] = reversed ? -x.z : x.z;
-        a.angular = far;
-      }
-      break;
-    case JointKind::kPlanar:
-      if constexpr (kAnyPlanar) {
-        const Value spin = freedom(e + 16, a);
-        a.angular += axis_at(R) * spin;
-        const Value y = freedom(e + 8, a);
-        a.linear += Vector<Value>{R[kPerBlock], R[4 * kPerBlock], R[7 * kPerBlock]} * y;
-        const Value x = freedom(e, a);
-        a.linear += Vector<Value>{R[0], R[3 * kPerBlock], R[6 * kPerBlock]} * x;
-        qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
-      }
-      break;
-    case JointKind::kFloating:
-      if constexpr (kAnyFloating) {
-        const Matrix<Value> axes = matrix_at(R);
-        const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
-        const Vector<Value> slide = transposed_times(axes, far.linear - a.linear);
-        const Vector<Value> spin = transposed_times(axes, far.angular - a.angular);
-        const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
-        ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
-        a = far;
-      }
-      break;
-    default:
-      break;
+  if constexpr (kAnyPlanar) {
+    if (joint.kind == JointKind::kPlanar) {
+      const Value spin = freedom(e + 16, a);
+      a.angular += Vector<Value>{R.x.z, R.y.z, R.z.z} * spin;
+      const Value y = freedom(e + 8, a);
+      a.linear += Vector<Value>{R.x.y, R.y.y, R.z.y} * y;
+      const Value x = freedom(e, a);
+      a.linear += Vector<Value>{R.x.x, R.y.x, R.z.x} * x;
+      qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
+    }
   }
+  if constexpr (kAnyFloating) {
+    if (joint.kind == JointKind::kFloating) {
+      const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+      const Vector<Value> slide = transposed_times(R, far.linear - a.linear);
+      const Vector<Value> spin = transposed_times(R, far.angular - a.angular);
+      const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
+      ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
+      a = far;
+    }
+  }
+}
+
+// The same for spherical joints.
+template <bool reversed, class T>
+ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
+  const T* const e = w.memory(joints).e;
+  const Matrix<T> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+  const Vector<T> far = Vector<T>{e[9], e[10], e[11]} - K * a.linear;
+  const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
+  const Vector<T> x = transposed_times(R, far - a.angular);
+  answer(w, joints, 0, reversed ? -x.x : x.x);
+  answer(w, joints, 1, reversed ? -x.y : x.y);
+  answer(w, joints, 2, reversed ? -x.z : x.z);
+  a.angular = far;
 }
 
 // A joint's acceleration from the near link's, which becomes the far link's; each is told at its
 // own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
-template <bool reversed>
-ADAGEN_INLINE void move(Workspace& w, int j, Motion<Value>& a) {
-  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-  const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
-  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
-  const Value* R = w.of(j, kAxes);
-  Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+template <bool reversed, class T>
+ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
+  const JointConstants& joint = joints.any();
+  const T* const e = w.memory(joints).e;
+  const Vector<T>& r = w.memory(joints).r;
+  const Value* R = w.at(joints.slot, kAxes);
   switch (joint.kind) {
     case JointKind::kRevolute: {
-      const Vector<Value> axis = axis_at(R);
-      const Value x = freedom(e, a);
-      qdd[0] = reversed ? -x : x;
+      const Vector<T> axis = axis_at<T>(R);
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
       carry(a, reversed ? -r : r);
       a.angular += axis * x;
       if constexpr (reversed) a.linear += cross(r, axis) * x;
       break;
     }
     case JointKind::kPrismatic: {
-      const Value x = freedom(e, a);
-      qdd[0] = reversed ? -x : x;
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
       carry(a, reversed ? -r : r);
-      a.linear += axis_at(R) * x;
+      a.linear += axis_at<T>(R) * x;
       break;
     }
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) {
+        if constexpr (!reversed) carry(a, r);
+        turn_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+      break;
     default:
-      if constexpr (!reversed) carry(a, r);
-      move_at_joint<reversed>(w, j, a);
-      if constexpr (reversed) carry(a, -r);
+      if constexpr (kWidth<T> == 1) {
+        if constexpr (!reversed) carry(a, r);
+        move_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
   }
 }
 
@@ -88,7 +109,7 @@ template <int p, int first, int last>
 void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
   for (int j = first; j <= last; ++j) {
-    move<false>(w, j, a);
+    move<false>(w, single(j), a);
     if (kRoles[p][static_cast<std::size_t>(j + 1)].parts)
       w.motions[static_cast<std::size_t>(j + 1)] = a;
   }
@@ -98,7 +119,7 @@ template <int p, int first, int last>
 void accelerate_reversed(Workspace& w) {
   Motion<Value> a = w.motions[last + 1];
   for (int j = last; j >= first; --j) {
-    move<true>(w, j, a);
+    move<true>(w, single(j), a);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
     if (kRoles[p][far].parts) w.motions[far] = a;
   }

@@ -2,17 +2,18 @@
 // is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
 // near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
 
-ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Body<Value>& X) {
-  const int j = link - 1;
-  const Value *A = w.of(j, kRotational), *c = w.of(j, kMoments);
-  const Real mass = kInertias[static_cast<std::size_t>(j)].mass;
-  constexpr int n = kPerBlock;
-  X.A += Symmetric<Value>{A[0], A[n], A[2 * n], A[3 * n], A[4 * n], A[5 * n]};
-  X.B.x.y -= c[2 * n], X.B.x.z += c[n], X.B.y.x += c[2 * n];
-  X.B.y.z -= c[0], X.B.z.x -= c[n], X.B.z.y += c[0];
+template <class T>
+ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Value* const A = w.at(joints.slot, kRotational);
+  const auto mass = mass_of(joints);
+  const Vector<T> c = vector_at<T>(w.at(joints.slot, kMoments));
+  const Vector<T> Ax = vector_at<T>(A), Ay = vector_at<T>(A + 3 * kPerBlock);
+  X.A += Symmetric<T>{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};  // xx xy xz yy yz zz
+  X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
+  X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
   X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
-  X.n += vector_at(w.of(j, kTorque));
-  X.f += vector_at(w.of(j, kForce));
+  X.n += vector_at<T>(w.at(joints.slot, kTorque));
+  X.f += vector_at<T>(w.at(joints.slot, kForce));
 }
 
 constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
@@ -20,24 +21,24 @@ constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
 // Takes one freedom out of the body, which is shifted by r before the subtraction, so that the
 // division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the
 // joint has the acceleration u / D - (U / D) a, a being the near link's.
-template <bool along, bool reversed>
-ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<Value>& s,
-                             const Vector<Value>& r, const Value& tau, Value* e) {
+template <bool along, bool reversed, class T>
+ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, const Vector<T>& s,
+                             const Vector<T>& r, const T& tau, T* e) {
   if constexpr (reversed) shift(X, -r);
-  Vector<Value> n = along ? X.B * s : X.A * s;
-  const Vector<Value> f = along ? X.C * s : transposed_times(X.B, s);
-  Value D = dot(s, along ? f : n);
-  if constexpr (kAnyPassive) D += kJoints[static_cast<std::size_t>(j)].passive.rotor;
-  const Value inverse = 1 / D;
-  const Value u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
-  const Symmetric<Value>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
-  if (__builtin_expect(!all_positive(D - kLeast * (whole.xx + whole.yy + whole.zz)), 0))
-    fail(w, kFactorization, j);
+  Vector<T> n = along ? X.B * s : X.A * s;
+  const Vector<T> f = along ? X.C * s : transposed_times(X.B, s);
+  T D = dot(s, along ? f : n);
+  if constexpr (kAnyPassive) D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
+  const T inverse = 1 / D;
+  const T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
+  const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
+  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, culprit(joints, left));
   if constexpr (!reversed) {
     shift(X, r);
     n += cross(r, f);
   }
-  const Vector<Value> e_n = n * inverse, e_f = f * inverse;
+  const Vector<T> e_n = n * inverse, e_f = f * inverse;
   e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
   e[7] = inverse;
   subtract(X, n, f, e_n, e_f);
@@ -46,40 +47,41 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<V
 }
 
 // A x = b, by the factors 1 / D and L of A = L D L^T.
-ADAGEN_INLINE Vector<Value> solve_rotations(const Value* factors, const Vector<Value>& b) {
-  const Value *d = factors, *l = factors + 3;  // l: 10, 20, 21
-  const Value y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
-  const Value z = y2 * d[2], y = y1 * d[1] - l[2] * z;
+template <class T>
+ADAGEN_INLINE Vector<T> solve_rotations(const T* factors, const Vector<T>& b) {
+  const T *d = factors, *l = factors + 3;  // l: 10, 20, 21
+  const T y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
+  const T z = y2 * d[2], y = y1 * d[1] - l[2] * z;
   return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
 }
 
 // Takes the three rotations out of the body: what is left of it is C and f, so that no rounding
 // stays behind. e gets K = A^-1 B, y = A^-1 (tau - n) and the factors of A.
-template <bool reversed>
-ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
-                                       const Value* tau, Value* e) {
+template <bool reversed, class T>
+ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X,
+                                       const Vector<T>& r, const Vector<T>& tau, T* e) {
   if constexpr (reversed) shift(X, -r);
-  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
-  Vector<Value> torque = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * tau;
   if constexpr (reversed) torque = -torque;
-  const Value d0 = 1 / X.A.xx, l10 = X.A.xy * d0, l20 = X.A.xz * d0;
-  const Value p1 = X.A.yy - l10 * X.A.xy, d1 = 1 / p1, t = X.A.yz - l20 * X.A.xy, l21 = t * d1;
-  const Value p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
-  if (__builtin_expect(!(all_positive(X.A.xx) && all_positive(p1) && all_positive(p2)), 0))
-    fail(w, kFactorization, j);
-  Value* const factors = e + 12;
+  const T d0 = 1 / X.A.xx, l10 = X.A.xy * d0, l20 = X.A.xz * d0;
+  const T p1 = X.A.yy - l10 * X.A.xy, d1 = 1 / p1, t = X.A.yz - l20 * X.A.xy, l21 = t * d1;
+  const T p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
+  for (const T& pivot : {X.A.xx, p1, p2})
+    if (__builtin_expect(!all_positive(pivot), 0))
+      fail(w, kFactorization, culprit(joints, pivot));
+  T* const factors = e + 12;
   factors[0] = d0, factors[1] = d1, factors[2] = d2;
   factors[3] = l10, factors[4] = l20, factors[5] = l21;
-  const auto solve = [&](const Vector<Value>& b) { return solve_rotations(factors, b); };
-  const Matrix<Value>& B = X.B;
-  const Vector<Value> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
-  const Vector<Value> Kx = solve(Bx), Ky = solve(By), Kz = solve(Bz), y = solve(torque - X.n);
+  const auto solve = [&](const Vector<T>& b) { return solve_rotations(factors, b); };
+  const Matrix<T>& B = X.B;
+  const Vector<T> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
+  const Vector<T> Kx = solve(Bx), Ky = solve(By), Kz = solve(Bz), y = solve(torque - X.n);
   e[0] = Kx.x, e[1] = Ky.x, e[2] = Kz.x, e[3] = Kx.y, e[4] = Ky.y, e[5] = Kz.y;
   e[6] = Kx.z, e[7] = Ky.z, e[8] = Kz.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
   X.C.xx -= dot(Bx, Kx), X.C.xy -= dot(Bx, Ky), X.C.xz -= dot(Bx, Kz);
   X.C.yy -= dot(By, Ky), X.C.yz -= dot(By, Kz), X.C.zz -= dot(Bz, Kz);
   X.f += transposed_times(B, y);
-  X.A = Symmetric<Value>{}, X.B = Matrix<Value>{};
+  X.A = Symmetric<T>{}, X.B = Matrix<T>{};
   X.n = torque;
   if constexpr (!reversed) shift(X, r);
 }
@@ -132,37 +134,50 @@ ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Va
   if constexpr (!reversed) shift(X, r);
 }
 
+// A planar joint: along x and y, then about z.
 template <bool reversed>
-ADAGEN_INLINE void step_inward(Workspace& w, int j, Body<Value>& X) {
-  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-  Memory& memory = w.joints[static_cast<std::size_t>(j)];
-  const Value* tau = w.tau + joint.v;
-  const Value* R = w.of(j, kAxes);
+ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, Body<Value>& X) {
+  Memory& memory = w.memory(joints);
+  const Value* tau = w.tau + joints.any().v;
+  const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
   const Vector<Value> none{};
+  const auto told = [](const Value& torque) { return reversed ? -torque : torque; };
+  if constexpr (reversed) shift(X, -memory.r);
+  eliminate<true, false>(w, joints, X, x, none, told(tau[0]), memory.e);
+  eliminate<true, false>(w, joints, X, y, none, told(tau[1]), memory.e + 8);
+  eliminate<false, false>(w, joints, X, z, none, told(tau[2]), memory.e + 16);
+  if constexpr (!reversed) shift(X, memory.r);
+}
+
+// One joint, or one in each lane, all of a kind.
+template <bool reversed, class T>
+ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const JointConstants& joint = joints.any();
+  Eliminated<T>& memory = w.memory(joints);
+  const Value* R = w.at(joints.slot, kAxes);
+  const auto freedom = [&] {
+    return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
+  };
   switch (joint.kind) {
     case JointKind::kRevolute:
-      eliminate<false, reversed>(w, j, X, axis_at(R), memory.r, torque(w, joint), memory.e);
+      eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e);
       break;
     case JointKind::kPrismatic:
-      eliminate<true, reversed>(w, j, X, axis_at(R), memory.r, torque(w, joint), memory.e);
+      eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e);
       break;
     case JointKind::kSpherical:
-      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, j, X, memory.r, tau, memory.e);
-      break;
-    case JointKind::kPlanar:
-      if constexpr (kAnyPlanar) {
-        const Vector<Value> x{R[0], R[3 * kPerBlock], R[6 * kPerBlock]};
-        const Vector<Value> y{R[kPerBlock], R[4 * kPerBlock], R[7 * kPerBlock]};
-        if constexpr (reversed) shift(X, -memory.r);
-        eliminate<true, false>(w, j, X, x, none, reversed ? -tau[0] : tau[0], memory.e);
-        eliminate<true, false>(w, j, X, y, none, reversed ? -tau[1] : tau[1], memory.e + 8);
-        eliminate<false, false>(w, j, X, axis_at(R), none, reversed ? -tau[2] : tau[2],
-                                memory.e + 16);
-        if constexpr (!reversed) shift(X, memory.r);
+      if constexpr (kAnySpherical) {
+        const Vector<T> tau = each_vector(joints, w.tau, &JointConstants::v);
+        eliminate_rotations<reversed>(w, joints, X, memory.r, tau, memory.e);
       }
       break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) eliminate_planar<reversed>(w, joints, X);
+      break;
     case JointKind::kFloating:
-      if constexpr (kAnyFloating) set_free<reversed>(w, j, X, memory.r, tau, memory.e);
+      if constexpr (kAnyFloating && kWidth<T> == 1)
+        set_free<reversed>(w, joints.joint[0], X, memory.r, w.tau + joint.v, memory.e);
       break;
   }
 }
@@ -172,7 +187,7 @@ template <int p>
 ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
   if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
-  if (role.adds_own) add_bare_link(w, link, X);
+  if (role.adds_own) add_bare_link(w, single(link - 1), X);
 }
 
 template <bool starts>
@@ -190,7 +205,7 @@ void inward(Workspace& w) {
   Body<Value> X{};
   for (int j = last; j >= first; --j) {
     meet<p>(w, j + 1, X);
-    step_inward<false>(w, j, X);
+    step_inward<false>(w, single(j), X);
   }
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave<starts>(w, near, X);
@@ -202,7 +217,7 @@ void inward_reversed(Workspace& w) {
   Body<Value> X{};
   for (int j = first; j <= last; ++j) {
     meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
-    step_inward<true>(w, j, X);
+    step_inward<true>(w, single(j), X);
   }
   leave<starts>(w, last + 1, X);
 }
@@ -211,7 +226,7 @@ void inward_reversed(Workspace& w) {
 template <int link, bool starts>
 void place(Workspace& w) {
   Body<Value> X{};
-  add_bare_link(w, link, X);
+  add_bare_link(w, single(link - 1), X);
   leave<starts>(w, link, X);
 }
 

@@ -17,9 +17,10 @@ ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof 
 
 // Whether all numbers are positive: false for NaN.
 ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
-ADAGEN_INLINE bool all_positive(const Lanes& x) {
+template <class T>
+ADAGEN_INLINE bool all_positive(const T& x) {
   bool result = true;
-  for (int k = 0; k < kLanes; ++k) result &= x[k] > 0;
+  ADAGEN_FOR (k, 0, static_cast<int>(sizeof x / sizeof x[0])) result &= x[k] > 0;
   return result;
 }
 

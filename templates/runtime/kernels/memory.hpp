@@ -1,6 +1,40 @@
 // The memory of a process. What is set up for many links at once lies in blocks, side by side.
 constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
-constexpr int kBlockCount = (kJointCount + kPerBlock - 1) / kPerBlock;
+constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
+
+// Joints that are treated together, one in each lane of T; their slots follow each other.
+template <class T>
+[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Value));
+template <class T>
+struct Joints {
+  int slot;  // of the first one
+  int joint[kWidth<T>];
+
+  const JointConstants& any() const { return kJoints[static_cast<std::size_t>(joint[0])]; }
+};
+constexpr int slot_of(int j) { return kAbreast ? kSlots[j] : j; }
+ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
+
+// The lanes of limbs side by side.
+typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+
+// A number of each of the joints.
+template <class T, class Number>
+ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
+  if constexpr (kWidth<T> == 1) {
+    const auto one = number(kJoints[static_cast<std::size_t>(joints.joint[0])]);
+    if constexpr (std::is_same_v<decltype(one), const T>)
+      return one;
+    else
+      return T{} + one;
+  } else {
+    T result;
+    ADAGEN_FOR (k, 0, kWidth<T>)
+      result[k] = number(kJoints[static_cast<std::size_t>(joints.joint[k])]);
+    return result;
+  }
+}
 
 // What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
 enum Entry : int {
@@ -20,12 +54,16 @@ struct alignas(64) Block {
   Value entries[kEntries][kPerBlock];
 };
 
-// What is kept of a joint from the inward to the outward sweep.
-template <int n>
-struct Eliminated {
-  Vector<Value> r;  // from the parent link's origin to the child link's
-  Value e[n];  // of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp
-};
+// Three numbers of each of the joints, that follow each other in x.
+template <class T>
+ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
+                                    int JointConstants::* place) {
+  const auto number = [&](int k) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
+  };
+  return {number(0), number(1), number(2)};
+}
+
 // Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
 [[maybe_unused]] constexpr bool any_of(JointKind kind) {
   for (const JointConstants& joint : kJoints)
@@ -43,12 +81,22 @@ struct Eliminated {
   return false;
 }
 [[maybe_unused]] constexpr bool kAnyPassive = any_passive();
-using Memory = Eliminated<kAnyPlanar ? 24 : kAnySpherical ? 18 : 8>;
+
+
+// What is kept of a joint from the inward to the outward sweep.
+template <class T>
+struct Eliminated {
+  Vector<T> r;  // from the parent link's origin to the child link's
+  // Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
+  T e[kAnyPlanar ? 24 : kAnySpherical ? 18 : 8];
+};
+using Memory = Eliminated<Value>;
 
 // A link's orientation and how it moves, were all joint accelerations zero.
+template <class T>
 struct Frame {
-  Matrix<Value> R;
-  Vector<Value> omega, alpha, a;
+  Matrix<T> R;
+  Vector<T> omega, alpha, a;
 };
 
 struct Workspace : Cuts {
@@ -60,6 +108,8 @@ struct Workspace : Cuts {
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
   std::array<Memory, kJointCount> joints{};
+  std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
+  std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
@@ -71,24 +121,52 @@ struct Workspace : Cuts {
   }
 
   Value* of(int joint, Entry entry) {
-    return &blocks[static_cast<std::size_t>(joint / kPerBlock)].entries[entry][joint % kPerBlock];
+    return at(slot_of(joint), entry);
+  }
+  Value* at(int slot, Entry entry) {
+    return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
+  }
+
+  template <class T>
+  Eliminated<T>& memory(const Joints<T>& of) {
+    if constexpr (kWidth<T> == 1)
+      return joints[static_cast<std::size_t>(of.joint[0])];
+    else if constexpr (kWidth<T> == 2)
+      return twos[static_cast<std::size_t>(of.slot / 2)];
+    else
+      return fours[static_cast<std::size_t>(of.slot / 4)];
   }
 };
 
-ADAGEN_INLINE Vector<Value> vector_at(const Value* x) {
-  return {x[0], x[kPerBlock], x[2 * kPerBlock]};
+template <class T = Value>
+ADAGEN_INLINE T number_at(const Value* x) {
+  T result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
 }
-ADAGEN_INLINE void put_at(Value* x, const Vector<Value>& a) {
-  x[0] = a.x, x[kPerBlock] = a.y, x[2 * kPerBlock] = a.z;
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const T& number) {
+  std::memcpy(x, &number, sizeof number);
 }
-ADAGEN_INLINE Matrix<Value> matrix_at(const Value* x) {
-  return {vector_at(x), vector_at(x + 3 * kPerBlock), vector_at(x + 6 * kPerBlock)};
+template <class T = Value>
+ADAGEN_INLINE Vector<T> vector_at(const Value* x, int stride = kPerBlock) {
+  return {number_at<T>(x), number_at<T>(x + stride), number_at<T>(x + 2 * stride)};
 }
-ADAGEN_INLINE void put_at(Value* x, const Matrix<Value>& m) {
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Vector<T>& a) {
+  put_at(x, a.x), put_at(x + kPerBlock, a.y), put_at(x + 2 * kPerBlock, a.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Matrix<T> matrix_at(const Value* x) {
+  return {vector_at<T>(x), vector_at<T>(x + 3 * kPerBlock), vector_at<T>(x + 6 * kPerBlock)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Matrix<T>& m) {
   put_at(x, m.x), put_at(x + 3 * kPerBlock, m.y), put_at(x + 6 * kPerBlock, m.z);
 }
-ADAGEN_INLINE Vector<Value> axis_at(const Value* R) {
-  return {R[2 * kPerBlock], R[5 * kPerBlock], R[8 * kPerBlock]};
+template <class T = Value>
+ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
+  return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
 }
 
 inline void fail(Workspace& w, Failure kind, int joint) {
@@ -149,6 +227,15 @@ void require_length(Workspace& w, const T& squared, int joint) {
   if (!all_positive(squared - std::numeric_limits<Real>::min()) ||
       !all_positive(std::numeric_limits<Real>::max() - squared))
     fail(w, kZeroQuaternion, joint);
+}
+
+// A joint that an elimination failed for: one whose number is not positive.
+template <class T>
+int culprit(const Joints<T>& joints, [[maybe_unused]] const T& x) {
+  if constexpr (kWidth<T> > 1)
+    for (int k = 0; k < kWidth<T>; ++k)
+      if (!(x[k] > 0)) return joints.joint[k];
+  return joints.joint[0];
 }
 
 // The torque of a joint with one freedom that reaches the links: less damping, spring and friction.

@@ -1,20 +1,21 @@
 // From the base outwards: where links are and how they would move without joint accelerations.
 
-ADAGEN_INLINE Frame frame_of(Workspace& w, int joint) {
+ADAGEN_INLINE Frame<Value> frame_of(Workspace& w, int joint) {
   const Value* R = w.of(joint, kAxes);
   return {matrix_at(R), vector_at(w.of(joint, kOmega)), vector_at(w.of(joint, kAlpha)),
           vector_at(w.of(joint, kAcceleration))};
 }
 
-ADAGEN_INLINE void keep(Workspace& w, int joint, const Frame& frame) {
-  put_at(w.of(joint, kAxes), frame.R);
-  put_at(w.of(joint, kOmega), frame.omega);
-  put_at(w.of(joint, kAlpha), frame.alpha);
-  put_at(w.of(joint, kAcceleration), frame.a);
+template <class T>
+ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
+  put_at(w.at(slot, kAxes), frame.R);
+  put_at(w.at(slot, kOmega), frame.omega);
+  put_at(w.at(slot, kAlpha), frame.alpha);
+  put_at(w.at(slot, kAcceleration), frame.a);
 }
 
 // The ground accelerates against gravity: accelerations are relative to free fall.
-ADAGEN_INLINE Frame ground() {
+ADAGEN_INLINE Frame<Value> ground() {
   const Value one = Value{} + 1, none{};
   return {{{one, none, none}, {none, one, none}, {none, none, one}},
           {none, none, none},
@@ -29,7 +30,7 @@ void free_base_frame(Workspace& w) {
   const Value* q = w.q + joint.q + 3;
   Matrix<Value> turn;
   require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  Frame frame = ground();
+  Frame<Value> frame = ground();
   const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
   const Real* const P = joint.rotation;
   const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
@@ -39,7 +40,7 @@ void free_base_frame(Workspace& w) {
   frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
   const Value* v = w.v + joint.v + 3;
   frame.omega = {v[0], v[1], v[2]};
-  keep(w, j, frame);
+  keep(w, slot_of(j), frame);
 }
 
 ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
@@ -63,17 +64,19 @@ void orient(Workspace& w) {
   put_at(w.of(j, kTurn), turn);
 }
 
-// One joint outwards from its parent link's frame; what a joint is treated with later is kept.
-template <bool kept>
-ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
-  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-  const Value* v = w.v + joint.v;
-  Vector<Real> origin{joint.translation[0], joint.translation[1], joint.translation[2]};
-  const Matrix<Value> R = at.R * matrix_at(w.of(j, kTurn));
-  const Vector<Value> axis{R.x.z, R.y.z, R.z.z};
-  Vector<Value> r = at.R * origin;
-  const Vector<Value> omega = at.omega;
-  const auto turn_with = [&](const Vector<Value>& relative) {
+// One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
+// with later is kept.
+template <bool kept, class T>
+ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, Frame<T>& at) {
+  const JointConstants& joint = joints.any();
+  const auto moved = [&](const Value* x, int JointConstants::* place) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
+  };
+  const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
+  const Vector<T> axis{R.x.z, R.y.z, R.z.z};
+  Vector<T> r = at.R * origin_of(joints);
+  const Vector<T> omega = at.omega;
+  const auto turn_with = [&](const Vector<T>& relative) {
     at.omega += relative;
     return cross(omega, relative);
   };
@@ -81,10 +84,10 @@ ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
     at.a += cross(omega, cross(omega, r));
     at.a += cross(at.alpha, r);
   };
-  const auto slide_and_spin = [&](const Vector<Value>& q, const Vector<Value>& slide,
-                                  const Vector<Value>& spin) {
+  const auto slide_and_spin = [&](const Vector<T>& q, const Vector<T>& slide,
+                                  const Vector<T>& spin) {
     const Matrix<Real> P = placement(joint);
-    r += at.R * Vector<Value>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
+    r += at.R * Vector<T>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
     ride_along();
     at.a += cross(omega + omega + spin, slide);
     at.alpha += turn_with(spin);
@@ -92,51 +95,54 @@ ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
   switch (joint.kind) {
     case JointKind::kRevolute:
       ride_along();
-      at.alpha += turn_with(axis * v[0]);
+      at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
       break;
-    case JointKind::kPrismatic:
-      r += axis * w.q[joint.q];
+    case JointKind::kPrismatic: {
+      r += axis * moved(w.q, &JointConstants::q);
       ride_along();
-      at.a += cross(omega, axis * (v[0] + v[0]));
+      const T v = moved(w.v, &JointConstants::v);
+      at.a += cross(omega, axis * (v + v));
       break;
+    }
     case JointKind::kSpherical:
       ride_along();
-      at.alpha += turn_with(R * Vector<Value>{v[0], v[1], v[2]});
+      if constexpr (kAnySpherical)
+        at.alpha += turn_with(R * each_vector(joints, w.v, &JointConstants::v));
       break;
     case JointKind::kPlanar:
-      if constexpr (kAnyPlanar) {
-        const Value* q = w.q + joint.q;
-        const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
-        slide_and_spin(Vector<Value>{q[0], q[1], Value{}}, x * v[0] + y * v[1], axis * v[2]);
+      if constexpr (kAnyPlanar && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        const Vector<T> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
+        slide_and_spin(Vector<T>{q[0], q[1], T{}}, x * v[0] + y * v[1], axis * v[2]);
       }
       break;
     case JointKind::kFloating:
-      if constexpr (kAnyFloating) {
-        const Value* q = w.q + joint.q;
-        slide_and_spin(Vector<Value>{q[0], q[1], q[2]}, R * Vector<Value>{v[0], v[1], v[2]},
-                       R * Vector<Value>{v[3], v[4], v[5]});
+      if constexpr (kAnyFloating && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        slide_and_spin(Vector<T>{q[0], q[1], q[2]}, R * Vector<T>{v[0], v[1], v[2]},
+                       R * Vector<T>{v[3], v[4], v[5]});
       }
       break;
   }
   at.R = R;
   if constexpr (!kept) return;
-  w.joints[static_cast<std::size_t>(j)].r = r;
-  keep(w, j, at);
+  w.memory(joints).r = r;
+  keep(w, joints.slot, at);
 }
 
 // Joints first .. last, each on the link of the one before.
 template <int first, int last>
 void outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
-  Frame at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<true>(w, j, at);
+  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  for (int j = first; j <= last; ++j) step_outward<true>(w, single(j), at);
 }
 
 // The same on the way to joints that are treated: only the last link's frame is kept.
 template <int first, int last>
 void pass_outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
-  Frame at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<false>(w, j, at);
-  keep(w, last, at);
+  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  for (int j = first; j <= last; ++j) step_outward<false>(w, single(j), at);
+  keep(w, slot_of(last), at);
 }

@@ -1,0 +1,289 @@
+"""Limbs side by side: which joints of a process can be treated at once, one in each SIMD lane.
+
+Limbs that have nothing to do with each other, such as two arms and two legs, are passed together as
+far as their joints are of the same kinds. A sweep inwards takes them from their outermost joints
+on, and adds what it finds to the links that they hang on.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from typing import TypeVar
+
+from adagen.plan.stages import stages
+from adagen.plan.steps import Accelerate, Articulate, HoldMobility, Kinematics, StartLink
+from adagen.plan.types import Plan, PlanJoint, Process
+
+KINDS = frozenset({"revolute", "prismatic", "spherical"})
+"""Kinds of joints that are treated side by side."""
+
+
+@dataclass(frozen=True)
+class _Saving:
+    """What is saved by taking limbs together, in joints treated singly: so much of each row."""
+
+    row: float
+    costs: float
+
+    def of(self, joints: int) -> float:
+        return self.row * joints - self.costs
+
+
+COUNTS = {2: _Saving(0.9, 1.0), 4: _Saving(2.6, 2.0)}
+"""How many limbs are taken at once, and what that saves."""
+
+
+@dataclass(frozen=True)
+class Limbs:
+    """Chains of joints, each on the link of the one before, the k-th joints of all being of a kind.
+
+    Attributes:
+        rows: the limbs' k-th joints, those next to the base first.
+    """
+
+    rows: tuple[tuple[int, ...], ...]
+
+    @property
+    def count(self) -> int:
+        """How many limbs."""
+        return len(self.rows[0])
+
+    def members(self) -> Iterator[int]:
+        """Yield the joints as they lie in memory: row by row."""
+        for row in self.rows:
+            yield from row
+
+
+Unit = Limbs | int
+"""What is passed at once: limbs, or a single joint."""
+
+
+@dataclass(frozen=True)
+class Ends:
+    """The near and the far link of a joint, seen from the root of its sweep."""
+
+    near: int
+    far: int
+
+
+def ends_of(joints: Sequence[PlanJoint], joint: int, turned: bool = False) -> Ends:
+    """Return a joint's ends; ``turned`` where the child link is the near one."""
+    parent, child = joints[joint].parent, joint + 1
+    return Ends(child, parent) if turned else Ends(parent, child)
+
+
+def placed_links(plan: Plan) -> set[int]:
+    """Return the links whose own inertia is put down before sweeps: they are swept to, or twice.
+
+    These are the links at which several processes' inertias are gathered, and those whose mobility
+    is taken for an inertia.
+    """
+    gathered = {link for message in plan.messages for link in message.inertias}
+    steps = (step for process in plan.processes for step in process.steps)
+    return gathered | {step.link for step in steps if isinstance(step, HoldMobility)}
+
+
+def limbs_abreast(plan: Plan, process: Process) -> list[Limbs]:
+    """Return the limbs that a process takes side by side.
+
+    Those that save most are chosen first, as long as their sweeps can be brought into an order.
+
+    Args:
+        plan: of form "segment".
+        process: one of its processes.
+    """
+    last = _last_beyond(plan.joints)
+    found: list[Limbs] = []
+    for pool in _chains(plan, process):
+        chains = pool
+        while (best := _best(plan.joints, chains, last, found)) is not None:
+            found.append(best)
+            taken = set(best.members())  # what is left of a longer chain may be taken later
+            chains = [rest for c in chains if (rest := [j for j in c if j not in taken])]
+    return found
+
+
+def _chains(plan: Plan, process: Process) -> list[list[list[int]]]:
+    """All joints that fit, as chains that are as long as can be; those that may go together."""
+    fit = _fit(plan, process)
+    height = dict.fromkeys(fit, 1)
+    beyond: dict[int, int] = {}  # the next joint outwards in a joint's chain
+    for j in reversed(fit):
+        near = plan.joints[j].parent - 1
+        if fit.get(near) == fit[j] and height[near] <= height[j]:
+            height[near], beyond[near] = height[j] + 1, j
+    pools: dict[object, list[list[int]]] = {}
+    starts = [j for j in fit if beyond.get(plan.joints[j].parent - 1) != j]
+    for j in starts:
+        chain = [j]
+        while chain[-1] in beyond:
+            chain.append(beyond[chain[-1]])
+        pools.setdefault(fit[j], []).append(chain)
+    return list(pools.values())
+
+
+def _best(
+    joints: Sequence[PlanJoint],
+    chains: Sequence[list[int]],
+    last: Sequence[int],
+    taken: Sequence[Limbs],
+) -> Limbs | None:
+    """The limbs that save most beside those taken; None where nothing is saved."""
+    offers: list[tuple[float, Limbs]] = []
+    kinds = {id(c): tuple(joints[j].kind for j in reversed(c)) for c in chains}  # outermost first
+    for pattern in sorted(set(kinds.values()), key=len, reverse=True):
+        alike = sorted(chains, key=lambda c: -_common(pattern, kinds[id(c)]))
+        common = {id(c): _common(pattern, kinds[id(c)]) for c in chains}
+        for start in alike[:_STARTS]:
+            together = [start]
+            for chain in alike:
+                rows = min(common[id(c)] for c in (*together, chain))
+                cut = [c[len(c) - rows :] for c in (*together, chain)]
+                if not rows or any(_one_beyond_other(cut[-1], other, last) for other in cut[:-1]):
+                    continue
+                together.append(chain)
+                if (saving := COUNTS.get(len(together))) is not None and saving.of(rows) > 0:
+                    offers.append((saving.of(rows), Limbs(tuple(zip(*sorted(cut), strict=True)))))
+                if len(together) == max(COUNTS):
+                    break
+    offers.sort(key=lambda offer: -offer[0])
+    return next((limbs for _, limbs in offers if _in_order([*taken, limbs], last)), None)
+
+
+_STARTS = 4  # chains that limbs to go together are looked for beside
+
+
+def _common(one: Sequence[str], other: Sequence[str]) -> int:
+    """How many kinds two sequences have in common from their start on."""
+    return next(
+        (k for k, (a, b) in enumerate(zip(one, other, strict=False)) if a != b),
+        min(len(one), len(other)),
+    )
+
+
+def _one_beyond_other(one: Sequence[int], other: Sequence[int], last: Sequence[int]) -> bool:
+    return _beyond(one[0], other[0], last) or _beyond(other[0], one[0], last)
+
+
+def _beyond(joint: int, other: int, last: Sequence[int]) -> bool:
+    """Whether a joint is another one or hangs on it."""
+    return other <= joint <= last[other]
+
+
+def _in_order(all_limbs: Sequence[Limbs], last: Sequence[int]) -> bool:
+    """Whether limbs can follow each other so that none is passed before what hangs on it."""
+    waiting = list(all_limbs)
+    while waiting:
+        free = [limbs for limbs in waiting if not any(_hang_on(o, limbs, last) for o in waiting)]
+        if not free:
+            return False
+        waiting = [limbs for limbs in waiting if limbs not in free]
+    return True
+
+
+def _hang_on(some: Limbs, others: Limbs, last: Sequence[int]) -> bool:
+    """Whether one of some limbs hangs on one of the others."""
+    if some is others:
+        return False
+    return any(_beyond(i, j, last) for i in some.rows[0] for j in others.members())
+
+
+def _last_beyond(joints: Sequence[PlanJoint]) -> list[int]:
+    """The last joint beyond each one, itself included; joints are in depth-first order."""
+    last = list(range(len(joints)))
+    for j in reversed(range(len(joints))):
+        if joints[j].parent > 0:
+            last[joints[j].parent - 1] = max(last[joints[j].parent - 1], last[j])
+    return last
+
+
+def inward_order(sweep: Mapping[int, Ends], limbs: Iterable[Limbs]) -> list[Unit]:
+    """Return joints swept inwards as units, in an order in which that can be done.
+
+    Args:
+        sweep: the joints, in their plan's order.
+        limbs: those to be taken side by side; ones that are not in the sweep are left out.
+    """
+    given = Counter(ends.near for ends in sweep.values())
+    return _ordered(sweep, limbs, given, {j: (e.far, e.near) for j, e in sweep.items()})
+
+
+def outward_order(sweep: Mapping[int, Ends], limbs: Iterable[Limbs]) -> list[Unit]:
+    """Return joints swept outwards as units likewise."""
+    given = Counter(ends.far for ends in sweep.values())
+    return _ordered(sweep, limbs, given, {j: (e.near, e.far) for j, e in sweep.items()})
+
+
+def _ordered(
+    sweep: Mapping[int, Ends],
+    limbs: Iterable[Limbs],
+    open_: Counter[int],
+    links: Mapping[int, tuple[int, int]],
+) -> list[Unit]:
+    """Units whose links are complete, the earliest in the sweep first.
+
+    ``links`` tells of each joint the link that must be complete before and the one that it adds to;
+    ``open_`` how many joints add to a link.
+    """
+    taken = [each for each in limbs if each.rows[0][0] in sweep]
+    unit_of: dict[int, Unit] = {j: each for each in taken for j in each.members()}
+    waiting = list(dict.fromkeys(unit_of.get(j, j) for j in sweep))
+    found: list[Unit] = []
+    while waiting:
+        unit = next(u for u in waiting if _ready(u, open_, links))
+        waiting.remove(unit)
+        found.append(unit)
+        for j in _joints(unit):
+            open_[links[j][1]] -= 1
+    return found
+
+
+def _joints(unit: Unit) -> list[int]:
+    return [unit] if isinstance(unit, int) else list(unit.members())
+
+
+def _ready(unit: Unit, open_: Counter[int], links: Mapping[int, tuple[int, int]]) -> bool:
+    """Whether all that adds to the links that a unit needs is done, or in the unit itself."""
+    own = Counter(links[j][1] for j in _joints(unit))
+    return all(open_[link] == own[link] for link, _ in (links[j] for j in _joints(unit)))
+
+
+def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
+    """Joints that may be taken side by side, with the stretches in which they are passed.
+
+    They are the process's own, passed once, away from the sweep's root, and their links are bare.
+    """
+    sweeps = [
+        _stretch_of(process, Kinematics),
+        _stretch_of(process, Articulate),
+        _stretch_of(process, Accelerate),
+    ]
+    turns = (s for s in process.steps if isinstance(s, Articulate | Accelerate))
+    turned = {s.joint for s in turns if s.reversed}
+    bare = {s.link for s in process.steps if isinstance(s, StartLink)} - placed_links(plan)
+    return {
+        j: tuple(sweep[j] for sweep in sweeps)
+        for j in process.owns
+        if plan.joints[j].kind in KINDS
+        and j + 1 in bare
+        and j not in turned
+        and all(j in sweep for sweep in sweeps)
+    }
+
+
+_Sweep = TypeVar("_Sweep", Kinematics, Articulate, Accelerate)
+
+
+def _stretch_of(process: Process, kind: type[_Sweep]) -> dict[int, int]:
+    """In which stretch of steps of a kind, as they follow each other in a stage, a joint is."""
+    found: dict[int, int] = {}
+    for stage in stages(process):
+        steps = process.steps[stage.first : stage.last]
+        for k, (of_kind, group) in enumerate(groupby(steps, type)):
+            if issubclass(of_kind, kind):
+                joints = [step.joint for step in group if isinstance(step, kind)]
+                found.update(dict.fromkeys(joints, stage.first * len(process.steps) + k))
+    return found
