@@ -87,10 +87,11 @@ ADAGEN_INLINE void meet_abreast(Workspace& w, const Joints<T>& joints, Body<T>& 
 // What hangs on the links that the limbs hang on.
 template <int p, const auto& limbs>
 auto inward_abreast(Workspace& w) {
-  Body<typename std::decay_t<decltype(limbs)>::T> X{};
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  Body<T> X{};
   for (int k = limbs.kRows - 1; k >= 0; --k) {
     meet_abreast<p>(w, limbs.at(k), X);
-    step_inward<false>(w, limbs.at(k), X);
+    step_inward<false>(w, limbs.at(k), X, [](const Body<T>&) {});
   }
   return X;
 }

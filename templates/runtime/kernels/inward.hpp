@@ -18,12 +18,12 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>&
 
 constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
 
-// Takes one freedom out of the body, which is shifted by r before the subtraction, so that the
-// division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the
+// Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
+// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the
 // joint has the acceleration u / D - (U / D) a, a being the near link's.
-template <bool along, bool reversed, class T>
+template <bool along, bool reversed, class T, class Arrive>
 ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, const Vector<T>& s,
-                             const Vector<T>& r, const T& tau, T* e) {
+                             const Vector<T>& r, const T& tau, T* e, const Arrive& arrive) {
   if constexpr (reversed) shift(X, -r);
   Vector<T> n = along ? X.B * s : X.A * s;
   const Vector<T> f = along ? X.C * s : transposed_times(X.B, s);
@@ -38,6 +38,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
     shift(X, r);
     n += cross(r, f);
   }
+  arrive(X);
   const Vector<T> e_n = n * inverse, e_f = f * inverse;
   e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
   e[7] = inverse;
@@ -144,15 +145,17 @@ ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, B
   const Vector<Value> none{};
   const auto told = [](const Value& torque) { return reversed ? -torque : torque; };
   if constexpr (reversed) shift(X, -memory.r);
-  eliminate<true, false>(w, joints, X, x, none, told(tau[0]), memory.e);
-  eliminate<true, false>(w, joints, X, y, none, told(tau[1]), memory.e + 8);
-  eliminate<false, false>(w, joints, X, z, none, told(tau[2]), memory.e + 16);
+  const auto nothing = [](const Body<Value>&) {};
+  eliminate<true, false>(w, joints, X, x, none, told(tau[0]), memory.e, nothing);
+  eliminate<true, false>(w, joints, X, y, none, told(tau[1]), memory.e + 8, nothing);
+  eliminate<false, false>(w, joints, X, z, none, told(tau[2]), memory.e + 16, nothing);
   if constexpr (!reversed) shift(X, memory.r);
 }
 
-// One joint, or one in each lane, all of a kind.
-template <bool reversed, class T>
-ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+// One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
+template <bool reversed, class T, class Arrive>
+ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X,
+                               const Arrive& arrive) {
   const JointConstants& joint = joints.any();
   Eliminated<T>& memory = w.memory(joints);
   const Value* R = w.at(joints.slot, kAxes);
@@ -161,11 +164,12 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X
   };
   switch (joint.kind) {
     case JointKind::kRevolute:
-      eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e);
-      break;
+      eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
+                                 arrive);
+      return;
     case JointKind::kPrismatic:
-      eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e);
-      break;
+      eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e, arrive);
+      return;
     case JointKind::kSpherical:
       if constexpr (kAnySpherical) {
         const Vector<T> tau = each_vector(joints, w.tau, &JointConstants::v);
@@ -180,6 +184,7 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X
         set_free<reversed>(w, joints.joint[0], X, memory.r, w.tau + joint.v, memory.e);
       break;
   }
+  arrive(X);
 }
 
 // Adds to a body what the sweep finds at a link.
@@ -188,6 +193,14 @@ ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
   if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
   if (role.adds_own) add_bare_link(w, single(link - 1), X);
+}
+
+// What is found at a link.
+template <int p>
+ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
+  Body<Value> X{};
+  meet<p>(w, link, X);
+  return X;
 }
 
 template <bool starts>
@@ -199,13 +212,27 @@ ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
     body += X;
 }
 
+// Whether nothing but the links themselves is found at links first .. last.
+template <int p>
+constexpr bool bare(int first, int last) {
+  for (int link = first; link <= last; ++link) {
+    const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+    if (role.gathers || !role.adds_own) return false;
+  }
+  return true;
+}
+
 // Process p takes joints last .. first inwards, each on the link of the one before.
 template <int p, int first, int last, bool starts>
 void inward(Workspace& w) {
   Body<Value> X{};
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick) meet<p>(w, last + 1, X);
   for (int j = last; j >= first; --j) {
-    meet<p>(w, j + 1, X);
-    step_inward<false>(w, single(j), X);
+    if constexpr (!quick) meet<p>(w, j + 1, X);
+    step_inward<false>(w, single(j), X, [&](Body<Value>& near) {
+      if (quick && j > first) add_bare_link(w, single(j - 1), near);
+    });
   }
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave<starts>(w, near, X);
@@ -215,9 +242,13 @@ void inward(Workspace& w) {
 template <int p, int first, int last, bool starts>
 void inward_reversed(Workspace& w) {
   Body<Value> X{};
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
   for (int j = first; j <= last; ++j) {
-    meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
-    step_inward<true>(w, single(j), X);
+    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    step_inward<true>(w, single(j), X, [&](Body<Value>& near) {
+      if (quick && j < last) add_bare_link(w, single(j), near);
+    });
   }
   leave<starts>(w, last + 1, X);
 }
@@ -240,16 +271,8 @@ void free_base(Workspace& w) {
   leave<starts>(w, j + 1, X);
 }
 
-// What was left at a link, with the link itself where it is this process's to add.
-template <int p, int link>
-ADAGEN_INLINE Body<Value> whole(Workspace& w) {
-  Body<Value> X{};
-  meet<p>(w, link, X);
-  return X;
-}
-
 // Acceleration of a root that nothing holds.
 template <int p, int link>
 void solve_root(Workspace& w) {
-  if (!solve_free(whole<p, link>(w), w.motions[link])) fail(w, kFactorization, link - 1);
+  if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
 }

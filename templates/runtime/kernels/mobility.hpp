@@ -45,7 +45,7 @@ inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); 
 
 template <int p, int link>
 void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
-  if (!invert(whole<p, link>(w), Phi, b)) fail(w, kFactorization, link - 1);
+  if (!invert(whole<p>(w, link), Phi, b)) fail(w, kFactorization, link - 1);
 }
 
 // Six columns of motions of a link, side by side: L times them are the far link's.
@@ -138,7 +138,7 @@ void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias,
   const Mat6 half = passed<reversed>(w, j, near);
   far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
   Motion<Value> a = motion_of(near_bias);
-  move<reversed>(w, j, a);
+  move<reversed>(w, single(j), a);
   far_bias = columns_of(a);
 }
 
