@@ -236,19 +236,20 @@ def _ordered(
         unit = next(u for u in waiting if _ready(u, open_, links))
         waiting.remove(unit)
         found.append(unit)
-        for j in _joints(unit):
+        for j in joints_in(unit):
             open_[links[j][1]] -= 1
     return found
 
 
-def _joints(unit: Unit) -> list[int]:
+def joints_in(unit: Unit) -> list[int]:
+    """Return the joints of a unit."""
     return [unit] if isinstance(unit, int) else list(unit.members())
 
 
 def _ready(unit: Unit, open_: Counter[int], links: Mapping[int, tuple[int, int]]) -> bool:
     """Whether all that adds to the links that a unit needs is done, or in the unit itself."""
-    own = Counter(links[j][1] for j in _joints(unit))
-    return all(open_[link] == own[link] for link, _ in (links[j] for j in _joints(unit)))
+    own = Counter(links[j][1] for j in joints_in(unit))
+    return all(open_[link] == own[link] for link, _ in (links[j] for j in joints_in(unit)))
 
 
 def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:

@@ -10,11 +10,13 @@ import pytest
 from adagen.emit.shapes import SHAPES, chosen_shape
 from adagen.model import Model
 from adagen.plan import make_plan
+from adagen.plan.abreast import limbs_abreast
+from adagen.predict import best_schedule
 from adagen.schedule import Topology, load_profile, named_schedule
 from adagen.schedule.tree import Named
 from adagen.states import random_states
 from tests.emitted import Builder, forward_error, truth_of
-from tests.models import human_figure, random_tree, serial_chain
+from tests.models import binary, human_figure, random_tree, serial_chain, star
 from tests.schedules import random_schedule
 
 PROFILE = load_profile("default")
@@ -58,5 +60,40 @@ def test_trees_of_all_kinds_are_solved(
     assert shape == "kernels" or meeting == "join"
     states = random_states(model, 4, seed=seed)
     solver = builder.solver(plan, ("-O0",), name="tree", shape=shape)
+    found = solver.solve(model, states, tmp_path, "--check")
+    assert forward_error(found, truth_of(model, states)) < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("model", "processes"),
+    [
+        (star(4, 3, floating=True), 1),
+        (star(5, 4), 1),
+        (binary(4), 1),
+        (binary(4, floating=True), 2),
+        (human_figure(), 1),
+        (human_figure(), 2),
+    ],
+    ids=["legs", "arms", "tree", "tree by two", "figure", "figure by two"],
+)
+def test_limbs_side_by_side_are_solved(
+    model: Model, processes: int, builder: Builder, tmp_path: Path
+) -> None:
+    plan = make_plan(model, best_schedule(model, processes, PROFILE))
+    assert any(limbs_abreast(plan, process) for process in plan.processes)
+    states = random_states(model, 5, seed=3)
+    solver = builder.solver(plan, name="limbs", shape="kernels")
+    found = solver.solve(model, states, tmp_path, "--check")
+    assert forward_error(found, truth_of(model, states)) < 1e-9
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3, 4])
+def test_bushes_of_all_kinds_are_solved_by_one_process(
+    seed: int, builder: Builder, tmp_path: Path
+) -> None:
+    model = random_tree(np.random.default_rng(seed), 14, branching=0.8, floating=seed % 2 == 0)
+    plan = make_plan(model, best_schedule(model, 1, PROFILE))
+    states = random_states(model, 4, seed=seed)
+    solver = builder.solver(plan, ("-O0",), name="bush", shape="kernels")
     found = solver.solve(model, states, tmp_path, "--check")
     assert forward_error(found, truth_of(model, states)) < 1e-9

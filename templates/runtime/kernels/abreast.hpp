@@ -2,7 +2,7 @@
 // limbs' first joints outwards or back.
 template <int count, int rows>
 struct Limbs {
-  int slot;                // of the first joint of the first limb
+  int slot;                 // of the first joint of the first limb
   int joints[rows][count];  // all limbs' k-th joints, which are of one kind
 
   using T = std::conditional_t<count == 2, Two, Four>;

@@ -19,8 +19,9 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>&
 constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
 
 // Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
-// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the
-// joint has the acceleration u / D - (U / D) a, a being the near link's.
+// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near
+// link's origin: outwards the joint has the acceleration u / D - (U / D) a, a being the near
+// link's.
 template <bool along, bool reversed, class T, class Arrive>
 ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, const Vector<T>& s,
                              const Vector<T>& r, const T& tau, T* e, const Arrive& arrive) {
@@ -28,7 +29,8 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   Vector<T> n = along ? X.B * s : X.A * s;
   const Vector<T> f = along ? X.C * s : transposed_times(X.B, s);
   T D = dot(s, along ? f : n);
-  if constexpr (kAnyPassive) D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
+  if constexpr (kAnyPassive)
+    D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
   const T inverse = 1 / D;
   const T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
   const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
@@ -68,8 +70,7 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Bo
   const T p1 = X.A.yy - l10 * X.A.xy, d1 = 1 / p1, t = X.A.yz - l20 * X.A.xy, l21 = t * d1;
   const T p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
   for (const T& pivot : {X.A.xx, p1, p2})
-    if (__builtin_expect(!all_positive(pivot), 0))
-      fail(w, kFactorization, culprit(joints, pivot));
+    if (__builtin_expect(!all_positive(pivot), 0)) fail(w, kFactorization, culprit(joints, pivot));
   T* const factors = e + 12;
   factors[0] = d0, factors[1] = d1, factors[2] = d2;
   factors[3] = l10, factors[4] = l20, factors[5] = l21;

@@ -20,6 +20,11 @@ typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
 typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
 
 // A number of each of the joints.
+template <class T, class Number, std::size_t... lane>
+ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
+                        std::index_sequence<lane...>) {
+  return T{number(kJoints[static_cast<std::size_t>(joints.joint[lane])])...};
+}
 template <class T, class Number>
 ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
   if constexpr (kWidth<T> == 1) {
@@ -29,10 +34,7 @@ ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
     else
       return T{} + one;
   } else {
-    T result;
-    ADAGEN_FOR (k, 0, kWidth<T>)
-      result[k] = number(kJoints[static_cast<std::size_t>(joints.joint[k])]);
-    return result;
+    return each_of(joints, number, std::make_index_sequence<kWidth<T>>{});
   }
 }
 
@@ -82,7 +84,6 @@ ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
 }
 [[maybe_unused]] constexpr bool kAnyPassive = any_passive();
 
-
 // What is kept of a joint from the inward to the outward sweep.
 template <class T>
 struct Eliminated {
@@ -120,9 +121,7 @@ struct Workspace : Cuts {
         of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
   }
 
-  Value* of(int joint, Entry entry) {
-    return at(slot_of(joint), entry);
-  }
+  Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
   Value* at(int slot, Entry entry) {
     return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
   }
