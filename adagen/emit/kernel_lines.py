@@ -1,0 +1,302 @@
+"""The lines of a process in shape kernels: calls of what templates/runtime/kernels defines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import groupby
+
+from adagen.emit import mobility
+from adagen.emit.layout import Layout
+from adagen.emit.processes import describe_message
+from adagen.emit.runs import Run, ends_of_run, parts_of, runs, spans, swept
+from adagen.emit.stages import stamped_groups
+from adagen.emit.words import Words
+from adagen.plan.abreast import (
+    Limbs,
+    ends_of,
+    inward_order,
+    outward_order,
+    placed_links,
+)
+from adagen.plan.steps import (
+    Accelerate,
+    Articulate,
+    FreeAcceleration,
+    FreeBase,
+    Kinematics,
+    LoadRoot,
+    Receive,
+    Send,
+    SolveRoot,
+    StartEmpty,
+    StartLink,
+    Step,
+)
+from adagen.plan.types import Message, Process
+
+
+class KernelLines:
+    """Turns the steps of one process into lines."""
+
+    def __init__(self, words: Words, p: int, process: Process, layout: Layout) -> None:
+        self.words, self.p, self.process, self.layout = words, p, process, layout
+        self.joints = words.plan.joints
+        self.limbs = layout.limbs[p] if p < len(layout.limbs) else ()  # none in recovery
+        self.placed = placed_links(words.plan)
+        self.started: set[int] = set()  # links whose body holds something
+        self.gathers = set(self.placed)  # links at which paths meet inwards
+        self.parts: set[int] = set()  # links at which paths part outwards
+
+    def all_lines(self) -> list[str]:
+        """Return the lines of the process."""
+        stages = stamped_groups(self.process, self.lines)
+        return [*self.checks(), *stages, *self.results()]
+
+    def roles(self) -> list[dict[str, bool]]:
+        """Return what the process does at each link, once its lines are written.
+
+        See LinkRole in templates/kernels.cpp.j2.
+        """
+        own = {s.link for s in self.process.steps if isinstance(s, StartLink)} - self.placed
+        return [
+            {"gathers": k in self.gathers, "adds_own": k in own, "parts": k in self.parts}
+            for k in range(len(self.words.plan.links))
+        ]
+
+    def checks(self) -> list[str]:
+        """Refuse a state that is not finite."""
+        reads, owns = self.process.reads, self.process.owns
+        return [
+            *self._finite("w.q", "q", reads, "kNotFinite"),
+            *self._finite("w.v", "v", reads, "kNotFinite"),
+            *self._finite("w.tau", "v", sorted((*owns, *self.process.shares)), "kNotFinite"),
+        ]
+
+    def results(self) -> list[str]:
+        """Give the accelerations, if all went well."""
+        owned = self._ranges("v", self.process.owns)
+        return [
+            *self._finite("w.answer.data()", "v", self.process.owns, "kOverflow"),
+            *(f"give(w, {first}, {count});" for first, count in owned),
+        ]
+
+    def _finite(self, array: str, place: str, joints: Iterable[int], failure: str) -> list[str]:
+        return [
+            f"require_finite(w, {array}, {first}, {count}, &JointConstants::{place}, {failure});"
+            for first, count in self._ranges(place, joints)
+        ]
+
+    def _ranges(self, name: str, joints: Iterable[int]) -> list[tuple[int, int]]:
+        """Ranges (start, count) of q or v that joints have, those that touch made one."""
+        found: list[tuple[int, int]] = []
+        for j in joints:
+            kind = self.words.kind(j)
+            start, count = (
+                (self.joints[j].q, kind.nq) if name == "q" else (self.joints[j].v, kind.nv)
+            )
+            if found and sum(found[-1]) == start:
+                start, count = found[-1][0], found[-1][1] + count
+                found.pop()
+            found.append((start, count))
+        return found
+
+    def lines(self, steps: Sequence[Step]) -> list[str]:
+        """Return the lines of the steps of a stage."""
+        lines: list[str] = []
+        for kind, group in groupby(steps, type):
+            if issubclass(kind, mobility.STEPS):
+                for step in group:
+                    if isinstance(step, LoadRoot):
+                        self.parts.add(step.link)
+                    lines += mobility.lines_of(self.words, self.p, step)
+            else:
+                lines += getattr(self, f"_{kind.__name__}")(list(group))
+        return lines
+
+    def _Kinematics(self, steps: list[Kinematics]) -> list[str]:  # noqa: N802
+        joints = [step.joint for step in steps]
+        lines = self._angles(joints)
+        turning = [j for j in joints if self.joints[j].kind not in ("spherical", "floating")]
+        lines += [f"turn<{a}, {b}>(w);" for a, b in self._blocks(turning)]
+        bases = [j for j in joints if self._is_base(j)]
+        oriented = [j for j in joints if self.words.kind(j).quaternion is not None]
+        lines += [f"orient<{j}>(w);" for j in oriented if j not in bases]
+        lines += [f"free_base_frame<{j}>(w);" for j in bases]
+        treated = {*self.process.owns, *self.process.shares}
+        sweep = {j: ends_of(self.joints, j) for j in joints if j not in bases}
+        for part in parts_of(outward_order(sweep, self.limbs)):
+            if isinstance(part, Limbs):
+                lines.append(f"outward_abreast<{self._number(part)}>(w);")
+                continue
+            for verb, run in self._outward(part, treated):
+                lines.append(f"{verb}<{run.first}, {run.last}>(w);{self._names(run)}")
+        return lines
+
+    def _number(self, limbs: Limbs) -> str:
+        return f"kLimbs{self.layout.all_limbs.index(limbs)}"
+
+    def _outward(self, joints: list[int], treated: set[int]) -> list[tuple[str, Run]]:
+        """Runs outwards: of joints that are treated, and of those only passed on the way."""
+        left = {self.joints[j].parent for j in joints if self.joints[j].parent != j}
+        found: list[tuple[str, Run]] = []
+        for run in runs(self.joints, joints):
+            first = run.first
+            for j in range(run.first, run.last + 1):
+                ends = j == run.last or (j in treated) != (j + 1 in treated) or j + 1 in left
+                if ends and j not in treated:
+                    found.append(("pass_outward", Run(first, j)))
+                elif j == run.last or (ends and j + 1 not in treated):
+                    found.append(("outward", Run(first, j)))
+                else:
+                    continue
+                first = j + 1
+        return found
+
+    def _is_base(self, j: int) -> bool:
+        return self.joints[j].kind == "floating" and self.joints[j].parent == 0
+
+    def _angles(self, joints: list[int]) -> list[str]:
+        """Copy the angles of joints that turn, as many at once as lie side by side."""
+        if not self.layout.plain:
+            return [f"take_angles<{a}, {b}>(w);" for a, b in spans(joints)]
+        copies: list[tuple[int, int, int]] = []  # joint, place in q, count
+        for j in joints:
+            kind = self.joints[j].kind
+            if kind not in ("revolute", "planar"):
+                continue
+            q = self.joints[j].q + (2 if kind == "planar" else 0)
+            if copies and copies[-1][0] + copies[-1][2] == j and sum(copies[-1][1:]) == q:
+                j, q, count = copies[-1][0], copies[-1][1], copies[-1][2] + 1
+                copies.pop()
+            else:
+                count = 1
+            copies.append((j, q, count))
+        return [f"std::copy_n(w.q + {q}, {n}, w.angle.data() + {j});" for j, q, n in copies]
+
+    def _blocks(self, joints: Iterable[int]) -> list[tuple[str, str]]:
+        """Ranges of blocks that hold joints, as expressions."""
+        ranges: list[list[int]] = []
+        for j in sorted(self.layout.slots[j] for j in joints):
+            if ranges and j - ranges[-1][1] < _WIDEST:
+                ranges[-1][1] = j
+            else:
+                ranges.append([j, j])
+        return [(f"block({a})", f"block({b}) + 1") for a, b in ranges]
+
+    def _StartLink(self, steps: list[StartLink]) -> list[str]:  # noqa: N802
+        links = [step.link for step in steps]
+        lines = [f"set_up_links<{a}, {b}>(w);" for a, b in self._blocks(link - 1 for link in links)]
+        for link in [link for link in links if link in self.placed]:
+            starts = self._starts(link)
+            lines.append(f"place<{link}, {starts}>(w);  // {self.words.quoted_link(link)} itself")
+        return lines
+
+    def _starts(self, link: int) -> str:
+        """Whether what is to be left at a link is the first there, as a word."""
+        first = link not in self.started
+        self.started.add(link)
+        return "true" if first else "false"
+
+    def _StartEmpty(self, steps: list[StartEmpty]) -> list[str]:  # noqa: N802
+        self.started -= {step.link for step in steps}  # what comes first takes its place
+        self.gathers |= {step.link for step in steps}
+        return []
+
+    def _Send(self, steps: list[Send]) -> list[str]:  # noqa: N802
+        lines = []
+        for step in steps:
+            message = self.words.plan.messages[step.message]
+            lines += [
+                f"{{  // to process {message.target}: {describe_message(self.words, message)}",
+                f"  Real* to = channel.outgoing({step.message}, w.status);",
+                *(f"  to = put(to, {item});" for item in self._items(message)),
+                *(f"  to = put(to, w.bodies[{link}]);" for link in message.inertias),
+                f"  channel.send({step.message}, w.status);",
+                "}",
+            ]
+        return lines
+
+    def _Receive(self, steps: list[Receive]) -> list[str]:  # noqa: N802
+        lines = []
+        for step in steps:
+            message = self.words.plan.messages[step.message]
+            lines += [
+                f"{{  // from process {message.source}: {describe_message(self.words, message)}",
+                f"  const Real* from = channel.receive({step.message}, w.status);",
+                *(f"  from = get(from, {item});" for item in self._items(message)),
+                *(f"  from = {self._taken(link)};" for link in message.inertias),
+                "}",
+            ]
+        return lines
+
+    def _items(self, message: Message) -> list[str]:
+        return [
+            *(self.words.block(block) for block in message.blocks),
+            *(self.words.bias(bias) for bias in message.biases),
+            *(self.words.force(force) for force in message.forces),
+        ]
+
+    def _taken(self, link: int) -> str:
+        verb = "get" if self._starts(link) == "true" else "add"
+        return f"{verb}(from, w.bodies[{link}])"
+
+    def _FreeBase(self, steps: list[FreeBase]) -> list[str]:  # noqa: N802
+        self.gathers |= {s.joint + 1 for s in steps}
+        return [f"free_base<{s.joint}, {self._starts(s.joint + 1)}>(w);" for s in steps]
+
+    def _Articulate(self, steps: list[Articulate]) -> list[str]:  # noqa: N802
+        lines = []
+        sweep = {s.joint: ends_of(self.joints, s.joint, s.reversed) for s in steps}
+        by_joint = {step.joint: step for step in steps}
+        for part in parts_of(inward_order(sweep, self.limbs)):
+            if isinstance(part, Limbs):
+                lines += self._inward_abreast(part)
+                continue
+            for run in swept(self.joints, [by_joint[j] for j in part]):
+                near = ends_of_run(self.joints, run)[0]
+                self.gathers.add(near)
+                starts = self._starts(near)
+                verb = "inward_reversed" if run.reversed else "inward"
+                call = f"{verb}<{self.p}, {run.first}, {run.last}, {starts}>(w);"
+                lines.append(call + self._names(run))
+        return lines
+
+    def _inward_abreast(self, limbs: Limbs) -> list[str]:
+        """Sweep limbs inwards and leave what is found at the links that they hang on."""
+        lines = [f"const auto X = inward_abreast<{self.p}, {self._number(limbs)}>(w);"]
+        for lane, first in enumerate(limbs.rows[0]):
+            near = self.joints[first].parent
+            self.gathers.add(near)
+            if near > 0:
+                lines.append(f"leave<{self._starts(near)}>(w, {near}, lane(X, {lane}));")
+        return ["{", *(f"  {line}" for line in lines), "}"]
+
+    def _SolveRoot(self, steps: list[SolveRoot]) -> list[str]:  # noqa: N802
+        return [f"solve_root<{self.p}, {step.link}>(w);" for step in steps]
+
+    def _Accelerate(self, steps: list[Accelerate]) -> list[str]:  # noqa: N802
+        lines = []
+        sweep = {s.joint: ends_of(self.joints, s.joint, s.reversed) for s in steps}
+        by_joint = {step.joint: step for step in steps}
+        for part in parts_of(outward_order(sweep, self.limbs)):
+            if isinstance(part, Limbs):
+                self.parts |= {self.joints[first].parent for first in part.rows[0]}
+                lines.append(f"accelerate_abreast<{self.p}, {self._number(part)}>(w);")
+                continue
+            for run in swept(self.joints, [by_joint[j] for j in part]):
+                self.parts.add(ends_of_run(self.joints, run)[0])
+                verb = "accelerate_reversed" if run.reversed else "accelerate"
+                call = f"{verb}<{self.p}, {run.first}, {run.last}>(w);"
+                lines.append(call + self._names(run))
+        return lines
+
+    def _FreeAcceleration(self, steps: list[FreeAcceleration]) -> list[str]:  # noqa: N802
+        self.parts |= {step.joint + 1 for step in steps}
+        return [f"free_acceleration<{step.joint}>(w);" for step in steps]
+
+    def _names(self, run: Run) -> str:
+        """Which joints a run is of, as a comment."""
+        return f"  // {self.words.span(run.first, run.last)}"
+
+
+_WIDEST = 16  # joints in the widest block: two apart by less may share one

@@ -1,0 +1,74 @@
+"""Runs of joints, each on the link of the one before: what loops of shape kernels pass."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from adagen.plan.abreast import Limbs, Unit
+from adagen.plan.steps import Accelerate, Articulate
+from adagen.plan.types import PlanJoint
+
+
+@dataclass(frozen=True)
+class Run:
+    """Joints ``first`` .. ``last``, each on the link of the one before, passed in one direction."""
+
+    first: int
+    last: int
+    reversed: bool = False
+
+
+def runs(joints: Sequence[PlanJoint], order: Iterable[int]) -> list[Run]:
+    """Return the runs of joints passed outwards in an order."""
+    found: list[Run] = []
+    for j in order:
+        if found and found[-1].last == j - 1 and joints[j].parent == j:
+            found[-1] = Run(found[-1].first, j)
+        else:
+            found.append(Run(j, j))
+    return found
+
+
+def swept(joints: Sequence[PlanJoint], steps: Sequence[Articulate | Accelerate]) -> list[Run]:
+    """Return the runs of a sweep, in its order; a sweep is either inwards or outwards."""
+    found: list[Run] = []
+    for step in steps:
+        j = step.joint
+        if found and found[-1].reversed == step.reversed:
+            first, last = found[-1].first, found[-1].last
+            if j == last + 1 and joints[j].parent == j:
+                found[-1] = Run(first, j, step.reversed)
+                continue
+            if j == first - 1 and joints[first].parent == first:
+                found[-1] = Run(j, last, step.reversed)
+                continue
+        found.append(Run(j, j, step.reversed))
+    return found
+
+
+def ends_of_run(joints: Sequence[PlanJoint], run: Run) -> tuple[int, int]:
+    """The near and the far link of a run."""
+    parent, child = joints[run.first].parent, run.last + 1
+    return (child, parent) if run.reversed else (parent, child)
+
+
+def parts_of(units: Iterable[Unit]) -> Iterable[Limbs | list[int]]:
+    """Limbs, and the single joints between them."""
+    for limbs, group in groupby(units, lambda unit: isinstance(unit, Limbs)):
+        if limbs:
+            yield from (unit for unit in group if isinstance(unit, Limbs))
+        else:
+            yield [unit for unit in group if isinstance(unit, int)]
+
+
+def spans(joints: Iterable[int]) -> list[tuple[int, int]]:
+    """Joints as ranges first .. last."""
+    found: list[tuple[int, int]] = []
+    for j in sorted(joints):
+        if found and found[-1][1] == j - 1:
+            found[-1] = (found[-1][0], j)
+        else:
+            found.append((j, j))
+    return found
