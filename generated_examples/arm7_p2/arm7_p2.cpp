@@ -363,9 +363,10 @@ ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof 
 
 // Whether all numbers are positive: false for NaN.
 ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
-ADAGEN_INLINE bool all_positive(const Lanes& x) {
+template <class T>
+ADAGEN_INLINE bool all_positive(const T& x) {
   bool result = true;
-  for (int k = 0; k < kLanes; ++k) result &= x[k] > 0;
+  ADAGEN_FOR (k, 0, static_cast<int>(sizeof x / sizeof x[0])) result &= x[k] > 0;
   return result;
 }
 
@@ -1301,6 +1302,11 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {6.0000035e-05, 0.0, 1.5e-05, 1.666665e-06, 0.0, 6.666665e-06}},
 } };
 
+// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns.
+constexpr int kSlotCount = 9;
+constexpr bool kAbreast = false;  // whether there are such
+constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8 };
+
 // What a process does at a link.
 struct LinkRole {
   bool gathers;   // paths meet at it inwards
@@ -1325,7 +1331,43 @@ struct Cuts {
 
 // The memory of a process. What is set up for many links at once lies in blocks, side by side.
 constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
-constexpr int kBlockCount = (kJointCount + kPerBlock - 1) / kPerBlock;
+constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
+
+// Joints that are treated together, one in each lane of T; their slots follow each other.
+template <class T>
+[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Value));
+template <class T>
+struct Joints {
+  int slot;  // of the first one
+  int joint[kWidth<T>];
+
+  const JointConstants& any() const { return kJoints[static_cast<std::size_t>(joint[0])]; }
+};
+constexpr int slot_of(int j) { return kAbreast ? kSlots[j] : j; }
+ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
+
+// The lanes of limbs side by side.
+typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+
+// A number of each of the joints.
+template <class T, class Number, std::size_t... lane>
+ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
+                        std::index_sequence<lane...>) {
+  return T{number(kJoints[static_cast<std::size_t>(joints.joint[lane])])...};
+}
+template <class T, class Number>
+ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
+  if constexpr (kWidth<T> == 1) {
+    const auto one = number(kJoints[static_cast<std::size_t>(joints.joint[0])]);
+    if constexpr (std::is_same_v<decltype(one), const T>)
+      return one;
+    else
+      return T{} + one;
+  } else {
+    return each_of(joints, number, std::make_index_sequence<kWidth<T>>{});
+  }
+}
 
 // What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
 enum Entry : int {
@@ -1345,12 +1387,16 @@ struct alignas(64) Block {
   Value entries[kEntries][kPerBlock];
 };
 
-// What is kept of a joint from the inward to the outward sweep.
-template <int n>
-struct Eliminated {
-  Vector<Value> r;  // from the parent link's origin to the child link's
-  Value e[n];  // of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp
-};
+// Three numbers of each of the joints, that follow each other in x.
+template <class T>
+ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
+                                    int JointConstants::* place) {
+  const auto number = [&](int k) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
+  };
+  return {number(0), number(1), number(2)};
+}
+
 // Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
 [[maybe_unused]] constexpr bool any_of(JointKind kind) {
   for (const JointConstants& joint : kJoints)
@@ -1368,12 +1414,21 @@ struct Eliminated {
   return false;
 }
 [[maybe_unused]] constexpr bool kAnyPassive = any_passive();
-using Memory = Eliminated<kAnyPlanar ? 24 : kAnySpherical ? 18 : 8>;
+
+// What is kept of a joint from the inward to the outward sweep.
+template <class T>
+struct Eliminated {
+  Vector<T> r;  // from the parent link's origin to the child link's
+  // Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
+  T e[kAnyPlanar ? 24 : kAnySpherical ? 18 : 8];
+};
+using Memory = Eliminated<Value>;
 
 // A link's orientation and how it moves, were all joint accelerations zero.
+template <class T>
 struct Frame {
-  Matrix<Value> R;
-  Vector<Value> omega, alpha, a;
+  Matrix<T> R;
+  Vector<T> omega, alpha, a;
 };
 
 struct Workspace : Cuts {
@@ -1385,6 +1440,8 @@ struct Workspace : Cuts {
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
   std::array<Memory, kJointCount> joints{};
+  std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
+  std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
@@ -1395,25 +1452,51 @@ struct Workspace : Cuts {
         of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
   }
 
-  Value* of(int joint, Entry entry) {
-    return &blocks[static_cast<std::size_t>(joint / kPerBlock)].entries[entry][joint % kPerBlock];
+  Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
+  Value* at(int slot, Entry entry) {
+    return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
+  }
+
+  template <class T>
+  Eliminated<T>& memory(const Joints<T>& of) {
+    if constexpr (kWidth<T> == 1)
+      return joints[static_cast<std::size_t>(of.joint[0])];
+    else if constexpr (kWidth<T> == 2)
+      return twos[static_cast<std::size_t>(of.slot / 2)];
+    else
+      return fours[static_cast<std::size_t>(of.slot / 4)];
   }
 };
 
-ADAGEN_INLINE Vector<Value> vector_at(const Value* x) {
-  return {x[0], x[kPerBlock], x[2 * kPerBlock]};
+template <class T = Value>
+ADAGEN_INLINE T number_at(const Value* x) {
+  T result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
 }
-ADAGEN_INLINE void put_at(Value* x, const Vector<Value>& a) {
-  x[0] = a.x, x[kPerBlock] = a.y, x[2 * kPerBlock] = a.z;
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const T& number) {
+  std::memcpy(x, &number, sizeof number);
 }
-ADAGEN_INLINE Matrix<Value> matrix_at(const Value* x) {
-  return {vector_at(x), vector_at(x + 3 * kPerBlock), vector_at(x + 6 * kPerBlock)};
+template <class T = Value>
+ADAGEN_INLINE Vector<T> vector_at(const Value* x, int stride = kPerBlock) {
+  return {number_at<T>(x), number_at<T>(x + stride), number_at<T>(x + 2 * stride)};
 }
-ADAGEN_INLINE void put_at(Value* x, const Matrix<Value>& m) {
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Vector<T>& a) {
+  put_at(x, a.x), put_at(x + kPerBlock, a.y), put_at(x + 2 * kPerBlock, a.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Matrix<T> matrix_at(const Value* x) {
+  return {vector_at<T>(x), vector_at<T>(x + 3 * kPerBlock), vector_at<T>(x + 6 * kPerBlock)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Matrix<T>& m) {
   put_at(x, m.x), put_at(x + 3 * kPerBlock, m.y), put_at(x + 6 * kPerBlock, m.z);
 }
-ADAGEN_INLINE Vector<Value> axis_at(const Value* R) {
-  return {R[2 * kPerBlock], R[5 * kPerBlock], R[8 * kPerBlock]};
+template <class T = Value>
+ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
+  return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
 }
 
 inline void fail(Workspace& w, Failure kind, int joint) {
@@ -1476,6 +1559,15 @@ void require_length(Workspace& w, const T& squared, int joint) {
     fail(w, kZeroQuaternion, joint);
 }
 
+// A joint that an elimination failed for: one whose number is not positive.
+template <class T>
+int culprit(const Joints<T>& joints, [[maybe_unused]] const T& x) {
+  if constexpr (kWidth<T> > 1)
+    for (int k = 0; k < kWidth<T>; ++k)
+      if (!(x[k] > 0)) return joints.joint[k];
+  return joints.joint[0];
+}
+
 // The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
 ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
   Value tau = w.tau[joint.v];
@@ -1509,23 +1601,51 @@ using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>
 
 struct alignas(64) BlockConstants {
   PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
+  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
   PerJoint mass, moments[3], tensor[6];
 };
 
 const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
   std::array<BlockConstants, kBlockCount> result{};
   for (int j = 0; j < kJointCount; ++j) {
-    BlockConstants& block = result[static_cast<std::size_t>(j / kPerBlock)];
-    const std::size_t lane = static_cast<std::size_t>(j % kPerBlock);
+    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
+    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
     const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
-    for (int k = 0; k < 6; ++k)
-      block.rotation[k][lane] = kJoints[static_cast<std::size_t>(j)].rotation[k % 3 * 3 + k / 3];
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
+    block.x[lane] = joint.translation[0];
+    block.y[lane] = joint.translation[1];
+    block.z[lane] = joint.translation[2];
     block.mass[lane] = link.mass;
     for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
     for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
   }
   return result;
 }();
+
+// Constants of each of the joints.
+template <class T>
+ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
+  const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+  return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
+}
+template <class T>
+ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1)
+    return kInertias[static_cast<std::size_t>(joints.joint[0])].mass;
+  else
+    return constant(joints, &BlockConstants::mass);
+}
+template <class T>
+ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1) {
+    const Real* const x = joints.any().translation;
+    return Vector<Real>{x[0], x[1], x[2]};
+  } else {
+    return Vector<T>{constant(joints, &BlockConstants::x), constant(joints, &BlockConstants::y),
+                     constant(joints, &BlockConstants::z)};
+  }
+}
 
 ADAGEN_INLINE Lanes wide(const PerJoint& x) {
   Lanes result;
@@ -1544,6 +1664,17 @@ ADAGEN_INLINE Vector<Lanes> wide_vector(const PerJoint* x) {
 }
 ADAGEN_INLINE void narrow(const Vector<Lanes>& a, Value (*x)[kPerBlock]) {
   narrow(a.x, x[0]), narrow(a.y, x[1]), narrow(a.z, x[2]);
+}
+
+// Copies the angles of those of joints first .. last that turn.
+template <int first, int last>
+void take_angles(Workspace& w) {
+  ADAGEN_FOR (j, first, last + 1) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    const int place = joint.q + (joint.kind == JointKind::kPlanar ? 2 : 0);
+    if (joint.kind == JointKind::kRevolute || joint.kind == JointKind::kPlanar)
+      w.angle[static_cast<std::size_t>(slot_of(j))] = w.q[place];
+  }
 }
 
 // Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
@@ -1606,21 +1737,22 @@ void set_up_links(Workspace& w) {
 
 // From the base outwards: where links are and how they would move without joint accelerations.
 
-ADAGEN_INLINE Frame frame_of(Workspace& w, int joint) {
+ADAGEN_INLINE Frame<Value> frame_of(Workspace& w, int joint) {
   const Value* R = w.of(joint, kAxes);
   return {matrix_at(R), vector_at(w.of(joint, kOmega)), vector_at(w.of(joint, kAlpha)),
           vector_at(w.of(joint, kAcceleration))};
 }
 
-ADAGEN_INLINE void keep(Workspace& w, int joint, const Frame& frame) {
-  put_at(w.of(joint, kAxes), frame.R);
-  put_at(w.of(joint, kOmega), frame.omega);
-  put_at(w.of(joint, kAlpha), frame.alpha);
-  put_at(w.of(joint, kAcceleration), frame.a);
+template <class T>
+ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
+  put_at(w.at(slot, kAxes), frame.R);
+  put_at(w.at(slot, kOmega), frame.omega);
+  put_at(w.at(slot, kAlpha), frame.alpha);
+  put_at(w.at(slot, kAcceleration), frame.a);
 }
 
 // The ground accelerates against gravity: accelerations are relative to free fall.
-ADAGEN_INLINE Frame ground() {
+ADAGEN_INLINE Frame<Value> ground() {
   const Value one = Value{} + 1, none{};
   return {{{one, none, none}, {none, one, none}, {none, none, one}},
           {none, none, none},
@@ -1635,7 +1767,7 @@ void free_base_frame(Workspace& w) {
   const Value* q = w.q + joint.q + 3;
   Matrix<Value> turn;
   require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  Frame frame = ground();
+  Frame<Value> frame = ground();
   const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
   const Real* const P = joint.rotation;
   const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
@@ -1645,7 +1777,7 @@ void free_base_frame(Workspace& w) {
   frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
   const Value* v = w.v + joint.v + 3;
   frame.omega = {v[0], v[1], v[2]};
-  keep(w, j, frame);
+  keep(w, slot_of(j), frame);
 }
 
 ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
@@ -1669,17 +1801,19 @@ void orient(Workspace& w) {
   put_at(w.of(j, kTurn), turn);
 }
 
-// One joint outwards from its parent link's frame; what a joint is treated with later is kept.
-template <bool kept>
-ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
-  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-  const Value* v = w.v + joint.v;
-  Vector<Real> origin{joint.translation[0], joint.translation[1], joint.translation[2]};
-  const Matrix<Value> R = at.R * matrix_at(w.of(j, kTurn));
-  const Vector<Value> axis{R.x.z, R.y.z, R.z.z};
-  Vector<Value> r = at.R * origin;
-  const Vector<Value> omega = at.omega;
-  const auto turn_with = [&](const Vector<Value>& relative) {
+// One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
+// with later is kept.
+template <bool kept, class T>
+ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, Frame<T>& at) {
+  const JointConstants& joint = joints.any();
+  const auto moved = [&](const Value* x, int JointConstants::* place) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
+  };
+  const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
+  const Vector<T> axis{R.x.z, R.y.z, R.z.z};
+  Vector<T> r = at.R * origin_of(joints);
+  const Vector<T> omega = at.omega;
+  const auto turn_with = [&](const Vector<T>& relative) {
     at.omega += relative;
     return cross(omega, relative);
   };
@@ -1687,10 +1821,10 @@ ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
     at.a += cross(omega, cross(omega, r));
     at.a += cross(at.alpha, r);
   };
-  const auto slide_and_spin = [&](const Vector<Value>& q, const Vector<Value>& slide,
-                                  const Vector<Value>& spin) {
+  const auto slide_and_spin = [&](const Vector<T>& q, const Vector<T>& slide,
+                                  const Vector<T>& spin) {
     const Matrix<Real> P = placement(joint);
-    r += at.R * Vector<Value>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
+    r += at.R * Vector<T>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
     ride_along();
     at.a += cross(omega + omega + spin, slide);
     at.alpha += turn_with(spin);
@@ -1698,95 +1832,102 @@ ADAGEN_INLINE void step_outward(Workspace& w, int j, Frame& at) {
   switch (joint.kind) {
     case JointKind::kRevolute:
       ride_along();
-      at.alpha += turn_with(axis * v[0]);
+      at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
       break;
-    case JointKind::kPrismatic:
-      r += axis * w.q[joint.q];
+    case JointKind::kPrismatic: {
+      r += axis * moved(w.q, &JointConstants::q);
       ride_along();
-      at.a += cross(omega, axis * (v[0] + v[0]));
+      const T v = moved(w.v, &JointConstants::v);
+      at.a += cross(omega, axis * (v + v));
       break;
+    }
     case JointKind::kSpherical:
       ride_along();
-      at.alpha += turn_with(R * Vector<Value>{v[0], v[1], v[2]});
+      if constexpr (kAnySpherical)
+        at.alpha += turn_with(R * each_vector(joints, w.v, &JointConstants::v));
       break;
     case JointKind::kPlanar:
-      if constexpr (kAnyPlanar) {
-        const Value* q = w.q + joint.q;
-        const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
-        slide_and_spin(Vector<Value>{q[0], q[1], Value{}}, x * v[0] + y * v[1], axis * v[2]);
+      if constexpr (kAnyPlanar && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        const Vector<T> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
+        slide_and_spin(Vector<T>{q[0], q[1], T{}}, x * v[0] + y * v[1], axis * v[2]);
       }
       break;
     case JointKind::kFloating:
-      if constexpr (kAnyFloating) {
-        const Value* q = w.q + joint.q;
-        slide_and_spin(Vector<Value>{q[0], q[1], q[2]}, R * Vector<Value>{v[0], v[1], v[2]},
-                       R * Vector<Value>{v[3], v[4], v[5]});
+      if constexpr (kAnyFloating && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        slide_and_spin(Vector<T>{q[0], q[1], q[2]}, R * Vector<T>{v[0], v[1], v[2]},
+                       R * Vector<T>{v[3], v[4], v[5]});
       }
       break;
   }
   at.R = R;
   if constexpr (!kept) return;
-  w.joints[static_cast<std::size_t>(j)].r = r;
-  keep(w, j, at);
+  w.memory(joints).r = r;
+  keep(w, joints.slot, at);
 }
 
 // Joints first .. last, each on the link of the one before.
 template <int first, int last>
 void outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
-  Frame at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<true>(w, j, at);
+  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  for (int j = first; j <= last; ++j) step_outward<true>(w, single(j), at);
 }
 
 // The same on the way to joints that are treated: only the last link's frame is kept.
 template <int first, int last>
 void pass_outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
-  Frame at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<false>(w, j, at);
-  keep(w, last, at);
+  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  for (int j = first; j <= last; ++j) step_outward<false>(w, single(j), at);
+  keep(w, slot_of(last), at);
 }
 
 // Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
 // is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
 // near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
 
-ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Body<Value>& X) {
-  const int j = link - 1;
-  const Value *A = w.of(j, kRotational), *c = w.of(j, kMoments);
-  const Real mass = kInertias[static_cast<std::size_t>(j)].mass;
-  constexpr int n = kPerBlock;
-  X.A += Symmetric<Value>{A[0], A[n], A[2 * n], A[3 * n], A[4 * n], A[5 * n]};
-  X.B.x.y -= c[2 * n], X.B.x.z += c[n], X.B.y.x += c[2 * n];
-  X.B.y.z -= c[0], X.B.z.x -= c[n], X.B.z.y += c[0];
+template <class T>
+ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Value* const A = w.at(joints.slot, kRotational);
+  const auto mass = mass_of(joints);
+  const Vector<T> c = vector_at<T>(w.at(joints.slot, kMoments));
+  const Vector<T> Ax = vector_at<T>(A), Ay = vector_at<T>(A + 3 * kPerBlock);
+  X.A += Symmetric<T>{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};  // xx xy xz yy yz zz
+  X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
+  X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
   X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
-  X.n += vector_at(w.of(j, kTorque));
-  X.f += vector_at(w.of(j, kForce));
+  X.n += vector_at<T>(w.at(joints.slot, kTorque));
+  X.f += vector_at<T>(w.at(joints.slot, kForce));
 }
 
 constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
 
-// Takes one freedom out of the body, which is shifted by r before the subtraction, so that the
-// division has time. e gets U / D, u / D and 1 / D, told at the near link's origin: outwards the
-// joint has the acceleration u / D - (U / D) a, a being the near link's.
-template <bool along, bool reversed>
-ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<Value>& s,
-                             const Vector<Value>& r, const Value& tau, Value* e) {
+// Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
+// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near
+// link's origin: outwards the joint has the acceleration u / D - (U / D) a, a being the near
+// link's.
+template <bool along, bool reversed, class T, class Arrive>
+ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, const Vector<T>& s,
+                             const Vector<T>& r, const T& tau, T* e, const Arrive& arrive) {
   if constexpr (reversed) shift(X, -r);
-  Vector<Value> n = along ? X.B * s : X.A * s;
-  const Vector<Value> f = along ? X.C * s : transposed_times(X.B, s);
-  Value D = dot(s, along ? f : n);
-  if constexpr (kAnyPassive) D += kJoints[static_cast<std::size_t>(j)].passive.rotor;
-  const Value inverse = 1 / D;
-  const Value u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
-  const Symmetric<Value>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
-  if (__builtin_expect(!all_positive(D - kLeast * (whole.xx + whole.yy + whole.zz)), 0))
-    fail(w, kFactorization, j);
+  Vector<T> n = along ? X.B * s : X.A * s;
+  const Vector<T> f = along ? X.C * s : transposed_times(X.B, s);
+  T D = dot(s, along ? f : n);
+  if constexpr (kAnyPassive)
+    D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
+  const T inverse = 1 / D;
+  const T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
+  const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
+  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, culprit(joints, left));
   if constexpr (!reversed) {
     shift(X, r);
     n += cross(r, f);
   }
-  const Vector<Value> e_n = n * inverse, e_f = f * inverse;
+  arrive(X);
+  const Vector<T> e_n = n * inverse, e_f = f * inverse;
   e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
   e[7] = inverse;
   subtract(X, n, f, e_n, e_f);
@@ -1795,40 +1936,40 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Body<Value>& X, const Vector<V
 }
 
 // A x = b, by the factors 1 / D and L of A = L D L^T.
-ADAGEN_INLINE Vector<Value> solve_rotations(const Value* factors, const Vector<Value>& b) {
-  const Value *d = factors, *l = factors + 3;  // l: 10, 20, 21
-  const Value y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
-  const Value z = y2 * d[2], y = y1 * d[1] - l[2] * z;
+template <class T>
+ADAGEN_INLINE Vector<T> solve_rotations(const T* factors, const Vector<T>& b) {
+  const T *d = factors, *l = factors + 3;  // l: 10, 20, 21
+  const T y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
+  const T z = y2 * d[2], y = y1 * d[1] - l[2] * z;
   return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
 }
 
 // Takes the three rotations out of the body: what is left of it is C and f, so that no rounding
 // stays behind. e gets K = A^-1 B, y = A^-1 (tau - n) and the factors of A.
-template <bool reversed>
-ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
-                                       const Value* tau, Value* e) {
+template <bool reversed, class T>
+ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X,
+                                       const Vector<T>& r, const Vector<T>& tau, T* e) {
   if constexpr (reversed) shift(X, -r);
-  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
-  Vector<Value> torque = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * tau;
   if constexpr (reversed) torque = -torque;
-  const Value d0 = 1 / X.A.xx, l10 = X.A.xy * d0, l20 = X.A.xz * d0;
-  const Value p1 = X.A.yy - l10 * X.A.xy, d1 = 1 / p1, t = X.A.yz - l20 * X.A.xy, l21 = t * d1;
-  const Value p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
-  if (__builtin_expect(!(all_positive(X.A.xx) && all_positive(p1) && all_positive(p2)), 0))
-    fail(w, kFactorization, j);
-  Value* const factors = e + 12;
+  const T d0 = 1 / X.A.xx, l10 = X.A.xy * d0, l20 = X.A.xz * d0;
+  const T p1 = X.A.yy - l10 * X.A.xy, d1 = 1 / p1, t = X.A.yz - l20 * X.A.xy, l21 = t * d1;
+  const T p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
+  for (const T& pivot : {X.A.xx, p1, p2})
+    if (__builtin_expect(!all_positive(pivot), 0)) fail(w, kFactorization, culprit(joints, pivot));
+  T* const factors = e + 12;
   factors[0] = d0, factors[1] = d1, factors[2] = d2;
   factors[3] = l10, factors[4] = l20, factors[5] = l21;
-  const auto solve = [&](const Vector<Value>& b) { return solve_rotations(factors, b); };
-  const Matrix<Value>& B = X.B;
-  const Vector<Value> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
-  const Vector<Value> Kx = solve(Bx), Ky = solve(By), Kz = solve(Bz), y = solve(torque - X.n);
+  const auto solve = [&](const Vector<T>& b) { return solve_rotations(factors, b); };
+  const Matrix<T>& B = X.B;
+  const Vector<T> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
+  const Vector<T> Kx = solve(Bx), Ky = solve(By), Kz = solve(Bz), y = solve(torque - X.n);
   e[0] = Kx.x, e[1] = Ky.x, e[2] = Kz.x, e[3] = Kx.y, e[4] = Ky.y, e[5] = Kz.y;
   e[6] = Kx.z, e[7] = Ky.z, e[8] = Kz.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
   X.C.xx -= dot(Bx, Kx), X.C.xy -= dot(Bx, Ky), X.C.xz -= dot(Bx, Kz);
   X.C.yy -= dot(By, Ky), X.C.yz -= dot(By, Kz), X.C.zz -= dot(Bz, Kz);
   X.f += transposed_times(B, y);
-  X.A = Symmetric<Value>{}, X.B = Matrix<Value>{};
+  X.A = Symmetric<T>{}, X.B = Matrix<T>{};
   X.n = torque;
   if constexpr (!reversed) shift(X, r);
 }
@@ -1881,39 +2022,56 @@ ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Va
   if constexpr (!reversed) shift(X, r);
 }
 
+// A planar joint: along x and y, then about z.
 template <bool reversed>
-ADAGEN_INLINE void step_inward(Workspace& w, int j, Body<Value>& X) {
-  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-  Memory& memory = w.joints[static_cast<std::size_t>(j)];
-  const Value* tau = w.tau + joint.v;
-  const Value* R = w.of(j, kAxes);
+ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, Body<Value>& X) {
+  Memory& memory = w.memory(joints);
+  const Value* tau = w.tau + joints.any().v;
+  const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
   const Vector<Value> none{};
+  const auto told = [](const Value& torque) { return reversed ? -torque : torque; };
+  if constexpr (reversed) shift(X, -memory.r);
+  const auto nothing = [](const Body<Value>&) {};
+  eliminate<true, false>(w, joints, X, x, none, told(tau[0]), memory.e, nothing);
+  eliminate<true, false>(w, joints, X, y, none, told(tau[1]), memory.e + 8, nothing);
+  eliminate<false, false>(w, joints, X, z, none, told(tau[2]), memory.e + 16, nothing);
+  if constexpr (!reversed) shift(X, memory.r);
+}
+
+// One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
+template <bool reversed, class T, class Arrive>
+ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X,
+                               const Arrive& arrive) {
+  const JointConstants& joint = joints.any();
+  Eliminated<T>& memory = w.memory(joints);
+  const Value* R = w.at(joints.slot, kAxes);
+  const auto freedom = [&] {
+    return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
+  };
   switch (joint.kind) {
     case JointKind::kRevolute:
-      eliminate<false, reversed>(w, j, X, axis_at(R), memory.r, torque(w, joint), memory.e);
-      break;
+      eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
+                                 arrive);
+      return;
     case JointKind::kPrismatic:
-      eliminate<true, reversed>(w, j, X, axis_at(R), memory.r, torque(w, joint), memory.e);
-      break;
+      eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e, arrive);
+      return;
     case JointKind::kSpherical:
-      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, j, X, memory.r, tau, memory.e);
-      break;
-    case JointKind::kPlanar:
-      if constexpr (kAnyPlanar) {
-        const Vector<Value> x{R[0], R[3 * kPerBlock], R[6 * kPerBlock]};
-        const Vector<Value> y{R[kPerBlock], R[4 * kPerBlock], R[7 * kPerBlock]};
-        if constexpr (reversed) shift(X, -memory.r);
-        eliminate<true, false>(w, j, X, x, none, reversed ? -tau[0] : tau[0], memory.e);
-        eliminate<true, false>(w, j, X, y, none, reversed ? -tau[1] : tau[1], memory.e + 8);
-        eliminate<false, false>(w, j, X, axis_at(R), none, reversed ? -tau[2] : tau[2],
-                                memory.e + 16);
-        if constexpr (!reversed) shift(X, memory.r);
+      if constexpr (kAnySpherical) {
+        const Vector<T> tau = each_vector(joints, w.tau, &JointConstants::v);
+        eliminate_rotations<reversed>(w, joints, X, memory.r, tau, memory.e);
       }
       break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) eliminate_planar<reversed>(w, joints, X);
+      break;
     case JointKind::kFloating:
-      if constexpr (kAnyFloating) set_free<reversed>(w, j, X, memory.r, tau, memory.e);
+      if constexpr (kAnyFloating && kWidth<T> == 1)
+        set_free<reversed>(w, joints.joint[0], X, memory.r, w.tau + joint.v, memory.e);
       break;
   }
+  arrive(X);
 }
 
 // Adds to a body what the sweep finds at a link.
@@ -1921,7 +2079,15 @@ template <int p>
 ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
   if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
-  if (role.adds_own) add_bare_link(w, link, X);
+  if (role.adds_own) add_bare_link(w, single(link - 1), X);
+}
+
+// What is found at a link.
+template <int p>
+ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
+  Body<Value> X{};
+  meet<p>(w, link, X);
+  return X;
 }
 
 template <bool starts>
@@ -1933,13 +2099,27 @@ ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
     body += X;
 }
 
+// Whether nothing but the links themselves is found at links first .. last.
+template <int p>
+constexpr bool bare(int first, int last) {
+  for (int link = first; link <= last; ++link) {
+    const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+    if (role.gathers || !role.adds_own) return false;
+  }
+  return true;
+}
+
 // Process p takes joints last .. first inwards, each on the link of the one before.
 template <int p, int first, int last, bool starts>
 void inward(Workspace& w) {
   Body<Value> X{};
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick) meet<p>(w, last + 1, X);
   for (int j = last; j >= first; --j) {
-    meet<p>(w, j + 1, X);
-    step_inward<false>(w, j, X);
+    if constexpr (!quick) meet<p>(w, j + 1, X);
+    step_inward<false>(w, single(j), X, [&](Body<Value>& near) {
+      if (quick && j > first) add_bare_link(w, single(j - 1), near);
+    });
   }
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave<starts>(w, near, X);
@@ -1949,9 +2129,13 @@ void inward(Workspace& w) {
 template <int p, int first, int last, bool starts>
 void inward_reversed(Workspace& w) {
   Body<Value> X{};
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
   for (int j = first; j <= last; ++j) {
-    meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
-    step_inward<true>(w, j, X);
+    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    step_inward<true>(w, single(j), X, [&](Body<Value>& near) {
+      if (quick && j < last) add_bare_link(w, single(j), near);
+    });
   }
   leave<starts>(w, last + 1, X);
 }
@@ -1960,7 +2144,7 @@ void inward_reversed(Workspace& w) {
 template <int link, bool starts>
 void place(Workspace& w) {
   Body<Value> X{};
-  add_bare_link(w, link, X);
+  add_bare_link(w, single(link - 1), X);
   leave<starts>(w, link, X);
 }
 
@@ -1974,102 +2158,115 @@ void free_base(Workspace& w) {
   leave<starts>(w, j + 1, X);
 }
 
-// What was left at a link, with the link itself where it is this process's to add.
-template <int p, int link>
-ADAGEN_INLINE Body<Value> whole(Workspace& w) {
-  Body<Value> X{};
-  meet<p>(w, link, X);
-  return X;
-}
-
 // Acceleration of a root that nothing holds.
 template <int p, int link>
 void solve_root(Workspace& w) {
-  if (!solve_free(whole<p, link>(w), w.motions[link])) fail(w, kFactorization, link - 1);
+  if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
 }
 
 // Outwards again: the joints' accelerations.
 
-ADAGEN_INLINE Value freedom(const Value* e, const Motion<Value>& a) {
+template <class T>
+ADAGEN_INLINE T freedom(const T* e, const Motion<T>& a) {
   return (e[6] - (e[0] * a.angular.x + e[1] * a.angular.y)) -
          ((e[2] * a.angular.z + e[3] * a.linear.x) + (e[4] * a.linear.y + e[5] * a.linear.z));
 }
 
+// Gives the k-th acceleration of each of the joints.
+template <class T>
+ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T& x) {
+  const auto place = [&](int lane) -> Value& {
+    const int v = kJoints[static_cast<std::size_t>(joints.joint[lane])].v;
+    return w.answer[static_cast<std::size_t>(v + k)];
+  };
+  if constexpr (kWidth<T> == 1)
+    place(0) = x;
+  else
+    ADAGEN_FOR (lane, 0, kWidth<T>) place(lane) = x[lane];
+}
+
 // The same for joints with several freedoms, told at the joint's origin throughout.
 template <bool reversed>
-ADAGEN_INLINE void move_at_joint(Workspace& w, int j, Motion<Value>& a) {
-  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-  [[maybe_unused]] const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
-  [[maybe_unused]] const Value* R = w.of(j, kAxes);
+ADAGEN_INLINE void move_at_joint(Workspace& w, const Joints<Value>& joints, Motion<Value>& a) {
+  const JointConstants& joint = joints.any();
+  [[maybe_unused]] const Value* const e = w.memory(joints).e;
+  [[maybe_unused]] const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
   [[maybe_unused]] Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
-  switch (joint.kind) {
-    case JointKind::kSpherical:
-      if constexpr (kAnySpherical) {
-        const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
-        const Vector<Value> far = Vector<Value>{e[9], e[10], e[11]} - K * a.linear;
-        const Vector<Value> x = transposed_times(matrix_at(R), far - a.angular);
-        qdd[0] = reversed ? -x.x : x.x, qdd[1] = reversed ? -x.y : x.y;
-        qdd[2] = reversed ? -x.z : x.z;
-        a.angular = far;
-      }
-      break;
-    case JointKind::kPlanar:
-      if constexpr (kAnyPlanar) {
-        const Value spin = freedom(e + 16, a);
-        a.angular += axis_at(R) * spin;
-        const Value y = freedom(e + 8, a);
-        a.linear += Vector<Value>{R[kPerBlock], R[4 * kPerBlock], R[7 * kPerBlock]} * y;
-        const Value x = freedom(e, a);
-        a.linear += Vector<Value>{R[0], R[3 * kPerBlock], R[6 * kPerBlock]} * x;
-        qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
-      }
-      break;
-    case JointKind::kFloating:
-      if constexpr (kAnyFloating) {
-        const Matrix<Value> axes = matrix_at(R);
-        const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
-        const Vector<Value> slide = transposed_times(axes, far.linear - a.linear);
-        const Vector<Value> spin = transposed_times(axes, far.angular - a.angular);
-        const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
-        ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
-        a = far;
-      }
-      break;
-    default:
-      break;
+  if constexpr (kAnyPlanar) {
+    if (joint.kind == JointKind::kPlanar) {
+      const Value spin = freedom(e + 16, a);
+      a.angular += Vector<Value>{R.x.z, R.y.z, R.z.z} * spin;
+      const Value y = freedom(e + 8, a);
+      a.linear += Vector<Value>{R.x.y, R.y.y, R.z.y} * y;
+      const Value x = freedom(e, a);
+      a.linear += Vector<Value>{R.x.x, R.y.x, R.z.x} * x;
+      qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
+    }
   }
+  if constexpr (kAnyFloating) {
+    if (joint.kind == JointKind::kFloating) {
+      const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+      const Vector<Value> slide = transposed_times(R, far.linear - a.linear);
+      const Vector<Value> spin = transposed_times(R, far.angular - a.angular);
+      const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
+      ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
+      a = far;
+    }
+  }
+}
+
+// The same for spherical joints.
+template <bool reversed, class T>
+ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
+  const T* const e = w.memory(joints).e;
+  const Matrix<T> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+  const Vector<T> far = Vector<T>{e[9], e[10], e[11]} - K * a.linear;
+  const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
+  const Vector<T> x = transposed_times(R, far - a.angular);
+  answer(w, joints, 0, reversed ? -x.x : x.x);
+  answer(w, joints, 1, reversed ? -x.y : x.y);
+  answer(w, joints, 2, reversed ? -x.z : x.z);
+  a.angular = far;
 }
 
 // A joint's acceleration from the near link's, which becomes the far link's; each is told at its
 // own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
-template <bool reversed>
-ADAGEN_INLINE void move(Workspace& w, int j, Motion<Value>& a) {
-  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-  const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
-  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
-  const Value* R = w.of(j, kAxes);
-  Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+template <bool reversed, class T>
+ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
+  const JointConstants& joint = joints.any();
+  const T* const e = w.memory(joints).e;
+  const Vector<T>& r = w.memory(joints).r;
+  const Value* R = w.at(joints.slot, kAxes);
   switch (joint.kind) {
     case JointKind::kRevolute: {
-      const Vector<Value> axis = axis_at(R);
-      const Value x = freedom(e, a);
-      qdd[0] = reversed ? -x : x;
+      const Vector<T> axis = axis_at<T>(R);
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
       carry(a, reversed ? -r : r);
       a.angular += axis * x;
       if constexpr (reversed) a.linear += cross(r, axis) * x;
       break;
     }
     case JointKind::kPrismatic: {
-      const Value x = freedom(e, a);
-      qdd[0] = reversed ? -x : x;
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
       carry(a, reversed ? -r : r);
-      a.linear += axis_at(R) * x;
+      a.linear += axis_at<T>(R) * x;
       break;
     }
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) {
+        if constexpr (!reversed) carry(a, r);
+        turn_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+      break;
     default:
-      if constexpr (!reversed) carry(a, r);
-      move_at_joint<reversed>(w, j, a);
-      if constexpr (reversed) carry(a, -r);
+      if constexpr (kWidth<T> == 1) {
+        if constexpr (!reversed) carry(a, r);
+        move_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
   }
 }
 
@@ -2078,7 +2275,7 @@ template <int p, int first, int last>
 void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
   for (int j = first; j <= last; ++j) {
-    move<false>(w, j, a);
+    move<false>(w, single(j), a);
     if (kRoles[p][static_cast<std::size_t>(j + 1)].parts)
       w.motions[static_cast<std::size_t>(j + 1)] = a;
   }
@@ -2088,7 +2285,7 @@ template <int p, int first, int last>
 void accelerate_reversed(Workspace& w) {
   Motion<Value> a = w.motions[last + 1];
   for (int j = last; j >= first; --j) {
-    move<true>(w, j, a);
+    move<true>(w, single(j), a);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
     if (kRoles[p][far].parts) w.motions[far] = a;
   }
@@ -2113,6 +2310,7 @@ void free_acceleration(Workspace& w) {
   qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
   as_joint_acceleration<j>(w);
 }
+
 
 // Nothing on the ground moves beyond its Frame, and the ground does not yield.
 const Mat6 kZero = Mat6::Zero();
@@ -2165,7 +2363,7 @@ inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); 
 
 template <int p, int link>
 void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
-  if (!invert(whole<p, link>(w), Phi, b)) fail(w, kFactorization, link - 1);
+  if (!invert(whole<p>(w, link), Phi, b)) fail(w, kFactorization, link - 1);
 }
 
 // Six columns of motions of a link, side by side: L times them are the far link's.
@@ -2258,7 +2456,7 @@ void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias,
   const Mat6 half = passed<reversed>(w, j, near);
   far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
   Motion<Value> a = motion_of(near_bias);
-  move<reversed>(w, j, a);
+  move<reversed>(w, single(j), a);
   far_bias = columns_of(a);
 }
 
