@@ -76,7 +76,7 @@ def is_solid(inertia: Inertia, joints: Iterable[Sequence[float] | np.ndarray]) -
 
     Args:
         inertia: the link's.
-        joints: places of the joints beyond it, shape (3,) each, m; what is noise is judged beside m l^2.
+        joints: places of the joints beyond it, shape (3,) each, m; noise is judged beside m l^2.
     """
     if not is_regular(inertia):
         return False

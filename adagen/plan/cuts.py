@@ -96,7 +96,7 @@ class _Robot:
         return _Joint(run, first.parent, run[-1] + 1, free, constrained, alone)
 
     def mass_ratios(self) -> Array:
-        """Return each link's mass relative to the heaviest one near it, shape (N + 1,); the ground's is 1."""
+        """Return each link's mass relative to the heaviest near it, shape (N + 1,); 1 first."""
         mass = np.array([0.0, *(link.inertia.mass for link in self.links[1:])])
         heaviest = mass.copy()
         for _ in range(_NEAR):
