@@ -15,6 +15,7 @@ import sys
 import sysconfig
 import time
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from adagen.bench.contest import Rules
@@ -41,6 +42,8 @@ REAL = (
 CHAINS = (16, 50, 100, 200, 500, 1000)
 TOO_SLOW = {1000: ("mujoco",)}
 """Peers that are left out by joints of a chain: their rounds would take minutes."""
+LONG, FEW = 500, ("--procs 1", "--procs 2", "--procs 1 --batch")
+"""Chains from so many joints on take part with these variants alone: others compile for minutes."""
 QUICK = ("ur5", "human40")
 
 
@@ -55,15 +58,17 @@ def entries() -> Iterator[Entry]:
     for dofs in robots.HUMANS:
         yield _made(f"human{dofs}", robots.human(dofs))
     for joints in CHAINS:
-        yield _made(f"chain{joints}", robots.chain(joints), TOO_SLOW.get(joints, ()))
+        made = _made(f"chain{joints}", robots.chain(joints))
+        variants = FEW if joints >= LONG else ()
+        yield replace(made, too_slow=TOO_SLOW.get(joints, ()), variants=variants)
 
 
-def _made(name: str, text: str, too_slow: tuple[str, ...] = ()) -> Entry:
+def _made(name: str, text: str) -> Entry:
     """Return a robot whose description is written here."""
     path = WORK / f"{name}.urdf"
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
-    return Entry(name, path, too_slow=too_slow)
+    return Entry(name, path)
 
 
 def publish(record: Record, out: Path | None) -> None:

@@ -55,12 +55,14 @@ class Entry:
         file: its description.
         words: options that go with it.
         too_slow: peers that would take minutes on it, and are left out.
+        variants: of adagen, instead of what is asked for of all robots; none for those.
     """
 
     name: str
     file: Path
     words: tuple[str, ...] = ()
     too_slow: tuple[str, ...] = ()
+    variants: tuple[str, ...] = ()
 
 
 def contest(
@@ -123,7 +125,7 @@ def measure(
     few = States(*(x[:judged] for x in (states.q, states.v, states.tau)))
     absent = {name: "it would take minutes" for name in entry.too_slow if name in peers}
     with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
-        taking_part = _emitted(entry, model, variants, absent)
+        taking_part = _emitted(entry, model, entry.variants or variants, absent)
         taking_part += _others(
             model, states, [name for name in peers if name not in absent], Path(folder), absent
         )

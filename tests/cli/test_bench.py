@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 
 import pytest
@@ -46,6 +47,25 @@ def test_what_adagen_cannot_do_is_named_and_the_rest_goes_on(arm: Path) -> None:
     assert "cubist" in found.absent["adagen --procs 1 --shape cubist"]
     assert "1000 processes: at most" in found.absent["adagen --procs 1000"]
     assert "adagen --procs auto" in found.absent
+
+
+def test_an_entry_has_variants_of_its_own_and_leaves_out_slow_peers(arm: Path) -> None:
+    entry = Entry("arm", arm, too_slow=("mujoco",), variants=("--procs 1",))
+    found = measure(entry, Rules(rounds=1, repeat=1), ("--procs 1 --shape cubist",), ("mujoco",))
+    assert [row.team for row in found.rows] == ["adagen"]
+    assert found.absent == {"mujoco": "it would take minutes"}
+
+
+def test_more_processes_than_cores_are_timed_by_their_stretches(arm: Path) -> None:
+    allowed = os.sched_getaffinity(0)
+    try:
+        os.sched_setaffinity(0, {min(allowed)})  # what is started here inherits it
+        found = measure(Entry("arm", arm), Rules(rounds=1, repeat=1), ("--procs 2",), ())
+    finally:
+        os.sched_setaffinity(0, allowed)
+    assert [row.what for row in found.rows] == ["stretches", "stretches_through_root"]
+    assert all(row.played and 0 < row.least <= row.median < 1e6 for row in found.rows)
+    assert found.timed("adagen", processes=2) is found.rows[0]
 
 
 def test_sources_that_compile_for_minutes_are_left_out(
