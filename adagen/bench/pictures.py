@@ -33,8 +33,8 @@ STYLE: Any = {
     "svg.hashsalt": "adagen",
 }
 PLACES = {
-    "in_place": ("#009e73", "states and results in place"),
-    "through_root": ("#56b4e9", "all through process 0"),
+    "in_place": ("#009e73", "in place"),
+    "through_root": ("#56b4e9", "through process 0"),
 }
 """Colour and words for what is timed on several processes."""
 MARKS = {2: "o", 4: "D"}
@@ -211,7 +211,7 @@ def over_processes(record: Record) -> Figure | None:
     axes.set_ylim(len(shown) - 0.5, -0.5)
     axes.set_xlim(left=0)
     axes.set_xlabel("time, % of the best on one process (median)")
-    figure.legend(loc="outside lower center", ncols=3, frameon=False, fontsize=9)
+    figure.legend(loc="outside lower center", ncols=2, frameon=False, fontsize=9)
     return figure
 
 

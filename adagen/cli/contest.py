@@ -54,14 +54,14 @@ class Entry:
         name: what tables call it.
         file: its description.
         words: options that go with it.
-        too_slow: peers that would take minutes on it, and are left out.
+        without: peers that are left out, and why.
         variants: of adagen, instead of what is asked for of all robots; none for those.
     """
 
     name: str
     file: Path
     words: tuple[str, ...] = ()
-    too_slow: tuple[str, ...] = ()
+    without: Mapping[str, str] = dataclasses.field(default_factory=dict)
     variants: tuple[str, ...] = ()
 
 
@@ -123,7 +123,7 @@ def measure(
     states = random_states(model, rules.states, rules.seed)
     judged = rules.judged if model.nv <= DIRECT else 1
     few = States(*(x[:judged] for x in (states.q, states.v, states.tau)))
-    absent = {name: "it would take minutes" for name in entry.too_slow if name in peers}
+    absent = {name: why for name, why in entry.without.items() if name in peers}
     with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
         taking_part = _emitted(entry, model, entry.variants or variants, absent)
         taking_part += _others(
