@@ -16,11 +16,11 @@ from adagen.schedule.budget import Budget, OutOfBudget, Progress
 from adagen.schedule.chains import WHOLE
 from adagen.schedule.draft import Draft
 from adagen.schedule.exact import ExactSearch
+from adagen.schedule.found import Found
 from adagen.schedule.options import Space
 from adagen.schedule.profile import TICKS, CostProfile
 from adagen.schedule.restricted import joined_between_processes, restricted_draft
 from adagen.schedule.segment_schedule import segment_schedule
-from adagen.schedule.sweeps import loads_of, makespan_of
 from adagen.schedule.ties import LeastWork, walk
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Schedule, Split, Strategy, Tie
@@ -28,23 +28,6 @@ from adagen.schedule.tree import Schedule, Split, Strategy, Tie
 MOST_PROCESSES = 1024
 EXPANSIONS = 5_000
 """Default limit on expansions: the same answer on every machine, within seconds."""
-
-
-@dataclass(frozen=True)
-class Found:
-    """What a strategy comes back with; times in ticks.
-
-    Attributes:
-        draft: the schedule tree.
-        lower: proven lower bound on the makespan.
-        expanded: states or nodes expanded.
-        tie_proven: whether the preference among equals is met for certain.
-    """
-
-    draft: Draft
-    lower: int
-    expanded: int
-    tie_proven: bool
 
 
 @dataclass(frozen=True)
@@ -123,34 +106,21 @@ def find_schedule(
     space = Space(topology, profile, rules)
     searched = processes if rules.halving else rules.useful(processes, len(topology))
     request = Request(space, searched, tie, improved, expansions, deadline, progress)
-    if searched == 1:
-        found = _one(request)
-    elif strategy == "exact":
-        found = _exact(request)
-    else:
-        found = _astar(request, strategy)
+    found = _found(request, strategy)
     _give_all(found.draft, searched, processes)
-    root = found.draft.finish(topology, profile)
-    if cuttable is not None and not all(cuttable[j] for j in joined_between_processes(root)):
-        draft, spent = restricted_draft(topology, searched, profile, rules, cuttable, expansions)
-        found = Found(draft, found.lower, found.expanded + spent, False)
-        _give_all(found.draft, searched, processes)
-        root = found.draft.finish(topology, profile)
-    makespan = makespan_of(root)
-    lower = found.lower / TICKS
-    return Schedule(
-        root=root,
-        processes=processes,
-        makespan=makespan,
-        lower_bound=min(lower, makespan),
-        profile=profile.name,
-        tie=tie,
-        tie_proven=found.tie_proven,
-        strategy=strategy,
-        split=split,
-        expanded=found.expanded,
-        loads=loads_of(root, processes),
-    )
+    schedule = found.schedule(topology, processes, profile, tie, strategy, split)
+    if cuttable is None or all(cuttable[j] for j in joined_between_processes(schedule.root)):
+        return schedule
+    draft, spent = restricted_draft(topology, searched, profile, rules, cuttable, expansions)
+    _give_all(draft, searched, processes)
+    restricted = Found(draft, found.lower, found.expanded + spent)
+    return restricted.schedule(topology, processes, profile, tie, strategy, split)
+
+
+def _found(request: Request, strategy: Strategy) -> Found:
+    if request.processes == 1:
+        return _one(request)
+    return _exact(request) if strategy == "exact" else _astar(request, strategy)
 
 
 def _check(

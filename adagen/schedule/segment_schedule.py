@@ -4,21 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.schedule.budget import Budget, OutOfBudget
 from adagen.schedule.chains import WHOLE
-from adagen.schedule.draft import Draft
+from adagen.schedule.found import Found
 from adagen.schedule.pricing import segment_time
 from adagen.schedule.profile import TICKS, CostProfile
 from adagen.schedule.segment_bounds import SegmentBounds
 from adagen.schedule.segment_front import Label, State, draft_of
 from adagen.schedule.segment_search import SegmentSearch
 from adagen.schedule.segments import SegmentCosts
-from adagen.schedule.sweeps import Sweeps, loads_of, makespan_of
+from adagen.schedule.sweeps import Sweeps
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Schedule, Tie
 
@@ -60,36 +59,7 @@ def segment_schedule(
     allowed = [True] * len(topology) if cuttable is None else list(cuttable)
     at = np.array([allowed[j] for j in costs.chains.original], dtype=np.bool_)
     found = find_segments(costs, processes, at, expansions, deadline)
-    root = found.draft.finish(topology, profile)
-    makespan = makespan_of(root)
-    lower = found.lower / TICKS
-    return Schedule(
-        root=root,
-        processes=processes,
-        makespan=makespan,
-        lower_bound=min(lower, makespan),
-        profile=profile.name,
-        tie=tie,
-        tie_proven=False,
-        strategy="exact",
-        split="always",
-        expanded=found.expanded,
-        loads=loads_of(root, processes),
-    )
-
-
-class Found(NamedTuple):
-    """What a search comes back with.
-
-    Attributes:
-        draft: the best schedule found.
-        lower: proven lower bound on the makespan, ticks.
-        expanded: states expanded.
-    """
-
-    draft: Draft
-    lower: int
-    expanded: int
+    return found.schedule(topology, processes, profile, tie)
 
 
 def find_segments(
