@@ -203,7 +203,7 @@ def _emit(entry: Entry, model: Model, variant: str) -> Emitted:
     if options.procs > most:
         raise UsageError(f"{options.procs} processes: at most {most} are timed on {cores()} cores")
     made = pipeline.generate(model, options, Stages())
-    shape = "kernels" if options.batch else chosen_shape(made.plan, options.shape)
+    shape = chosen_shape(made.plan, options.shape, batch=options.batch)
     profile = load_profile(options.profile)
     predicted = None
     if profile.steps is not None and not options.batch and is_priced(made.plan, shape):

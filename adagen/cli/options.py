@@ -215,7 +215,7 @@ def check_emission(parser: Parser, options: argparse.Namespace) -> None:
     if options.batch:
         check_batch(options.shape, options.refine)
         if options.tune:
-            parser.error("a batch has one shape, there is nothing to --tune: leave out one of them")
+            parser.error("batches are not tuned: leave out --tune or --batch")
 
 
 def _processes(text: str) -> int:

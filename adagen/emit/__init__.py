@@ -116,8 +116,7 @@ def source(
         if len(plan.processes) > 1:
             raise UsageError("a batch is solved by the plan of one process")
         check_batch(shape, refine)
-        shape = "kernels"
-    shape = chosen_shape(plan, checked_steps(refine, shape))
+    shape = chosen_shape(plan, checked_steps(refine, shape), batch=bool(batch))
     plan = refinable(plan) if refine else plan
     words = Words(plan, refine, chunk, bool(batch))
     processes = batch or len(plan.processes)
@@ -170,8 +169,8 @@ def check_batch(shape: str, refine: int) -> None:
     """
     if refine:
         raise UsageError("batches are not refined; leave out --refine or --batch")
-    if shape not in ("auto", "kernels"):
-        raise UsageError(f"batches are emitted in shape kernels, not {shape}")
+    if shape not in ("auto", "kernels", "unrolled"):
+        raise UsageError(f"batches are emitted in shapes kernels and unrolled, not {shape}")
 
 
 def _tuning(chunk: int, compiler: str) -> str:

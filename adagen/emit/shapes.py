@@ -18,7 +18,12 @@ from adagen.emit.effects import has_effects
 from adagen.emit.joints import joint_rows
 from adagen.emit.processes import step_rows
 from adagen.emit.refine import add_corrections, refinement_values
-from adagen.emit.unrolled import pays_unrolled, unrolled_values, why_not_unrolled
+from adagen.emit.unrolled import (
+    pays_unrolled,
+    pays_unrolled_in_lanes,
+    unrolled_values,
+    why_not_unrolled,
+)
 from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.plan import Plan
@@ -98,15 +103,23 @@ def stepwise(plan: Plan) -> str:
     return next(name for name in ("kernels", "joints") if SHAPES[name].why_not(plan) is None)
 
 
-def chosen_shape(plan: Plan, shape: str = "auto") -> str:
+def chosen_shape(plan: Plan, shape: str = "auto", *, batch: bool = False) -> str:
     """Return the shape that a plan is emitted in: the one asked for, or the fastest that takes it.
+
+    Args:
+        plan: the plan.
+        shape: one of ``KNOWN``, or "auto".
+        batch: whether it is emitted for batches.
 
     Raises:
         UsageError: the plan cannot be emitted in the shape asked for.
     """
     if shape == "auto":
         alone = len(plan.processes) == 1 and why_not_unrolled(plan) is None
-        return "unrolled" if alone and pays_unrolled(plan) else stepwise(plan)
+        if batch:
+            shape = "unrolled" if alone and pays_unrolled_in_lanes(plan) else "kernels"
+        else:
+            return "unrolled" if alone and pays_unrolled(plan) else stepwise(plan)
     reason = KNOWN[shape].why_not(plan)
     if reason is not None:
         raise UsageError(f"shape {shape} cannot be emitted: {reason}")

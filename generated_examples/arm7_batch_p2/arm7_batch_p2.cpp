@@ -1,7 +1,7 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
-// options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // schedule  base_yaw@0(|shoulder_pitch(|upper_arm_roll(|elbow_pitch(|forearm_roll(|wrist_pitch(|flange_roll(|left_finger_slide(right_finger_slide|))))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
@@ -457,157 +457,6 @@ ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosin
       if (beyond[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
 }
 
-// Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
-// computed with: one number, or one for each of several states or links.
-template <class T>
-struct Vector {
-  T x, y, z;
-};
-
-template <class T>
-struct Matrix {
-  Vector<T> x, y, z;  // rows
-};
-
-template <class T>
-struct Symmetric {
-  T xx, xy, xz, yy, yz, zz;
-};
-
-template <class T>
-ADAGEN_INLINE Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class T>
-ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a, const Vector<T>& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-template <class T>
-ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a) {
-  return {-a.x, -a.y, -a.z};
-}
-template <class T, class S>
-ADAGEN_INLINE Vector<T> operator*(const Vector<T>& a, const S& s) {
-  return {a.x * s, a.y * s, a.z * s};
-}
-template <class T>
-ADAGEN_INLINE void operator+=(Vector<T>& a, const Vector<T>& b) {
-  a.x += b.x, a.y += b.y, a.z += b.z;
-}
-template <class T, class S>
-ADAGEN_INLINE T dot(const Vector<T>& a, const Vector<S>& b) {
-  return a.x * b.x + (a.y * b.y + a.z * b.z);
-}
-template <class T, class S>
-ADAGEN_INLINE Vector<T> cross(const Vector<T>& a, const Vector<S>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-template <class T, class S>
-ADAGEN_INLINE Vector<T> operator*(const Matrix<T>& m, const Vector<S>& a) {
-  return {dot(m.x, a), dot(m.y, a), dot(m.z, a)};
-}
-template <class T>
-ADAGEN_INLINE Vector<T> transposed_times(const Matrix<T>& m, const Vector<T>& a) {
-  return {m.x.x * a.x + (m.y.x * a.y + m.z.x * a.z), m.x.y * a.x + (m.y.y * a.y + m.z.y * a.z),
-          m.x.z * a.x + (m.y.z * a.y + m.z.z * a.z)};
-}
-template <class T, class S>
-ADAGEN_INLINE Vector<T> row_times(const Vector<T>& a, const Matrix<S>& m) {
-  return {a.x * m.x.x + (a.y * m.y.x + a.z * m.z.x), a.x * m.x.y + (a.y * m.y.y + a.z * m.z.y),
-          a.x * m.x.z + (a.y * m.y.z + a.z * m.z.z)};
-}
-template <class T, class S>
-ADAGEN_INLINE Matrix<T> operator*(const Matrix<T>& a, const Matrix<S>& b) {
-  return {row_times(a.x, b), row_times(a.y, b), row_times(a.z, b)};
-}
-template <class T>
-ADAGEN_INLINE Vector<T> operator*(const Symmetric<T>& m, const Vector<T>& a) {
-  return {m.xx * a.x + (m.xy * a.y + m.xz * a.z), m.xy * a.x + (m.yy * a.y + m.yz * a.z),
-          m.xz * a.x + (m.yz * a.y + m.zz * a.z)};
-}
-template <class T>
-ADAGEN_INLINE void operator+=(Symmetric<T>& a, const Symmetric<T>& b) {
-  a.xx += b.xx, a.xy += b.xy, a.xz += b.xz, a.yy += b.yy, a.yz += b.yz, a.zz += b.zz;
-}
-template <class T>
-ADAGEN_INLINE void operator+=(Matrix<T>& a, const Matrix<T>& b) {
-  a.x += b.x, a.y += b.y, a.z += b.z;
-}
-
-// A body about a point: spatial inertia [[A, B], [B^T, C]] (A rotational, C of mass) and bias force
-// [n; f]. It is a link, or a link with all that hangs on it.
-template <class T>
-struct Body {
-  Symmetric<T> A;
-  Matrix<T> B;
-  Symmetric<T> C;
-  Vector<T> n, f;
-};
-
-template <class T>
-ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
-  a.A += b.A, a.B += b.B, a.C += b.C, a.n += b.n, a.f += b.f;
-}
-
-// The body told about the point at -r from the one that it is told about: B + rx C, and
-// A + rx B^T - (B + rx C) rx.
-template <class T>
-ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
-  const Symmetric<T>& C = X.C;
-  const Matrix<T> B{{X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
-                     X.B.x.z + (r.y * C.zz - r.z * C.yz)},
-                    {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
-                     X.B.y.z + (r.z * C.xz - r.x * C.zz)},
-                    {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
-                     X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
-  X.A.xx += (r.y * X.B.x.z - r.z * X.B.x.y) - (B.x.y * r.z - B.x.z * r.y);
-  X.A.xy += (r.y * X.B.y.z - r.z * X.B.y.y) - (B.x.z * r.x - B.x.x * r.z);
-  X.A.xz += (r.y * X.B.z.z - r.z * X.B.z.y) - (B.x.x * r.y - B.x.y * r.x);
-  X.A.yy += (r.z * X.B.y.x - r.x * X.B.y.z) - (B.y.z * r.x - B.y.x * r.z);
-  X.A.yz += (r.z * X.B.z.x - r.x * X.B.z.z) - (B.y.x * r.y - B.y.y * r.x);
-  X.A.zz += (r.x * X.B.z.y - r.y * X.B.z.x) - (B.z.x * r.y - B.z.y * r.x);
-  X.B = B;
-  X.n += cross(r, X.f);
-}
-
-// The inertia less U U^T / D, U = [n; f] and e = U / D.
-template <class T>
-ADAGEN_INLINE void subtract(Body<T>& X, const Vector<T>& n, const Vector<T>& f,
-                            const Vector<T>& e_n, const Vector<T>& e_f) {
-  X.A.xx -= e_n.x * n.x, X.A.xy -= e_n.x * n.y, X.A.xz -= e_n.x * n.z;
-  X.A.yy -= e_n.y * n.y, X.A.yz -= e_n.y * n.z, X.A.zz -= e_n.z * n.z;
-  X.B.x.x -= e_n.x * f.x, X.B.x.y -= e_n.x * f.y, X.B.x.z -= e_n.x * f.z;
-  X.B.y.x -= e_n.y * f.x, X.B.y.y -= e_n.y * f.y, X.B.y.z -= e_n.y * f.z;
-  X.B.z.x -= e_n.z * f.x, X.B.z.y -= e_n.z * f.y, X.B.z.z -= e_n.z * f.z;
-  X.C.xx -= e_f.x * f.x, X.C.xy -= e_f.x * f.y, X.C.xz -= e_f.x * f.z;
-  X.C.yy -= e_f.y * f.y, X.C.yz -= e_f.y * f.z, X.C.zz -= e_f.z * f.z;
-}
-
-// Where a point moves that is at r from one that moves as [angular; linear].
-template <class T>
-struct Motion {
-  Vector<T> angular, linear;
-};
-
-template <class T, class S>
-ADAGEN_INLINE void carry(Motion<T>& a, const Vector<S>& r) {
-  a.linear += cross(a.angular, r);
-}
-
-// The rotation that a quaternion x y z w of any length stands for, and its squared length.
-template <class T>
-ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<T>& R) {
-  const T squared = (x * x + y * y) + (z * z + w * w);
-  const T s = 2 / squared;
-  const T xx = s * x * x, yy = s * y * y, zz = s * z * z, xy = s * x * y, xz = s * x * z,
-          yz = s * y * z, xw = s * x * w, yw = s * y * w, zw = s * z * w;
-  R = {{1 - (yy + zz), xy - zw, xz + yw},
-       {xy + zw, 1 - (xx + zz), yz - xw},
-       {xz - yw, yz + xw, 1 - (xx + yy)}};
-  return squared;
-}
-
 constexpr std::array<MessageInfo, 0> kMessages{ {
 } };
 
@@ -941,1064 +790,1078 @@ inline void stamp(int k) {
   if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
 }
 
-// ---- 4. kernels ---------------------------------------------------------------------------------
-// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
-// base's link), about each link's own origin. Links move as they would were all joint accelerations
-// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
+// ---- 4. joints ----------------------------------------------------------------------------------
 
 // What is computed with: one state in each lane.
 using Value = Lanes;
 
-// A link's mass, that times its centre of mass, and its pseudo-inertia, sum of m x x^T: xx xy xz yy
-// yz zz. About the link's origin.
-struct LinkInertia {
-  Real mass, moments[3], tensor[6];
-};
-constexpr std::array<LinkInertia, kJointCount> kInertias{ {
-    {3.6, {0.0, 0.0, 0.36000000000000004},
-     {0.00441, 0.0, 0.0, 0.00441, 0.0, 0.04800000000000001}},
-    {3.1, {0.0, -0.31000000000000005, 0.0},
-     {0.00279, 0.0, 0.0, 0.045880000000000004, 0.0, 0.00279}},
-    {2.6, {0.0, 0.0, -0.078},
-     {0.00196625, 0.0, 0.0, 0.00196625, 0.0, 0.009359999999999999}},
-    {2.2, {-0.11000000000000001, 0.22000000000000003, 0.0},
-     {0.006875000000000001, -0.011000000000000003, 0.0, 0.030873300000000003, 0.0, 0.001375}},
-    {1.7, {0.0, 0.017, -0.136},
-     {0.000860625, 0.0, 0.0, 0.0010306249999999999, -0.00136, 0.014506665}},
-    {1.3, {0.052000000000000005, 0.013000000000000001, 0.0},
-     {0.0027300000000000002, 0.0005200000000000001, 0.0, 0.00078, 0.0, 0.00065}},
-    {0.85, {0.007199999999999999, 0.0, 0.0754},
-     {0.0006599999999999998, 0.0, 0.00014399999999999992, 0.0025143300000000004, 0.0, 0.007576}},
-    {0.05, {0.0015, 0.0, 0.0005},
-     {6.0000035e-05, 0.0, 1.5e-05, 1.666665e-06, 0.0, 6.666665e-06}},
-    {0.05, {0.0015, 0.0, 0.0005},
-     {6.0000035e-05, 0.0, 1.5e-05, 1.666665e-06, 0.0, 6.666665e-06}},
-} };
-
-// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns.
-constexpr int kSlotCount = 9;
-constexpr bool kAbreast = false;  // whether there are such
-constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8 };
-
-// What a process does at a link.
-struct LinkRole {
-  bool gathers;   // paths meet at it inwards
-  bool adds_own;  // its own inertia is this process's to add
-  bool parts;     // paths part at it outwards
-};
-constexpr LinkRole kRoles[1][kLinkCount]{
-    {{1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}},
-};
-
-// What is kept where segments meet, with the joint that it belongs to.
-struct Cuts {
-};
-
-// The memory of a process. What is set up for many links at once lies in blocks, side by side.
-constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
-constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
-
-// Joints that are treated together, one in each lane of T; their slots follow each other.
-template <class T>
-[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Value));
-template <class T>
-struct Joints {
-  int slot;  // of the first one
-  int joint[kWidth<T>];
-
-  const JointConstants& any() const { return kJoints[static_cast<std::size_t>(joint[0])]; }
-};
-constexpr int slot_of(int j) { return kAbreast ? kSlots[j] : j; }
-ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
-
-// The lanes of limbs side by side.
-typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
-typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
-
-// A number of each of the joints.
-template <class T, class Number, std::size_t... lane>
-ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
-                        std::index_sequence<lane...>) {
-  return T{number(kJoints[static_cast<std::size_t>(joints.joint[lane])])...};
-}
-template <class T, class Number>
-ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
-  if constexpr (kWidth<T> == 1) {
-    const auto one = number(kJoints[static_cast<std::size_t>(joints.joint[0])]);
-    if constexpr (std::is_same_v<decltype(one), const T>)
-      return one;
-    else
-      return T{} + one;
-  } else {
-    return each_of(joints, number, std::make_index_sequence<kWidth<T>>{});
-  }
-}
-
-// What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
-enum Entry : int {
-  kTurn = 0,           // rotation from the child's to the parent link's axes, row by row
-  kAxes = 9,           // the link's orientation R, row by row: its z is the joint's axis
-  kOmega = 18,         // angular velocity
-  kAlpha = 21,         // angular acceleration and
-  kAcceleration = 24,  // acceleration of its origin less gravity, were all joint accelerations zero
-  kRotational = 27,    // A of the bare link
-  kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
-  kTorque = 36,        // bias force n
-  kForce = 39,         // and f of the bare link
-  kEntries = 42
-};
-
-struct alignas(64) Block {
-  Value entries[kEntries][kPerBlock];
-};
-
-// Three numbers of each of the joints, that follow each other in x.
-template <class T>
-ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
-                                    int JointConstants::* place) {
-  const auto number = [&](int k) {
-    return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
-  };
-  return {number(0), number(1), number(2)};
-}
-
-// Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
-[[maybe_unused]] constexpr bool any_of(JointKind kind) {
-  for (const JointConstants& joint : kJoints)
-    if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
-  return false;
-}
-[[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
-[[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
-[[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
-[[maybe_unused]] constexpr bool any_passive() {
-  for (const JointConstants& joint : kJoints) {
-    const Passive& own = joint.passive;
-    if (own.damping != 0 || own.friction != 0 || own.stiffness != 0 || own.rotor != 0) return true;
-  }
-  return false;
-}
-[[maybe_unused]] constexpr bool kAnyPassive = any_passive();
-
-// What is kept of a joint from the inward to the outward sweep.
-template <class T>
-struct Eliminated {
-  Vector<T> r;  // from the parent link's origin to the child link's
-  // Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
-  T e[kAnyPlanar ? 24 : kAnySpherical ? 18 : 8];
-};
-using Memory = Eliminated<Value>;
-
-// A link's orientation and how it moves, were all joint accelerations zero.
-template <class T>
-struct Frame {
-  Matrix<T> R;
-  Vector<T> omega, alpha, a;
-};
-
-struct Workspace : Cuts {
+// The memory of a process: the state, angles with sine and cosine, what messages hold, and values
+// that one function leaves to another.
+struct Workspace {
   const Value* q = nullptr;
   const Value* v = nullptr;
   const Value* tau = nullptr;
   Value* qdd = nullptr;
   int status = kFine;
-  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
-  std::array<Block, kBlockCount> blocks{};
-  std::array<Memory, kJointCount> joints{};
-  std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
-  std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
-  std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
-  std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
-  std::array<Value, kNv> answer{};
-
-  Workspace() {
-    for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
-      for (int k = 0; k < 9; ++k)
-        of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
-  }
-
-  Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
-  Value* at(int slot, Entry entry) {
-    return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
-  }
-
-  template <class T>
-  Eliminated<T>& memory(const Joints<T>& of) {
-    if constexpr (kWidth<T> == 1)
-      return joints[static_cast<std::size_t>(of.joint[0])];
-    else if constexpr (kWidth<T> == 2)
-      return twos[static_cast<std::size_t>(of.slot / 2)];
-    else
-      return fours[static_cast<std::size_t>(of.slot / 4)];
-  }
+  alignas(kCacheLine) std::array<Value, 7> angle{}, sine{}, cosine{};
+  std::array<Value, kNv> result{};
+  std::array<Real*, kPlanMessages> to{};          // messages to be sent
+  std::array<const Real*, kPlanMessages> from{};  // messages received
+  alignas(kCacheLine) std::array<Value, 58> x{};
 };
 
-template <class T = Value>
-ADAGEN_INLINE T number_at(const Value* x) {
-  T result;
-  std::memcpy(&result, x, sizeof result);
-  return result;
+// What straight lines of lanes need.
+ADAGEN_INLINE bool all(const LaneBits& good) {
+  Bits result = -1;
+  for (int k = 0; k < kLanes; ++k) result &= good[k];
+  return result != 0;
 }
-template <class T>
-ADAGEN_INLINE void put_at(Value* x, const T& number) {
-  std::memcpy(x, &number, sizeof number);
+ADAGEN_INLINE bool all(const LaneBits& good, const LaneBits& also) { return all(good & also); }
+
+template <int count>
+inline void take_sines_and_cosines(const Lanes* angle, Lanes* sine, Lanes* cosine) {
+  for (int k = 0; k < count; ++k) sine_and_cosine(angle[k], sine[k], cosine[k]);
 }
-template <class T = Value>
-ADAGEN_INLINE Vector<T> vector_at(const Value* x, int stride = kPerBlock) {
-  return {number_at<T>(x), number_at<T>(x + stride), number_at<T>(x + 2 * stride)};
-}
-template <class T>
-ADAGEN_INLINE void put_at(Value* x, const Vector<T>& a) {
-  put_at(x, a.x), put_at(x + kPerBlock, a.y), put_at(x + 2 * kPerBlock, a.z);
-}
-template <class T = Value>
-ADAGEN_INLINE Matrix<T> matrix_at(const Value* x) {
-  return {vector_at<T>(x), vector_at<T>(x + 3 * kPerBlock), vector_at<T>(x + 6 * kPerBlock)};
-}
-template <class T>
-ADAGEN_INLINE void put_at(Value* x, const Matrix<T>& m) {
-  put_at(x, m.x), put_at(x + 3 * kPerBlock, m.y), put_at(x + 6 * kPerBlock, m.z);
-}
-template <class T = Value>
-ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
-  return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
-}
+
+// What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
+// results.
+#define ADAGEN_INPUTS                                                              \
+  [[maybe_unused]] const Value *const q = w.q, *const v = w.v, *const tau = w.tau; \
+  [[maybe_unused]] const Value *const sine = w.sine.data(), *const cosine = w.cosine.data();
+
+[[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
-// A body in a message.
-[[maybe_unused]] constexpr int kBodyNumbers = 27;
-template <class T>
-ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
-  static_assert(sizeof X == kBodyNumbers * sizeof(Real));
-  std::memcpy(to, &X, sizeof X);
-  return to + kBodyNumbers;
-}
-template <class T>
-ADAGEN_INLINE const Real* get(const Real* from, Body<T>& X) {
-  std::memcpy(&X, from, sizeof X);
-  return from + kBodyNumbers;
-}
-template <class T>
-ADAGEN_INLINE const Real* add(const Real* from, Body<T>& X) {
-  Body<T> other;
-  from = get(from, other);
-  X += other;
-  return from;
+// Zero for finite numbers only: x - x is.
+inline Value unlike_zero(const Value* x, int count) {
+  Value sum{};
+  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
+  return sum;
 }
 
-ADAGEN_INLINE Lanes wide(const Value* x) {
-  Lanes result;
-  std::memcpy(&result, x, sizeof result);
-  return result;
+// A state was found not to be finite: which joint's?
+template <std::size_t reads, std::size_t owns>
+[[gnu::cold]] ADAGEN_NOINLINE void name_what_is_not_finite(Workspace& w,
+                                                           const std::array<int, reads>& read,
+                                                           const std::array<int, owns>& owned) {
+  for (const int j : read) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!all(unlike_zero(w.q + joint.q, joint.nq) + unlike_zero(w.v + joint.v, joint.nv) == 0))
+      fail(w, kNotFinite, j);
+  }
+  for (const int j : owned) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!all(unlike_zero(w.tau + joint.v, joint.nv) == 0)) fail(w, kNotFinite, j);
+  }
 }
 
-// x - x is zero for finite x only.
-ADAGEN_INLINE bool finite(const Value* x, int count) {
-  Lanes sum{};
-  Value rest{};
-  int k = 0;
-  for (; k + kPerBlock <= count; k += kPerBlock) sum += wide(x + k) - wide(x + k);
-  for (; k < count; ++k) rest += x[k] - x[k];
-  return all_zero(sum) && all_zero(rest);
-}
-
-// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite;
-// place says where a joint's entries start.
-inline void require_finite(Workspace& w, const Value* x, int first, int count,
-                           int JointConstants::* place, Failure kind) {
-  if (__builtin_expect(finite(x + first, count), 1)) return;
-  while (finite(x + first, 1)) ++first;
-  int joint = 0;
-  for (int j = 0; j < kJointCount; ++j)
-    if (kJoints[static_cast<std::size_t>(j)].*place <= first) joint = j;
-  fail(w, kind, joint);
-}
-
-template <class T>
-void require_length(Workspace& w, const T& squared, int joint) {
-  if (!all_positive(squared - std::numeric_limits<Real>::min()) ||
-      !all_positive(std::numeric_limits<Real>::max() - squared))
+[[maybe_unused]] inline void require_length(Workspace& w, const Value& squared, int joint) {
+  if (!all(squared >= std::numeric_limits<Real>::min(),
+           squared <= std::numeric_limits<Real>::max()))
     fail(w, kZeroQuaternion, joint);
 }
 
-// A joint that an elimination failed for: one whose number is not positive.
+// A pivot or a mobility has to be more than what rounding may have left of it.
 template <class T>
-int culprit(const Joints<T>& joints, [[maybe_unused]] const T& x) {
-  if constexpr (kWidth<T> > 1)
-    for (int k = 0; k < kWidth<T>; ++k)
-      if (!(x[k] > 0)) return joints.joint[k];
-  return joints.joint[0];
+[[maybe_unused]] void require_more(Workspace& w, const Value& x, const T& least, Failure kind,
+                                   int joint) {
+  if (!all(x > least, x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
 }
 
-// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
-  Value tau = w.tau[joint.v];
-  if constexpr (kAnyPassive) {
-    const Passive& own = joint.passive;
-    const Value& qd = w.v[joint.v];
-    if (own.damping != 0) tau -= own.damping * qd;
-    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
-    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
-  }
-  return tau;
-}
-
-// Accelerations are given only where all went well.
-inline void give(Workspace& w, int first, int count) {
-  if (w.status == kFine)
-    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
-}
-
-[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
-[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
-  for (int k = 0; k < 9; ++k)
-    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
-  return true;
-}
-
-// What needs no recursion, for as many links at once as a register holds.
-
-// A number of each joint of a block, as constants of the model are kept.
-using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
-
-struct alignas(64) BlockConstants {
-  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
-  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
-  PerJoint mass, moments[3], tensor[6];
-};
-
-const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
-  std::array<BlockConstants, kBlockCount> result{};
-  for (int j = 0; j < kJointCount; ++j) {
-    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
-    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
-    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
+// A result was found not to be finite: which joint's?
+template <std::size_t owns>
+[[gnu::cold]] ADAGEN_NOINLINE void name_what_overflows(Workspace& w,
+                                                       const std::array<int, owns>& owned) {
+  for (const int j : owned) {
     const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
-    block.x[lane] = joint.translation[0];
-    block.y[lane] = joint.translation[1];
-    block.z[lane] = joint.translation[2];
-    block.mass[lane] = link.mass;
-    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
-    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
-  }
-  return result;
-}();
-
-// Constants of each of the joints.
-template <class T>
-ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
-  const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
-  return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
-}
-template <class T>
-ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
-  if constexpr (kWidth<T> == 1)
-    return kInertias[static_cast<std::size_t>(joints.joint[0])].mass;
-  else
-    return constant(joints, &BlockConstants::mass);
-}
-template <class T>
-ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
-  if constexpr (kWidth<T> == 1) {
-    const Real* const x = joints.any().translation;
-    return Vector<Real>{x[0], x[1], x[2]};
-  } else {
-    return Vector<T>{constant(joints, &BlockConstants::x), constant(joints, &BlockConstants::y),
-                     constant(joints, &BlockConstants::z)};
+    if (!all(unlike_zero(w.result.data() + joint.v, joint.nv) == 0)) fail(w, kOverflow, j);
   }
 }
 
-ADAGEN_INLINE Lanes wide(const PerJoint& x) {
-  Lanes result;
-  if constexpr (sizeof(PerJoint) == sizeof(Lanes))
-    std::memcpy(&result, x.data(), sizeof result);
-  else
-    result = x[0] + Lanes{};
-  return result;
-}
-ADAGEN_INLINE void narrow(const Lanes& x, Value* to) { std::memcpy(to, &x, sizeof x); }
-ADAGEN_INLINE Vector<Lanes> wide_vector(const Value (*x)[kPerBlock]) {
-  return {wide(x[0]), wide(x[1]), wide(x[2])};
-}
-ADAGEN_INLINE Vector<Lanes> wide_vector(const PerJoint* x) {
-  return {wide(x[0]), wide(x[1]), wide(x[2])};
-}
-ADAGEN_INLINE void narrow(const Vector<Lanes>& a, Value (*x)[kPerBlock]) {
-  narrow(a.x, x[0]), narrow(a.y, x[1]), narrow(a.z, x[2]);
-}
+// Each function is a straight line. A value is called x and its number in the expression graph; zeros
+// and constants are folded in, nothing is computed twice, and what nobody needs is not there.
+// Frames are the links' own; accelerations are deviations from the field that the links would have
+// with all joint accelerations zero.
 
-// Copies the angles of those of joints first .. last that turn.
-template <int first, int last>
-void take_angles(Workspace& w) {
-  ADAGEN_FOR (j, first, last + 1) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    const int place = joint.q + (joint.kind == JointKind::kPlanar ? 2 : 0);
-    if (joint.kind == JointKind::kRevolute || joint.kind == JointKind::kPlanar)
-      w.angle[static_cast<std::size_t>(slot_of(j))] = w.q[place];
-  }
-}
+// =================================================================================================
+// Each process: 1044 products, 882 sums, 7 quotients
+// =================================================================================================
 
-// Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
-template <int first, int last>
-void turn(Workspace& w) {
-  for (int b = first; b < last; ++b) {
-    Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
-    Lanes s, c;
-    sine_and_cosine(wide(&w.angle[static_cast<std::size_t>(b * kPerBlock)]), s, c);
-    ADAGEN_FOR (k, 0, 3) {
-      const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
-      narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
-      narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
-    }
-  }
-}
-
-// Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
-// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J, and the bias
-// force is that of the acceleration field a + H x, H = alpha x + omega x omega x.
-template <int first, int last>
-void set_up_links(Workspace& w) {
-  for (int b = first; b < last; ++b) {
-    Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
-    const auto& entries = block.entries;
-    const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
-                          wide_vector(entries + kAxes + 6)};
-    const Symmetric<Lanes> T{wide(constants.tensor[0]), wide(constants.tensor[1]),
-                             wide(constants.tensor[2]), wide(constants.tensor[3]),
-                             wide(constants.tensor[4]), wide(constants.tensor[5])};
-    const Matrix<Lanes> RT{T * R.x, T * R.y, T * R.z};  // rows of R T
-    const Symmetric<Lanes> J{dot(RT.x, R.x), dot(RT.x, R.y), dot(RT.x, R.z),
-                             dot(RT.y, R.y), dot(RT.y, R.z), dot(RT.z, R.z)};
-    narrow(J.yy + J.zz, block.entries[kRotational]);
-    narrow(-J.xy, block.entries[kRotational + 1]);
-    narrow(-J.xz, block.entries[kRotational + 2]);
-    narrow(J.xx + J.zz, block.entries[kRotational + 3]);
-    narrow(-J.yz, block.entries[kRotational + 4]);
-    narrow(J.xx + J.yy, block.entries[kRotational + 5]);
-    const Vector<Lanes> c = R * wide_vector(constants.moments);
-    narrow(c, block.entries + kMoments);
-
-    const Vector<Lanes> w_ = wide_vector(entries + kOmega), al = wide_vector(entries + kAlpha);
-    const Lanes xx = w_.x * w_.x, yy = w_.y * w_.y, zz = w_.z * w_.z;
-    const Lanes xy = w_.x * w_.y, xz = w_.x * w_.z, yz = w_.y * w_.z;
-    const Matrix<Lanes> H{{-(yy + zz), xy - al.z, xz + al.y},
-                          {xy + al.z, -(xx + zz), yz - al.x},
-                          {xz - al.y, yz + al.x, -(xx + yy)}};
-    const Vector<Lanes> a = wide_vector(entries + kAcceleration);
-    const Vector<Lanes> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
-    Vector<Lanes> n = cross(c, a);
-    n += Vector<Lanes>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
-                       dot(H.y, Jx) - dot(H.x, Jy)};
-    narrow(n, block.entries + kTorque);
-    narrow(a * wide(constants.mass) + H * c, block.entries + kForce);
-  }
-}
-
-// From the base outwards: where links are and how they would move without joint accelerations.
-
-ADAGEN_INLINE Frame<Value> frame_of(Workspace& w, int joint) {
-  const Value* R = w.of(joint, kAxes);
-  return {matrix_at(R), vector_at(w.of(joint, kOmega)), vector_at(w.of(joint, kAlpha)),
-          vector_at(w.of(joint, kAcceleration))};
-}
-
-template <class T>
-ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
-  put_at(w.at(slot, kAxes), frame.R);
-  put_at(w.at(slot, kOmega), frame.omega);
-  put_at(w.at(slot, kAlpha), frame.alpha);
-  put_at(w.at(slot, kAcceleration), frame.a);
-}
-
-// The ground accelerates against gravity: accelerations are relative to free fall.
-ADAGEN_INLINE Frame<Value> ground() {
-  const Value one = Value{} + 1, none{};
-  return {{{one, none, none}, {none, one, none}, {none, none, one}},
-          {none, none, none},
-          {none, none, none},
-          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
-}
-
-// The axes of a floating base are the link's own: only gravity is turned.
-template <int j>
-void free_base_frame(Workspace& w) {
-  constexpr const JointConstants& joint = kJoints[j];
-  const Value* q = w.q + joint.q + 3;
-  Matrix<Value> turn;
-  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  Frame<Value> frame = ground();
-  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
-  const Real* const P = joint.rotation;
-  const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
-                           P[1] * gravity.x + P[4] * gravity.y + P[7] * gravity.z,
-                           P[2] * gravity.x + P[5] * gravity.y + P[8] * gravity.z};
-  const Value none{};
-  frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
-  const Value* v = w.v + joint.v + 3;
-  frame.omega = {v[0], v[1], v[2]};
-  keep(w, slot_of(j), frame);
-}
-
-ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
-  const Real* const P = joint.rotation;
-  return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
-}
-
-// The turn of a joint with a quaternion.
-template <int j>
-void orient(Workspace& w) {
-  constexpr const JointConstants& joint = kJoints[j];
-  const Value* q = w.q + joint.q + joint.nq - 4;
-  Matrix<Value> turn;
-  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  if constexpr (!is_identity(joint.rotation)) {
-    const Matrix<Real> P = placement(joint);
-    turn = {turn.x * P.x.x + turn.y * P.x.y + turn.z * P.x.z,
-            turn.x * P.y.x + turn.y * P.y.y + turn.z * P.y.z,
-            turn.x * P.z.x + turn.y * P.z.y + turn.z * P.z.z};
-  }
-  put_at(w.of(j, kTurn), turn);
-}
-
-// One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
-// with later is kept.
-template <bool kept, class T>
-ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, Frame<T>& at) {
-  const JointConstants& joint = joints.any();
-  const auto moved = [&](const Value* x, int JointConstants::* place) {
-    return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
-  };
-  const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
-  const Vector<T> axis{R.x.z, R.y.z, R.z.z};
-  Vector<T> r = at.R * origin_of(joints);
-  const Vector<T> omega = at.omega;
-  const auto turn_with = [&](const Vector<T>& relative) {
-    at.omega += relative;
-    return cross(omega, relative);
-  };
-  const auto ride_along = [&] {
-    at.a += cross(omega, cross(omega, r));
-    at.a += cross(at.alpha, r);
-  };
-  const auto slide_and_spin = [&](const Vector<T>& q, const Vector<T>& slide,
-                                  const Vector<T>& spin) {
-    const Matrix<Real> P = placement(joint);
-    r += at.R * Vector<T>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
-    ride_along();
-    at.a += cross(omega + omega + spin, slide);
-    at.alpha += turn_with(spin);
-  };
-  switch (joint.kind) {
-    case JointKind::kRevolute:
-      ride_along();
-      at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
-      break;
-    case JointKind::kPrismatic: {
-      r += axis * moved(w.q, &JointConstants::q);
-      ride_along();
-      const T v = moved(w.v, &JointConstants::v);
-      at.a += cross(omega, axis * (v + v));
-      break;
-    }
-    case JointKind::kSpherical:
-      ride_along();
-      if constexpr (kAnySpherical)
-        at.alpha += turn_with(R * each_vector(joints, w.v, &JointConstants::v));
-      break;
-    case JointKind::kPlanar:
-      if constexpr (kAnyPlanar && kWidth<T> == 1) {
-        const Value *q = w.q + joint.q, *v = w.v + joint.v;
-        const Vector<T> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
-        slide_and_spin(Vector<T>{q[0], q[1], T{}}, x * v[0] + y * v[1], axis * v[2]);
-      }
-      break;
-    case JointKind::kFloating:
-      if constexpr (kAnyFloating && kWidth<T> == 1) {
-        const Value *q = w.q + joint.q, *v = w.v + joint.v;
-        slide_and_spin(Vector<T>{q[0], q[1], q[2]}, R * Vector<T>{v[0], v[1], v[2]},
-                       R * Vector<T>{v[3], v[4], v[5]});
-      }
-      break;
-  }
-  at.R = R;
-  if constexpr (!kept) return;
-  w.memory(joints).r = r;
-  keep(w, joints.slot, at);
-}
-
-// Joints first .. last, each on the link of the one before.
-template <int first, int last>
-void outward(Workspace& w) {
-  constexpr int parent = kJoints[first].parent - 1;
-  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<true>(w, single(j), at);
-}
-
-// The same on the way to joints that are treated: only the last link's frame is kept.
-template <int first, int last>
-void pass_outward(Workspace& w) {
-  constexpr int parent = kJoints[first].parent - 1;
-  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<false>(w, single(j), at);
-  keep(w, slot_of(last), at);
-}
-
-// Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
-// is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
-// near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
-
-template <class T>
-ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
-  const Value* const A = w.at(joints.slot, kRotational);
-  const auto mass = mass_of(joints);
-  const Vector<T> c = vector_at<T>(w.at(joints.slot, kMoments));
-  const Vector<T> Ax = vector_at<T>(A), Ay = vector_at<T>(A + 3 * kPerBlock);
-  X.A += Symmetric<T>{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};  // xx xy xz yy yz zz
-  X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
-  X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
-  X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
-  X.n += vector_at<T>(w.at(joints.slot, kTorque));
-  X.f += vector_at<T>(w.at(joints.slot, kForce));
-}
-
-constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
-
-// Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
-// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near
-// link's origin: outwards the joint has the acceleration u / D - (U / D) a, a being the near
-// link's.
-template <bool along, bool reversed, class T, class Arrive>
-ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, const Vector<T>& s,
-                             const Vector<T>& r, const T& tau, T* e, const Arrive& arrive) {
-  if constexpr (reversed) shift(X, -r);
-  Vector<T> n = along ? X.B * s : X.A * s;
-  const Vector<T> f = along ? X.C * s : transposed_times(X.B, s);
-  T D = dot(s, along ? f : n);
-  if constexpr (kAnyPassive)
-    D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
-  const T inverse = 1 / D;
-  const T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
-  const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
-  const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
-  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, culprit(joints, left));
-  if constexpr (!reversed) {
-    shift(X, r);
-    n += cross(r, f);
-  }
-  arrive(X);
-  const Vector<T> e_n = n * inverse, e_f = f * inverse;
-  e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
-  e[7] = inverse;
-  subtract(X, n, f, e_n, e_f);
-  X.n += n * u;
-  X.f += f * u;
-}
-
-// A x = b, by the factors 1 / D and L of A = L D L^T.
-template <class T>
-ADAGEN_INLINE Vector<T> solve_rotations(const T* factors, const Vector<T>& b) {
-  const T *d = factors, *l = factors + 3;  // l: 10, 20, 21
-  const T y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
-  const T z = y2 * d[2], y = y1 * d[1] - l[2] * z;
-  return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
-}
-
-// Takes the three rotations out of the body: what is left of it is C and f, so that no rounding
-// stays behind. e gets K = A^-1 B, y = A^-1 (tau - n) and the factors of A.
-template <bool reversed, class T>
-ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X,
-                                       const Vector<T>& r, const Vector<T>& tau, T* e) {
-  if constexpr (reversed) shift(X, -r);
-  Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * tau;
-  if constexpr (reversed) torque = -torque;
-  const T d0 = 1 / X.A.xx, l10 = X.A.xy * d0, l20 = X.A.xz * d0;
-  const T p1 = X.A.yy - l10 * X.A.xy, d1 = 1 / p1, t = X.A.yz - l20 * X.A.xy, l21 = t * d1;
-  const T p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
-  for (const T& pivot : {X.A.xx, p1, p2})
-    if (__builtin_expect(!all_positive(pivot), 0)) fail(w, kFactorization, culprit(joints, pivot));
-  T* const factors = e + 12;
-  factors[0] = d0, factors[1] = d1, factors[2] = d2;
-  factors[3] = l10, factors[4] = l20, factors[5] = l21;
-  const auto solve = [&](const Vector<T>& b) { return solve_rotations(factors, b); };
-  const Matrix<T>& B = X.B;
-  const Vector<T> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
-  const Vector<T> Kx = solve(Bx), Ky = solve(By), Kz = solve(Bz), y = solve(torque - X.n);
-  e[0] = Kx.x, e[1] = Ky.x, e[2] = Kz.x, e[3] = Kx.y, e[4] = Ky.y, e[5] = Kz.y;
-  e[6] = Kx.z, e[7] = Ky.z, e[8] = Kz.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
-  X.C.xx -= dot(Bx, Kx), X.C.xy -= dot(Bx, Ky), X.C.xz -= dot(Bx, Kz);
-  X.C.yy -= dot(By, Ky), X.C.yz -= dot(By, Kz), X.C.zz -= dot(Bz, Kz);
-  X.f += transposed_times(B, y);
-  X.A = Symmetric<T>{}, X.B = Matrix<T>{};
-  X.n = torque;
-  if constexpr (!reversed) shift(X, r);
-}
-
-// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), by L D L^T. Whether that
-// could be done.
-ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
-  Value L[6][6] = {{X.A.xx},
-                   {X.A.xy, X.A.yy},
-                   {X.A.xz, X.A.yz, X.A.zz},
-                   {X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx},
-                   {X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy},
-                   {X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz}};
-  Value x[6] = {-X.n.x, -X.n.y, -X.n.z, -X.f.x, -X.f.y, -X.f.z}, inverse[6];
-  bool fine = true;
-  ADAGEN_FOR (c, 0, 6) {
-    fine &= all_positive(L[c][c]);
-    inverse[c] = 1 / L[c][c];
-    ADAGEN_FOR (i, c + 1, 6) {
-      const Value l = L[i][c] * inverse[c];
-      ADAGEN_FOR (k, c + 1, i + 1) L[i][k] -= l * L[k][c];
-      x[i] -= l * x[c];
-    }
-  }
-  ADAGEN_FOR (c, 0, 6) {
-    const int i = 5 - c;
-    x[i] *= inverse[i];
-    ADAGEN_FOR (k, i + 1, 6) x[i] -= L[k][i] * inverse[i] * x[k];
-  }
-  a = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
-  return fine;
-}
-
-// A joint with all freedoms hands on its force alone; e gets the acceleration of the body beyond.
-template <bool reversed>
-ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
-                            const Value* tau, Value* e) {
-  if constexpr (reversed) shift(X, -r);
-  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
-  Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
-  Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
-  if constexpr (reversed) n = -n, f = -f;
-  X.n += -n, X.f += -f;
-  Motion<Value> a;
-  if (!solve_free(X, a)) fail(w, kFactorization, j);
-  e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
-  e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
-  X = Body<Value>{};
-  X.n = n, X.f = f;
-  if constexpr (!reversed) shift(X, r);
-}
-
-// A planar joint: along x and y, then about z.
-template <bool reversed>
-ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, Body<Value>& X) {
-  Memory& memory = w.memory(joints);
-  const Value* tau = w.tau + joints.any().v;
-  const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
-  const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
-  const Vector<Value> none{};
-  const auto told = [](const Value& torque) { return reversed ? -torque : torque; };
-  if constexpr (reversed) shift(X, -memory.r);
-  const auto nothing = [](const Body<Value>&) {};
-  eliminate<true, false>(w, joints, X, x, none, told(tau[0]), memory.e, nothing);
-  eliminate<true, false>(w, joints, X, y, none, told(tau[1]), memory.e + 8, nothing);
-  eliminate<false, false>(w, joints, X, z, none, told(tau[2]), memory.e + 16, nothing);
-  if constexpr (!reversed) shift(X, memory.r);
-}
-
-// One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
-template <bool reversed, class T, class Arrive>
-ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X,
-                               const Arrive& arrive) {
-  const JointConstants& joint = joints.any();
-  Eliminated<T>& memory = w.memory(joints);
-  const Value* R = w.at(joints.slot, kAxes);
-  const auto freedom = [&] {
-    return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
-  };
-  switch (joint.kind) {
-    case JointKind::kRevolute:
-      eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
-                                 arrive);
-      return;
-    case JointKind::kPrismatic:
-      eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e, arrive);
-      return;
-    case JointKind::kSpherical:
-      if constexpr (kAnySpherical) {
-        const Vector<T> tau = each_vector(joints, w.tau, &JointConstants::v);
-        eliminate_rotations<reversed>(w, joints, X, memory.r, tau, memory.e);
-      }
-      break;
-    case JointKind::kPlanar:
-      if constexpr (kAnyPlanar && kWidth<T> == 1) eliminate_planar<reversed>(w, joints, X);
-      break;
-    case JointKind::kFloating:
-      if constexpr (kAnyFloating && kWidth<T> == 1)
-        set_free<reversed>(w, joints.joint[0], X, memory.r, w.tau + joint.v, memory.e);
-      break;
-  }
-  arrive(X);
-}
-
-// Adds to a body what the sweep finds at a link.
-template <int p>
-ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
-  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
-  if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
-  if (role.adds_own) add_bare_link(w, single(link - 1), X);
-}
-
-// What is found at a link.
-template <int p>
-ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
-  Body<Value> X{};
-  meet<p>(w, link, X);
-  return X;
-}
-
-template <bool starts>
-ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
-  Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
-  if constexpr (starts)
-    body = X;
-  else
-    body += X;
-}
-
-// Whether nothing but the links themselves is found at links first .. last.
-template <int p>
-constexpr bool bare(int first, int last) {
-  for (int link = first; link <= last; ++link) {
-    const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
-    if (role.gathers || !role.adds_own) return false;
-  }
-  return true;
-}
-
-// Process p takes joints last .. first inwards, each on the link of the one before.
-template <int p, int first, int last, bool starts>
-void inward(Workspace& w) {
-  Body<Value> X{};
-  constexpr bool quick = bare<p>(first + 1, last);
-  if constexpr (quick) meet<p>(w, last + 1, X);
-  for (int j = last; j >= first; --j) {
-    if constexpr (!quick) meet<p>(w, j + 1, X);
-    step_inward<false>(w, single(j), X, [&](Body<Value>& near) {
-      if (quick && j > first) add_bare_link(w, single(j - 1), near);
-    });
-  }
-  constexpr int near = kJoints[first].parent;
-  if constexpr (near > 0) leave<starts>(w, near, X);
-}
-
-// The same for a root beyond joint last: from the parent link of joint first to the child of last.
-template <int p, int first, int last, bool starts>
-void inward_reversed(Workspace& w) {
-  Body<Value> X{};
-  constexpr bool quick = bare<p>(first + 1, last);
-  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
-  for (int j = first; j <= last; ++j) {
-    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
-    step_inward<true>(w, single(j), X, [&](Body<Value>& near) {
-      if (quick && j < last) add_bare_link(w, single(j), near);
-    });
-  }
-  leave<starts>(w, last + 1, X);
-}
-
-// Adds a link itself to what was found at it.
-template <int link, bool starts>
-void place(Workspace& w) {
-  Body<Value> X{};
-  add_bare_link(w, single(link - 1), X);
-  leave<starts>(w, link, X);
+ADAGEN_NOINLINE void part_0_0(Workspace& w) {
+  ADAGEN_INPUTS
+  // joint 1 "shoulder_pitch": placement, velocity and reference acceleration of its link
+  const Lanes x20 = v[0] * 0.9999999999932537;
+  const Lanes x25 = sine[1] * x20;
+  const Lanes x27 = cosine[1] * x20;
+  const Lanes x29 = v[1] - v[0] * 3.673205103346574e-06;
+  const Lanes x30 = v[1] * x27;
+  const Lanes x32 = v[1] * x25;
+  const Lanes x37 = sine[1] * 9.809999999933819;
+  const Lanes x55 = x25 * x27;
+  const Lanes x59 = x27 * x29;
+  // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
+  const Lanes x80 = 3.673205103346574e-06 * x27 + 0.9999999999932537 * x29;
+  const Lanes x89 = sine[2] * x80 - x25 * cosine[2];
+  const Lanes x93 = x25 * sine[2] + cosine[2] * x80;
+  const Lanes x94 = 0.9999999999932537 * x27 - 3.673205103346574e-06 * x29 + v[2];
+  const Lanes x95 = 3.673205103346574e-06 * x32;
+  const Lanes x97 = 0.9999999999932537 * x32;
+  const Lanes x111 = v[2] * x93 - (x30 * cosine[2] + sine[2] * x95);
+  const Lanes x114 = x30 * sine[2] - cosine[2] * x95 - v[2] * x89;
+  const Lanes x118 = x37 + x55 * 0.3;
+  const Lanes x120 = (x25 * x25 + x29 * x29) * 0.3;
+  const Lanes x122 = x120 - cosine[1] * 9.809999999933819;
+  const Lanes x125 = -3.603414206382989e-05 + (x30 + x59) * 0.3;
+  const Lanes x129 = 0.9999999999932537 * x125 - 3.673205103346574e-06 * x122;
+  const Lanes x134 = 0.9999999999932537 * x122 + 3.673205103346574e-06 * x125;
+  const Lanes x139 = sine[2] * x129 - cosine[2] * x118;
+  const Lanes x143 = sine[2] * x118 + cosine[2] * x129;
+  const Lanes x148 = x93 * x93;
+  const Lanes x157 = x93 * x94;
+  const Lanes x162 = x89 * x94;
+  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Lanes x174 = 0.9999999999932537 * x94 - 3.673205103346574e-06 * x93;
+  const Lanes x183 = x89 * cosine[3] + sine[3] * x174;
+  const Lanes x187 = cosine[3] * x174 - x89 * sine[3];
+  const Lanes x188 = v[3] - (0.9999999999932537 * x93 + 3.673205103346574e-06 * x94);
+  const Lanes x193 = 3.673205103346574e-06 * x114 + 0.9999999999932537 * x97;
+  const Lanes x199 = 3.673205103346574e-06 * x97 - 0.9999999999932537 * x114;
+  const Lanes x211 = x111 * cosine[3] - sine[3] * x193 + v[3] * x187;
+  const Lanes x214 = x111 * sine[3] + cosine[3] * x193 + v[3] * x183;
+  const Lanes x218 = x139 - (x148 + x94 * x94) * 0.08;
+  const Lanes x220 = x143 + (x89 * x93 - x97) * 0.08;
+  const Lanes x222 = (x162 - x114) * 0.08 - x134;
+  const Lanes x226 = 0.9999999999932537 * x222 - 3.673205103346574e-06 * x220;
+  const Lanes x231 = 0.9999999999932537 * x220 + 3.673205103346574e-06 * x222;
+  const Lanes x235 = cosine[3] * x218 + sine[3] * x226;
+  const Lanes x239 = cosine[3] * x226 - sine[3] * x218;
+  const Lanes x246 = x188 * x188;
+  const Lanes x247 = x187 * x187 + x246;
+  const Lanes x249 = x183 * x187;
+  const Lanes x250 = x249 - x199;
+  const Lanes x251 = x199 + x249;
+  const Lanes x252 = x183 * x183 + x246;
+  const Lanes x254 = x187 * x188;
+  const Lanes x256 = x211 + x254;
+  const Lanes x259 = x183 * x188;
+  const Lanes x260 = x214 + x259;
+  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
+  const Lanes x273 = 3.673205103346574e-06 * x187 + 0.9999999999932537 * x188;
+  const Lanes x282 = x183 * cosine[4] - sine[4] * x273;
+  const Lanes x287 = x183 * sine[4] + cosine[4] * x273;
+  const Lanes x289 = 0.9999999999932537 * x187 - 3.673205103346574e-06 * x188 + v[4];
+  const Lanes x294 = 3.673205103346574e-06 * x214 - 0.9999999999932537 * x199;
+  const Lanes x299 = 0.9999999999932537 * x214 + 3.673205103346574e-06 * x199;
+  const Lanes x310 = x211 * cosine[4] + sine[4] * x294 - v[4] * x287;
+  const Lanes x313 = cosine[4] * x294 - x211 * sine[4] - v[4] * x282;
+  const Lanes x318 = 0.08 * x247 + x250 * 0.38 + x235;
+  const Lanes x325 = x239 - (0.08 * x251 + x252 * 0.38);
+  const Lanes x331 = x256 * 0.38 - (x231 + 0.08 * x260);
+  const Lanes x336 = 3.673205103346574e-06 * x325 + 0.9999999999932537 * x331;
+  const Lanes x341 = 0.9999999999932537 * x325 - 3.673205103346574e-06 * x331;
+  const Lanes x345 = cosine[4] * x318 - sine[4] * x336;
+  const Lanes x350 = sine[4] * x318 + cosine[4] * x336;
+  const Lanes x356 = x282 * x282;
+  const Lanes x362 = x282 * x287;
+  const Lanes x364 = x299 - x362;
+  const Lanes x367 = x356 + x289 * x289;
+  const Lanes x369 = x287 * x289;
+  const Lanes x374 = x356 + x287 * x287;
+  const Lanes x376 = x282 * x289;
+  const Lanes x378 = x313 + x376;
+  // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
+  const Lanes x387 = 3.673205103346574e-06 * x287 + 0.9999999999932537 * x289;
+  const Lanes x395 = x282 * cosine[5] + sine[5] * x387;
+  const Lanes x399 = cosine[5] * x387 - x282 * sine[5];
+  const Lanes x400 = 0.9999999999932537 * x287 - 3.673205103346574e-06 * x289 + v[5];
+  const Lanes x405 = 3.673205103346574e-06 * x313 + 0.9999999999932537 * x299;
+  const Lanes x411 = 3.673205103346574e-06 * x299 - 0.9999999999932537 * x313;
+  const Lanes x423 = x310 * cosine[5] - sine[5] * x405 + v[5] * x399;
+  const Lanes x426 = x310 * sine[5] + cosine[5] * x405 + v[5] * x395;
+  const Lanes x431 = 3.673205103346574e-06 * x350 + 0.9999999999932537 * x341;
+  const Lanes x436 = 0.9999999999932537 * x350 - 3.673205103346574e-06 * x341;
+  const Lanes x439 = x345 * cosine[5] + sine[5] * x431;
+  const Lanes x443 = cosine[5] * x431 - x345 * sine[5];
+  const Lanes x449 = x400 * x400;
+  const Lanes x450 = x399 * x399 + x449;
+  const Lanes x452 = x395 * x399;
+  const Lanes x454 = x411 + x452;
+  const Lanes x455 = x395 * x395 + x449;
+  const Lanes x457 = x399 * x400;
+  const Lanes x459 = x423 + x457;
+  const Lanes x462 = x395 * x400;
+  const Lanes x463 = x426 + x462;
+  // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
+  const Lanes x474 = 0.9999999999932537 * x400 - 3.673205103346574e-06 * x399;
+  const Lanes x483 = x395 * cosine[6] + sine[6] * x474;
+  const Lanes x487 = cosine[6] * x474 - x395 * sine[6];
+  const Lanes x488 = v[6] - (0.9999999999932537 * x399 + 3.673205103346574e-06 * x400);
+  const Lanes x492 = 3.673205103346574e-06 * x426 + 0.9999999999932537 * x411;
+  const Lanes x497 = 0.9999999999932537 * x426 - 3.673205103346574e-06 * x411;
+  const Lanes x506 = x423 * cosine[6] + sine[6] * x492 + v[6] * x487;
+  const Lanes x509 = cosine[6] * x492 - x423 * sine[6] - v[6] * x483;
+  const Lanes x512 = x439 - x450 * 0.09;
+  const Lanes x514 = x443 + x454 * 0.09;
+  const Lanes x516 = x436 + x463 * 0.09;
+  const Lanes x520 = 0.9999999999932537 * x516 - 3.673205103346574e-06 * x514;
+  const Lanes x525 = 0.9999999999932537 * x514 + 3.673205103346574e-06 * x516;
+  const Lanes x529 = cosine[6] * x512 + sine[6] * x520;
+  const Lanes x533 = cosine[6] * x520 - sine[6] * x512;
+  const Lanes x538 = x483 * x483;
+  const Lanes x539 = x487 * x487;
+  const Lanes x540 = x488 * x488;
+  const Lanes x541 = x539 + x540;
+  const Lanes x543 = x483 * x487;
+  const Lanes x544 = x543 - x497;
+  const Lanes x545 = x497 + x543;
+  const Lanes x546 = x538 + x540;
+  const Lanes x548 = x487 * x488;
+  const Lanes x549 = x548 - x506;
+  const Lanes x550 = x506 + x548;
+  const Lanes x551 = x538 + x539;
+  const Lanes x553 = x483 * x488;
+  const Lanes x554 = x553 - x509;
+  const Lanes x555 = x509 + x553;
+  // joint 7 "left_finger_slide": placement, velocity and reference acceleration of its link
+  const Lanes x560 = x555 * 0.13;
+  const Lanes x565 = x549 * 0.13;
+  const Lanes x567 = x533 - x546 * q[7] + x565;
+  const Lanes x571 = x525 + x551 * 0.13;
+  const Lanes x574 = 2.0 * x488;
+  const Lanes x576 = x550 * q[7] - x571 + 2.0 * x483 * v[7];
+  const Lanes x579 = x529 + x544 * q[7] + x560 - v[7] * x574;
+  // joint 8 "right_finger_slide": placement, velocity and reference acceleration of its link
+  const Lanes x585 = q[8] * 2.65358979335273e-06;
+  w.x[0] = x585;
+  const Lanes x588 = q[8] * 0.9999999999964793;
+  w.x[1] = x588;
+  const Lanes x593 = x487 * 2.65358979335273e-06 - x483 * 0.9999999999964793;
+  const Lanes x598 = x483 * 2.65358979335273e-06 + x487 * 0.9999999999964793;
+  const Lanes x603 = x509 * 2.65358979335273e-06 - x506 * 0.9999999999964793;
+  const Lanes x608 = x506 * 2.65358979335273e-06 + x509 * 0.9999999999964793;
+  const Lanes x616 = x541 * x585 - x544 * x588 + x529 + x560;
+  const Lanes x623 = x546 * x588 - x545 * x585 + x533 + x565;
+  const Lanes x640 = 2.65358979335273e-06 * x616 + 0.9999999999964793 * x623;
+  const Lanes x630 = x571 + x554 * x585 + x550 * x588;
+  const Lanes x646 = v[8] * (2.0 * x593) - x630;
+  const Lanes x649 = 2.65358979335273e-06 * x623 - 0.9999999999964793 * x616 - x574 * v[8];
+  const Lanes x650 = x593 * x593;
+  const Lanes x653 = x650 + x598 * x598;
+  const Lanes x655 = x488 * x593;
+  const Lanes x657 = x655 - x608;
+  const Lanes x660 = x593 * x598;
+  const Lanes x662 = x497 + x660;
+  const Lanes x665 = x540 + x650;
+  const Lanes x667 = x488 * x598;
+  // link 2 "upper_arm": force that the reference field takes
+  const Lanes x699 = x32 * 0.00558;
+  w.x[2] = x699;
+  const Lanes x706 = 1.1170584039787268e-05 - (x30 * 0.048670000000000005 + x59 * 0.04309);
+  w.x[3] = x706;
+  const Lanes x709 = x55 * 0.04309 + x37 * 0.31000000000000005;
+  w.x[4] = x709;
+  // link 3 "elbow_housing": force that the reference field takes
+  const Lanes x745 = x97 * 0.0039325;
+  w.x[5] = x745;
+  const Lanes x750 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
+  w.x[6] = x750;
+  const Lanes x753 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
+  w.x[7] = x753;
+  const Lanes x757 = x139 * 2.6 - (x114 + x162) * 0.078;
+  w.x[8] = x757;
+  const Lanes x761 = x143 * 2.6 - (x157 - x111) * 0.078;
+  w.x[9] = x761;
+  const Lanes x766 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
+  w.x[10] = x766;
+  // link 4 "forearm": force that the reference field takes
+  const Lanes x808 = x199 * 0.037748300000000005 - x249 * 0.023998300000000004;
+  const Lanes x790 = x211 * 0.03224830000000001 + x254 * 0.029498300000000005 - x260 * 0.011000000000000003;
+  const Lanes x812 = x790 - x231 * 0.22000000000000003;
+  w.x[11] = x812;
+  const Lanes x800 = x256 * 0.011000000000000003 - (x214 * 0.00825 + x259 * 0.005500000000000001);
+  const Lanes x815 = x800 - x231 * 0.11000000000000001;
+  w.x[12] = x815;
+  const Lanes x820 = 0.011000000000000003 * (x252 - x247) + x808 - x239 * 0.11000000000000001;
+  const Lanes x821 = x820 - x235 * 0.22000000000000003;
+  w.x[13] = x821;
+  const Lanes x827 = x247 * 0.11000000000000001 + x250 * 0.22000000000000003 + x235 * 2.2;
+  w.x[14] = x827;
+  const Lanes x835 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
+  w.x[15] = x835;
+  const Lanes x843 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
+  w.x[16] = x843;
+  // link 5 "wrist_housing": force that the reference field takes
+  const Lanes x867 = x369 * 0.01347604 + 0.00136 * (x374 - x367);
+  const Lanes x889 = x310 * 0.01553729 + x867 + x341 * 0.017;
+  const Lanes x890 = x889 - x350 * 0.136;
+  w.x[17] = x890;
+  const Lanes x876 = x376 * 0.01364604 - x364 * 0.00136 + x313 * 0.01536729;
+  const Lanes x893 = x876 - x345 * 0.136;
+  w.x[18] = x893;
+  const Lanes x885 = x362 * 0.00017 - x299 * 0.00189125 + x378 * 0.00136;
+  const Lanes x896 = x885 - x345 * 0.017;
+  w.x[19] = x896;
+  const Lanes x902 = x364 * 0.017 - x378 * 0.136 + x345 * 1.7;
+  w.x[20] = x902;
+  const Lanes x909 = (x310 + x369) * 0.136 - x367 * 0.017;
+  const Lanes x910 = x909 - x350 * 1.7;
+  w.x[21] = x910;
+  const Lanes x915 = x341 * 1.7 + x374 * 0.136;
+  const Lanes x916 = (x310 - x369) * 0.017 + x915;
+  w.x[22] = x916;
+  // link 6 "wrist": force that the reference field takes
+  const Lanes x957 = x411 * 0.00351 + x452 * 0.0019500000000000001;
+  const Lanes x938 = x423 * 0.0014299999999999998 + x457 * 0.00013000000000000002 + x463 * 0.0005200000000000001;
+  const Lanes x949 = x426 * 0.00338 + x462 * 0.0020800000000000003 + x459 * 0.0005200000000000001;
+  const Lanes x968 = x957 - 0.0005200000000000001 * (x455 - x450) + x443 * 0.052000000000000005;
+  const Lanes x974 = (x452 - x411) * 0.013000000000000001 - x450 * 0.052000000000000005;
+  // link 7 "hand": force that the reference field takes
+  const Lanes x1025 = x553 * 0.006916 - 0.00014399999999999992 * (x541 - x551);
+  const Lanes x1018 = x506 * 0.01009033 - (x548 * 0.00506167 + x545 * 0.00014399999999999992);
+  const Lanes x1043 = x509 * 0.008236 + x1025 + x525 * 0.007199999999999999;
+  const Lanes x1036 = x497 * 0.00317433 - x543 * 0.0018543300000000004 + x549 * 0.00014399999999999992;
+  // link 8 "left_finger": force that the reference field takes
+  const Lanes x1082 = x497 * 8.33333e-06;
+  const Lanes x1097 = x548 * 5.333337e-05 + (x551 - x546) * 1.5e-05;
+  const Lanes x1089 = x1082 - x543 * 5e-06 - x555 * 1.5e-05;
+  const Lanes x1113 = x506 * 6.66667e-05 - x1097 + x576 * 0.0005;
+  const Lanes x1106 = x553 * 5.833337e-05 + x544 * 1.5e-05 + x509 * 6.16667e-05;
+  const Lanes x1122 = x550 * 0.0005 - x551 * 0.0015 + x576 * 0.05;
+  const Lanes x1127 = x555 * 0.0015 + x544 * 0.0005 + x579 * 0.05;
+  // link 9 "right_finger": force that the reference field takes
+  const Lanes x1147 = x667 * 5.333337e-05 - 1.5e-05 * (x653 - x665);
+  const Lanes x1140 = x1082 + x660 * 5e-06 - x657 * 1.5e-05;
+  const Lanes x1163 = x603 * 6.66667e-05 + x1147 + x646 * 0.0005;
+  const Lanes x1156 = x655 * 5.833337e-05 - x662 * 1.5e-05 - x608 * 6.16667e-05;
+  const Lanes x1166 = x1156 + x649 * 0.0015;
+  const Lanes x1171 = (x603 - x667) * 0.0005 - x653 * 0.0015;
+  const Lanes x1172 = x646 * 0.05 + x1171;
+  const Lanes x1178 = x657 * 0.0015 - x662 * 0.0005 + x649 * 0.05;
+  const Lanes x1185 = (x603 + x667) * 0.0015 + x665 * 0.0005;
+  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1192 = 20.0 * (x640 * 0.05 + x1185 + tau[8]);
+  w.x[23] = x1192;
+  const Lanes x1197 = x640 * 0.0015 + x1163 - 0.0015 * x1192;
+  const Lanes x1234 = 0.0004999999999982397 + x585 * 1.3267948966716939e-07 + x588 * 0.04999999999964792;
+  const Lanes x1244 = -1.3267948966763652e-09 - x585 * 3.5207693956928924e-13 - x588 * 1.3267948966716939e-07;
+  const Lanes x1247 = -0.0004999999999982397 - x588 * 0.05;
+  const Lanes x1250 = 1.3267948966763652e-09 + x585 * 0.05;
+  const Lanes x1251 = x588 * 0.0004999999999982397;
+  const Lanes x1285 = x585 * 1.3267948966763652e-09;
+  const Lanes x1308 = 8.33333e-06 + x1285 + x1251 - x585 * x1244;
+  const Lanes x1324 = 0.9999999999964793 * x1178 + 2.65358979335273e-06 * tau[8];
+  const Lanes x1329 = 2.65358979335273e-06 * x1178 - 0.9999999999964793 * tau[8];
+  const Lanes x1314 = 0.9999999999964793 * x1197 + 2.65358979335273e-06 * x1166;
+  const Lanes x1319 = 2.65358979335273e-06 * x1197 - 0.9999999999964793 * x1166;
+  const Lanes x1348 = x1140 - x649 * 0.0005 - x585 * x1329;
+  const Lanes x1351 = x585 * 5.6332219911062896e-14 + 2.122871834682184e-10 + x588 * 2.1228718346747102e-08 + -0.00014399999999999992;
+  const Lanes x1355 = -0.007199999999999999 + x1250;
+  const Lanes x1357 = 0.007199999999999999 + x1244;
+  const Lanes x1336 = x588 * x1172 + 0.13 * x1329 + x1314;
+  const Lanes x1343 = x585 * x1172 - 0.13 * x1324 + x1319;
+  // link 7 "hand": force that the reference field takes
+  const Lanes x1052 = x555 * 0.0754 - x541 * 0.007199999999999999 + x529 * 0.85;
+  const Lanes x1057 = x545 * 0.007199999999999999 + x549 * 0.0754 + x533 * 0.85;
+  const Lanes x1065 = x554 * 0.007199999999999999 - (x525 * 0.85 + x551 * 0.0754);
+  // link 8 "left_finger": force that the reference field takes
+  const Lanes x1133 = x549 * 0.0015 - x546 * 0.0005 + x567 * 0.05;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1369 = 20.0 * (tau[7] - x1133);
+  w.x[24] = x1369;
+  const Lanes x1375 = q[7] * 0.05;
+  const Lanes x1377 = -0.0005 - x1375;
+  const Lanes x1378 = 0.0005 + x1375;
+  const Lanes x1379 = q[7] * 0.0005;
+  const Lanes x1372 = x1113 - x567 * 0.0015 - 0.0015 * x1369;
+  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1350 = x1251 + 2.166670000897794e-05 - x588 * x1247 + 0.01009033;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1408 = x1247 + x1378;
+  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1301 = x585 * 2.1228718346747102e-08 + 7.999999999971834e-05 + x588 * 0.007999999999943668;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1410 = -8e-05 - q[7] * 0.008 + x1301;
+  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1356 = x588 * x1234 + x1308 + 0.00317433;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1412 = 8.33333e-06 + x1379 - q[7] * x1377 + x1356;
+  require_more(w, x1412, 0.0, kFactorization, 6);
+  const Lanes x1413 = x1234 + x1377;
+  const Lanes x1401 = q[7] * x1122 - 0.13 * tau[7] + x1372;
+  const Lanes x1403 = x1106 + x579 * 0.0015 + 0.13 * x1127;
+  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1363 = x1036 + x533 * 0.007199999999999999 + (x1348 - x588 * x1324);
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1421 = x1065 + x1172 + x1122;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Lanes x1423 = 1 / x1412;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1418 = x1089 - x579 * 0.0005 - q[7] * x1127 + x1363;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Lanes x1425 = x1423 * (tau[6] - x1418);
+  w.x[25] = x1425;
+  const Lanes x1426 = x1351 * x1423;
+  w.x[26] = x1426;
+  const Lanes x1427 = x1410 * x1423;
+  w.x[27] = x1427;
+  const Lanes x1428 = x1413 * x1423;
+  w.x[28] = x1428;
+  const Lanes x1429 = x1357 * x1423;
+  w.x[29] = x1429;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1407 = 2.16667e-05 + x1379 + q[7] * x1378 + x1350;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Lanes x1432 = x1407 - x1351 * x1426;
+  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1273 = 3.3833269865128193e-09 - x588 * 1.3267948966763652e-09 + x585 * x1247;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Lanes x1435 = x1273 - x1351 * x1427;
+  const Lanes x1438 = 2.1228718346747102e-08 - x1351 * x1428;
+  const Lanes x1441 = -0.07540000000005632 - x1351 * x1429;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1409 = x1285 + 0.001296666699991022 + x585 * x1250 + 0.008236 + 0.0012966667000000002;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Lanes x1444 = x1409 - x1410 * x1427;
+  const Lanes x1447 = 0.09139999999994367 - x1410 * x1428;
+  const Lanes x1450 = -2.1228718346747102e-08 - x1410 * x1429;
+  const Lanes x1453 = 0.9499999999996479 - x1413 * x1428;
+  const Lanes x1456 = -1.3267948966716939e-07 - x1413 * x1429;
+  const Lanes x1459 = 0.850000000000352 - x1357 * x1429;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1416 = x1018 - x533 * 0.0754 - x1336 + x1401;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Lanes x1461 = x1416 + x1351 * x1425;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Lanes x1417 = x529 * 0.0754 + x1043 + x1343 + x1403;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Lanes x1463 = x1417 + x1410 * x1425;
+  const Lanes x1465 = x1052 - x1324 + x1127 + x1413 * x1425;
+  const Lanes x1467 = x1057 + x1329 + tau[7] + x1357 * x1425;
+  const Lanes x1471 = cosine[6] * x1408 - sine[6] * x1355;
+  const Lanes x1474 = sine[6] * x1408 + cosine[6] * x1355;
+  const Lanes x1480 = cosine[6] * (x1438 - x1450) - sine[6] * (x1441 + x1447);
+  const Lanes x1481 = sine[6] * x1480;
+  const Lanes x1483 = x1441 + x1481;
+  const Lanes x1484 = x1447 + x1481;
+  const Lanes x1485 = cosine[6] * x1480;
+  const Lanes x1487 = x1438 - x1485;
+  const Lanes x1495 = 3.673205103346574e-06 * x1483 + 0.9999999999932537 * x1471;
+  const Lanes x1500 = 0.9999999999932537 * x1483 - 3.673205103346574e-06 * x1471;
+  const Lanes x1505 = 3.673205103346574e-06 * x1487 + 0.9999999999932537 * x1474;
+  const Lanes x1507 = 0.9999999999932537 * x1505;
+  const Lanes x1509 = x1474 - x1507;
+  const Lanes x1510 = 3.673205103346574e-06 * x1505;
+  const Lanes x1512 = x1487 - x1510;
+  const Lanes x1515 = 2.0 * sine[6];
+  const Lanes x1519 = cosine[6] * (x1432 - x1444) - x1435 * x1515;
+  const Lanes x1522 = x1435 + sine[6] * x1519;
+  const Lanes x1523 = cosine[6] * x1519;
+  const Lanes x1525 = x1432 - x1523;
+  const Lanes x1529 = 3.673205103346574e-06 * x1525;
+  const Lanes x1534 = 3.673205103346574e-06 * x1529;
+  const Lanes x1541 = cosine[6] * (x1453 - x1459) - x1456 * x1515;
+  const Lanes x1544 = x1456 + sine[6] * x1541;
+  const Lanes x1545 = cosine[6] * x1541;
+  const Lanes x1547 = x1453 - x1545;
+  const Lanes x1548 = 3.673205103346574e-06 * x1544;
+  const Lanes x1550 = 0.9999999999932537 * x1544;
+  const Lanes x1552 = 3.673205103346574e-06 * (x1547 - 0.95);
+  const Lanes x1554 = 0.9999999999932537 * x1552;
+  const Lanes x1556 = 3.673205103346574e-06 * x1552;
+  const Lanes x1558 = 0.95 + x1556;
+  const Lanes x1559 = x1547 - x1556;
+  const Lanes x1567 = 0.09 * x1554;
+  const Lanes x1569 = x1510 + x1567;
+  const Lanes x1571 = 0.09 * x1558 - x1507;
+  const Lanes x1574 = x1509 - 0.09 * x1559;
+  const Lanes x1575 = x1512 - x1567;
+  const Lanes x1582 = 0.9999999999932537 * x1522 - 0.09 * x1495;
+  const Lanes x1594 = 0.09 * x1569 - (0.9999999999932537 * x1529 + 0.09 * x1512);
+  const Lanes x1606 = sine[6] * x1461 + cosine[6] * x1463;
+  const Lanes x1623 = sine[6] * x1465 + cosine[6] * x1467;
+  const Lanes x1628 = 3.673205103346574e-06 * x1623 + 0.9999999999932537 * x1421;
+  const Lanes x1633 = 0.9999999999932537 * x1623 - 3.673205103346574e-06 * x1421;
+  const Lanes x1599 = x1525 - x1534 - 0.09 * x1507 + 0.09 * x1571;
+  const Lanes x1646 = 0.00351 + x1599;
+  require_more(w, x1646, 0.0, kFactorization, 5);
+  const Lanes x1647 = 0.9999999999932537 * x1484 - 0.09 * x1548 + -0.013000000000000001;
+  const Lanes x1648 = 0.052000000000000005 + x1571;
+  const Lanes x1603 = cosine[6] * x1461 - sine[6] * x1463;
+  const Lanes x1636 = 3.673205103346574e-06 * x1606 + 0.9999999999932537 * tau[6] + 0.09 * x1633;
+  const Lanes x1640 = 0.9999999999932537 * x1606 - 3.673205103346574e-06 * tau[6] - 0.09 * x1628;
+  const Lanes x1620 = cosine[6] * x1465 - sine[6] * x1467;
+  // link 6 "wrist": force that the reference field takes
+  const Lanes x981 = x454 * 0.052000000000000005 - x455 * 0.013000000000000001 + x443 * 1.3;
+  const Lanes x986 = x436 * 1.3 + x463 * 0.052000000000000005 + x459 * 0.013000000000000001;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Lanes x1660 = 1 / x1646;
+  const Lanes x1662 = x1660 * (tau[5] - (x968 - x439 * 0.013000000000000001 + x1640));
+  w.x[30] = x1662;
+  const Lanes x1663 = x1582 * x1660;
+  w.x[31] = x1663;
+  const Lanes x1664 = x1594 * x1660;
+  w.x[32] = x1664;
+  const Lanes x1665 = x1647 * x1660;
+  w.x[33] = x1665;
+  const Lanes x1666 = x1648 * x1660;
+  w.x[34] = x1666;
+  const Lanes x1667 = x1575 * x1660;
+  w.x[35] = x1667;
+  const Lanes x1670 = x1444 + x1523 + 0.0014299999999999998 - x1582 * x1663;
+  w.x[36] = x1670;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Lanes x1642 = -0.0005200000000000001 - (3.673205103346574e-06 * x1522 + 0.09 * x1500);
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Lanes x1673 = x1642 - x1582 * x1664;
+  w.x[37] = x1673;
+  const Lanes x1676 = x1450 + x1485 - x1582 * x1665;
+  const Lanes x1679 = x1495 + x1582 * x1666;
+  const Lanes x1683 = 0.013000000000000001 + x1500 - x1582 * x1667;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Lanes x1644 = x1534 - 0.09 * x1509 - 0.09 * x1574 + 0.00338;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Lanes x1686 = x1644 - x1594 * x1664;
+  w.x[38] = x1686;
+  const Lanes x1689 = 3.673205103346574e-06 * x1484 + 0.09 * x1550 + x1594 * x1665;
+  const Lanes x1693 = x1569 - x1594 * x1666;
+  const Lanes x1696 = -0.052000000000000005 + x1574 - x1594 * x1667;
+  const Lanes x1699 = x1459 + x1545 + 1.3 - x1647 * x1665;
+  w.x[39] = x1699;
+  const Lanes x1702 = x1548 + x1647 * x1666;
+  w.x[40] = x1702;
+  const Lanes x1706 = x1550 - x1647 * x1667;
+  w.x[41] = x1706;
+  const Lanes x1709 = 1.3 + x1558 - x1648 * x1666;
+  w.x[42] = x1709;
+  const Lanes x1712 = x1554 + x1648 * x1667;
+  w.x[43] = x1712;
+  const Lanes x1716 = 1.3 + x1559 - x1575 * x1667;
+  w.x[44] = x1716;
+  const Lanes x1718 = x938 + x436 * 0.013000000000000001 + x1603 + x1582 * x1662;
+  w.x[45] = x1718;
+  const Lanes x1720 = x1594 * x1662 - (x949 + x436 * 0.052000000000000005 + x1636);
+  w.x[46] = x1720;
+  const Lanes x1722 = x439 * 1.3 + x974 + x1620 + x1647 * x1662;
+  w.x[47] = x1722;
+  const Lanes x1724 = x981 - x1628 + x1648 * x1662;
+  w.x[48] = x1724;
+  const Lanes x1726 = x986 + x1633 + x1575 * x1662;
+  w.x[49] = x1726;
+  const Lanes x1730 = cosine[5] * x1683 - sine[5] * x1696;
+  const Lanes x1733 = sine[5] * x1683 + cosine[5] * x1696;
+  w.x[50] = x1733;
+  const Lanes x1740 = cosine[5] * (x1676 - x1693) + sine[5] * (x1679 + x1689);
+  const Lanes x1741 = sine[5] * x1740;
+  const Lanes x1743 = x1741 - x1679;
+  const Lanes x1744 = x1741 - x1689;
+  const Lanes x1745 = cosine[5] * x1740;
+  const Lanes x1746 = x1693 + x1745;
+  w.x[51] = x1746;
+  const Lanes x1747 = x1676 - x1745;
+  w.x[52] = x1747;
+  const Lanes x1748 = 3.673205103346574e-06 * x1744;
+  w.x[53] = x1748;
+  const Lanes x1750 = 0.9999999999932537 * x1744;
+  w.x[54] = x1750;
+  const Lanes x1755 = 3.673205103346574e-06 * x1743 + 0.9999999999932537 * x1730;
+  w.x[55] = x1755;
+  const Lanes x1760 = 0.9999999999932537 * x1743 - 3.673205103346574e-06 * x1730;
+  w.x[56] = x1760;
+  const Lanes x1765 = 3.673205103346574e-06 * x1747 + 0.9999999999932537 * x1733;
+  w.x[57] = x1765;
 }
 
-// A floating joint on the ground only adds its torque to the link.
-template <int j, bool starts>
-void free_base(Workspace& w) {
-  const Value* tau = w.tau + kJoints[j].v;
-  Body<Value> X{};
-  X.n = {-tau[3], -tau[4], -tau[5]};
-  X.f = {-tau[0], -tau[1], -tau[2]};
-  leave<starts>(w, j + 1, X);
+ADAGEN_NOINLINE void part_0_1(Workspace& w) {
+  ADAGEN_INPUTS
+  const Lanes x585 = w.x[0];
+  const Lanes x588 = w.x[1];
+  const Lanes x699 = w.x[2];
+  const Lanes x706 = w.x[3];
+  const Lanes x709 = w.x[4];
+  const Lanes x745 = w.x[5];
+  const Lanes x750 = w.x[6];
+  const Lanes x753 = w.x[7];
+  const Lanes x757 = w.x[8];
+  const Lanes x761 = w.x[9];
+  const Lanes x766 = w.x[10];
+  const Lanes x812 = w.x[11];
+  const Lanes x815 = w.x[12];
+  const Lanes x821 = w.x[13];
+  const Lanes x827 = w.x[14];
+  const Lanes x835 = w.x[15];
+  const Lanes x843 = w.x[16];
+  const Lanes x890 = w.x[17];
+  const Lanes x893 = w.x[18];
+  const Lanes x896 = w.x[19];
+  const Lanes x902 = w.x[20];
+  const Lanes x910 = w.x[21];
+  const Lanes x916 = w.x[22];
+  const Lanes x1192 = w.x[23];
+  const Lanes x1369 = w.x[24];
+  const Lanes x1425 = w.x[25];
+  const Lanes x1426 = w.x[26];
+  const Lanes x1427 = w.x[27];
+  const Lanes x1428 = w.x[28];
+  const Lanes x1429 = w.x[29];
+  const Lanes x1662 = w.x[30];
+  const Lanes x1663 = w.x[31];
+  const Lanes x1664 = w.x[32];
+  const Lanes x1665 = w.x[33];
+  const Lanes x1666 = w.x[34];
+  const Lanes x1667 = w.x[35];
+  const Lanes x1670 = w.x[36];
+  const Lanes x1673 = w.x[37];
+  const Lanes x1686 = w.x[38];
+  const Lanes x1699 = w.x[39];
+  const Lanes x1702 = w.x[40];
+  const Lanes x1706 = w.x[41];
+  const Lanes x1709 = w.x[42];
+  const Lanes x1712 = w.x[43];
+  const Lanes x1716 = w.x[44];
+  const Lanes x1718 = w.x[45];
+  const Lanes x1720 = w.x[46];
+  const Lanes x1722 = w.x[47];
+  const Lanes x1724 = w.x[48];
+  const Lanes x1726 = w.x[49];
+  const Lanes x1733 = w.x[50];
+  const Lanes x1746 = w.x[51];
+  const Lanes x1747 = w.x[52];
+  const Lanes x1748 = w.x[53];
+  const Lanes x1750 = w.x[54];
+  const Lanes x1755 = w.x[55];
+  const Lanes x1760 = w.x[56];
+  const Lanes x1765 = w.x[57];
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Lanes x1767 = 0.9999999999932537 * x1765;
+  const Lanes x1770 = 3.673205103346574e-06 * x1765;
+  const Lanes x1772 = x1747 - x1770;
+  const Lanes x1775 = 2.0 * sine[5];
+  const Lanes x1779 = cosine[5] * (x1670 - x1686) - x1673 * x1775;
+  const Lanes x1782 = x1673 + sine[5] * x1779;
+  const Lanes x1783 = cosine[5] * x1779;
+  const Lanes x1785 = x1670 - x1783;
+  const Lanes x1788 = 0.9999999999932537 * x1782;
+  const Lanes x1789 = 3.673205103346574e-06 * x1785;
+  const Lanes x1793 = 3.673205103346574e-06 * x1789;
+  const Lanes x1799 = cosine[5] * x1706 + sine[5] * x1712;
+  const Lanes x1803 = sine[5] * x1706 - cosine[5] * x1712;
+  const Lanes x1808 = cosine[5] * (x1699 - x1709) + x1702 * x1775;
+  const Lanes x1811 = sine[5] * x1808 - x1702;
+  const Lanes x1812 = cosine[5] * x1808;
+  const Lanes x1814 = x1699 - x1812;
+  const Lanes x1831 = 3.673205103346574e-06 * (x1814 - x1716) + x1803 * 1.9999999999865075;
+  const Lanes x1836 = 3.673205103346574e-06 * x1831;
+  const Lanes x1846 = sine[5] * x1718 + cosine[5] * x1720;
+  const Lanes x1863 = sine[5] * x1722 + cosine[5] * x1724;
+  const Lanes x1878 = 0.00136 - 0.9999999999932537 * x1789;
+  const Lanes x1880 = x1785 - x1793 + 0.00189125;
+  require_more(w, x1880, 0.0, kFactorization, 4);
+  const Lanes x1881 = -0.017 + x1750;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Lanes x1892 = 1 / x1880;
+  const Lanes x1893 = tau[4] - (0.9999999999932537 * x1846 - 3.673205103346574e-06 * tau[5] + x896);
+  const Lanes x1894 = x1892 * x1893;
+  const Lanes x1895 = x1788 * x1892;
+  const Lanes x1896 = x1878 * x1892;
+  const Lanes x1897 = x1881 * x1892;
+  const Lanes x1898 = x1767 * x1892;
+  const Lanes x1900 = x1772 * x1892;
+  const Lanes x1903 = x1686 + x1783 + 0.01553729 - x1788 * x1895;
+  const Lanes x1906 = 3.673205103346574e-06 * x1782 + x1788 * x1896;
+  const Lanes x1910 = x1746 - x1788 * x1897;
+  const Lanes x1913 = 0.136 - x1755 + x1788 * x1898;
+  const Lanes x1916 = 0.017 + x1760 - x1788 * x1900;
+  const Lanes x1919 = 0.01536729 + x1793 - x1878 * x1896;
+  const Lanes x1922 = -0.136 - x1748 - x1878 * x1897;
+  const Lanes x1925 = x1770 + x1878 * x1898;
+  const Lanes x1928 = x1733 - x1767 - x1878 * x1900;
+  const Lanes x1931 = x1709 + x1812 + 1.7 - x1881 * x1897;
+  const Lanes x1934 = x1881 * x1898 - (3.673205103346574e-06 * x1811 + 0.9999999999932537 * x1799);
+  const Lanes x1937 = 0.9999999999932537 * x1811 - 3.673205103346574e-06 * x1799 - x1881 * x1900;
+  const Lanes x1940 = x1716 + x1836 + 1.7 - x1767 * x1898;
+  const Lanes x1943 = x1803 - 0.9999999999932537 * x1831 + x1767 * x1900;
+  const Lanes x1946 = x1814 - x1836 + 1.7 - x1772 * x1900;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Lanes x1885 = cosine[5] * x1718 - sine[5] * x1720 + x890;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Lanes x1948 = x1885 + x1788 * x1894;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Lanes x1886 = x893 - (3.673205103346574e-06 * x1846 + 0.9999999999932537 * tau[5]);
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Lanes x1950 = x1886 + x1878 * x1894;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Lanes x1888 = cosine[5] * x1722 - sine[5] * x1724 + x902;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Lanes x1952 = x1888 + x1881 * x1894;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Lanes x1889 = x910 - (3.673205103346574e-06 * x1863 + 0.9999999999932537 * x1726);
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Lanes x1955 = x1889 - x1767 * x1894;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Lanes x1890 = 0.9999999999932537 * x1863 - 3.673205103346574e-06 * x1726 + x916;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Lanes x1957 = x1890 + x1772 * x1894;
+  const Lanes x1961 = cosine[4] * x1916 - sine[4] * x1928;
+  const Lanes x1964 = sine[4] * x1916 + cosine[4] * x1928;
+  const Lanes x1970 = cosine[4] * (x1910 - x1925) - sine[4] * (x1913 + x1922);
+  const Lanes x1971 = sine[4] * x1970;
+  const Lanes x1973 = x1913 + x1971;
+  const Lanes x1974 = x1922 + x1971;
+  const Lanes x1975 = cosine[4] * x1970;
+  const Lanes x1977 = x1910 - x1975;
+  const Lanes x1980 = 0.9999999999932537 * x1974;
+  const Lanes x1990 = 0.9999999999932537 * x1973 + 3.673205103346574e-06 * x1961;
+  const Lanes x1995 = 0.9999999999932537 * x1964 - 3.673205103346574e-06 * x1977;
+  const Lanes x1996 = 0.9999999999932537 * x1995;
+  const Lanes x1997 = x1964 - x1996;
+  const Lanes x1999 = 3.673205103346574e-06 * x1995;
+  const Lanes x2001 = x1977 + x1999;
+  const Lanes x2004 = 2.0 * sine[4];
+  const Lanes x2008 = cosine[4] * (x1903 - x1919) + x1906 * x2004;
+  const Lanes x2011 = sine[4] * x2008 - x1906;
+  const Lanes x2012 = cosine[4] * x2008;
+  const Lanes x2014 = x1903 - x2012;
+  const Lanes x2019 = 3.673205103346574e-06 * x2014;
+  const Lanes x2023 = 3.673205103346574e-06 * x2019;
+  const Lanes x2029 = cosine[4] * x1937 - sine[4] * x1943;
+  const Lanes x2032 = sine[4] * x1937 + cosine[4] * x1943;
+  const Lanes x2037 = cosine[4] * (x1931 - x1940) - x1934 * x2004;
+  const Lanes x2040 = x1934 + sine[4] * x2037;
+  const Lanes x2041 = cosine[4] * x2037;
+  const Lanes x2042 = x1940 + x2041;
+  const Lanes x2043 = x1931 - x2041;
+  const Lanes x2047 = 0.9999999999932537 * x2029 - 3.673205103346574e-06 * x2040;
+  const Lanes x2052 = 0.9999999999932537 * x2040 + 3.673205103346574e-06 * x2029;
+  const Lanes x2058 = 1.9999999999865075 * x2032 - 3.673205103346574e-06 * (x2043 - x1946);
+  const Lanes x2060 = x2032 - 0.9999999999932537 * x2058;
+  const Lanes x2061 = 3.673205103346574e-06 * x2058;
+  const Lanes x2063 = x1946 - x2061;
+  const Lanes x2064 = x2043 + x2061;
+  const Lanes x2065 = 0.38 * x2052;
+  const Lanes x2067 = x1925 + x1975 - x2065;
+  const Lanes x2070 = 3.673205103346574e-06 * x1974 + 0.08 * x2052;
+  const Lanes x2078 = x1980 + 0.38 * x2042 + 0.08 * x2047;
+  const Lanes x2081 = 0.9999999999932537 * x1961 - 3.673205103346574e-06 * x1973 + 0.38 * x2060;
+  const Lanes x2082 = 0.08 * x2060;
+  const Lanes x2084 = x2082 - x1999;
+  const Lanes x2091 = x1996 + 0.38 * x2047 + 0.08 * x2063;
+  const Lanes x2094 = 0.38 * x2064 - x1990;
+  const Lanes x2097 = x1997 + 0.08 * x2064;
+  const Lanes x2099 = x2001 + x2065 - x2082;
+  const Lanes x2116 = 0.38 * x2001 - 0.9999999999932537 * x2011 - 0.38 * x2067;
+  const Lanes x2117 = x2116 - 0.08 * x2081;
+  const Lanes x2131 = 0.9999999999932537 * x2019 + 0.08 * x2001 + 0.38 * x2070;
+  const Lanes x2132 = x2131 - 0.08 * x2084;
+  const Lanes x2142 = x2014 - x2023 + 0.38 * x1980 + 0.08 * x1996;
+  const Lanes x2151 = sine[4] * x1948 + cosine[4] * x1950;
+  const Lanes x2165 = cosine[4] * x1952 - sine[4] * x1955;
+  const Lanes x2168 = sine[4] * x1952 + cosine[4] * x1955;
+  const Lanes x2172 = 0.9999999999932537 * x1957 - 3.673205103346574e-06 * x2168;
+  const Lanes x2177 = 0.9999999999932537 * x2168 + 3.673205103346574e-06 * x1957;
+  const Lanes x2189 = 0.9999999999932537 * x2151 + 3.673205103346574e-06 * tau[4] + 0.38 * x2165;
+  const Lanes x2104 = x1919 + x2012 - 0.38 * x1990 + 0.38 * x2094;
+  const Lanes x2109 = 0.38 * x1997 - 3.673205103346574e-06 * x2011 + 0.08 * x2094;
+  const Lanes x2198 = 0.38 * x2078 + x2142 + 0.08 * x2091 + 0.037748300000000005;
+  require_more(w, x2198, 0.0, kFactorization, 3);
+  const Lanes x2199 = -0.22000000000000003 - x2078;
+  const Lanes x2200 = -0.11000000000000001 - x2091;
+  const Lanes x2181 = cosine[4] * x1948 - sine[4] * x1950 - 0.38 * x2177;
+  const Lanes x2184 = 0.9999999999932537 * tau[4] - 3.673205103346574e-06 * x2151 - 0.08 * x2177;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Lanes x2211 = 1 / x2198;
+  const Lanes x2213 = x2211 * (tau[3] - (x821 - (0.08 * x2172 + x2189)));
+  const Lanes x2214 = x2117 * x2211;
+  const Lanes x2215 = x2132 * x2211;
+  const Lanes x2216 = x2199 * x2211;
+  const Lanes x2217 = x2200 * x2211;
+  const Lanes x2218 = x2099 * x2211;
+  const Lanes x2221 = 0.03224830000000001 + x2104 - x2117 * x2214;
+  const Lanes x2224 = 0.011000000000000003 + x2109 - x2117 * x2215;
+  const Lanes x2227 = x2067 - x2117 * x2216;
+  const Lanes x2230 = x2081 - x2117 * x2217;
+  const Lanes x2233 = 0.22000000000000003 + x2094 - x2117 * x2218;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Lanes x2196 = x2023 + 0.08 * x1997 + 0.08 * x2097 + 0.00825;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Lanes x2236 = x2196 - x2132 * x2215;
+  const Lanes x2239 = x2070 + x2132 * x2216;
+  const Lanes x2243 = x2084 - x2132 * x2217;
+  const Lanes x2246 = 0.11000000000000001 + x2097 - x2132 * x2218;
+  const Lanes x2249 = 2.2 + x2042 - x2199 * x2216;
+  const Lanes x2252 = x2047 - x2199 * x2217;
+  const Lanes x2255 = x2052 + x2199 * x2218;
+  const Lanes x2259 = 2.2 + x2063 - x2200 * x2217;
+  const Lanes x2262 = x2060 - x2200 * x2218;
+  const Lanes x2265 = 2.2 + x2064 - x2099 * x2218;
+  const Lanes x2267 = x812 + x2181 + x2117 * x2213;
+  const Lanes x2269 = x815 + x2184 + x2132 * x2213;
+  const Lanes x2271 = x827 + x2165 + x2199 * x2213;
+  const Lanes x2273 = x835 + x2172 + x2200 * x2213;
+  const Lanes x2275 = x843 - x2177 + x2099 * x2213;
+  const Lanes x2279 = cosine[3] * x2233 - sine[3] * x2246;
+  const Lanes x2282 = sine[3] * x2233 + cosine[3] * x2246;
+  const Lanes x2288 = cosine[3] * (x2227 - x2243) - sine[3] * (x2230 - x2239);
+  const Lanes x2289 = sine[3] * x2288;
+  const Lanes x2291 = x2230 + x2289;
+  const Lanes x2292 = x2289 - x2239;
+  const Lanes x2293 = cosine[3] * x2288;
+  const Lanes x2295 = x2227 - x2293;
+  const Lanes x2303 = 3.673205103346574e-06 * x2291 + 0.9999999999932537 * x2279;
+  const Lanes x2308 = 0.9999999999932537 * x2291 - 3.673205103346574e-06 * x2279;
+  const Lanes x2313 = 3.673205103346574e-06 * x2295 + 0.9999999999932537 * x2282;
+  const Lanes x2315 = 0.9999999999932537 * x2313;
+  const Lanes x2317 = x2282 - x2315;
+  const Lanes x2318 = 3.673205103346574e-06 * x2313;
+  const Lanes x2320 = x2295 - x2318;
+  const Lanes x2323 = 2.0 * sine[3];
+  const Lanes x2327 = cosine[3] * (x2221 - x2236) - x2224 * x2323;
+  const Lanes x2330 = x2224 + sine[3] * x2327;
+  const Lanes x2331 = cosine[3] * x2327;
+  const Lanes x2333 = x2221 - x2331;
+  const Lanes x2337 = 3.673205103346574e-06 * x2333;
+  const Lanes x2341 = 3.673205103346574e-06 * x2337;
+  const Lanes x2348 = cosine[3] * x2255 + sine[3] * x2262;
+  const Lanes x2353 = cosine[3] * x2262 - sine[3] * x2255;
+  const Lanes x2358 = cosine[3] * (x2249 - x2259) - x2252 * x2323;
+  const Lanes x2361 = x2252 + sine[3] * x2358;
+  const Lanes x2362 = cosine[3] * x2358;
+  const Lanes x2364 = x2249 - x2362;
+  const Lanes x2369 = 0.9999999999932537 * x2348 - 3.673205103346574e-06 * x2361;
+  const Lanes x2373 = 0.9999999999932537 * x2361 + 3.673205103346574e-06 * x2348;
+  const Lanes x2379 = 3.673205103346574e-06 * (x2364 - x2265) + 1.9999999999865075 * x2353;
+  const Lanes x2383 = x2353 - 0.9999999999932537 * x2379;
+  const Lanes x2384 = 3.673205103346574e-06 * x2379;
+  const Lanes x2386 = x2265 + x2384;
+  const Lanes x2387 = x2364 - x2384;
+  const Lanes x2393 = 0.9999999999932537 * x2292 + 0.08 * x2369;
+  const Lanes x2394 = 0.08 * x2383;
+  const Lanes x2396 = x2318 - x2394;
+  const Lanes x2398 = 0.08 * x2386 - x2315;
+  const Lanes x2401 = x2317 - 0.08 * x2387;
+  const Lanes x2402 = x2320 + x2394;
+  const Lanes x2409 = 0.9999999999932537 * x2330 - 0.08 * x2303;
+  const Lanes x2421 = 0.08 * x2396 - (0.9999999999932537 * x2337 + 0.08 * x2320);
+  const Lanes x2433 = sine[3] * x2267 + cosine[3] * x2269;
+  const Lanes x2450 = sine[3] * x2271 + cosine[3] * x2273;
+  const Lanes x2455 = 3.673205103346574e-06 * x2450 + 0.9999999999932537 * x2275;
+  const Lanes x2460 = 0.9999999999932537 * x2450 - 3.673205103346574e-06 * x2275;
+  const Lanes x2426 = x2333 - x2341 - 0.08 * x2315 + 0.08 * x2398;
+  const Lanes x2472 = 0.0039325 + x2426;
+  require_more(w, x2472, 0.0, kFactorization, 2);
+  const Lanes x2463 = 3.673205103346574e-06 * x2433 + 0.9999999999932537 * tau[3] + 0.08 * x2460;
+  const Lanes x2467 = 0.9999999999932537 * x2433 - 3.673205103346574e-06 * tau[3] - 0.08 * x2455;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Lanes x2483 = 1 / x2472;
+  const Lanes x2485 = x2483 * (tau[2] - (x2467 - x745));
+  const Lanes x2486 = x2409 * x2483;
+  const Lanes x2487 = x2421 * x2483;
+  const Lanes x2488 = x2393 * x2483;
+  const Lanes x2489 = x2398 * x2483;
+  const Lanes x2490 = x2402 * x2483;
+  const Lanes x2493 = x2236 + x2331 + 0.01132625 - x2409 * x2486;
+  const Lanes x2496 = 3.673205103346574e-06 * x2330 + 0.08 * x2308 + x2409 * x2487;
+  const Lanes x2500 = x2243 + x2293 - x2409 * x2488;
+  const Lanes x2503 = 0.078 - x2303 - x2409 * x2489;
+  const Lanes x2506 = x2308 - x2409 * x2490;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Lanes x2470 = x2341 - 0.08 * x2317 - 0.08 * x2401 + 0.01132625;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Lanes x2509 = x2470 - x2421 * x2487;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Lanes x2471 = -0.078 - (3.673205103346574e-06 * x2292 + 0.08 * x2373);
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Lanes x2512 = x2471 - x2421 * x2488;
+  const Lanes x2515 = x2396 - x2421 * x2489;
+  const Lanes x2518 = x2401 - x2421 * x2490;
+  const Lanes x2521 = x2259 + x2362 + 2.6 - x2393 * x2488;
+  const Lanes x2524 = x2369 - x2393 * x2489;
+  const Lanes x2527 = x2373 - x2393 * x2490;
+  const Lanes x2530 = 2.6 + x2386 - x2398 * x2489;
+  const Lanes x2533 = x2383 - x2398 * x2490;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Lanes x2476 = cosine[3] * x2267 - sine[3] * x2269 + x750;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Lanes x2538 = x2476 + x2409 * x2485;
+  const Lanes x2540 = x753 - x2463 + x2421 * x2485;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Lanes x2479 = cosine[3] * x2271 - sine[3] * x2273 + x757;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Lanes x2542 = x2479 + x2393 * x2485;
+  const Lanes x2544 = x761 - x2455 + x2398 * x2485;
+  const Lanes x2553 = sine[2] * x2506 + cosine[2] * x2518;
+  const Lanes x2559 = cosine[2] * (x2500 - x2515) - sine[2] * (x2503 + x2512);
+  const Lanes x2560 = sine[2] * x2559;
+  const Lanes x2563 = x2512 + x2560;
+  const Lanes x2564 = cosine[2] * x2559;
+  const Lanes x2566 = x2500 - x2564;
+  const Lanes x2569 = 0.9999999999932537 * x2563;
+  const Lanes x2577 = 3.673205103346574e-06 * (cosine[2] * x2506 - sine[2] * x2518);
+  const Lanes x2579 = 0.9999999999932537 * (x2503 + x2560) - x2577;
+  const Lanes x2584 = 3.673205103346574e-06 * x2566 + 0.9999999999932537 * x2553;
+  const Lanes x2594 = 2.0 * sine[2];
+  const Lanes x2598 = cosine[2] * (x2493 - x2509) + x2496 * x2594;
+  const Lanes x2601 = sine[2] * x2598 - x2496;
+  const Lanes x2602 = cosine[2] * x2598;
+  const Lanes x2604 = x2493 - x2602;
+  const Lanes x2608 = 3.673205103346574e-06 * x2604;
+  const Lanes x2612 = 3.673205103346574e-06 * x2608;
+  const Lanes x2626 = cosine[2] * (x2521 - x2530) - x2524 * x2594;
+  const Lanes x2630 = cosine[2] * x2626;
+  const Lanes x2632 = x2521 - x2630;
+  const Lanes x2640 = 3.673205103346574e-06 * (cosine[2] * x2527 - sine[2] * x2533);
+  const Lanes x2644 = 3.673205103346574e-06 * (x2632 - (2.6 + x2387 - x2402 * x2490));
+  const Lanes x2648 = x2644 + 1.9999999999865075 * (sine[2] * x2527 + cosine[2] * x2533);
+  const Lanes x2657 = 0.3 * (0.9999999999932537 * (x2524 + sine[2] * x2626) - x2640);
+  const Lanes x2677 = 0.3 * (x2579 - 0.3 * (x2632 - 3.673205103346574e-06 * x2648));
+  const Lanes x2689 = 0.9999999999932537 * x2601 - 0.3 * (x2566 - 3.673205103346574e-06 * x2584);
+  const Lanes x2690 = 0.3 * (x2515 + x2564 - x2657) + x2689;
+  const Lanes x2693 = 0.9999999999932537 * x2608 + 0.3 * (3.673205103346574e-06 * x2563);
+  const Lanes x2697 = 0.3 * (x2569 + 0.3 * (x2530 + x2630));
+  const Lanes x2707 = sine[2] * x2538 + cosine[2] * x2540;
+  const Lanes x2731 = 0.9999999999932537 * (sine[2] * x2542 + cosine[2] * x2544);
+  const Lanes x2734 = x2731 - 3.673205103346574e-06 * (x766 + x2460 + x2402 * x2485);
+  const Lanes x2738 = 0.3 * (cosine[2] * x2542 - sine[2] * x2544);
+  const Lanes x2744 = x2604 - x2612 + 0.3 * x2569 + x2697 + 0.048670000000000005;
+  require_more(w, x2744, 0.0, kFactorization, 1);
+  const Lanes x2737 = cosine[2] * x2538 - sine[2] * x2540 - 0.3 * x2734;
+  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
+  const Lanes x2756 = 1 / x2744;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Lanes x2751 = 0.9999999999932537 * x2707 - 3.673205103346574e-06 * tau[2] + x2738 - x709;
+  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
+  const Lanes x2758 = x2756 * (tau[1] - x2751);
+  const Lanes x2759 = x2690 * x2756;
+  const Lanes x2760 = x2693 * x2756;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Lanes x2741 = x2509 + x2602 - 0.3 * x2579 - x2677 + 0.048670000000000005;
+  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
+  const Lanes x2768 = x2741 - x2690 * x2759;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Lanes x2683 = 3.673205103346574e-06 * x2601 + 0.3 * (x2553 - 0.9999999999932537 * x2584);
+  const Lanes x2750 = x699 - (3.673205103346574e-06 * x2707 + 0.9999999999932537 * tau[2]);
+  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
+  const Lanes x2868 = cosine[1] * (x2768 - (0.00558 + x2612 - x2693 * x2760));
+  const Lanes x2873 = x2868 - (x2690 * x2760 - x2683) * (sine[1] * 2.0);
+  const Lanes x2879 = x2768 - cosine[1] * x2873;
+  const Lanes x2972 = sine[1] * (x706 + x2737 + x2690 * x2758);
+  const Lanes x2979 = 0.9999999999932537 * (x2972 + cosine[1] * (x2750 - x2693 * x2758));
+  const Lanes x3011 = x2879 - 3.673205103346574e-06 * (3.673205103346574e-06 * x2879) + 0.00882;
+  require_more(w, x3011, 0.0, kFactorization, 0);
+  // joint 0 "base_yaw": articulated-body inertia and bias force through it
+  const Lanes x3019 = 1 / x3011 * (x2979 + 3.673205103346574e-06 * tau[1] + tau[0]);
+  w.result[0] = x3019;
+  // joint 1 "shoulder_pitch": its acceleration, and that of the link beyond
+  const Lanes x3028 = 0.9999999999932537 * x3019;
+  const Lanes x3032 = sine[1] * x3028;
+  const Lanes x3034 = cosine[1] * x3028;
+  const Lanes x3041 = x2758 + x2759 * x3032 - x2760 * x3034;
+  const Lanes x3042 = 3.673205103346574e-06 * x3019 + x3041;
+  w.result[1] = x3042;
+  // joint 2 "upper_arm_roll": its acceleration, and that of the link beyond
+  const Lanes x3043 = 0.3 * x3041;
+  const Lanes x3044 = 0.3 * x3032;
+  const Lanes x3049 = 3.673205103346574e-06 * x3034 + 0.9999999999932537 * x3041;
+  const Lanes x3058 = sine[2] * x3049 - cosine[2] * x3032;
+  const Lanes x3062 = sine[2] * x3032 + cosine[2] * x3049;
+  const Lanes x3063 = 0.9999999999932537 * x3044;
+  const Lanes x3064 = 3.673205103346574e-06 * x3044;
+  const Lanes x3068 = cosine[2] * x3043 + sine[2] * x3063;
+  const Lanes x3072 = cosine[2] * x3063 - sine[2] * x3043;
+  const Lanes x3084 = x2485 + x2490 * x3064 - x2488 * x3068;
+  const Lanes x3086 = x3084 - x2489 * x3072 - x2486 * x3058;
+  const Lanes x3087 = x3086 - x2487 * x3062;
+  const Lanes x3088 = x3087 - (0.9999999999932537 * x3034 - 3.673205103346574e-06 * x3041);
+  w.result[2] = x3088;
+  // joint 3 "elbow_pitch": its acceleration, and that of the link beyond
+  const Lanes x3091 = x3072 + 0.08 * x3087;
+  const Lanes x3094 = x3064 + 0.08 * x3062;
+  const Lanes x3099 = 0.9999999999932537 * x3087 - 3.673205103346574e-06 * x3062;
+  const Lanes x3108 = cosine[3] * x3058 + sine[3] * x3099;
+  const Lanes x3112 = cosine[3] * x3099 - sine[3] * x3058;
+  const Lanes x3117 = 3.673205103346574e-06 * x3091 + 0.9999999999932537 * x3094;
+  const Lanes x3123 = 3.673205103346574e-06 * x3094 - 0.9999999999932537 * x3091;
+  const Lanes x3127 = cosine[3] * x3068 - sine[3] * x3117;
+  const Lanes x3132 = sine[3] * x3068 + cosine[3] * x3117;
+  const Lanes x3145 = x2213 - x2214 * x3108 - x2215 * x3112;
+  const Lanes x3147 = x3145 - x2218 * x3123 - x2216 * x3127;
+  const Lanes x3148 = x2217 * x3132 + x3147;
+  const Lanes x3149 = 0.9999999999932537 * x3062 + 3.673205103346574e-06 * x3087 + x3148;
+  w.result[3] = x3149;
+  // joint 4 "forearm_roll": its acceleration, and that of the link beyond
+  const Lanes x3153 = x3127 - 0.38 * x3148;
+  const Lanes x3156 = x3132 + 0.08 * x3148;
+  const Lanes x3162 = x3123 + 0.08 * x3112 + 0.38 * x3108;
+  const Lanes x3167 = 3.673205103346574e-06 * x3112 + 0.9999999999932537 * x3148;
+  const Lanes x3176 = cosine[4] * x3108 - sine[4] * x3167;
+  const Lanes x3181 = sine[4] * x3108 + cosine[4] * x3167;
+  const Lanes x3187 = 3.673205103346574e-06 * x3156 - 0.9999999999932537 * x3162;
+  const Lanes x3192 = 0.9999999999932537 * x3156 + 3.673205103346574e-06 * x3162;
+  const Lanes x3196 = cosine[4] * x3153 + sine[4] * x3187;
+  const Lanes x3200 = cosine[4] * x3187 - sine[4] * x3153;
+  const Lanes x3212 = x1894 - x1895 * x3176 + x1896 * x3181;
+  const Lanes x3214 = x1900 * x3192 + x3212 - x1897 * x3196;
+  const Lanes x3215 = x1898 * x3200 + x3214;
+  const Lanes x3216 = x3215 - (0.9999999999932537 * x3112 - 3.673205103346574e-06 * x3148);
+  w.result[4] = x3216;
+  // joint 5 "wrist_pitch": its acceleration, and that of the link beyond
+  const Lanes x3220 = 3.673205103346574e-06 * x3181 + 0.9999999999932537 * x3215;
+  const Lanes x3228 = cosine[5] * x3176 + sine[5] * x3220;
+  const Lanes x3232 = cosine[5] * x3220 - sine[5] * x3176;
+  const Lanes x3237 = 3.673205103346574e-06 * x3200 + 0.9999999999932537 * x3192;
+  const Lanes x3243 = 3.673205103346574e-06 * x3192 - 0.9999999999932537 * x3200;
+  const Lanes x3247 = cosine[5] * x3196 - sine[5] * x3237;
+  const Lanes x3252 = sine[5] * x3196 + cosine[5] * x3237;
+  const Lanes x3265 = x1662 - x1667 * x3243 - x1665 * x3247;
+  const Lanes x3267 = x1666 * x3252 + x3265 - x1663 * x3228;
+  const Lanes x3268 = x3267 - x1664 * x3232;
+  const Lanes x3269 = x3268 - (0.9999999999932537 * x3181 - 3.673205103346574e-06 * x3215);
+  w.result[5] = x3269;
+  // joint 6 "flange_roll": its acceleration, and that of the link beyond
+  const Lanes x3280 = 0.9999999999932537 * x3268 - 3.673205103346574e-06 * x3232;
+  const Lanes x3289 = cosine[6] * x3228 + sine[6] * x3280;
+  const Lanes x3293 = cosine[6] * x3280 - sine[6] * x3228;
+  const Lanes x3296 = 0.9999999999932537 * (x3243 - 0.09 * x3232);
+  const Lanes x3297 = x3296 - 3.673205103346574e-06 * (0.09 * x3268 - x3252);
+  const Lanes x3306 = cosine[6] * x3247 + sine[6] * x3297;
+  const Lanes x3310 = cosine[6] * x3297 - sine[6] * x3247;
+  const Lanes x3320 = x1425 - x1426 * x3289 - x1427 * x3293;
+  const Lanes x3322 = x3320 - x1428 * x3306 - x1429 * x3310;
+  const Lanes x3323 = 0.9999999999932537 * x3232 + 3.673205103346574e-06 * x3268 + x3322;
+  w.result[6] = x3323;
+  // joint 7 "left_finger_slide": its acceleration, and that of the link beyond
+  const Lanes x3334 = x3310 - 0.13 * x3289;
+  const Lanes x3341 = x1369 + 0.03 * x3289 - x3334;
+  w.result[7] = x3341;
+  // joint 8 "right_finger_slide": its acceleration, and that of the link beyond
+  const Lanes x3366 = 2.65358979335273e-06 * (x3306 + 0.13 * x3293 + x588 * x3322);
+  const Lanes x3374 = x1192 + 0.03 * (2.65358979335273e-06 * x3293 - 0.9999999999964793 * x3289);
+  const Lanes x3375 = x3366 + 0.9999999999964793 * (x3334 - x585 * x3322) + x3374;
+  w.result[8] = x3375;
 }
-
-// Acceleration of a root that nothing holds.
-template <int p, int link>
-void solve_root(Workspace& w) {
-  if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
-}
-
-// Outwards again: the joints' accelerations.
-
-template <class T>
-ADAGEN_INLINE T freedom(const T* e, const Motion<T>& a) {
-  return (e[6] - (e[0] * a.angular.x + e[1] * a.angular.y)) -
-         ((e[2] * a.angular.z + e[3] * a.linear.x) + (e[4] * a.linear.y + e[5] * a.linear.z));
-}
-
-// Gives the k-th acceleration of each of the joints.
-template <class T>
-ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T& x) {
-  const auto place = [&](int lane) -> Value& {
-    const int v = kJoints[static_cast<std::size_t>(joints.joint[lane])].v;
-    return w.answer[static_cast<std::size_t>(v + k)];
-  };
-  if constexpr (kWidth<T> == 1)
-    place(0) = x;
-  else
-    ADAGEN_FOR (lane, 0, kWidth<T>) place(lane) = x[lane];
-}
-
-// The same for joints with several freedoms, told at the joint's origin throughout.
-template <bool reversed>
-ADAGEN_INLINE void move_at_joint(Workspace& w, const Joints<Value>& joints, Motion<Value>& a) {
-  const JointConstants& joint = joints.any();
-  [[maybe_unused]] const Value* const e = w.memory(joints).e;
-  [[maybe_unused]] const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
-  [[maybe_unused]] Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
-  if constexpr (kAnyPlanar) {
-    if (joint.kind == JointKind::kPlanar) {
-      const Value spin = freedom(e + 16, a);
-      a.angular += Vector<Value>{R.x.z, R.y.z, R.z.z} * spin;
-      const Value y = freedom(e + 8, a);
-      a.linear += Vector<Value>{R.x.y, R.y.y, R.z.y} * y;
-      const Value x = freedom(e, a);
-      a.linear += Vector<Value>{R.x.x, R.y.x, R.z.x} * x;
-      qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
-    }
-  }
-  if constexpr (kAnyFloating) {
-    if (joint.kind == JointKind::kFloating) {
-      const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
-      const Vector<Value> slide = transposed_times(R, far.linear - a.linear);
-      const Vector<Value> spin = transposed_times(R, far.angular - a.angular);
-      const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
-      ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
-      a = far;
-    }
-  }
-}
-
-// The same for spherical joints.
-template <bool reversed, class T>
-ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
-  const T* const e = w.memory(joints).e;
-  const Matrix<T> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
-  const Vector<T> far = Vector<T>{e[9], e[10], e[11]} - K * a.linear;
-  const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
-  const Vector<T> x = transposed_times(R, far - a.angular);
-  answer(w, joints, 0, reversed ? -x.x : x.x);
-  answer(w, joints, 1, reversed ? -x.y : x.y);
-  answer(w, joints, 2, reversed ? -x.z : x.z);
-  a.angular = far;
-}
-
-// A joint's acceleration from the near link's, which becomes the far link's; each is told at its
-// own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
-template <bool reversed, class T>
-ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
-  const JointConstants& joint = joints.any();
-  const T* const e = w.memory(joints).e;
-  const Vector<T>& r = w.memory(joints).r;
-  const Value* R = w.at(joints.slot, kAxes);
-  switch (joint.kind) {
-    case JointKind::kRevolute: {
-      const Vector<T> axis = axis_at<T>(R);
-      const T x = freedom(e, a);
-      answer(w, joints, 0, reversed ? -x : x);
-      carry(a, reversed ? -r : r);
-      a.angular += axis * x;
-      if constexpr (reversed) a.linear += cross(r, axis) * x;
-      break;
-    }
-    case JointKind::kPrismatic: {
-      const T x = freedom(e, a);
-      answer(w, joints, 0, reversed ? -x : x);
-      carry(a, reversed ? -r : r);
-      a.linear += axis_at<T>(R) * x;
-      break;
-    }
-    case JointKind::kSpherical:
-      if constexpr (kAnySpherical) {
-        if constexpr (!reversed) carry(a, r);
-        turn_at_joint<reversed>(w, joints, a);
-        if constexpr (reversed) carry(a, -r);
-      }
-      break;
-    default:
-      if constexpr (kWidth<T> == 1) {
-        if constexpr (!reversed) carry(a, r);
-        move_at_joint<reversed>(w, joints, a);
-        if constexpr (reversed) carry(a, -r);
-      }
-  }
-}
-
-// Joints first .. last outwards; what moves along with a link is kept where other paths start.
-template <int p, int first, int last>
-void accelerate(Workspace& w) {
-  Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
-  for (int j = first; j <= last; ++j) {
-    move<false>(w, single(j), a);
-    if (kRoles[p][static_cast<std::size_t>(j + 1)].parts)
-      w.motions[static_cast<std::size_t>(j + 1)] = a;
-  }
-}
-
-template <int p, int first, int last>
-void accelerate_reversed(Workspace& w) {
-  Motion<Value> a = w.motions[last + 1];
-  for (int j = last; j >= first; --j) {
-    move<true>(w, single(j), a);
-    const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
-    if (kRoles[p][far].parts) w.motions[far] = a;
-  }
-}
-
-// The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
-template <int j>
-void as_joint_acceleration(Workspace& w) {
-  const Value* v = w.v + kJoints[j].v;
-  Value* qdd = &w.answer[kJoints[j].v];
-  const Vector<Value> turned =
-      cross(Vector<Value>{v[3], v[4], v[5]}, Vector<Value>{v[0], v[1], v[2]});
-  qdd[0] -= turned.x, qdd[1] -= turned.y, qdd[2] -= turned.z;
-}
-
-// A floating base's joint acceleration, [linear; angular] in its own axes.
-template <int j>
-void free_acceleration(Workspace& w) {
-  const Motion<Value>& a = w.motions[j + 1];
-  Value* qdd = &w.answer[kJoints[j].v];
-  qdd[0] = a.linear.x, qdd[1] = a.linear.y, qdd[2] = a.linear.z;
-  qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
-  as_joint_acceleration<j>(w);
-}
-
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
 // Each process: 9 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch", ...
+constexpr std::array<int, 9> kRead_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
+constexpr std::array<int, 9> kOwned_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
+
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 9, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 9, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 0, 9, &JointConstants::v, kNotFinite);
+  ADAGEN_INPUTS
   stamp(0);
-  std::copy_n(w.q + 0, 7, w.angle.data() + 0);
-  turn<block(0), block(8) + 1>(w);
-  outward<0, 7>(w);  // "base_yaw" .. "left_finger_slide"
-  outward<8, 8>(w);  // "right_finger_slide"
+  if (!all(unlike_zero(q + 0, 9) + unlike_zero(v + 0, 9) + unlike_zero(tau + 0, 9) == 0))
+    name_what_is_not_finite(w, kRead_0, kOwned_0);
+  take_sines_and_cosines<7>(q + 0, w.sine.data(), w.cosine.data());
+  part_0_0(w);
+  part_0_1(w);
   stamp(1);
-  set_up_links<block(0), block(8) + 1>(w);
-  inward<0, 8, 8, true>(w);  // "right_finger_slide"
-  inward<0, 0, 7, true>(w);  // "base_yaw" .. "left_finger_slide"
   stamp(2);
-  accelerate<0, 0, 7>(w);  // "base_yaw" .. "left_finger_slide"
-  accelerate<0, 8, 8>(w);  // "right_finger_slide"
   stamp(3);
-  require_finite(w, w.answer.data(), 0, 9, &JointConstants::v, kOverflow);
-  give(w, 0, 9);
+  if (!all(unlike_zero(w.result.data() + 0, 9) == 0)) name_what_overflows(w, kOwned_0);
+  if (w.status != kFine) return;
+  std::copy_n(w.result.data() + 0, 9, w.qdd + 0);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_0};

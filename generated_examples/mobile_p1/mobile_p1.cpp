@@ -658,66 +658,26 @@ inline void stamp(int k) {
 
 // ---- 4. joints ----------------------------------------------------------------------------------
 
+// What is computed with.
+using Value = Real;
+
 // The memory of a process: the state, angles with sine and cosine, what messages hold, and values
 // that one function leaves to another.
 struct Workspace {
-  const Real* q = nullptr;
-  const Real* v = nullptr;
-  const Real* tau = nullptr;
-  Real* qdd = nullptr;
+  const Value* q = nullptr;
+  const Value* v = nullptr;
+  const Value* tau = nullptr;
+  Value* qdd = nullptr;
   int status = kFine;
-  alignas(kCacheLine) std::array<Real, 4> angle{}, sine{}, cosine{};
-  std::array<Real, kNv> result{};
+  alignas(kCacheLine) std::array<Value, 4> angle{}, sine{}, cosine{};
+  std::array<Value, kNv> result{};
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Real, 71> x{};
+  alignas(kCacheLine) std::array<Value, 71> x{};
 };
 
-// What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
-// results.
-#define ADAGEN_INPUTS                                                             \
-  [[maybe_unused]] const Real *const q = w.q, *const v = w.v, *const tau = w.tau; \
-  [[maybe_unused]] const Real *const sine = w.sine.data(), *const cosine = w.cosine.data();
-
-[[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
-
-inline void fail(Workspace& w, Failure kind, int joint) {
-  Channel::fail(w.status, failure(kind, joint));
-}
-
-// Zero for finite numbers only: x - x is.
-inline Real unlike_zero(const Real* x, int count) {
-  Real sum = 0;
-  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
-  return sum;
-}
-
-// A state was found not to be finite: which joint's?
-template <std::size_t reads, std::size_t owns>
-[[gnu::cold]] ADAGEN_NOINLINE void name_what_is_not_finite(Workspace& w,
-                                                           const std::array<int, reads>& read,
-                                                           const std::array<int, owns>& owned) {
-  for (const int j : read) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!(unlike_zero(w.q + joint.q, joint.nq) + unlike_zero(w.v + joint.v, joint.nv) == 0))
-      fail(w, kNotFinite, j);
-  }
-  for (const int j : owned) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!(unlike_zero(w.tau + joint.v, joint.nv) == 0)) fail(w, kNotFinite, j);
-  }
-}
-
-[[maybe_unused]] inline void require_length(Workspace& w, Real squared, int joint) {
-  if (!(squared >= std::numeric_limits<Real>::min() && squared <= std::numeric_limits<Real>::max()))
-    fail(w, kZeroQuaternion, joint);
-}
-
-// A pivot or a mobility has to be more than what rounding may have left of it.
-[[maybe_unused]] inline void require_more(Workspace& w, Real x, Real least, Failure kind,
-                                          int joint) {
-  if (!(x > least && x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
-}
+// What straight lines of numbers need.
+inline bool all(bool good, bool also = true) { return good && also; }
 
 // Sine and cosine by the polynomials of fdlibm on [-pi/4, pi/4], after taking multiples of pi/2
 // away in three parts. No branch: a loop over it is done in SIMD lanes.
@@ -755,13 +715,61 @@ inline void take_sines_and_cosines(const Real* angle, Real* sine, Real* cosine) 
   for (int k = 0; k < count; ++k) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
 }
 
+// What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
+// results.
+#define ADAGEN_INPUTS                                                              \
+  [[maybe_unused]] const Value *const q = w.q, *const v = w.v, *const tau = w.tau; \
+  [[maybe_unused]] const Value *const sine = w.sine.data(), *const cosine = w.cosine.data();
+
+[[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+
+inline void fail(Workspace& w, Failure kind, int joint) {
+  Channel::fail(w.status, failure(kind, joint));
+}
+
+// Zero for finite numbers only: x - x is.
+inline Value unlike_zero(const Value* x, int count) {
+  Value sum{};
+  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
+  return sum;
+}
+
+// A state was found not to be finite: which joint's?
+template <std::size_t reads, std::size_t owns>
+[[gnu::cold]] ADAGEN_NOINLINE void name_what_is_not_finite(Workspace& w,
+                                                           const std::array<int, reads>& read,
+                                                           const std::array<int, owns>& owned) {
+  for (const int j : read) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!all(unlike_zero(w.q + joint.q, joint.nq) + unlike_zero(w.v + joint.v, joint.nv) == 0))
+      fail(w, kNotFinite, j);
+  }
+  for (const int j : owned) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!all(unlike_zero(w.tau + joint.v, joint.nv) == 0)) fail(w, kNotFinite, j);
+  }
+}
+
+[[maybe_unused]] inline void require_length(Workspace& w, const Value& squared, int joint) {
+  if (!all(squared >= std::numeric_limits<Real>::min(),
+           squared <= std::numeric_limits<Real>::max()))
+    fail(w, kZeroQuaternion, joint);
+}
+
+// A pivot or a mobility has to be more than what rounding may have left of it.
+template <class T>
+[[maybe_unused]] void require_more(Workspace& w, const Value& x, const T& least, Failure kind,
+                                   int joint) {
+  if (!all(x > least, x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
+}
+
 // A result was found not to be finite: which joint's?
 template <std::size_t owns>
 [[gnu::cold]] ADAGEN_NOINLINE void name_what_overflows(Workspace& w,
                                                        const std::array<int, owns>& owned) {
   for (const int j : owned) {
     const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!(unlike_zero(w.result.data() + joint.v, joint.nv) == 0)) fail(w, kOverflow, j);
+    if (!all(unlike_zero(w.result.data() + joint.v, joint.nv) == 0)) fail(w, kOverflow, j);
   }
 }
 
@@ -1438,7 +1446,7 @@ constexpr std::array<int, 6> kOwned_0{0, 1, 2, 3, 4, 5};
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   stamp(0);
-  if (!(unlike_zero(q + 0, 14) + unlike_zero(v + 0, 13) + unlike_zero(tau + 0, 13) == 0))
+  if (!all(unlike_zero(q + 0, 14) + unlike_zero(v + 0, 13) + unlike_zero(tau + 0, 13) == 0))
     name_what_is_not_finite(w, kRead_0, kOwned_0);
   w.angle[0] = q[2];
   w.angle[1] = q[3];
@@ -1450,7 +1458,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(1);
   stamp(2);
   stamp(3);
-  if (!(unlike_zero(w.result.data() + 0, 13) == 0)) name_what_overflows(w, kOwned_0);
+  if (!all(unlike_zero(w.result.data() + 0, 13) == 0)) name_what_overflows(w, kOwned_0);
   if (w.status != kFine) return;
   std::copy_n(w.result.data() + 0, 13, w.qdd + 0);
 }

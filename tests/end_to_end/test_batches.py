@@ -70,13 +70,14 @@ def test_the_other_processes_do_not_hear_of_bad_states(said: list[str]) -> None:
     assert len(said) == 2 * (len(SIZES) + len(SPOILT))
 
 
+@pytest.mark.parametrize("shape", ["kernels", "unrolled"])
 @pytest.mark.parametrize("scalar", ["double", "float"])
 def test_a_program_names_states_with_bad_quaternions_and_answers_the_others(
-    scalar: str, builder: Builder, tmp_path: Path
+    scalar: str, shape: str, builder: Builder, tmp_path: Path
 ) -> None:
     model = next(e for e in EXAMPLES if e.stem == "humanoid_p1").model()
     plan = plan_of(model, 1, scalar=scalar)
-    source = emit(plan, name="humanoid", batch=2)["humanoid_p2.cpp"]
+    source = emit(plan, name="humanoid", shape=shape, batch=2)["humanoid_p2.cpp"]
     solver = Solver(builder.compile(source, "humanoid_p2", FLAGS), 2, builder.toolchain)
     states = random_states(model, 23, seed=6)
     data = states_text(model, states, tmp_path)
@@ -105,3 +106,12 @@ def test_a_program_names_states_with_bad_quaternions_and_answers_the_others(
     assert forward_error(qdd[good], truth[:, 6:]) < (1e-11 if scalar == "double" else 1e-4)
     write_states(few, model, given)
     assert solver.run("--states", given, "--result", result, "--check").status == 0
+
+
+def test_slaved_joints_are_in_step_in_batches_too(builder: Builder, tmp_path: Path) -> None:
+    model = next(example for example in EXAMPLES if example.mimic).model()
+    source = emit(plan_of(model, 1), name="slaved", batch=1)["slaved_p1.cpp"]
+    solver = Solver(builder.compile(source, "slaved_p1", FLAGS), 1, builder.toolchain)
+    states = random_states(model, 11, seed=7)
+    found = solver.solve(model, states, tmp_path, "--check")
+    assert forward_error(found, truth_of(model, states)) < 1e-11

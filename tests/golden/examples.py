@@ -59,6 +59,7 @@ EXAMPLES = (
     Example("arm7_slaved", "arm7", 2, mimic=True, form="ada"),
     Example("arm7_float", "arm7", 2, scalar="float"),
     Example("arm7_batch", "arm7", 2, batch=True),
+    Example("humanoid_batch", "humanoid", 2, floating=True, shape="kernels", batch=True),
     Example("humanoid", "humanoid", 1, floating=True),
     Example("humanoid", "humanoid", 2, floating=True),
     Example("humanoid", "humanoid", 3, floating=True, form="ada"),

@@ -7,6 +7,19 @@ nothing twice; what is left is cut into functions (layout.py) and printed (text.
 from __future__ import annotations
 
 from adagen.emit.unrolled.emission import CHUNK, unrolled_values, why_not_unrolled
-from adagen.emit.unrolled.simulate import Simulated, pays_unrolled, simulate
+from adagen.emit.unrolled.simulate import (
+    Simulated,
+    pays_unrolled,
+    pays_unrolled_in_lanes,
+    simulate,
+)
 
-__all__ = ["CHUNK", "Simulated", "pays_unrolled", "simulate", "unrolled_values", "why_not_unrolled"]
+__all__ = [
+    "CHUNK",
+    "Simulated",
+    "pays_unrolled",
+    "pays_unrolled_in_lanes",
+    "simulate",
+    "unrolled_values",
+    "why_not_unrolled",
+]

@@ -46,7 +46,7 @@ def unrolled_values(words: Words, chunk: int = 0) -> dict[str, object]:
         _ProcessText(words, p, simulated, chunk) for p, simulated in enumerate(simulate(words.plan))
     ]
     return {
-        "runtime": ["status.hpp"],
+        "runtime": ["status.hpp", *["kernels/lanes.hpp"] * words.batch],
         "unrolled": [row.values() for row in rows],
         "places": max((row.layout.places for row in rows), default=0),
         "angle_count": max(len(row.machine.angles) for row in rows),
@@ -105,7 +105,7 @@ class _ProcessText:
         for joint, values in self.machine.results.items():
             v = self.words.plan.joints[joint].v
             for k, x in enumerate(values):
-                lines[x.index].append(f"w.result[{v + k}] = {self._name(x.index)};")
+                lines[x.index].append(f"w.result[{v + k}] = {self._value(x.index)};")
         return lines
 
     def _name(self, index: int) -> str:
@@ -113,6 +113,11 @@ class _ProcessText:
         if node.op == "constant":
             return self.text.literal(node.value)
         return str(node.value) if is_given(node) else f"x{index}"
+
+    def _value(self, index: int) -> str:
+        """A value's name where one is put down: a number in all lanes."""
+        constant = self.graph.nodes[index].op == "constant"
+        return f"Value{{}} + {self._name(index)}" if constant else self._name(index)
 
     def _source(self, j: int) -> int:
         mimic = self.words.plan.joints[j].mimic
@@ -176,7 +181,7 @@ class _ProcessText:
             for first, count in _runs(entries)
         ]
         return [
-            f"if (!({' + '.join(terms)} == 0))",
+            f"if (!all({' + '.join(terms)} == 0))",
             f"  name_what_is_not_finite(w, kRead_{self.p}, kOwned_{self.p});",
         ]
 
@@ -186,7 +191,7 @@ class _ProcessText:
         runs = _runs([(plan.joints[j].v, self.words.kind(j).nv) for j in self.process.owns])
         terms = [f"unlike_zero(w.result.data() + {first}, {count})" for first, count in runs]
         return [
-            f"if (!({' + '.join(terms)} == 0)) name_what_overflows(w, kOwned_{self.p});",
+            f"if (!all({' + '.join(terms)} == 0)) name_what_overflows(w, kOwned_{self.p});",
             "if (w.status != kFine) return;",
             *(f"std::copy_n(w.result.data() + {k}, {n}, w.qdd + {k});" for k, n in runs),
         ]
@@ -211,14 +216,15 @@ class _ProcessText:
 
     def _chunk(self, chunk: Chunk) -> list[str]:
         """The statements of one function."""
-        lines = [f"const Real x{k} = w.x[{place}];" for k, place in sorted(chunk.loads.items())]
+        scalar = "Lanes" if self.words.batch else "Real"
+        lines = [f"const {scalar} x{k} = w.x[{at}];" for k, at in sorted(chunk.loads.items())]
         mark = -1
         for index, right in self.text.statements(chunk.values).items():
             node = self.graph.nodes[index]
             if node.mark != mark:
                 mark = node.mark
                 lines.append(f"// {describe_step(self.words, self.process.steps[mark])}")
-            lines.append(f"const Real x{index} = {right};")
+            lines.append(f"const {scalar} x{index} = {right};")
             if index in chunk.stores:
                 lines.append(f"w.x[{chunk.stores[index]}] = x{index};")
             lines += self.followers.get(index, [])

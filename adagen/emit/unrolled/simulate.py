@@ -12,6 +12,7 @@ from adagen.model.kinds import KINDS
 from adagen.plan import Plan
 
 _MOST_FREEDOMS = 24
+_MOST_FREEDOMS_IN_LANES = 256
 _MOST_OPERATIONS = 3000  # of one process: about 20 kB of code
 _MOST_EACH = 250  # products and sums for each degree of freedom
 
@@ -66,8 +67,21 @@ def pays_unrolled(plan: Plan) -> bool:
     It wins by what structure saves: few operations for each degree of freedom, and code that stays
     in the first-level cache.
     """
-    freedoms = sum(KINDS[joint.kind].nv for joint in plan.joints)
+    freedoms = _freedoms(plan)
     if freedoms > _MOST_FREEDOMS:
         return False
     work = [one.operations.arithmetic for one in simulate(plan)]
     return max(work) <= _MOST_OPERATIONS and sum(work) <= _MOST_EACH * freedoms
+
+
+def pays_unrolled_in_lanes(plan: Plan) -> bool:
+    """Return whether a straight line is expected to be the best shape for batches.
+
+    Its code is fetched once for all lanes, so that it is the fastest on every robot measured
+    (docs/code_shapes.md); beyond, it takes a compiler minutes.
+    """
+    return _freedoms(plan) <= _MOST_FREEDOMS_IN_LANES
+
+
+def _freedoms(plan: Plan) -> int:
+    return sum(KINDS[joint.kind].nv for joint in plan.joints)

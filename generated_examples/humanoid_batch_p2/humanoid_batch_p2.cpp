@@ -1,0 +1,5135 @@
+// Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+//
+// robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
+// options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
+// schedule  __base__@0(|left_hip_pitch(right_hip_pitch(waist_yaw(|waist_roll(|waist_pitch(|left_shoulder_pitch(neck_yaw(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch)))))))) | right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll))))))
+// licence   yours to choose: what adagen emits belongs to whoever emits it
+//
+// Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
+// link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
+// accelerations come back. Spatial vectors are [angular; linear], in link frames turned so that every
+// joint axis is z.
+// Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura joins them: Phi =
+// (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent link's side) and
+// chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
+//
+// How to read on:
+//   1. interface   what a program that links this file calls
+//   2. model       the robot's constants
+//   3. runtime     spatial algebra, joints, exchange between processes
+//   4. joints      for each joint its memory, then what is done with it, step by step
+//   5. processes   who does what, in order
+//   6. program     states in, accelerations out; check; time
+
+#include <mpi.h>
+
+// ---- 1. interface -------------------------------------------------------------------------------
+// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN, link it, and get these
+// declarations by including it with ADAGEN_DECLARATIONS defined.
+#ifdef __cplusplus
+extern "C" {
+#endif
+typedef struct humanoid_batch_p2_solver humanoid_batch_p2_solver;
+
+// Joints in order, each with its place in the state: humanoid_batch_p2_joint gives name, start and size in q
+// and v of joint k, or returns 0 where there is none.
+int humanoid_batch_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
+
+// Collective over a communicator of 2 processes. channel: "auto", "window" or "message";
+// time_limit: seconds that a process waits for another. Returns null where it cannot be done.
+humanoid_batch_p2_solver* humanoid_batch_p2_open(MPI_Comm comm, const char* channel, double time_limit);
+
+// Accelerations of count states, each process for itself. Of each state in turn: q 36 numbers, v and
+// tau 35 each, qdd 35; joints in order, quaternions x y z w (normalised here), floating joints [linear;
+// angular] in the body's frame. Returns 0, or what humanoid_batch_p2_failure puts into words: states
+// that cannot be solved get NaN for accelerations, all others theirs.
+int humanoid_batch_p2_solve_batch(humanoid_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd);
+
+// The same, collective: process 0 passes all states and gets all accelerations, and hears of states
+// that cannot be solved; the others may pass null and any count. Faster processes get more to solve.
+int humanoid_batch_p2_solve_batch_at_root(humanoid_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd);
+
+// The k-th of the states that the last call could not solve, counted from 0; -1 where there are not so
+// many. humanoid_batch_p2_failure says why.
+int humanoid_batch_p2_failed_state(humanoid_batch_p2_solver* solver, int k);
+
+
+// The last failure in words; valid until the next call.
+const char* humanoid_batch_p2_failure(const humanoid_batch_p2_solver* solver);
+
+// Collective.
+void humanoid_batch_p2_close(humanoid_batch_p2_solver* solver);
+#ifdef __cplusplus
+}
+#endif
+#ifndef ADAGEN_DECLARATIONS
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+#if defined(__linux__)
+#include <sched.h>
+#endif
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <csignal>
+#endif
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
+// A counted loop that is to be unrolled whole, so that indices computed in it become constants.
+#if defined(__clang__)
+#define ADAGEN_FOR(k, first, last) _Pragma("clang loop unroll(full)") for (int k = first; k < last; ++k)
+#else
+#define ADAGEN_FOR(k, first, last) _Pragma("GCC unroll 16") for (int k = first; k < last; ++k)
+#endif
+
+namespace {
+
+using Real = double;
+constexpr int kProcesses = 2;
+constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
+constexpr int kNq = 36, kNv = 35;
+constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+[[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+constexpr bool kBatch = true;  // whether many states are solved at once
+constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr int kPlanMessages = 0;
+constexpr std::size_t kCacheLine = 64;
+constexpr bool kFloatingBase = true;
+constexpr double kTolerance = 1e-09;
+constexpr int kRandomStates = 64;
+constexpr const char* kRobot = "humanoid";
+const MPI_Datatype kMpiReal = MPI_DOUBLE;
+
+// ---- 2. model -----------------------------------------------------------------------------------
+
+enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
+
+// What a joint does by itself: of its torque, damping qd + friction tanh(qd / friction_speed)
+// + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
+// tau holds that.
+struct Passive {
+  Real damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  bool prescribed = false;
+};
+
+// A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link
+// has the joint's frame at q = 0.
+struct JointConstants {
+  const char* name;
+  JointKind kind;
+  int parent;           // parent link; the child link has the joint's number plus one
+  int q, nq, v, nv;     // where its configuration and velocity are
+  Real rotation[9];     // joint frame to parent link's frame, row by row
+  Real translation[3];  // origin of the joint frame in the parent link's frame, m
+  int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
+  double multiplier, offset;
+  Passive passive{};
+};
+
+// An outer force that is an input, told in the frame of the link that has its name.
+struct OuterForce {
+  const char* name;
+  int link;             // that feels it
+  Real rotation[9];     // from that frame to the link's, row by row
+  Real translation[3];  // its origin in the link's frame, m
+};
+
+struct LinkConstants {
+  const char* name;
+  Real mass;               // kg
+  Real com[3];             // centre of mass, m
+  Real tensor[9];          // rotational inertia about it, kg m^2
+  Real tensor_inverse[9];  // J, its inverse
+};
+
+// What a process reads and owns of the state.
+struct ProcessInfo {
+  int q_count;
+  const int* q;
+  int v_read_count;
+  const int* v_read;
+  int v_count;
+  const int* v;
+  int tau_count;
+  const int* tau;  // entries of tau that it reads
+};
+
+// What goes from one process to another once in an evaluation.
+struct MessageInfo {
+  int source, target, size;  // size in Real, the status not counted
+};
+
+constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
+
+constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
+    {"__world__", 0.0, {0.0, 0.0, 0.0},
+     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+     {}},
+    {"pelvis", 6.2, {0.0, 0.0, 0.02},
+     {0.0324467, 0.0, 0.0, 0.0, 0.0175667, 0.0, 0.0, 0.0, 0.0351333},
+     {}},
+    {"left_hip", 1.4, {0.0, 0.0, 0.03},
+     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175},
+     {}},
+    {"left_groin", 1.2, {0.0, -0.04, 0.02},
+     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015},
+     {}},
+    {"left_thigh", 2.6, {0.0, 0.0, -0.1},
+     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468},
+     {}},
+    {"left_shank", 1.8, {-0.13, 0.01, 0.0},
+     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713},
+     {}},
+    {"left_ankle", 0.2, {0.0, 0.0, 0.0},
+     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05},
+     {}},
+    {"left_foot", 0.8, {0.0, -0.03, 0.03},
+     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667},
+     {}},
+    {"right_hip", 1.4, {0.0, 0.0, -0.03},
+     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175},
+     {}},
+    {"right_groin", 1.2, {0.0, -0.04, 0.02},
+     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015},
+     {}},
+    {"right_thigh", 2.6, {0.0, 0.0, -0.1},
+     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468},
+     {}},
+    {"right_shank", 1.8, {-0.13, 0.01, 0.0},
+     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713},
+     {}},
+    {"right_ankle", 0.2, {0.0, 0.0, 0.0},
+     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05},
+     {}},
+    {"right_foot", 0.8, {0.0, -0.03, 0.03},
+     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667},
+     {}},
+    {"waist_link", 0.8, {0.0, 0.0, 0.02},
+     {0.00074, 0.0, 0.0, 0.0, 0.00074, 0.0, 0.0, 0.0, 0.001},
+     {}},
+    {"abdomen", 0.9, {0.0, 0.02, 0.0},
+     {0.0010425, 0.0, 0.0, 0.0, 0.001125, 0.0, 0.0, 0.0, 0.0010425},
+     {}},
+    {"torso", 9.5, {0.17, 0.01, 0.0},
+     {0.0823333, 0.0, 0.0, 0.0, 0.153583, 0.0, 0.0, 0.0, 0.111783},
+     {}},
+    {"left_shoulder", 0.8, {0.0, 0.0, 0.03},
+     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064},
+     {}},
+    {"left_shoulder_cap", 0.7, {0.01, -0.03, 0.0},
+     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007},
+     {}},
+    {"left_upper_arm", 0.8, {0.0, 0.0, -0.05},
+     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064},
+     {}},
+    {"left_forearm", 0.7, {-0.07, 0.02, 0.0},
+     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771},
+     {}},
+    {"left_wrist", 0.2, {0.0, 0.0, -0.01},
+     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05},
+     {}},
+    {"left_hand", 0.4, {-0.06, 0.0, 0.0},
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333},
+     {}},
+    {"neck", 0.4, {0.0, 0.0, 0.02},
+     {0.00021, 0.0, 0.0, 0.0, 0.00021, 0.0, 0.0, 0.0, 0.00018},
+     {}},
+    {"head", 2.4, {0.09, 0.02, 0.0},
+     {0.007776, 0.0, 0.0, 0.0, 0.007776, 0.0, 0.0, 0.0, 0.007776},
+     {}},
+    {"right_shoulder", 0.8, {0.0, 0.0, -0.03},
+     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064},
+     {}},
+    {"right_shoulder_cap", 0.7, {-0.01, -0.03, 0.0},
+     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007},
+     {}},
+    {"right_upper_arm", 0.8, {0.0, 0.0, -0.05},
+     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064},
+     {}},
+    {"right_forearm", 0.7, {-0.07, 0.02, 0.0},
+     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771},
+     {}},
+    {"right_wrist", 0.2, {0.0, 0.0, -0.01},
+     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05},
+     {}},
+    {"right_hand", 0.4, {-0.06, 0.0, 0.0},
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333},
+     {}},
+} };
+
+constexpr std::array<JointConstants, kJointCount> kJoints{ {
+    {"__base__", JointKind::kFloating, 0, 0, 7, 0, 6,
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+     {0.0, 0.0, 0.0}, -1, 0.0, 0.0},
+    {"left_hip_pitch", JointKind::kRevolute, 1, 7, 1, 6, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.09, -0.05}, -1, 0.0, 0.0},
+    {"left_hip_roll", JointKind::kRevolute, 2, 8, 1, 7, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, 0.04}, -1, 0.0, 0.0},
+    {"left_hip_yaw", JointKind::kRevolute, 3, 9, 1, 8, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, -0.12, 0.0}, -1, 0.0, 0.0},
+    {"left_knee", JointKind::kRevolute, 4, 10, 1, 9, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.24}, -1, 0.0, 0.0},
+    {"left_ankle_pitch", JointKind::kRevolute, 5, 11, 1, 10, 1,
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+     {-0.3, 0.0, 0.0}, -1, 0.0, 0.0},
+    {"left_ankle_roll", JointKind::kRevolute, 6, 12, 1, 11, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {-0.02, 0.0, 0.0}, -1, 0.0, 0.0},
+    {"right_hip_pitch", JointKind::kRevolute, 1, 13, 1, 12, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, -0.09, -0.05}, -1, 0.0, 0.0},
+    {"right_hip_roll", JointKind::kRevolute, 8, 14, 1, 13, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
+    {"right_hip_yaw", JointKind::kRevolute, 9, 15, 1, 14, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, -0.12, 0.0}, -1, 0.0, 0.0},
+    {"right_knee", JointKind::kRevolute, 10, 16, 1, 15, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.24}, -1, 0.0, 0.0},
+    {"right_ankle_pitch", JointKind::kRevolute, 11, 17, 1, 16, 1,
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+     {-0.3, 0.0, 0.0}, -1, 0.0, 0.0},
+    {"right_ankle_roll", JointKind::kRevolute, 12, 18, 1, 17, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {-0.02, 0.0, 0.0}, -1, 0.0, 0.0},
+    {"waist_yaw", JointKind::kRevolute, 1, 19, 1, 18, 1,
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+     {0.0, 0.0, 0.09}, -1, 0.0, 0.0},
+    {"waist_roll", JointKind::kRevolute, 14, 20, 1, 19, 1,
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
+     {0.0, 0.0, 0.05}, -1, 0.0, 0.0},
+    {"waist_pitch", JointKind::kRevolute, 15, 21, 1, 20, 1,
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
+     {0.0, 0.04, 0.0}, -1, 0.0, 0.0},
+    {"left_shoulder_pitch", JointKind::kRevolute, 16, 22, 1, 21, 1,
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+     {0.29, 0.0, 0.15}, -1, 0.0, 0.0},
+    {"left_shoulder_roll", JointKind::kRevolute, 17, 23, 1, 22, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, 0.05}, -1, 0.0, 0.0},
+    {"left_shoulder_yaw", JointKind::kRevolute, 18, 24, 1, 23, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, -0.1, 0.0}, -1, 0.0, 0.0},
+    {"left_elbow", JointKind::kRevolute, 19, 25, 1, 24, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.11}, -1, 0.0, 0.0},
+    {"left_wrist_roll", JointKind::kRevolute, 20, 26, 1, 25, 1,
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
+     {-0.16, 0.01, 0.0}, -1, 0.0, 0.0},
+    {"left_wrist_pitch", JointKind::kRevolute, 21, 27, 1, 26, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
+    {"neck_yaw", JointKind::kRevolute, 16, 28, 1, 27, 1,
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
+     {0.38, 0.0, 0.0}, -1, 0.0, 0.0},
+    {"neck_pitch", JointKind::kRevolute, 23, 29, 1, 28, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, 0.06}, -1, 0.0, 0.0},
+    {"right_shoulder_pitch", JointKind::kRevolute, 16, 30, 1, 29, 1,
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+     {0.29, 0.0, -0.15}, -1, 0.0, 0.0},
+    {"right_shoulder_roll", JointKind::kRevolute, 25, 31, 1, 30, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.05}, -1, 0.0, 0.0},
+    {"right_shoulder_yaw", JointKind::kRevolute, 26, 32, 1, 31, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, -0.1, 0.0}, -1, 0.0, 0.0},
+    {"right_elbow", JointKind::kRevolute, 27, 33, 1, 32, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.11}, -1, 0.0, 0.0},
+    {"right_wrist_roll", JointKind::kRevolute, 28, 34, 1, 33, 1,
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
+     {-0.16, 0.01, 0.0}, -1, 0.0, 0.0},
+    {"right_wrist_pitch", JointKind::kRevolute, 29, 35, 1, 34, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
+} };
+
+constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
+
+// Slaved joints follow their sources; what was given for them is ignored.
+template <class Number>
+void slave([[maybe_unused]] Number* q, [[maybe_unused]] Number* v) {
+  for (const JointConstants& joint : kJoints) {
+    if (joint.source < 0) continue;
+    const JointConstants& source = kJoints[static_cast<std::size_t>(joint.source)];
+    q[joint.q] = static_cast<Number>(joint.multiplier * double(q[source.q]) + joint.offset);
+    v[joint.v] = static_cast<Number>(joint.multiplier * double(v[source.v]));
+  }
+}
+
+// ---- 3. runtime ---------------------------------------------------------------------------------
+
+// What can go wrong in an evaluation. A status travels with every message, so that all processes
+// learn of a failure and none waits for an answer that cannot come. It must be exact in a float.
+enum Failure : int {
+  kFine = 0,
+  kNotFinite = 1,       // the state of a joint is not a finite number
+  kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
+  kFactorization = 3,   // V^-1 of a joint is not positive definite
+  kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
+  kSingularPose = 10,   // no failure: the evaluation is done again in another way
+  kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
+  kEnded = 6,           // no failure: process 0 has no more to evaluate
+  kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
+};
+
+constexpr int kFailureBase = 1 << 20;
+constexpr int failure(Failure kind, int joint) { return kind * kFailureBase + joint; }
+constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
+constexpr int failure_place(int status) { return status % kFailureBase; }
+
+// Text as a JSON string, in one line.
+std::string quoted(const char* text) {
+  std::string result = "\"";
+  for (; *text != '\0'; ++text) {
+    const unsigned char c = static_cast<unsigned char>(*text);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += *text;
+    } else if (c < 0x20 || c == 0x7F) {
+      char escape[8];
+      std::snprintf(escape, sizeof escape, "\\u%04x", c);
+      result += escape;
+    } else {
+      result += *text;
+    }
+  }
+  return result + "\"";
+}
+
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
+std::string describe(int status) {
+  const int place = failure_place(status);
+  const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
+  switch (failure_kind(status)) {
+    case kFine:
+      return "no error";
+    case kNotFinite:
+      return joint() + "its q, v or tau is not a finite number";
+    case kZeroQuaternion:
+      return joint() + "its quaternion cannot be normalised";
+    case kFactorization:
+      return joint() +
+             "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
+    case kOverflow:
+      return joint() + "its acceleration is not a finite number (overflow)";
+    case kSingularPose:
+      return joint() + "its mobility is singular in this pose";
+    case kEnded:
+      return "the evaluations are over";
+    case kNotRefined:
+      return "refinement does not converge: the inertias differ too much for the scalar";
+    case kNoAnswer:
+      return "process " + std::to_string(place) + " did not answer within the time limit";
+  }
+  return "unknown failure";
+}
+
+// Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
+constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
+typedef Real Lanes __attribute__((vector_size(64)));
+typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
+typedef Bits LaneBits __attribute__((vector_size(64)));
+
+// Where registers are narrower, gcc tells that vectors are passed in other ways; none is, all is
+// inlined.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+#define ADAGEN_INLINE [[maybe_unused]] inline __attribute__((always_inline))
+
+ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
+ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
+
+// Whether all numbers are positive: false for NaN.
+ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
+template <class T>
+ADAGEN_INLINE bool all_positive(const T& x) {
+  bool result = true;
+  ADAGEN_FOR (k, 0, static_cast<int>(sizeof x / sizeof x[0])) result &= x[k] > 0;
+  return result;
+}
+
+ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
+ADAGEN_INLINE bool all_zero(const Lanes& x) {
+  bool result = true;
+  for (int k = 0; k < kLanes; ++k) result &= x[k] == 0;
+  return result;
+}
+
+ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
+ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
+  Lanes result = x;
+  for (int k = 0; k < kLanes; ++k) result[k] = std::tanh(x[k]);
+  return result;
+}
+
+// Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
+// three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
+// kLargestAngle; beyond, each lane is left to the C library.
+template <class R>
+struct Trigonometry;
+
+template <>
+struct Trigonometry<double> {
+  [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
+  [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
+  [[maybe_unused]] static constexpr double kParts[3] = {
+      1.57079632673412561417e+00, 6.07710050630396597660e-11, 2.02226624871116645580e-21};
+  [[maybe_unused]] static constexpr double kSine[6] = {
+      1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
+      -1.98412698295895385996e-4, 8.33333333332211858878e-3,  -1.66666666666666307295e-1};
+  [[maybe_unused]] static constexpr double kCosine[6] = {
+      -1.13585365213876817300e-11, 2.08757008419747316778e-9,  -2.75573141792967388112e-7,
+      2.48015872888517045348e-5,   -1.38888888888730564116e-3, 4.16666666666665929218e-2};
+};
+
+template <>
+struct Trigonometry<float> {
+  [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
+  [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
+  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f,
+                                                       7.54978995489188216e-8f};
+  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f,
+                                                      -1.6666654611e-1f};
+  [[maybe_unused]] static constexpr float kCosine[3] = {
+      2.443315711809948e-5f, -1.388731625493765e-3f, 4.166664568298827e-2f};
+};
+
+template <std::size_t n>
+ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
+  Lanes result = coefficients[0] + 0 * x;
+  ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
+  return result;
+}
+
+ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  using Table = Trigonometry<Real>;
+  const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
+  const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
+  const Lanes turns = shifted - Table::kRound;
+  const Lanes rest =
+      ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
+  const Lanes square = rest * rest;
+  const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
+  const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
+  const LaneBits swapped = -(quadrant & 1);
+  const LaneBits s_bits = reinterpret_cast<LaneBits>(s);
+  const LaneBits c_bits = reinterpret_cast<LaneBits>(c);
+  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
+  const LaneBits sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
+  const LaneBits cosine_bits =
+      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
+  sine = reinterpret_cast<Lanes>(sine_bits);
+  cosine = reinterpret_cast<Lanes>(cosine_bits);
+  const LaneBits beyond = (angle > Table::kLargestAngle) | (angle < -Table::kLargestAngle);
+  Bits any = 0;
+  for (int k = 0; k < kLanes; ++k) any |= beyond[k];
+  if (__builtin_expect(any != 0, 0))
+    for (int k = 0; k < kLanes; ++k)
+      if (beyond[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
+// Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
+// computed with: one number, or one for each of several states or links.
+template <class T>
+struct Vector {
+  T x, y, z;
+};
+
+template <class T>
+struct Matrix {
+  Vector<T> x, y, z;  // rows
+};
+
+template <class T>
+struct Symmetric {
+  T xx, xy, xz, yy, yz, zz;
+};
+
+template <class T>
+ADAGEN_INLINE Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Vector<T>& a, const S& s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Vector<T>& a, const Vector<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+template <class T, class S>
+ADAGEN_INLINE T dot(const Vector<T>& a, const Vector<S>& b) {
+  return a.x * b.x + (a.y * b.y + a.z * b.z);
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> cross(const Vector<T>& a, const Vector<S>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Matrix<T>& m, const Vector<S>& a) {
+  return {dot(m.x, a), dot(m.y, a), dot(m.z, a)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> transposed_times(const Matrix<T>& m, const Vector<T>& a) {
+  return {m.x.x * a.x + (m.y.x * a.y + m.z.x * a.z), m.x.y * a.x + (m.y.y * a.y + m.z.y * a.z),
+          m.x.z * a.x + (m.y.z * a.y + m.z.z * a.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> row_times(const Vector<T>& a, const Matrix<S>& m) {
+  return {a.x * m.x.x + (a.y * m.y.x + a.z * m.z.x), a.x * m.x.y + (a.y * m.y.y + a.z * m.z.y),
+          a.x * m.x.z + (a.y * m.y.z + a.z * m.z.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Matrix<T> operator*(const Matrix<T>& a, const Matrix<S>& b) {
+  return {row_times(a.x, b), row_times(a.y, b), row_times(a.z, b)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator*(const Symmetric<T>& m, const Vector<T>& a) {
+  return {m.xx * a.x + (m.xy * a.y + m.xz * a.z), m.xy * a.x + (m.yy * a.y + m.yz * a.z),
+          m.xz * a.x + (m.yz * a.y + m.zz * a.z)};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Symmetric<T>& a, const Symmetric<T>& b) {
+  a.xx += b.xx, a.xy += b.xy, a.xz += b.xz, a.yy += b.yy, a.yz += b.yz, a.zz += b.zz;
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Matrix<T>& a, const Matrix<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+
+// A body about a point: spatial inertia [[A, B], [B^T, C]] (A rotational, C of mass) and bias force
+// [n; f]. It is a link, or a link with all that hangs on it.
+template <class T>
+struct Body {
+  Symmetric<T> A;
+  Matrix<T> B;
+  Symmetric<T> C;
+  Vector<T> n, f;
+};
+
+template <class T>
+ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
+  a.A += b.A, a.B += b.B, a.C += b.C, a.n += b.n, a.f += b.f;
+}
+
+// The body told about the point at -r from the one that it is told about: B + rx C, and
+// A + rx B^T - (B + rx C) rx.
+template <class T>
+ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Matrix<T> B{{X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
+                     X.B.x.z + (r.y * C.zz - r.z * C.yz)},
+                    {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
+                     X.B.y.z + (r.z * C.xz - r.x * C.zz)},
+                    {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
+                     X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
+  X.A.xx += (r.y * X.B.x.z - r.z * X.B.x.y) - (B.x.y * r.z - B.x.z * r.y);
+  X.A.xy += (r.y * X.B.y.z - r.z * X.B.y.y) - (B.x.z * r.x - B.x.x * r.z);
+  X.A.xz += (r.y * X.B.z.z - r.z * X.B.z.y) - (B.x.x * r.y - B.x.y * r.x);
+  X.A.yy += (r.z * X.B.y.x - r.x * X.B.y.z) - (B.y.z * r.x - B.y.x * r.z);
+  X.A.yz += (r.z * X.B.z.x - r.x * X.B.z.z) - (B.y.x * r.y - B.y.y * r.x);
+  X.A.zz += (r.x * X.B.z.y - r.y * X.B.z.x) - (B.z.x * r.y - B.z.y * r.x);
+  X.B = B;
+  X.n += cross(r, X.f);
+}
+
+// The inertia less U U^T / D, U = [n; f] and e = U / D.
+template <class T>
+ADAGEN_INLINE void subtract(Body<T>& X, const Vector<T>& n, const Vector<T>& f,
+                            const Vector<T>& e_n, const Vector<T>& e_f) {
+  X.A.xx -= e_n.x * n.x, X.A.xy -= e_n.x * n.y, X.A.xz -= e_n.x * n.z;
+  X.A.yy -= e_n.y * n.y, X.A.yz -= e_n.y * n.z, X.A.zz -= e_n.z * n.z;
+  X.B.x.x -= e_n.x * f.x, X.B.x.y -= e_n.x * f.y, X.B.x.z -= e_n.x * f.z;
+  X.B.y.x -= e_n.y * f.x, X.B.y.y -= e_n.y * f.y, X.B.y.z -= e_n.y * f.z;
+  X.B.z.x -= e_n.z * f.x, X.B.z.y -= e_n.z * f.y, X.B.z.z -= e_n.z * f.z;
+  X.C.xx -= e_f.x * f.x, X.C.xy -= e_f.x * f.y, X.C.xz -= e_f.x * f.z;
+  X.C.yy -= e_f.y * f.y, X.C.yz -= e_f.y * f.z, X.C.zz -= e_f.z * f.z;
+}
+
+// Where a point moves that is at r from one that moves as [angular; linear].
+template <class T>
+struct Motion {
+  Vector<T> angular, linear;
+};
+
+template <class T, class S>
+ADAGEN_INLINE void carry(Motion<T>& a, const Vector<S>& r) {
+  a.linear += cross(a.angular, r);
+}
+
+// The rotation that a quaternion x y z w of any length stands for, and its squared length.
+template <class T>
+ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<T>& R) {
+  const T squared = (x * x + y * y) + (z * z + w * w);
+  const T s = 2 / squared;
+  const T xx = s * x * x, yy = s * y * y, zz = s * z * z, xy = s * x * y, xz = s * x * z,
+          yz = s * y * z, xw = s * x * w, yw = s * y * w, zw = s * z * w;
+  R = {{1 - (yy + zz), xy - zw, xz + yw},
+       {xy + zw, 1 - (xx + zz), yz - xw},
+       {xz - yw, yz + xw, 1 - (xx + yy)}};
+  return squared;
+}
+
+constexpr std::array<MessageInfo, 0> kMessages{ {
+} };
+
+// What a process does in an evaluation as the others see it: the messages that it sends and
+// receives, in order, and what those received hold. Played again, it computes the same by itself:
+// what it sends goes nowhere, and what it receives is there at once. (--stretches)
+class Take {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  // Notes from here on what goes through the channel.
+  void record() { playing_ = false; }
+
+  // Plays from the start, and looks at the clock at each message.
+  void play() {
+    playing_ = true;
+    next_ = 0;
+  }
+
+  bool playing() const { return playing_; }
+  const std::vector<int>& messages() const { return messages_; }
+  const std::vector<Clock::rep>& looks() const { return looks_; }  // one at each message
+
+  // Message k was sent, or received with this content, its status before it.
+  ADAGEN_NOINLINE void note(int k, const Real* content = nullptr) {
+    messages_.push_back(k);
+    looks_.push_back(0);
+    starts_.push_back(contents_.size());
+    const std::size_t size =
+        content ? static_cast<std::size_t>(kMessages[static_cast<std::size_t>(k)].size) + 1 : 0;
+    contents_.insert(contents_.end(), content, content + size);
+  }
+
+  // The next message is due; returns its content, if it is one received.
+  ADAGEN_NOINLINE const Real* pass() {
+    looks_[next_] = Clock::now().time_since_epoch().count();
+    return contents_.data() + starts_[next_++];
+  }
+
+ private:
+  bool playing_ = false;
+  std::size_t next_ = 0;
+  std::vector<int> messages_;
+  std::vector<Clock::rep> looks_;
+  std::vector<std::size_t> starts_;  // in contents_
+  std::vector<Real> contents_;
+};
+
+// Exchange between processes. Processes on one node meet in a shared window: a message is a slot
+// that its source fills and then numbers (release), and that its target reads once it sees the
+// number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
+// one is written again, two evaluations later, its target has answered in the one between.
+enum class ChannelMode { kAuto, kWindow, kMessage };
+
+inline void relax() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
+
+class Channel {
+ public:
+  Channel() = default;
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
+
+  // Collective. Returns an empty string, or what is wrong. hosts: if not 0, processes are taken to
+  // be on so many hosts, in equal parts, whatever they share.
+  std::string open(MPI_Comm comm, ChannelMode mode, double time_limit, int hosts = 0) {
+    MPI_Comm_dup(comm, &comm_);
+    MPI_Comm_rank(comm_, &rank_);
+    time_limit_ = std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(std::min(time_limit, 1e8)));
+    ports_.resize(kMessages.size());
+    find_node(hosts);
+    const bool window = mode == ChannelMode::kMessage || open_window();
+    std::array<int, 2> ways{};  // messages through MPI, through the window
+    for (std::size_t k = 0; k < ports_.size(); ++k) {
+      const MessageInfo& info = kMessages[k];
+      if (info.source != rank_ && info.target != rank_) continue;
+      ++ways[ports_[k].slots ? 1 : 0];
+      if (!ports_[k].slots) ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, ways.data(), 2, MPI_INT, MPI_SUM, comm_);
+    name_ = ways[0] == 0   ? (ways[1] == 0 ? "message" : "window")
+            : ways[1] == 0 ? "message"
+                           : "mixed";
+    if (mode != ChannelMode::kWindow || ways[0] == 0) return "";
+    return window ? "channel window: not all processes are on one node"
+                  : "channel window: this MPI gives processes no common memory";
+  }
+
+  void close() {
+    if (comm_ == MPI_COMM_NULL) return;
+    int status = kFine;
+    for (std::size_t k = 0; k < ports_.size(); ++k)  // what others still wait for gets there
+      wait(ports_[k].request, kMessages[k].target, status);
+    if (window_ != MPI_WIN_NULL) {
+      MPI_Win_unlock_all(window_);
+      MPI_Win_free(&window_);
+    }
+    if (node_ != MPI_COMM_NULL) MPI_Comm_free(&node_);
+    MPI_Comm_free(&comm_);
+  }
+
+  // Where to write message k. Waits for an MPI message that is still under way.
+  Real* outgoing(int k, int& status) {
+    Port& port = ports_[k];
+    if (port.slots) return port.slot(port.count + 1, k).content() + 1;
+    wait(port.request, kMessages[k].target, status);
+    return port.buffer.data() + 1;
+  }
+
+  void send(int k, int& status) {
+    if (take_) {
+      if (take_->playing()) return void(take_->pass());
+      take_->note(k);
+    }
+    Port& port = ports_[k];
+    if (port.slots) {
+      Slot& slot = port.slot(++port.count, k);
+      slot.content()[0] = static_cast<Real>(status);
+      slot.number.store(port.count, std::memory_order_release);
+      return;
+    }
+    port.buffer[0] = static_cast<Real>(status);
+    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+              kMessages[k].target, k, comm_, &port.request);
+  }
+
+  // Waits for message k and returns its content; what its source knows of failures joins the
+  // status.
+  const Real* receive(int k, int& status) {
+    if (take_ && take_->playing()) return opened(take_->pass(), status);
+    Port& port = ports_[k];
+    const Real* content;
+    if (port.slots) {
+      const std::uint64_t number = ++port.count;
+      Slot& slot = port.slot(number, k);
+      if (!wait_until([&] { return slot.number.load(std::memory_order_acquire) >= number; }))
+        fail(status, failure(kNoAnswer, kMessages[k].source));
+      content = slot.content();
+    } else {
+      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+                kMessages[k].source, k, comm_, &port.request);
+      wait(port.request, kMessages[k].source, status);
+      content = port.buffer.data();
+    }
+    if (take_) take_->note(k, content);
+    return opened(content, status);
+  }
+
+  // Notes from here on what is sent and received, or plays it; null for neither.
+  void use(Take* take) { take_ = take; }
+
+  // Waits until a peer has done its part; then tells done of it. What never comes is given up.
+  template <class Done>
+  void wait(MPI_Request& request, int peer, int& status, Done done) {
+    if (request == MPI_REQUEST_NULL) return;
+    MPI_Status found;
+    const bool in_time = wait_until([&] {
+      int flag = 0;
+      MPI_Test(&request, &flag, &found);
+      return flag != 0;
+    });
+    if (in_time) return done(found);
+    give_up(request);
+    fail(status, failure(kNoAnswer, peer));
+  }
+  void wait(MPI_Request& request, int peer, int& status) {
+    wait(request, peer, status, [](const MPI_Status&) {});
+  }
+
+  static void give_up(MPI_Request& request) {
+    if (request != MPI_REQUEST_NULL) MPI_Cancel(&request), MPI_Request_free(&request);
+  }
+
+  static void fail(int& status, int failure) {
+    if (status == kFine) status = failure;
+  }
+
+  MPI_Comm comm() const { return comm_; }
+  int rank() const { return rank_; }
+  bool broken() const { return broken_; }
+  bool windowed() const { return window_ != MPI_WIN_NULL; }
+  bool on_one_host() const { return on_one_host_; }
+  const char* name() const { return name_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  struct alignas(kCacheLine) Slot {
+    std::atomic<std::uint64_t> number;
+    Real* content() { return reinterpret_cast<Real*>(reinterpret_cast<char*>(this) + kCacheLine); }
+  };
+
+  struct Port {
+    char* slots = nullptr;
+    std::uint64_t count = 0;
+    Slot& slot(std::uint64_t number, int k) const {
+      return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
+    }
+    std::vector<Real> buffer;
+    MPI_Request request = MPI_REQUEST_NULL;
+  };
+
+  static const Real* opened(const Real* content, int& status) {
+    if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
+    return content + 1;
+  }
+
+  static std::size_t slot_bytes(const MessageInfo& info) {
+    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Real);
+    return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
+  }
+
+  void find_node(int hosts) {
+    MPI_Comm real;
+    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &real);
+    MPI_Comm_split(real, rank_ * hosts / kProcesses, 0, &node_);
+    MPI_Comm_free(&real);
+    int size = 0;
+    MPI_Comm_size(node_, &size);
+    on_one_host_ = size == kProcesses;
+  }
+
+  // Each process holds the slots of the messages that it sends to processes on its node. Returns
+  // whether there was memory to share.
+  bool open_window() {
+    std::vector<int> on_node(kProcesses, MPI_UNDEFINED), all(kProcesses);
+    for (int p = 0; p < kProcesses; ++p) all[p] = p;
+    MPI_Group whole, near;
+    MPI_Comm_group(comm_, &whole);
+    MPI_Comm_group(node_, &near);
+    MPI_Group_translate_ranks(whole, kProcesses, all.data(), near, on_node.data());
+    MPI_Group_free(&whole);
+    MPI_Group_free(&near);
+    const auto near_pair = [&](const MessageInfo& info) {
+      return on_node[info.source] != MPI_UNDEFINED && on_node[info.target] != MPI_UNDEFINED;
+    };
+    if (std::none_of(kMessages.begin(), kMessages.end(), near_pair)) return true;
+    std::size_t own = 0;
+    for (const MessageInfo& info : kMessages)
+      if (info.source == rank_ && near_pair(info)) own += 2 * slot_bytes(info);
+    if (!share_memory(own)) return false;
+    std::vector<char*> next(kProcesses, nullptr);
+    for (int p = 0; p < kProcesses; ++p) {
+      if (on_node[p] == MPI_UNDEFINED) continue;
+      MPI_Aint bytes;
+      int unit;
+      MPI_Win_shared_query(window_, on_node[p], &bytes, &unit, &next[p]);
+    }
+    for (std::size_t k = 0; k < ports_.size(); ++k) {
+      const MessageInfo& info = kMessages[k];
+      if (!near_pair(info)) continue;
+      ports_[k].slots = next[info.source];
+      next[info.source] += 2 * slot_bytes(info);
+      if (info.source == rank_) {
+        std::memset(ports_[k].slots, 0, 2 * slot_bytes(info));  // first touch
+        for (std::uint64_t n : {0, 1}) new (&ports_[k].slot(n, static_cast<int>(k))) Slot{};
+      }
+    }
+    MPI_Win_sync(window_);
+    MPI_Barrier(node_);
+    MPI_Win_sync(window_);
+    return true;
+  }
+
+  // Returns whether all processes of the node could.
+  bool share_memory(std::size_t own) {
+    char* base = nullptr;
+    MPI_Info hints;
+    MPI_Info_create(&hints);
+    MPI_Info_set(hints, "alloc_shared_noncontig",
+                 "true");  // every part on pages of its own process
+    MPI_Comm_set_errhandler(node_, MPI_ERRORS_RETURN);
+    int good = MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base,
+                                       &window_) == MPI_SUCCESS;
+    MPI_Comm_set_errhandler(node_, MPI_ERRORS_ARE_FATAL);
+    MPI_Info_free(&hints);
+    MPI_Allreduce(MPI_IN_PLACE, &good, 1, MPI_INT, MPI_MIN, node_);
+    if (good != 0)
+      MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
+    else
+      window_ = MPI_WIN_NULL;
+    return good != 0;
+  }
+
+  // Spins briefly, then yields, so that more processes than cores still finish.
+  template <class Ready>
+  bool wait_until(Ready ready) {
+    for (int k = 0; k < 4000; ++k) {
+      if (ready()) return true;
+      relax();
+    }
+    if (broken_) return false;  // a peer is gone: do not wait for it once more
+    const Clock::time_point end = Clock::now() + time_limit_;
+    while (!ready()) {
+      std::this_thread::yield();
+      if (Clock::now() > end) {
+        broken_ = true;
+        return false;
+      }
+    }
+    return true;
+  }
+
+  MPI_Comm comm_ = MPI_COMM_NULL, node_ = MPI_COMM_NULL;
+  MPI_Win window_ = MPI_WIN_NULL;
+  int rank_ = 0;
+  Clock::duration time_limit_{};
+  bool broken_ = false, on_one_host_ = true;
+  Take* take_ = nullptr;
+  const char* name_ = "message";
+  std::vector<Port> ports_;
+};
+
+// Time stamps between the stages of a process's work (--trace); nothing is stamped otherwise.
+struct Stage {
+  const char* what;
+  int joint;    // that it ends or begins with; -1 for none
+  int message;  // sent or received; -1 for work
+};
+
+std::chrono::steady_clock::rep* trace_stamps =
+    nullptr;  // where an evaluation puts them: its start, then each end
+
+inline void stamp(int k) {
+  if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
+}
+
+// ---- 4. kernels ---------------------------------------------------------------------------------
+// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
+// base's link), about each link's own origin. Links move as they would were all joint accelerations
+// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
+
+// What is computed with: one state in each lane.
+using Value = Lanes;
+
+// A link's mass, that times its centre of mass, and its pseudo-inertia, sum of m x x^T: xx xy xz yy
+// yz zz. About the link's origin.
+struct LinkInertia {
+  Real mass, moments[3], tensor[6];
+};
+constexpr std::array<LinkInertia, kJointCount> kInertias{ {
+    {6.2, {0.0, 0.0, 0.12400000000000001},
+     {0.01012665, 0.0, 0.0, 0.02500665, 0.0, 0.009920050000000001}},
+    {1.4, {0.0, 0.0, 0.041999999999999996},
+     {0.000875, 0.0, 0.0, 0.000875, 0.0, 0.002205}},
+    {1.2, {0.0, -0.048, 0.024},
+     {0.00075, 0.0, 0.0, 0.00267, -0.00096, 0.00112}},
+    {2.6, {0.0, 0.0, -0.26},
+     {0.00234, 0.0, 0.0, 0.00234, 0.0, 0.0406467}},
+    {1.8, {-0.234, 0.018000000000000002, 0.0},
+     {0.042180050000000004, -0.00234, 0.0, 0.00109125, 0.0, 0.00091125}},
+    {0.2, {0.0, 0.0, 0.0},
+     {3.6e-05, 0.0, 0.0, 3.6e-05, 0.0, 3.6e-05}},
+    {0.8, {0.0, -0.024, 0.024},
+     {0.0004266635, 0.0, 0.0, 0.0007800035, -0.0007199999999999999, 0.0033866665}},
+    {1.4, {0.0, 0.0, -0.041999999999999996},
+     {0.000875, 0.0, 0.0, 0.000875, 0.0, 0.002205}},
+    {1.2, {0.0, -0.048, 0.024},
+     {0.00075, 0.0, 0.0, 0.00267, -0.00096, 0.00112}},
+    {2.6, {0.0, 0.0, -0.26},
+     {0.00234, 0.0, 0.0, 0.00234, 0.0, 0.0406467}},
+    {1.8, {-0.234, 0.018000000000000002, 0.0},
+     {0.042180050000000004, -0.00234, 0.0, 0.00109125, 0.0, 0.00091125}},
+    {0.2, {0.0, 0.0, 0.0},
+     {3.6e-05, 0.0, 0.0, 3.6e-05, 0.0, 3.6e-05}},
+    {0.8, {0.0, -0.024, 0.024},
+     {0.0004266635, 0.0, 0.0, 0.0007800035, -0.0007199999999999999, 0.0033866665}},
+    {0.8, {0.0, 0.0, 0.016},
+     {0.0005, 0.0, 0.0, 0.0005, 0.0, 0.0005600000000000001}},
+    {0.9, {0.0, 0.018000000000000002, 0.0},
+     {0.0005625, 0.0, 0.0, 0.0008400000000000001, 0.0, 0.0005625}},
+    {9.5, {1.6150000000000002, 0.095, 0.0},
+     {0.36606635000000004, 0.01615, 0.0, 0.021216649999999997, 0.0, 0.06206665}},
+    {0.8, {0.0, 0.0, 0.024},
+     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0010466669999999998}},
+    {0.7, {0.006999999999999999, -0.020999999999999998, 0.0},
+     {0.00042, -0.00020999999999999998, 0.0, 0.00098, 0.0, 0.00035}},
+    {0.8, {0.0, 0.0, -0.04000000000000001},
+     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0033066700000000003}},
+    {0.7, {-0.049, 0.013999999999999999, 0.0},
+     {0.004923335000000001, -0.00098, 0.0, 0.000494375, 0.0, 0.000214375}},
+    {0.2, {0.0, 0.0, -0.002},
+     {4.5e-05, 0.0, 0.0, 4.5e-05, 0.0, 6.16667e-05}},
+    {0.4, {-0.024, 0.0, 0.0},
+     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
+    {0.4, {0.0, 0.0, 0.008},
+     {9e-05, 0.0, 0.0, 9e-05, 0.0, 0.00028000000000000003}},
+    {2.4, {0.216, 0.048, 0.0},
+     {0.023327999999999998, 0.00432, 0.0, 0.004848, 0.0, 0.003888}},
+    {0.8, {0.0, 0.0, -0.024},
+     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0010466669999999998}},
+    {0.7, {-0.006999999999999999, -0.020999999999999998, 0.0},
+     {0.00042, 0.00020999999999999998, 0.0, 0.00098, 0.0, 0.00035}},
+    {0.8, {0.0, 0.0, -0.04000000000000001},
+     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0033066700000000003}},
+    {0.7, {-0.049, 0.013999999999999999, 0.0},
+     {0.004923335000000001, -0.00098, 0.0, 0.000494375, 0.0, 0.000214375}},
+    {0.2, {0.0, 0.0, -0.002},
+     {4.5e-05, 0.0, 0.0, 4.5e-05, 0.0, 6.16667e-05}},
+    {0.4, {-0.024, 0.0, 0.0},
+     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
+} };
+
+// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns.
+constexpr int kSlotCount = 30;
+constexpr bool kAbreast = false;  // whether there are such
+constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29 };
+
+// What a process does at a link.
+struct LinkRole {
+  bool gathers;   // paths meet at it inwards
+  bool adds_own;  // its own inertia is this process's to add
+  bool parts;     // paths part at it outwards
+};
+constexpr LinkRole kRoles[1][kLinkCount]{
+    {{0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
+};
+
+// What is kept where segments meet, with the joint that it belongs to.
+struct Cuts {
+};
+
+// The memory of a process. What is set up for many links at once lies in blocks, side by side.
+constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
+constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
+
+// Joints that are treated together, one in each lane of T; their slots follow each other.
+template <class T>
+[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Value));
+template <class T>
+struct Joints {
+  int slot;  // of the first one
+  int joint[kWidth<T>];
+
+  const JointConstants& any() const { return kJoints[static_cast<std::size_t>(joint[0])]; }
+};
+constexpr int slot_of(int j) { return kAbreast ? kSlots[j] : j; }
+ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
+
+// The lanes of limbs side by side.
+typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+
+// A number of each of the joints.
+template <class T, class Number, std::size_t... lane>
+ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
+                        std::index_sequence<lane...>) {
+  return T{number(kJoints[static_cast<std::size_t>(joints.joint[lane])])...};
+}
+template <class T, class Number>
+ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
+  if constexpr (kWidth<T> == 1) {
+    const auto one = number(kJoints[static_cast<std::size_t>(joints.joint[0])]);
+    if constexpr (std::is_same_v<decltype(one), const T>)
+      return one;
+    else
+      return T{} + one;
+  } else {
+    return each_of(joints, number, std::make_index_sequence<kWidth<T>>{});
+  }
+}
+
+// What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
+enum Entry : int {
+  kTurn = 0,           // rotation from the child's to the parent link's axes, row by row
+  kAxes = 9,           // the link's orientation R, row by row: its z is the joint's axis
+  kOmega = 18,         // angular velocity
+  kAlpha = 21,         // angular acceleration and
+  kAcceleration = 24,  // acceleration of its origin less gravity, were all joint accelerations zero
+  kRotational = 27,    // A of the bare link
+  kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
+  kTorque = 36,        // bias force n
+  kForce = 39,         // and f of the bare link
+  kEntries = 42
+};
+
+struct alignas(64) Block {
+  Value entries[kEntries][kPerBlock];
+};
+
+// Three numbers of each of the joints, that follow each other in x.
+template <class T>
+ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
+                                    int JointConstants::* place) {
+  const auto number = [&](int k) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
+  };
+  return {number(0), number(1), number(2)};
+}
+
+// Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
+[[maybe_unused]] constexpr bool any_of(JointKind kind) {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
+[[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
+[[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
+[[maybe_unused]] constexpr bool any_passive() {
+  for (const JointConstants& joint : kJoints) {
+    const Passive& own = joint.passive;
+    if (own.damping != 0 || own.friction != 0 || own.stiffness != 0 || own.rotor != 0) return true;
+  }
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnyPassive = any_passive();
+
+// What is kept of a joint from the inward to the outward sweep.
+template <class T>
+struct Eliminated {
+  Vector<T> r;  // from the parent link's origin to the child link's
+  // Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
+  T e[kAnyPlanar ? 24 : kAnySpherical ? 18 : 8];
+};
+using Memory = Eliminated<Value>;
+
+// A link's orientation and how it moves, were all joint accelerations zero.
+template <class T>
+struct Frame {
+  Matrix<T> R;
+  Vector<T> omega, alpha, a;
+};
+
+struct Workspace : Cuts {
+  const Value* q = nullptr;
+  const Value* v = nullptr;
+  const Value* tau = nullptr;
+  Value* qdd = nullptr;
+  int status = kFine;
+  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
+  std::array<Block, kBlockCount> blocks{};
+  std::array<Memory, kJointCount> joints{};
+  std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
+  std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
+  std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
+  std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
+  std::array<Value, kNv> answer{};
+
+  Workspace() {
+    for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
+      for (int k = 0; k < 9; ++k)
+        of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
+  }
+
+  Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
+  Value* at(int slot, Entry entry) {
+    return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
+  }
+
+  template <class T>
+  Eliminated<T>& memory(const Joints<T>& of) {
+    if constexpr (kWidth<T> == 1)
+      return joints[static_cast<std::size_t>(of.joint[0])];
+    else if constexpr (kWidth<T> == 2)
+      return twos[static_cast<std::size_t>(of.slot / 2)];
+    else
+      return fours[static_cast<std::size_t>(of.slot / 4)];
+  }
+};
+
+template <class T = Value>
+ADAGEN_INLINE T number_at(const Value* x) {
+  T result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const T& number) {
+  std::memcpy(x, &number, sizeof number);
+}
+template <class T = Value>
+ADAGEN_INLINE Vector<T> vector_at(const Value* x, int stride = kPerBlock) {
+  return {number_at<T>(x), number_at<T>(x + stride), number_at<T>(x + 2 * stride)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Vector<T>& a) {
+  put_at(x, a.x), put_at(x + kPerBlock, a.y), put_at(x + 2 * kPerBlock, a.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Matrix<T> matrix_at(const Value* x) {
+  return {vector_at<T>(x), vector_at<T>(x + 3 * kPerBlock), vector_at<T>(x + 6 * kPerBlock)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Matrix<T>& m) {
+  put_at(x, m.x), put_at(x + 3 * kPerBlock, m.y), put_at(x + 6 * kPerBlock, m.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
+  return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
+}
+
+inline void fail(Workspace& w, Failure kind, int joint) {
+  Channel::fail(w.status, failure(kind, joint));
+}
+
+// A body in a message.
+[[maybe_unused]] constexpr int kBodyNumbers = 27;
+template <class T>
+ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
+  static_assert(sizeof X == kBodyNumbers * sizeof(Real));
+  std::memcpy(to, &X, sizeof X);
+  return to + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* get(const Real* from, Body<T>& X) {
+  std::memcpy(&X, from, sizeof X);
+  return from + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* add(const Real* from, Body<T>& X) {
+  Body<T> other;
+  from = get(from, other);
+  X += other;
+  return from;
+}
+
+ADAGEN_INLINE Lanes wide(const Value* x) {
+  Lanes result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+
+// x - x is zero for finite x only.
+ADAGEN_INLINE bool finite(const Value* x, int count) {
+  Lanes sum{};
+  Value rest{};
+  int k = 0;
+  for (; k + kPerBlock <= count; k += kPerBlock) sum += wide(x + k) - wide(x + k);
+  for (; k < count; ++k) rest += x[k] - x[k];
+  return all_zero(sum) && all_zero(rest);
+}
+
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite;
+// place says where a joint's entries start.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::* place, Failure kind) {
+  if (__builtin_expect(finite(x + first, count), 1)) return;
+  while (finite(x + first, 1)) ++first;
+  int joint = 0;
+  for (int j = 0; j < kJointCount; ++j)
+    if (kJoints[static_cast<std::size_t>(j)].*place <= first) joint = j;
+  fail(w, kind, joint);
+}
+
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!all_positive(squared - std::numeric_limits<Real>::min()) ||
+      !all_positive(std::numeric_limits<Real>::max() - squared))
+    fail(w, kZeroQuaternion, joint);
+}
+
+// A joint that an elimination failed for: one whose number is not positive.
+template <class T>
+int culprit(const Joints<T>& joints, [[maybe_unused]] const T& x) {
+  if constexpr (kWidth<T> > 1)
+    for (int k = 0; k < kWidth<T>; ++k)
+      if (!(x[k] > 0)) return joints.joint[k];
+  return joints.joint[0];
+}
+
+// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
+  Value tau = w.tau[joint.v];
+  if constexpr (kAnyPassive) {
+    const Passive& own = joint.passive;
+    const Value& qd = w.v[joint.v];
+    if (own.damping != 0) tau -= own.damping * qd;
+    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
+  }
+  return tau;
+}
+
+// Accelerations are given only where all went well.
+inline void give(Workspace& w, int first, int count) {
+  if (w.status == kFine)
+    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
+}
+
+[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
+[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
+  for (int k = 0; k < 9; ++k)
+    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
+  return true;
+}
+
+// What needs no recursion, for as many links at once as a register holds.
+
+// A number of each joint of a block, as constants of the model are kept.
+using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
+
+struct alignas(64) BlockConstants {
+  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
+  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
+  PerJoint mass, moments[3], tensor[6];
+};
+
+const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
+  std::array<BlockConstants, kBlockCount> result{};
+  for (int j = 0; j < kJointCount; ++j) {
+    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
+    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
+    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
+    block.x[lane] = joint.translation[0];
+    block.y[lane] = joint.translation[1];
+    block.z[lane] = joint.translation[2];
+    block.mass[lane] = link.mass;
+    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
+    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
+  }
+  return result;
+}();
+
+// Constants of each of the joints.
+template <class T>
+ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
+  const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+  return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
+}
+template <class T>
+ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1)
+    return kInertias[static_cast<std::size_t>(joints.joint[0])].mass;
+  else
+    return constant(joints, &BlockConstants::mass);
+}
+template <class T>
+ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1) {
+    const Real* const x = joints.any().translation;
+    return Vector<Real>{x[0], x[1], x[2]};
+  } else {
+    return Vector<T>{constant(joints, &BlockConstants::x), constant(joints, &BlockConstants::y),
+                     constant(joints, &BlockConstants::z)};
+  }
+}
+
+ADAGEN_INLINE Lanes wide(const PerJoint& x) {
+  Lanes result;
+  if constexpr (sizeof(PerJoint) == sizeof(Lanes))
+    std::memcpy(&result, x.data(), sizeof result);
+  else
+    result = x[0] + Lanes{};
+  return result;
+}
+ADAGEN_INLINE void narrow(const Lanes& x, Value* to) { std::memcpy(to, &x, sizeof x); }
+ADAGEN_INLINE Vector<Lanes> wide_vector(const Value (*x)[kPerBlock]) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE Vector<Lanes> wide_vector(const PerJoint* x) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE void narrow(const Vector<Lanes>& a, Value (*x)[kPerBlock]) {
+  narrow(a.x, x[0]), narrow(a.y, x[1]), narrow(a.z, x[2]);
+}
+
+// Copies the angles of those of joints first .. last that turn.
+template <int first, int last>
+void take_angles(Workspace& w) {
+  ADAGEN_FOR (j, first, last + 1) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    const int place = joint.q + (joint.kind == JointKind::kPlanar ? 2 : 0);
+    if (joint.kind == JointKind::kRevolute || joint.kind == JointKind::kPlanar)
+      w.angle[static_cast<std::size_t>(slot_of(j))] = w.q[place];
+  }
+}
+
+// Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
+template <int first, int last>
+void turn(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    Lanes s, c;
+    sine_and_cosine(wide(&w.angle[static_cast<std::size_t>(b * kPerBlock)]), s, c);
+    ADAGEN_FOR (k, 0, 3) {
+      const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
+      narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
+      narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
+    }
+  }
+}
+
+// Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
+// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J, and the bias
+// force is that of the acceleration field a + H x, H = alpha x + omega x omega x.
+template <int first, int last>
+void set_up_links(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const auto& entries = block.entries;
+    const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
+                          wide_vector(entries + kAxes + 6)};
+    const Symmetric<Lanes> T{wide(constants.tensor[0]), wide(constants.tensor[1]),
+                             wide(constants.tensor[2]), wide(constants.tensor[3]),
+                             wide(constants.tensor[4]), wide(constants.tensor[5])};
+    const Matrix<Lanes> RT{T * R.x, T * R.y, T * R.z};  // rows of R T
+    const Symmetric<Lanes> J{dot(RT.x, R.x), dot(RT.x, R.y), dot(RT.x, R.z),
+                             dot(RT.y, R.y), dot(RT.y, R.z), dot(RT.z, R.z)};
+    narrow(J.yy + J.zz, block.entries[kRotational]);
+    narrow(-J.xy, block.entries[kRotational + 1]);
+    narrow(-J.xz, block.entries[kRotational + 2]);
+    narrow(J.xx + J.zz, block.entries[kRotational + 3]);
+    narrow(-J.yz, block.entries[kRotational + 4]);
+    narrow(J.xx + J.yy, block.entries[kRotational + 5]);
+    const Vector<Lanes> c = R * wide_vector(constants.moments);
+    narrow(c, block.entries + kMoments);
+
+    const Vector<Lanes> w_ = wide_vector(entries + kOmega), al = wide_vector(entries + kAlpha);
+    const Lanes xx = w_.x * w_.x, yy = w_.y * w_.y, zz = w_.z * w_.z;
+    const Lanes xy = w_.x * w_.y, xz = w_.x * w_.z, yz = w_.y * w_.z;
+    const Matrix<Lanes> H{{-(yy + zz), xy - al.z, xz + al.y},
+                          {xy + al.z, -(xx + zz), yz - al.x},
+                          {xz - al.y, yz + al.x, -(xx + yy)}};
+    const Vector<Lanes> a = wide_vector(entries + kAcceleration);
+    const Vector<Lanes> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
+    Vector<Lanes> n = cross(c, a);
+    n += Vector<Lanes>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
+                       dot(H.y, Jx) - dot(H.x, Jy)};
+    narrow(n, block.entries + kTorque);
+    narrow(a * wide(constants.mass) + H * c, block.entries + kForce);
+  }
+}
+
+// From the base outwards: where links are and how they would move without joint accelerations.
+
+ADAGEN_INLINE Frame<Value> frame_of(Workspace& w, int joint) {
+  const Value* R = w.of(joint, kAxes);
+  return {matrix_at(R), vector_at(w.of(joint, kOmega)), vector_at(w.of(joint, kAlpha)),
+          vector_at(w.of(joint, kAcceleration))};
+}
+
+template <class T>
+ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
+  put_at(w.at(slot, kAxes), frame.R);
+  put_at(w.at(slot, kOmega), frame.omega);
+  put_at(w.at(slot, kAlpha), frame.alpha);
+  put_at(w.at(slot, kAcceleration), frame.a);
+}
+
+// The ground accelerates against gravity: accelerations are relative to free fall.
+ADAGEN_INLINE Frame<Value> ground() {
+  const Value one = Value{} + 1, none{};
+  return {{{one, none, none}, {none, one, none}, {none, none, one}},
+          {none, none, none},
+          {none, none, none},
+          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
+}
+
+// The axes of a floating base are the link's own: only gravity is turned.
+template <int j>
+void free_base_frame(Workspace& w) {
+  constexpr const JointConstants& joint = kJoints[j];
+  const Value* q = w.q + joint.q + 3;
+  Matrix<Value> turn;
+  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
+  Frame<Value> frame = ground();
+  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
+  const Real* const P = joint.rotation;
+  const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
+                           P[1] * gravity.x + P[4] * gravity.y + P[7] * gravity.z,
+                           P[2] * gravity.x + P[5] * gravity.y + P[8] * gravity.z};
+  const Value none{};
+  frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
+  const Value* v = w.v + joint.v + 3;
+  frame.omega = {v[0], v[1], v[2]};
+  keep(w, slot_of(j), frame);
+}
+
+ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
+  const Real* const P = joint.rotation;
+  return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
+}
+
+// The turn of a joint with a quaternion.
+template <int j>
+void orient(Workspace& w) {
+  constexpr const JointConstants& joint = kJoints[j];
+  const Value* q = w.q + joint.q + joint.nq - 4;
+  Matrix<Value> turn;
+  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
+  if constexpr (!is_identity(joint.rotation)) {
+    const Matrix<Real> P = placement(joint);
+    turn = {turn.x * P.x.x + turn.y * P.x.y + turn.z * P.x.z,
+            turn.x * P.y.x + turn.y * P.y.y + turn.z * P.y.z,
+            turn.x * P.z.x + turn.y * P.z.y + turn.z * P.z.z};
+  }
+  put_at(w.of(j, kTurn), turn);
+}
+
+// One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
+// with later is kept.
+template <bool kept, class T>
+ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, Frame<T>& at) {
+  const JointConstants& joint = joints.any();
+  const auto moved = [&](const Value* x, int JointConstants::* place) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
+  };
+  const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
+  const Vector<T> axis{R.x.z, R.y.z, R.z.z};
+  Vector<T> r = at.R * origin_of(joints);
+  const Vector<T> omega = at.omega;
+  const auto turn_with = [&](const Vector<T>& relative) {
+    at.omega += relative;
+    return cross(omega, relative);
+  };
+  const auto ride_along = [&] {
+    at.a += cross(omega, cross(omega, r));
+    at.a += cross(at.alpha, r);
+  };
+  const auto slide_and_spin = [&](const Vector<T>& q, const Vector<T>& slide,
+                                  const Vector<T>& spin) {
+    const Matrix<Real> P = placement(joint);
+    r += at.R * Vector<T>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
+    ride_along();
+    at.a += cross(omega + omega + spin, slide);
+    at.alpha += turn_with(spin);
+  };
+  switch (joint.kind) {
+    case JointKind::kRevolute:
+      ride_along();
+      at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
+      break;
+    case JointKind::kPrismatic: {
+      r += axis * moved(w.q, &JointConstants::q);
+      ride_along();
+      const T v = moved(w.v, &JointConstants::v);
+      at.a += cross(omega, axis * (v + v));
+      break;
+    }
+    case JointKind::kSpherical:
+      ride_along();
+      if constexpr (kAnySpherical)
+        at.alpha += turn_with(R * each_vector(joints, w.v, &JointConstants::v));
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        const Vector<T> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
+        slide_and_spin(Vector<T>{q[0], q[1], T{}}, x * v[0] + y * v[1], axis * v[2]);
+      }
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        slide_and_spin(Vector<T>{q[0], q[1], q[2]}, R * Vector<T>{v[0], v[1], v[2]},
+                       R * Vector<T>{v[3], v[4], v[5]});
+      }
+      break;
+  }
+  at.R = R;
+  if constexpr (!kept) return;
+  w.memory(joints).r = r;
+  keep(w, joints.slot, at);
+}
+
+// Joints first .. last, each on the link of the one before.
+template <int first, int last>
+void outward(Workspace& w) {
+  constexpr int parent = kJoints[first].parent - 1;
+  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  for (int j = first; j <= last; ++j) step_outward<true>(w, single(j), at);
+}
+
+// The same on the way to joints that are treated: only the last link's frame is kept.
+template <int first, int last>
+void pass_outward(Workspace& w) {
+  constexpr int parent = kJoints[first].parent - 1;
+  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  for (int j = first; j <= last; ++j) step_outward<false>(w, single(j), at);
+  keep(w, slot_of(last), at);
+}
+
+// Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
+// is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
+// near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
+
+template <class T>
+ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Value* const A = w.at(joints.slot, kRotational);
+  const auto mass = mass_of(joints);
+  const Vector<T> c = vector_at<T>(w.at(joints.slot, kMoments));
+  const Vector<T> Ax = vector_at<T>(A), Ay = vector_at<T>(A + 3 * kPerBlock);
+  X.A += Symmetric<T>{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};  // xx xy xz yy yz zz
+  X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
+  X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
+  X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
+  X.n += vector_at<T>(w.at(joints.slot, kTorque));
+  X.f += vector_at<T>(w.at(joints.slot, kForce));
+}
+
+constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
+
+// Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
+// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near
+// link's origin: outwards the joint has the acceleration u / D - (U / D) a, a being the near
+// link's.
+template <bool along, bool reversed, class T, class Arrive>
+ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, const Vector<T>& s,
+                             const Vector<T>& r, const T& tau, T* e, const Arrive& arrive) {
+  if constexpr (reversed) shift(X, -r);
+  Vector<T> n = along ? X.B * s : X.A * s;
+  const Vector<T> f = along ? X.C * s : transposed_times(X.B, s);
+  T D = dot(s, along ? f : n);
+  if constexpr (kAnyPassive)
+    D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
+  const T inverse = 1 / D;
+  const T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
+  const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
+  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, culprit(joints, left));
+  if constexpr (!reversed) {
+    shift(X, r);
+    n += cross(r, f);
+  }
+  arrive(X);
+  const Vector<T> e_n = n * inverse, e_f = f * inverse;
+  e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
+  e[7] = inverse;
+  subtract(X, n, f, e_n, e_f);
+  X.n += n * u;
+  X.f += f * u;
+}
+
+// A x = b, by the factors 1 / D and L of A = L D L^T.
+template <class T>
+ADAGEN_INLINE Vector<T> solve_rotations(const T* factors, const Vector<T>& b) {
+  const T *d = factors, *l = factors + 3;  // l: 10, 20, 21
+  const T y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
+  const T z = y2 * d[2], y = y1 * d[1] - l[2] * z;
+  return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
+}
+
+// Takes the three rotations out of the body: what is left of it is C and f, so that no rounding
+// stays behind. e gets K = A^-1 B, y = A^-1 (tau - n) and the factors of A.
+template <bool reversed, class T>
+ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X,
+                                       const Vector<T>& r, const Vector<T>& tau, T* e) {
+  if constexpr (reversed) shift(X, -r);
+  Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * tau;
+  if constexpr (reversed) torque = -torque;
+  const T d0 = 1 / X.A.xx, l10 = X.A.xy * d0, l20 = X.A.xz * d0;
+  const T p1 = X.A.yy - l10 * X.A.xy, d1 = 1 / p1, t = X.A.yz - l20 * X.A.xy, l21 = t * d1;
+  const T p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
+  for (const T& pivot : {X.A.xx, p1, p2})
+    if (__builtin_expect(!all_positive(pivot), 0)) fail(w, kFactorization, culprit(joints, pivot));
+  T* const factors = e + 12;
+  factors[0] = d0, factors[1] = d1, factors[2] = d2;
+  factors[3] = l10, factors[4] = l20, factors[5] = l21;
+  const auto solve = [&](const Vector<T>& b) { return solve_rotations(factors, b); };
+  const Matrix<T>& B = X.B;
+  const Vector<T> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
+  const Vector<T> Kx = solve(Bx), Ky = solve(By), Kz = solve(Bz), y = solve(torque - X.n);
+  e[0] = Kx.x, e[1] = Ky.x, e[2] = Kz.x, e[3] = Kx.y, e[4] = Ky.y, e[5] = Kz.y;
+  e[6] = Kx.z, e[7] = Ky.z, e[8] = Kz.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
+  X.C.xx -= dot(Bx, Kx), X.C.xy -= dot(Bx, Ky), X.C.xz -= dot(Bx, Kz);
+  X.C.yy -= dot(By, Ky), X.C.yz -= dot(By, Kz), X.C.zz -= dot(Bz, Kz);
+  X.f += transposed_times(B, y);
+  X.A = Symmetric<T>{}, X.B = Matrix<T>{};
+  X.n = torque;
+  if constexpr (!reversed) shift(X, r);
+}
+
+// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), by L D L^T. Whether that
+// could be done.
+ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
+  Value L[6][6] = {{X.A.xx},
+                   {X.A.xy, X.A.yy},
+                   {X.A.xz, X.A.yz, X.A.zz},
+                   {X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx},
+                   {X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy},
+                   {X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz}};
+  Value x[6] = {-X.n.x, -X.n.y, -X.n.z, -X.f.x, -X.f.y, -X.f.z}, inverse[6];
+  bool fine = true;
+  ADAGEN_FOR (c, 0, 6) {
+    fine &= all_positive(L[c][c]);
+    inverse[c] = 1 / L[c][c];
+    ADAGEN_FOR (i, c + 1, 6) {
+      const Value l = L[i][c] * inverse[c];
+      ADAGEN_FOR (k, c + 1, i + 1) L[i][k] -= l * L[k][c];
+      x[i] -= l * x[c];
+    }
+  }
+  ADAGEN_FOR (c, 0, 6) {
+    const int i = 5 - c;
+    x[i] *= inverse[i];
+    ADAGEN_FOR (k, i + 1, 6) x[i] -= L[k][i] * inverse[i] * x[k];
+  }
+  a = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
+  return fine;
+}
+
+// A joint with all freedoms hands on its force alone; e gets the acceleration of the body beyond.
+template <bool reversed>
+ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
+                            const Value* tau, Value* e) {
+  if constexpr (reversed) shift(X, -r);
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
+  Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) n = -n, f = -f;
+  X.n += -n, X.f += -f;
+  Motion<Value> a;
+  if (!solve_free(X, a)) fail(w, kFactorization, j);
+  e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
+  e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
+  X = Body<Value>{};
+  X.n = n, X.f = f;
+  if constexpr (!reversed) shift(X, r);
+}
+
+// A planar joint: along x and y, then about z.
+template <bool reversed>
+ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, Body<Value>& X) {
+  Memory& memory = w.memory(joints);
+  const Value* tau = w.tau + joints.any().v;
+  const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
+  const Vector<Value> none{};
+  const auto told = [](const Value& torque) { return reversed ? -torque : torque; };
+  if constexpr (reversed) shift(X, -memory.r);
+  const auto nothing = [](const Body<Value>&) {};
+  eliminate<true, false>(w, joints, X, x, none, told(tau[0]), memory.e, nothing);
+  eliminate<true, false>(w, joints, X, y, none, told(tau[1]), memory.e + 8, nothing);
+  eliminate<false, false>(w, joints, X, z, none, told(tau[2]), memory.e + 16, nothing);
+  if constexpr (!reversed) shift(X, memory.r);
+}
+
+// One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
+template <bool reversed, class T, class Arrive>
+ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X,
+                               const Arrive& arrive) {
+  const JointConstants& joint = joints.any();
+  Eliminated<T>& memory = w.memory(joints);
+  const Value* R = w.at(joints.slot, kAxes);
+  const auto freedom = [&] {
+    return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
+  };
+  switch (joint.kind) {
+    case JointKind::kRevolute:
+      eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
+                                 arrive);
+      return;
+    case JointKind::kPrismatic:
+      eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e, arrive);
+      return;
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) {
+        const Vector<T> tau = each_vector(joints, w.tau, &JointConstants::v);
+        eliminate_rotations<reversed>(w, joints, X, memory.r, tau, memory.e);
+      }
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) eliminate_planar<reversed>(w, joints, X);
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating && kWidth<T> == 1)
+        set_free<reversed>(w, joints.joint[0], X, memory.r, w.tau + joint.v, memory.e);
+      break;
+  }
+  arrive(X);
+}
+
+// Adds to a body what the sweep finds at a link.
+template <int p>
+ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
+  if (role.adds_own) add_bare_link(w, single(link - 1), X);
+}
+
+// What is found at a link.
+template <int p>
+ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
+  Body<Value> X{};
+  meet<p>(w, link, X);
+  return X;
+}
+
+template <bool starts>
+ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
+  Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
+  if constexpr (starts)
+    body = X;
+  else
+    body += X;
+}
+
+// Whether nothing but the links themselves is found at links first .. last.
+template <int p>
+constexpr bool bare(int first, int last) {
+  for (int link = first; link <= last; ++link) {
+    const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+    if (role.gathers || !role.adds_own) return false;
+  }
+  return true;
+}
+
+// Process p takes joints last .. first inwards, each on the link of the one before.
+template <int p, int first, int last, bool starts>
+void inward(Workspace& w) {
+  Body<Value> X{};
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick) meet<p>(w, last + 1, X);
+  for (int j = last; j >= first; --j) {
+    if constexpr (!quick) meet<p>(w, j + 1, X);
+    step_inward<false>(w, single(j), X, [&](Body<Value>& near) {
+      if (quick && j > first) add_bare_link(w, single(j - 1), near);
+    });
+  }
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave<starts>(w, near, X);
+}
+
+// The same for a root beyond joint last: from the parent link of joint first to the child of last.
+template <int p, int first, int last, bool starts>
+void inward_reversed(Workspace& w) {
+  Body<Value> X{};
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
+  for (int j = first; j <= last; ++j) {
+    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    step_inward<true>(w, single(j), X, [&](Body<Value>& near) {
+      if (quick && j < last) add_bare_link(w, single(j), near);
+    });
+  }
+  leave<starts>(w, last + 1, X);
+}
+
+// Adds a link itself to what was found at it.
+template <int link, bool starts>
+void place(Workspace& w) {
+  Body<Value> X{};
+  add_bare_link(w, single(link - 1), X);
+  leave<starts>(w, link, X);
+}
+
+// A floating joint on the ground only adds its torque to the link.
+template <int j, bool starts>
+void free_base(Workspace& w) {
+  const Value* tau = w.tau + kJoints[j].v;
+  Body<Value> X{};
+  X.n = {-tau[3], -tau[4], -tau[5]};
+  X.f = {-tau[0], -tau[1], -tau[2]};
+  leave<starts>(w, j + 1, X);
+}
+
+// Acceleration of a root that nothing holds.
+template <int p, int link>
+void solve_root(Workspace& w) {
+  if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
+}
+
+// Outwards again: the joints' accelerations.
+
+template <class T>
+ADAGEN_INLINE T freedom(const T* e, const Motion<T>& a) {
+  return (e[6] - (e[0] * a.angular.x + e[1] * a.angular.y)) -
+         ((e[2] * a.angular.z + e[3] * a.linear.x) + (e[4] * a.linear.y + e[5] * a.linear.z));
+}
+
+// Gives the k-th acceleration of each of the joints.
+template <class T>
+ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T& x) {
+  const auto place = [&](int lane) -> Value& {
+    const int v = kJoints[static_cast<std::size_t>(joints.joint[lane])].v;
+    return w.answer[static_cast<std::size_t>(v + k)];
+  };
+  if constexpr (kWidth<T> == 1)
+    place(0) = x;
+  else
+    ADAGEN_FOR (lane, 0, kWidth<T>) place(lane) = x[lane];
+}
+
+// The same for joints with several freedoms, told at the joint's origin throughout.
+template <bool reversed>
+ADAGEN_INLINE void move_at_joint(Workspace& w, const Joints<Value>& joints, Motion<Value>& a) {
+  const JointConstants& joint = joints.any();
+  [[maybe_unused]] const Value* const e = w.memory(joints).e;
+  [[maybe_unused]] const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  [[maybe_unused]] Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+  if constexpr (kAnyPlanar) {
+    if (joint.kind == JointKind::kPlanar) {
+      const Value spin = freedom(e + 16, a);
+      a.angular += Vector<Value>{R.x.z, R.y.z, R.z.z} * spin;
+      const Value y = freedom(e + 8, a);
+      a.linear += Vector<Value>{R.x.y, R.y.y, R.z.y} * y;
+      const Value x = freedom(e, a);
+      a.linear += Vector<Value>{R.x.x, R.y.x, R.z.x} * x;
+      qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
+    }
+  }
+  if constexpr (kAnyFloating) {
+    if (joint.kind == JointKind::kFloating) {
+      const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+      const Vector<Value> slide = transposed_times(R, far.linear - a.linear);
+      const Vector<Value> spin = transposed_times(R, far.angular - a.angular);
+      const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
+      ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
+      a = far;
+    }
+  }
+}
+
+// The same for spherical joints.
+template <bool reversed, class T>
+ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
+  const T* const e = w.memory(joints).e;
+  const Matrix<T> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+  const Vector<T> far = Vector<T>{e[9], e[10], e[11]} - K * a.linear;
+  const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
+  const Vector<T> x = transposed_times(R, far - a.angular);
+  answer(w, joints, 0, reversed ? -x.x : x.x);
+  answer(w, joints, 1, reversed ? -x.y : x.y);
+  answer(w, joints, 2, reversed ? -x.z : x.z);
+  a.angular = far;
+}
+
+// A joint's acceleration from the near link's, which becomes the far link's; each is told at its
+// own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
+template <bool reversed, class T>
+ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
+  const JointConstants& joint = joints.any();
+  const T* const e = w.memory(joints).e;
+  const Vector<T>& r = w.memory(joints).r;
+  const Value* R = w.at(joints.slot, kAxes);
+  switch (joint.kind) {
+    case JointKind::kRevolute: {
+      const Vector<T> axis = axis_at<T>(R);
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
+      carry(a, reversed ? -r : r);
+      a.angular += axis * x;
+      if constexpr (reversed) a.linear += cross(r, axis) * x;
+      break;
+    }
+    case JointKind::kPrismatic: {
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
+      carry(a, reversed ? -r : r);
+      a.linear += axis_at<T>(R) * x;
+      break;
+    }
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) {
+        if constexpr (!reversed) carry(a, r);
+        turn_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+      break;
+    default:
+      if constexpr (kWidth<T> == 1) {
+        if constexpr (!reversed) carry(a, r);
+        move_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+  }
+}
+
+// Joints first .. last outwards; what moves along with a link is kept where other paths start.
+template <int p, int first, int last>
+void accelerate(Workspace& w) {
+  Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  for (int j = first; j <= last; ++j) {
+    move<false>(w, single(j), a);
+    if (kRoles[p][static_cast<std::size_t>(j + 1)].parts)
+      w.motions[static_cast<std::size_t>(j + 1)] = a;
+  }
+}
+
+template <int p, int first, int last>
+void accelerate_reversed(Workspace& w) {
+  Motion<Value> a = w.motions[last + 1];
+  for (int j = last; j >= first; --j) {
+    move<true>(w, single(j), a);
+    const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  }
+}
+
+// The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
+template <int j>
+void as_joint_acceleration(Workspace& w) {
+  const Value* v = w.v + kJoints[j].v;
+  Value* qdd = &w.answer[kJoints[j].v];
+  const Vector<Value> turned =
+      cross(Vector<Value>{v[3], v[4], v[5]}, Vector<Value>{v[0], v[1], v[2]});
+  qdd[0] -= turned.x, qdd[1] -= turned.y, qdd[2] -= turned.z;
+}
+
+// A floating base's joint acceleration, [linear; angular] in its own axes.
+template <int j>
+void free_acceleration(Workspace& w) {
+  const Motion<Value>& a = w.motions[j + 1];
+  Value* qdd = &w.answer[kJoints[j].v];
+  qdd[0] = a.linear.x, qdd[1] = a.linear.y, qdd[2] = a.linear.z;
+  qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
+  as_joint_acceleration<j>(w);
+}
+
+
+// ---- 5. processes -------------------------------------------------------------------------------
+
+// Each process: 30 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
+void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 36, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 35, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 35, &JointConstants::v, kNotFinite);
+  stamp(0);
+  std::copy_n(w.q + 7, 29, w.angle.data() + 1);
+  turn<block(1), block(29) + 1>(w);
+  free_base_frame<0>(w);
+  outward<1, 6>(w);  // "left_hip_pitch" .. "left_ankle_roll"
+  outward<7, 12>(w);  // "right_hip_pitch" .. "right_ankle_roll"
+  outward<13, 21>(w);  // "waist_yaw" .. "left_wrist_pitch"
+  outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  outward<24, 29>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
+  stamp(1);
+  set_up_links<block(0), block(29) + 1>(w);
+  free_base<0, true>(w);
+  inward<0, 24, 29, true>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
+  inward<0, 22, 23, false>(w);  // "neck_yaw" .. "neck_pitch"
+  inward<0, 13, 21, false>(w);  // "waist_yaw" .. "left_wrist_pitch"
+  inward<0, 7, 12, false>(w);  // "right_hip_pitch" .. "right_ankle_roll"
+  inward<0, 1, 6, false>(w);  // "left_hip_pitch" .. "left_ankle_roll"
+  solve_root<0, 1>(w);
+  stamp(2);
+  accelerate<0, 1, 6>(w);  // "left_hip_pitch" .. "left_ankle_roll"
+  accelerate<0, 7, 12>(w);  // "right_hip_pitch" .. "right_ankle_roll"
+  accelerate<0, 13, 21>(w);  // "waist_yaw" .. "left_wrist_pitch"
+  accelerate<0, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  accelerate<0, 24, 29>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
+  free_acceleration<0>(w);
+  stamp(3);
+  require_finite(w, w.answer.data(), 0, 35, &JointConstants::v, kOverflow);
+  give(w, 0, 35);
+}
+
+[[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_0};
+
+// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
+// reads.
+constexpr std::array<int, 36> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35};
+constexpr std::array<int, 35> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 35> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 35> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
+    {36, kReadQ_0.data(), 35, kReadV_0.data(), 35, kOwn_0.data(), 35, kTorque_0.data()},
+    {36, kReadQ_0.data(), 35, kReadV_0.data(), 35, kOwn_0.data(), 35, kTorque_0.data()},
+} };
+
+// States of process 0, one after the other, and where their accelerations go.
+struct Batch {
+  int count;
+  const Real *q, *v, *tau;
+  Real* qdd;
+};
+
+// Process 0 hands pieces of a batch to the others as they finish earlier ones, and solves pieces in
+// between itself: faster processes get more, wherever they are. A process has two pieces, so that
+// one is on its way while the other is solved. A piece is one message, all q, then all v, then all
+// tau; an empty one is the end. The answer is the accelerations.
+class Handout {
+ public:
+  // At process 0. Returns whether all states could be solved; that a process is gone joins the
+  // status.
+  template <class Solve>
+  bool hand_out(Channel& channel, int helpers, const Batch& batch, Solve solve, int& status) {
+    helpers_.resize(static_cast<std::size_t>(kProcesses - 1));
+    bool good = true;
+    int next = 0;
+    const auto take = [&] {
+      const int first = next;
+      next += piece(batch.count - first);
+      return first;
+    };
+    while (next < batch.count && status == kFine) {
+      for (int p = 1; p <= helpers; ++p) {
+        Helper& helper = helpers_[static_cast<std::size_t>(p - 1)];
+        while (helper.busy > 0 && is_done(helper.oldest().answered, good)) helper.drop_oldest();
+        while (helper.busy < 2 && next < batch.count) {
+          const int first = take();
+          give(channel, helper.add(), p, batch, first, next - first, status);
+        }
+      }
+      const int first = take();
+      if (first < next) good &= solve_in_place(batch, first, next - first, solve);
+    }
+    for (int p = 1; p < kProcesses; ++p) {
+      Helper& helper = helpers_[static_cast<std::size_t>(p - 1)];
+      for (; helper.busy > 0; helper.drop_oldest())
+        channel.wait(helper.oldest().answered, p, status,
+                     [&](const MPI_Status& s) { good &= s.MPI_TAG == kSolved; });
+      for (Given& given : helper.given) {
+        channel.wait(given.sent, p, status);
+        MPI_Isend(nullptr, 0, kMpiReal, p, kStates, channel.comm(), &given.sent);
+      }
+    }
+    for (int p = 1; p < kProcesses; ++p)
+      for (Given& given : helpers_[static_cast<std::size_t>(p - 1)].given)
+        channel.wait(given.sent, p, status);
+    return good;
+  }
+
+  // At the others, until process 0 has nothing more.
+  template <class Solve>
+  void help(Channel& channel, Solve solve, int& status) {
+    for (Taken& piece : taken_) {
+      piece.states.resize(static_cast<std::size_t>(kMost) * kNumbers);
+      piece.qdd.resize(static_cast<std::size_t>(kMost) * kNv);
+      ask(channel, piece);
+    }
+    int ends = 0;
+    for (std::size_t k = 0; ends < 2 && status == kFine; k ^= 1) {
+      Taken& piece = taken_[k];
+      int numbers = 0;
+      channel.wait(piece.asked, 0, status,
+                   [&](const MPI_Status& s) { MPI_Get_count(&s, kMpiReal, &numbers); });
+      channel.wait(piece.answered, 0, status);
+      if (numbers == 0) {
+        ++ends;
+        continue;
+      }
+      const int count = numbers / kNumbers;
+      const Real* const v = piece.states.data() + count * kNq;
+      const bool good = solve(count, piece.states.data(), v, v + count * kNv, piece.qdd.data());
+      MPI_Isend(piece.qdd.data(), count * kNv, kMpiReal, 0, good ? kSolved : kFailed,
+                channel.comm(), &piece.answered);
+      ask(channel, piece);
+    }
+  }
+
+ private:
+  static constexpr int kNumbers = kNq + 2 * kNv;               // of a state
+  static constexpr int kStates = 0, kSolved = 1, kFailed = 2;  // what a message is
+  // States of a piece, at most: about 64 kB, which is on its way for less time than it takes.
+  static constexpr int kMost =
+      std::max(1, (1 << 16) / (kNumbers * static_cast<int>(sizeof(Real)) * kLanes)) * kLanes;
+
+  // A piece at process 0, which another solves, and at that one.
+  struct Given {
+    MPI_Request sent = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
+  };
+  struct Taken {
+    std::vector<Real> states, qdd;
+    MPI_Request asked = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
+  };
+
+  struct Helper {
+    std::array<Given, 2> given;
+    std::size_t next = 0;
+    int busy = 0;
+    Given& oldest() { return given[busy == 2 ? next : next ^ 1]; }
+    void drop_oldest() { --busy; }
+    Given& add() {
+      ++busy;
+      next ^= 1;
+      return given[next ^ 1];
+    }
+  };
+
+  // Pieces shrink towards the end, so that all are done at about the same time; but for the last,
+  // they fill all lanes.
+  static int piece(int left) {
+    const int share = left / (4 * kProcesses) / kLanes * kLanes;
+    return std::min(left, std::clamp(share, kLanes, kMost));
+  }
+
+  static bool is_done(MPI_Request& answered, bool& good) {
+    int done = 0;
+    MPI_Status status;
+    MPI_Test(&answered, &done, &status);
+    if (done != 0) good &= status.MPI_TAG == kSolved;
+    return done != 0;
+  }
+
+  static void give(Channel& channel, Given& given, int p, const Batch& batch, int first, int count,
+                   int& status) {
+    const long row = first;
+    const std::array<const Real*, 3> from{batch.q + row * kNq, batch.v + row * kNv,
+                                          batch.tau + row * kNv};
+    const std::array<int, 3> lengths{count * kNq, count * kNv, count * kNv};
+    std::array<MPI_Aint, 3> places;
+    for (std::size_t k = 0; k < 3; ++k) MPI_Get_address(from[k], &places[k]);
+    MPI_Datatype rows;
+    MPI_Type_create_hindexed(3, lengths.data(), places.data(), kMpiReal, &rows);
+    MPI_Type_commit(&rows);
+    channel.wait(given.sent, p, status);
+    MPI_Isend(MPI_BOTTOM, 1, rows, p, kStates, channel.comm(), &given.sent);
+    MPI_Type_free(&rows);
+    MPI_Irecv(batch.qdd + row * kNv, count * kNv, kMpiReal, p, MPI_ANY_TAG, channel.comm(),
+              &given.answered);
+  }
+
+  template <class Solve>
+  static bool solve_in_place(const Batch& batch, int first, int count, Solve solve) {
+    const long row = first;
+    return solve(count, batch.q + row * kNq, batch.v + row * kNv, batch.tau + row * kNv,
+                 batch.qdd + row * kNv);
+  }
+
+  static void ask(Channel& channel, Taken& piece) {
+    MPI_Irecv(piece.states.data(), static_cast<int>(piece.states.size()), kMpiReal, 0, kStates,
+              channel.comm(), &piece.asked);
+  }
+
+  std::vector<Helper> helpers_;
+  std::array<Taken, 2> taken_;
+};
+
+// Solves many states at once, one in each lane of a register. Each process solves states of its
+// own; where process 0 has them all, it hands them out (handout.hpp).
+class Solver {
+ public:
+  Workspace w;
+  Channel channel;
+  std::string text;  // of the last failure
+
+  // States one after the other, as are their accelerations; nothing is said to other processes.
+  // Accelerations of a state that fails are not numbers; the others are what they should be.
+  int solve_batch(int count, const Real* q, const Real* v, const Real* tau, Real* qdd) {
+    forget();
+    return solve_rows(count, q, v, tau, qdd) ? kFine : name_failures(count, q, v, tau, qdd);
+  }
+
+  int solve(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+    return solve_batch(1, q, v, tau, qdd);
+  }
+
+  // Collective: process 0 has all states and gets all accelerations, and to know what failed; the
+  // others return once it has. Of them, processes 1 to helpers help.
+  int solve_batch_at_root(int count, const Real* q, const Real* v, const Real* tau, Real* qdd,
+                          int helpers = kProcesses - 1) {
+    if constexpr (kProcesses == 1) return solve_batch(count, q, v, tau, qdd);
+    forget();
+    const auto solve = [this](auto... rows) { return solve_rows(rows...); };
+    int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
+    if (status == kFine && channel.rank() > 0)
+      handout_.help(channel, solve, status);
+    else if (status == kFine &&
+             !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd}, solve, status))
+      return name_failures(count, q, v, tau, qdd);
+    if (status != kFine) text = describe(status);
+    return status;
+  }
+
+  // The k-th failure of the last call: its state, counted from 0; -1 where there is none.
+  int failed_state(std::size_t k) {
+    if (k >= failures_.size()) return -1;
+    text = in_words(failures_[k]);
+    return failures_[k].state;
+  }
+
+  // What simulates asks for one state at a time.
+  int solve_at_root(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+    return solve(q, v, tau, qdd);
+  }
+  int end_at_root() { return kFine; }
+
+ private:
+  struct FailedState {
+    int state, status;
+  };
+
+  static std::size_t size(int n) { return static_cast<std::size_t>(n); }
+
+  void forget() {
+    failures_.clear();
+    text.clear();
+  }
+
+  // Returns whether all states could be solved.
+  bool solve_rows(int count, const Real* q, const Real* v, const Real* tau, Real* qdd) {
+    bool good = true;
+    for (int first = 0, states; first < count; first += states) {
+      states = std::min(kLanes, count - first);
+      const long row = first;
+      spread(states, q + row * kNq, kNq, q_.data());
+      spread(states, v + row * kNv, kNv, v_.data());
+      spread(states, tau + row * kNv, kNv, tau_.data());
+      if (run() == kFine) {
+        for (int s = 0; s < states; ++s) take(s, qdd + (row + s) * kNv);
+        continue;
+      }
+      good = false;
+      const auto all_q = q_;
+      const auto all_v = v_, all_tau = tau_;
+      for (int s = 0; s < states; ++s) {
+        everywhere(q_, all_q, s), everywhere(v_, all_v, s), everywhere(tau_, all_tau, s);
+        if (run() == kFine)
+          take(s, qdd + (row + s) * kNv);
+        else
+          std::fill_n(qdd + (row + s) * kNv, kNv, std::numeric_limits<Real>::quiet_NaN());
+      }
+    }
+    return good;
+  }
+
+  // Tries the states that have no accelerations once more, each by itself; returns the first
+  // failure.
+  int name_failures(int count, const Real* q, const Real* v, const Real* tau, const Real* qdd) {
+    for (int s = 0; s < count; ++s) {
+      const long row = s;
+      if (qdd[row * kNv] == qdd[row * kNv]) continue;
+      spread(1, q + row * kNq, kNq, q_.data());
+      spread(1, v + row * kNv, kNv, v_.data());
+      spread(1, tau + row * kNv, kNv, tau_.data());
+      failures_.push_back({s, run()});
+    }
+    text = in_words(failures_.front());
+    if (failures_.size() > 1)
+      text += " (and " + std::to_string(failures_.size() - 1) + " more states)";
+    return failures_.front().status;
+  }
+
+  static std::string in_words(const FailedState& failed) {
+    return "state " + std::to_string(failed.state + 1) + ": " + describe(failed.status);
+  }
+
+  // Rows of numbers into lanes; lanes without a state repeat the last one.
+  static void spread(int states, const Real* rows, int width, Value* lanes) {
+    if (states == kLanes) {
+      for (int k = 0; k < width; ++k)
+        ADAGEN_FOR (s, 0, kLanes) lanes[k][s] = rows[s * width + k];
+      return;
+    }
+    for (int k = 0; k < width; ++k)
+      for (int s = 0; s < kLanes; ++s) lanes[k][s] = rows[std::min(s, states - 1) * width + k];
+  }
+
+  // One lane of some values in all lanes.
+  template <class Values>
+  static void everywhere(Values& lanes, const Values& all, int s) {
+    for (std::size_t k = 0; k < lanes.size(); ++k) lanes[k] = Value{} + all[k][s];
+  }
+
+  void take(int s, Real* qdd) const {
+    for (int k = 0; k < kNv; ++k) qdd[k] = qdd_[size(k)][s];
+  }
+
+  int run() {
+    w.q = q_.data(), w.v = v_.data(), w.tau = tau_.data(), w.qdd = qdd_.data();
+    w.status = kFine;
+    run_0(w, channel);
+    return w.status;
+  }
+
+  std::array<Value, kNq> q_{};
+  std::array<Value, kNv> v_{}, tau_{}, qdd_{};
+  std::vector<FailedState> failures_;
+  Handout handout_;
+};
+
+}  // namespace
+
+struct humanoid_batch_p2_solver : Solver {};
+
+extern "C" {
+
+int humanoid_batch_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv) {
+  if (k < 0 || k >= kJointCount) return 0;
+  const JointConstants& joint = kJoints[k];
+  *name = joint.name, *q = joint.q, *nq = joint.nq, *v = joint.v, *nv = joint.nv;
+  return 1;
+}
+
+humanoid_batch_p2_solver* humanoid_batch_p2_open(MPI_Comm comm, const char* channel, double time_limit) {
+  int size = 0;
+  MPI_Comm_size(comm, &size);
+  const std::string kind = channel;
+  if (size != kProcesses || (kind != "auto" && kind != "window" && kind != "message")) return nullptr;
+  auto* const solver = new humanoid_batch_p2_solver;
+  const ChannelMode mode = kind == "window"    ? ChannelMode::kWindow
+                           : kind == "message" ? ChannelMode::kMessage
+                                               : ChannelMode::kAuto;
+  if (solver->channel.open(comm, mode, time_limit).empty()) return solver;
+  humanoid_batch_p2_close(solver);
+  return nullptr;
+}
+
+int humanoid_batch_p2_solve_batch(humanoid_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd) {
+  return solver->solve_batch(count, q, v, tau, qdd);
+}
+
+int humanoid_batch_p2_solve_batch_at_root(humanoid_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd) {
+  return solver->solve_batch_at_root(count, q, v, tau, qdd);
+}
+
+int humanoid_batch_p2_failed_state(humanoid_batch_p2_solver* solver, int k) {
+  return k < 0 ? -1 : solver->failed_state(static_cast<std::size_t>(k));
+}
+
+const char* humanoid_batch_p2_failure(const humanoid_batch_p2_solver* solver) { return solver->text.c_str(); }
+
+void humanoid_batch_p2_close(humanoid_batch_p2_solver* solver) {
+  solver->channel.close();
+  delete solver;
+}
+
+}  // extern "C"
+
+// ---- 6. program ---------------------------------------------------------------------------------
+
+#ifndef ADAGEN_NO_MAIN
+namespace {
+
+// An independent check: inverse dynamics by Newton's and Euler's equations, body by body, in
+// double. It shares the model's constants with the solver, and no arithmetic.
+namespace check {
+
+using Vec = std::array<double, 3>;
+using Mat = std::array<Vec, 3>;
+
+Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Vec cross(const Vec& a, const Vec& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vec times(const Mat& m, const Vec& a) {
+  Vec result{};
+  for (int i = 0; i < 3; ++i) result[i] = m[i][0] * a[0] + m[i][1] * a[1] + m[i][2] * a[2];
+  return result;
+}
+Vec transposed_times(const Mat& m, const Vec& a) {
+  Vec result{};
+  for (int i = 0; i < 3; ++i) result[i] = m[0][i] * a[0] + m[1][i] * a[1] + m[2][i] * a[2];
+  return result;
+}
+Mat times(const Mat& a, const Mat& b) {
+  Mat result{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
+  return result;
+}
+Vec vec3(const Real* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
+Mat mat3(const Real* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
+
+struct Body {
+  Mat turn;   // child to parent coordinates
+  Vec shift;  // child origin in parent coordinates
+  Vec w, dw;  // angular velocity and acceleration, in the body's frame
+  Vec a;      // acceleration of its origin minus gravity, in the body's frame
+  Vec f, n;   // force on it through its joint, and moment about its origin
+};
+
+// Rotation and origin of the child frame in the joint frame.
+void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift) {
+  turn = {Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
+  shift = {};
+  const auto about_z = [&turn](double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    turn = {Vec{c, -s, 0}, Vec{s, c, 0}, Vec{0, 0, 1}};
+  };
+  const auto orient = [&turn](const Real* p) {
+    double x = double(p[0]), y = double(p[1]), z = double(p[2]), w = double(p[3]);
+    const double length = std::sqrt(x * x + y * y + z * z + w * w);
+    x /= length, y /= length, z /= length, w /= length;
+    turn = {Vec{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+            Vec{2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+            Vec{2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}};
+  };
+  switch (joint.kind) {
+    case JointKind::kRevolute:
+      about_z(double(q[0]));
+      break;
+    case JointKind::kPrismatic:
+      shift[2] = double(q[0]);
+      break;
+    case JointKind::kSpherical:
+      orient(q);
+      break;
+    case JointKind::kPlanar:
+      about_z(double(q[2])), shift = {double(q[0]), double(q[1]), 0};
+      break;
+    case JointKind::kFloating:
+      orient(q + 3), shift = vec3(q);
+      break;
+  }
+}
+
+// Angular and linear part of a joint's velocity or acceleration, in the child's frame.
+void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linear) {
+  angular = linear = {};
+  switch (joint.kind) {
+    case JointKind::kRevolute:
+      angular[2] = double(x[0]);
+      break;
+    case JointKind::kPrismatic:
+      linear[2] = double(x[0]);
+      break;
+    case JointKind::kSpherical:
+      angular = vec3(x);
+      break;
+    case JointKind::kPlanar:
+      linear = {double(x[0]), double(x[1]), 0}, angular[2] = double(x[2]);
+      break;
+    case JointKind::kFloating:
+      linear = vec3(x), angular = vec3(x + 3);
+      break;
+  }
+}
+
+// What a joint's damping, friction, spring and rotor take of its torque.
+void add_passive(const JointConstants& joint, const Real* q, const Real* v, const Real* qdd,
+                 double* tau) {
+  const Passive& own = joint.passive;
+  for (int k = 0; k < joint.nv; ++k) {
+    const double rate = double(v[joint.v + k]);
+    tau[k] += double(own.damping) * rate + double(own.rotor) * double(qdd[joint.v + k]) +
+              double(own.friction) * std::tanh(rate / double(own.friction_speed));
+  }
+  if (own.stiffness != 0) tau[0] += double(own.stiffness) * (double(q[joint.q]) - double(own.rest));
+}
+
+// The outer forces push their links.
+void push(const Real* outer, std::array<Body, kLinkCount>& body) {
+  for (const OuterForce& one : kOuterForces) {
+    Body& b = body[static_cast<std::size_t>(one.link)];
+    const Mat turn = mat3(one.rotation);
+    const Vec force = times(turn, vec3(outer)), moment = times(turn, vec3(outer + 3));
+    const Vec lever = cross(vec3(one.translation), force);
+    for (int k = 0; k < 3; ++k) b.f[k] -= force[k], b.n[k] -= moment[k] + lever[k];
+    outer += 6;
+  }
+}
+
+// Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
+// through their sources' torques.
+void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real* outer,
+                      double* tau) {
+  static std::array<Body, kLinkCount> body;
+  body[0] = {};
+  for (int k = 0; k < 3; ++k) body[0].a[k] = -kGravity[k];
+  for (int j = 0; j < kJointCount; ++j) {
+    const JointConstants& joint = kJoints[j];
+    const LinkConstants& link = kLinks[j + 1];
+    const Body& parent = body[joint.parent];
+    Body& b = body[j + 1];
+    Mat turn;
+    Vec shift, spin, slide, spin_rate, slide_rate;
+    displace(joint, q + joint.q, turn, shift);
+    motion(joint, v + joint.v, spin, slide);
+    motion(joint, qdd + joint.v, spin_rate, slide_rate);
+    b.turn = times(mat3(joint.rotation), turn);
+    b.shift = vec3(joint.translation) + times(mat3(joint.rotation), shift);
+    const Vec carried = transposed_times(b.turn, parent.w);
+    b.w = carried + spin;
+    b.dw = transposed_times(b.turn, parent.dw) + cross(carried, spin) + spin_rate;
+    const Vec at_origin =
+        parent.a + cross(parent.dw, b.shift) + cross(parent.w, cross(parent.w, b.shift));
+    const Vec coriolis = cross(carried, slide);
+    b.a =
+        transposed_times(b.turn, at_origin) + coriolis + coriolis + cross(spin, slide) + slide_rate;
+    const Vec c = vec3(link.com);
+    const Vec at_com = b.a + cross(b.dw, c) + cross(b.w, cross(b.w, c));
+    const Mat inertia = mat3(link.tensor);
+    for (int k = 0; k < 3; ++k) b.f[k] = double(link.mass) * at_com[k];
+    b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
+  }
+  push(outer, body);
+  for (int j = kJointCount - 1; j >= 0; --j) {
+    const JointConstants& joint = kJoints[j];
+    const Body& b = body[j + 1];
+    double* t = tau + joint.v;
+    switch (joint.kind) {
+      case JointKind::kRevolute:
+        t[0] = b.n[2];
+        break;
+      case JointKind::kPrismatic:
+        t[0] = b.f[2];
+        break;
+      case JointKind::kSpherical:
+        std::copy(b.n.begin(), b.n.end(), t);
+        break;
+      case JointKind::kPlanar:
+        t[0] = b.f[0], t[1] = b.f[1], t[2] = b.n[2];
+        break;
+      case JointKind::kFloating:
+        std::copy(b.f.begin(), b.f.end(), t);
+        std::copy(b.n.begin(), b.n.end(), t + 3);
+        break;
+    }
+    add_passive(joint, q, v, qdd, t);
+    Body& parent = body[joint.parent];
+    const Vec force = times(b.turn, b.f);
+    parent.f = parent.f + force;
+    parent.n = parent.n + times(b.turn, b.n) + cross(b.shift, force);
+  }
+  for (int j = 0; j < kJointCount; ++j) {
+    if (kJoints[j].source < 0) continue;
+    tau[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * tau[kJoints[j].v];
+    tau[kJoints[j].v] = 0;
+  }
+}
+
+// How far slaved accelerations are from following their sources, relative to their size, and
+// prescribed ones from what was prescribed.
+double slip(const Real* tau, const Real* qdd) {
+  double worst = 0;
+  for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      worst = std::max(worst, std::abs(double(qdd[k]) - double(tau[k])));
+    if (joint.source < 0) continue;
+    const double own = double(qdd[joint.v]);
+    const double due = joint.multiplier * double(qdd[kJoints[joint.source].v]);
+    worst = std::max(worst, std::abs(own - due) / std::max(1.0, std::abs(due)));
+  }
+  return worst;
+}
+
+// The larger of that and of |ID(q, v, qdd) - tau| relative to the size of the torques that it
+// balances.
+double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
+  static std::array<double, kNv> needed, at_rest;
+  static std::array<Real, kNv> zero{};
+  inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
+  inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
+  std::array<double, kNv> given{};
+  for (int k = 0; k < kNv; ++k) given[k] = double(tau[k]);
+  for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      given[k] = needed[k] = at_rest[k] = 0;  // nobody asks for its torque
+  }
+  for (int j = 0; j < kJointCount; ++j) {
+    if (kJoints[j].source < 0) continue;
+    given[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * given[kJoints[j].v];
+    given[kJoints[j].v] = 0;
+  }
+  double error = 0, size = 0;
+  for (int k = 0; k < kNv; ++k) {
+    error += (needed[k] - given[k]) * (needed[k] - given[k]);
+    size += given[k] * given[k] + at_rest[k] * at_rest[k];
+  }
+  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(tau, qdd));
+}
+
+}  // namespace check
+
+// Reads JSON piece by piece; what is wrong is thrown.
+class JsonReader {
+ protected:
+  explicit JsonReader(std::string text) : text_(std::move(text)) {}
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw std::runtime_error(where_ + what);
+  }
+
+  void white() {
+    while (at_ < text_.size() && std::strchr(" \t\r\n", text_[at_]) != nullptr) ++at_;
+  }
+  char peek() {
+    white();
+    if (at_ >= text_.size()) refuse("the file ends too early");
+    return text_[at_];
+  }
+  void expect(char c) {
+    if (peek() != c) refuse(std::string("expected '") + c + "', found '" + text_[at_] + "'");
+    ++at_;
+  }
+  bool take(char c) {
+    if (peek() != c) return false;
+    ++at_;
+    return true;
+  }
+
+  template <class Item>
+  void array(Item item) {
+    if (++depth_ > 64) refuse("nested too deeply");
+    expect('[');
+    if (!take(']')) {
+      do item();
+      while (take(','));
+      expect(']');
+    }
+    --depth_;
+  }
+  template <class Item>
+  void object(Item item) {
+    if (++depth_ > 64) refuse("nested too deeply");
+    expect('{');
+    if (!take('}')) {
+      do {
+        const std::string key = string();
+        expect(':');
+        item(key);
+      } while (take(','));
+      expect('}');
+    }
+    --depth_;
+  }
+
+  std::vector<double> numbers() {
+    std::vector<double> result;
+    if (peek() == '[')
+      array([&] { result.push_back(number()); });
+    else
+      result.push_back(number());
+    return result;
+  }
+
+  double number() {
+    peek();
+    const std::size_t start = at_;
+    const auto digits = [this] {
+      const std::size_t first = at_;
+      while (at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9') ++at_;
+      return at_ > first;
+    };
+    const auto next_is = [this](char a, char b) {
+      return at_ < text_.size() && (text_[at_] == a || text_[at_] == b);
+    };
+    if (next_is('-', '-')) ++at_;
+    bool good = digits();
+    if (good && next_is('.', '.')) ++at_, good = digits();
+    if (good && next_is('e', 'E')) {
+      ++at_;
+      if (next_is('+', '-')) ++at_;
+      good = digits();
+    }
+    double value = 0;
+    if (good) {
+      const auto end = std::from_chars(text_.data() + start, text_.data() + at_, value);
+      good = end.ec == std::errc() && end.ptr == text_.data() + at_ && std::isfinite(value);
+    }
+    if (!good) refuse("expected a finite number");
+    return value;
+  }
+
+  bool boolean() {
+    peek();
+    for (const bool value : {true, false}) {
+      const std::string word = value ? "true" : "false";
+      if (text_.compare(at_, word.size(), word) == 0) {
+        at_ += word.size();
+        return value;
+      }
+    }
+    refuse("expected true or false");
+  }
+
+  std::string string() {
+    expect('"');
+    std::string result;
+    for (;;) {
+      if (at_ >= text_.size()) refuse("a string does not end");
+      const char c = text_[at_++];
+      if (c == '"') return result;
+      if (static_cast<unsigned char>(c) < 0x20) refuse("a control character in a string");
+      if (c != '\\') {
+        result += c;
+        continue;
+      }
+      if (at_ >= text_.size()) refuse("a string does not end");
+      const char escape = text_[at_++];
+      const char* const from = "\"\\/bfnrt";
+      const char* const to = "\"\\/\b\f\n\r\t";
+      if (const char* place = std::strchr(from, escape); place != nullptr && escape != '\0')
+        result += to[place - from];
+      else if (escape == 'u')
+        append_utf8(result, code_point());
+      else
+        refuse("an unknown escape in a string");
+    }
+  }
+
+  unsigned hex4() {
+    if (at_ + 4 > text_.size()) refuse("a string does not end");
+    unsigned value = 0;
+    const auto end = std::from_chars(text_.data() + at_, text_.data() + at_ + 4, value, 16);
+    if (end.ec != std::errc() || end.ptr != text_.data() + at_ + 4)
+      refuse("four hexadecimal digits expected");
+    at_ += 4;
+    return value;
+  }
+  unsigned code_point() {
+    const unsigned high = hex4();
+    if (high < 0xD800 || high > 0xDBFF) return high;
+    if (text_.compare(at_, 2, "\\u") != 0) refuse("half a surrogate pair in a string");
+    at_ += 2;
+    return 0x10000 + ((high - 0xD800) << 10) + ((hex4() - 0xDC00) & 0x3FF);
+  }
+  static void append_utf8(std::string& s, unsigned c) {
+    const auto put = [&s](unsigned byte) { s += static_cast<char>(byte); };
+    if (c < 0x80) return put(c);
+    if (c < 0x800) return put(0xC0 | c >> 6), put(0x80 | (c & 63));
+    if (c < 0x10000) return put(0xE0 | c >> 12), put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
+    put(0xF0 | c >> 18), put(0x80 | (c >> 12 & 63)), put(0x80 | (c >> 6 & 63)),
+        put(0x80 | (c & 63));
+  }
+
+  void skip() {
+    const char c = peek();
+    if (c == '{')
+      object([&](const std::string&) { skip(); });
+    else if (c == '[')
+      array([&] { skip(); });
+    else if (c == '"')
+      string();
+    else if (c == 't' || c == 'f')
+      boolean();
+    else if (text_.compare(at_, 4, "null") == 0)
+      at_ += 4;
+    else
+      number();
+  }
+
+  std::string text_, where_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+// Reads a states file (JSON) and writes a result file, joints by name.
+struct States {
+  int count = 0;
+  std::vector<Real> q, v, tau;  // one state after the other
+};
+
+class StatesReader : private JsonReader {
+ public:
+  explicit StatesReader(std::string text) : JsonReader(std::move(text)) {}
+
+  // Returns an empty string, or what is wrong, as "LINE: message".
+  std::string read(States& states) {
+    try {
+      parse(states);
+      return "";
+    } catch (const std::runtime_error& error) {
+      return std::to_string(
+                 1 + std::count(text_.begin(), text_.begin() + static_cast<long>(at_), '\n')) +
+             ": error: " + error.what();
+    }
+  }
+
+ private:
+  void parse(States& states) {
+    std::array<bool, kJointCount> seen{};
+    std::vector<std::vector<double>> forces(kOuterCount);
+    bool joints = false;
+    object([&](const std::string& key) {
+      if (key == "joints") {
+        joints = true;
+        object([&](const std::string& name) { read_joint(name, seen, states); });
+      } else if (key == "forces" && kOuterCount > 0) {
+        object([&](const std::string& name) { read_force(name, forces); });
+      } else if (key == "floating") {
+        if (boolean() != kFloatingBase)
+          refuse(std::string("\"floating\": this solver's base is ") +
+                 (kFloatingBase ? "floating" : "fixed") + "; generate it anew");
+      } else if (key == "gravity") {
+        const std::vector<double> given = numbers();
+        if (given.size() != 3 || !std::equal(given.begin(), given.end(), kGravity.begin()))
+          refuse("\"gravity\": another gravity is compiled into this solver; generate it anew");
+      } else {
+        refuse("unknown member " + quoted(key.c_str()));
+      }
+    });
+    white();
+    if (at_ != text_.size()) refuse("text behind the end");
+    if (!joints) refuse("\"joints\" is missing");
+    for (int j = 0; j < kJointCount; ++j)
+      if (!seen[j] && kJoints[j].source < 0)
+        refuse("joint " + quoted(kJoints[j].name) + " is missing");
+    fill_slaved(states);
+    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
+  }
+
+  void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
+    int j = 0;
+    while (j < kJointCount && name != kJoints[j].name) ++j;
+    if (j == kJointCount) refuse("unknown joint " + quoted(name.c_str()));
+    const std::string joint = "joint " + quoted(name.c_str());
+    if (seen[j]) refuse(joint + " comes twice");
+    seen[j] = true;
+    std::array<bool, 3> found{};
+    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
+    object([&](const std::string& key) {
+      if (key == "type" || (key == "qdd" && key != input))
+        return skip();  // as in a file of true answers
+      const char* const fields[] = {"q", "v", input};
+      const auto field = std::find(std::begin(fields), std::end(fields), key);
+      if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
+      bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
+      if (there) refuse(joint + ": " + key + " comes twice");
+      there = true;
+      where_ = joint + ": " + key + ": ";
+      read_field(kJoints[j], key, states);
+      where_.clear();
+    });
+    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
+  }
+
+  // One of q, v and tau of a joint: an entry for each state.
+  void read_field(const JointConstants& joint, const std::string& key, States& states) {
+    const bool is_q = key == "q";
+    const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
+    const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
+    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
+    std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
+    int count = 0;
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != size)
+        refuse("state " + std::to_string(count + 1) + " has " + std::to_string(entry.size()) +
+               " numbers, not " + std::to_string(size));
+      const std::size_t row = stride * static_cast<std::size_t>(count);
+      if (values.size() < row + stride) values.resize(row + stride);
+      for (std::size_t k = 0; k < size; ++k) values[row + start + k] = static_cast<Real>(entry[k]);
+      ++count;
+    });
+    if (count == 0) refuse("there is no state");
+    if (states.count == 0) states.count = count;
+    if (count != states.count)
+      refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
+  }
+
+  // One link's outer force: six numbers for each state.
+  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
+    std::size_t k = 0;
+    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
+    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
+    where_ = "force on link " + quoted(name.c_str()) + ": ";
+    if (!forces[k].empty()) refuse("comes twice");
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != 6) refuse("needs six numbers for each state");
+      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
+    });
+    where_.clear();
+  }
+
+  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
+    if (given.size() != 6 * static_cast<std::size_t>(states.count))
+      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
+             std::to_string(given.size() / 6) + " states, but the joints have " +
+             std::to_string(states.count));
+    for (std::size_t i = 0; i < given.size(); ++i)
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
+  }
+
+  static void fill_slaved(States& states) {
+    for (int s = 0; s < states.count; ++s)
+      slave(states.q.data() + static_cast<long>(s) * kNq,
+            states.v.data() + static_cast<long>(s) * kNv);
+  }
+};
+
+// more: further members of the file, each after a comma.
+bool write_result(const std::string& path, const std::vector<Real>& qdd, int count,
+                  const std::string& more) {
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  if (file == nullptr) return false;
+  std::fputs("{\"joints\": {", file);
+  for (int j = 0; j < kJointCount; ++j) {
+    std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",", quoted(kJoints[j].name).c_str());
+    for (int s = 0; s < count; ++s) {
+      const Real* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
+      std::fputs(s == 0 ? "" : ", ", file);
+      if (kJoints[j].nv > 1) std::fputs("[", file);
+      for (int k = 0; k < kJoints[j].nv; ++k)
+        if (x[k] == x[k])
+          std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
+        else  // of a batch, a state that failed
+          std::fputs(k == 0 ? "null" : ", null", file);
+      if (kJoints[j].nv > 1) std::fputs("]", file);
+    }
+    std::fputs("]}", file);
+  }
+  std::fprintf(file, "\n}%s}\n", more.c_str());
+  const bool good = std::ferror(file) == 0;
+  return std::fclose(file) == 0 && good;
+}
+
+constexpr ChannelMode kChannelMode = ChannelMode::kAuto;
+
+// Configurations as points of a manifold. Near an anchor q0 a configuration has local coordinates
+// x, as many as velocities: a rotation vector in the child's frame where there is a quaternion,
+// the change of q itself elsewhere (of a floating or planar joint's position: in its joint frame).
+namespace manifold {
+
+using State = std::vector<double>;
+
+// a x b.
+inline void cross(const double* a, const double* b, double* result) {
+  for (int k = 0; k < 3; ++k)
+    result[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+// The joint's own rotation takes v, in the child's frame, to the joint frame: v + 2 p x (w v + p x
+// v) for a quaternion (p, w) of any length.
+inline void rotate(const double* quaternion, const double* v, double* result) {
+  double squared = 0, inner[3], outer[3];
+  for (int k = 0; k < 4; ++k) squared += quaternion[k] * quaternion[k];
+  cross(quaternion, v, inner);
+  for (int k = 0; k < 3; ++k) inner[k] += quaternion[3] * v[k];
+  cross(quaternion, inner, outer);
+  for (int k = 0; k < 3; ++k) result[k] = v[k] + 2 / squared * outer[k];
+}
+
+// Quaternions p times (x, w).
+inline void multiply(const double* p, const double* x, double w, double* result) {
+  double twisted[3];
+  cross(p, x, twisted);
+  for (int k = 0; k < 3; ++k) result[k] = p[3] * x[k] + w * p[k] + twisted[k];
+  result[3] = p[3] * w - (p[0] * x[0] + p[1] * x[1] + p[2] * x[2]);
+}
+
+inline double length(const double* x, int count) {
+  double squared = 0;
+  for (int k = 0; k < count; ++k) squared += x[k] * x[k];
+  return std::sqrt(squared);
+}
+
+constexpr bool turns_freely(const JointConstants& joint) { return joint.nq >= 4; }
+
+inline void normalise(State& q) {
+  for (const JointConstants& joint : kJoints) {
+    if (!turns_freely(joint)) continue;
+    double* const quaternion = &q[static_cast<std::size_t>(joint.q + joint.nq - 4)];
+    const double size = length(quaternion, 4);
+    if (!(size > 0)) continue;  // the solver refuses it by name
+    for (int k = 0; k < 4; ++k) quaternion[k] /= size;
+  }
+}
+
+// Velocity of the origin of a floating or planar joint's child, told in the joint frame; its row
+// count.
+inline int position_rate(const JointConstants& joint, const double* q, const double* v,
+                         double* rate) {
+  if (joint.kind == JointKind::kFloating) {
+    rotate(q + 3, v, rate);
+    return 3;
+  }
+  if (joint.kind != JointKind::kPlanar) return 0;
+  const double c = std::cos(q[2]), s = std::sin(q[2]);
+  rate[0] = c * v[0] - s * v[1];
+  rate[1] = s * v[0] + c * v[1];
+  return 2;
+}
+
+// q' as numbers: quaternions by half their product with the angular velocity.
+inline void rate(const State& q, const State& v, State& result) {
+  for (const JointConstants& joint : kJoints) {
+    const double* const own = &q[static_cast<std::size_t>(joint.q)];
+    const double* const speed = &v[static_cast<std::size_t>(joint.v)];
+    double* const to = &result[static_cast<std::size_t>(joint.q)];
+    const int done = position_rate(joint, own, speed, to);
+    if (turns_freely(joint)) {
+      const double half[3] = {speed[done] / 2, speed[done + 1] / 2, speed[done + 2] / 2};
+      multiply(own + done, half, 0, to + done);
+    } else {
+      std::copy(speed + done, speed + joint.nv, to + done);
+    }
+  }
+}
+
+// x' at local coordinates x, where the configuration is q: for rotations the inverse of the
+// exponential's derivative, v + x x v / 2 + c x x (x x v), c = (1 - a cot a) / (2 a)^2 at a =
+// |x|/2.
+inline void local_rate(const State& q, const State& x, const State& v, State& result) {
+  for (const JointConstants& joint : kJoints) {
+    const double* const speed = &v[static_cast<std::size_t>(joint.v)];
+    double* const to = &result[static_cast<std::size_t>(joint.v)];
+    const int done = position_rate(joint, &q[static_cast<std::size_t>(joint.q)], speed, to);
+    std::copy(speed + done, speed + joint.nv, to + done);
+    if (!turns_freely(joint)) continue;
+    const double* const turn = &x[static_cast<std::size_t>(joint.v + done)];
+    const double half = length(turn, 3) / 2;
+    const double c = half < 1e-3 ? 1.0 / 12 + half * half / 180
+                                 : (1 - half / std::tan(half)) / (4 * half * half);
+    double once[3], twice[3];
+    cross(turn, speed + done, once);
+    cross(turn, once, twice);
+    for (int k = 0; k < 3; ++k) to[done + k] += once[k] / 2 + c * twice[k];
+  }
+}
+
+// The configuration with local coordinates x about the anchor.
+inline void advance(const State& anchor, const State& x, State& q) {
+  for (const JointConstants& joint : kJoints) {
+    const double* const from = &anchor[static_cast<std::size_t>(joint.q)];
+    const double* const by = &x[static_cast<std::size_t>(joint.v)];
+    double* const to = &q[static_cast<std::size_t>(joint.q)];
+    const int plain = turns_freely(joint) ? joint.nq - 4 : joint.nq;
+    for (int k = 0; k < plain; ++k) to[k] = from[k] + by[k];
+    if (!turns_freely(joint)) continue;
+    const double* const turn = by + plain;
+    const double half = length(turn, 3) / 2;
+    const double part = half < 1e-3 ? 0.5 - half * half / 12 : std::sin(half) / (2 * half);
+    const double vector[3] = {part * turn[0], part * turn[1], part * turn[2]};
+    multiply(from + plain, vector, std::cos(half), to + plain);
+  }
+}
+
+}  // namespace manifold
+
+// Damping D and stiffness K of joints as they act at the end of a step: with B = h D + h^2 K,
+// (H + B) a = r, where H a0 = r would be the torques' answer with springs at q + h v. From the
+// evaluations of unit torques, M = (H^-1) at the joints with B: (B^-1 + M) y = a0 there, and the
+// torques less y give a. One evaluation for each such degree of freedom, and two.
+class PassiveTerms {
+ public:
+  using State = std::vector<double>;
+
+  PassiveTerms() : extra_(kNv), base_(kNv), unit_(kNv) {
+    for (const JointConstants& joint : kJoints)
+      for (int k = 0; k < joint.nv; ++k)
+        if (!joint.passive.prescribed && (joint.passive.damping > 0 || joint.passive.stiffness > 0))
+          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(joint.passive.damping),
+                           double(joint.passive.stiffness)});
+    matrix_.assign(rows_.size() * rows_.size(), 0);
+    y_.resize(rows_.size());
+  }
+
+  // a at the end of a step of length h from (q, v).
+  template <class Accelerate>
+  int accelerate(double h, const State& q, const State& v, State& a, Accelerate evaluate) {
+    const std::size_t n = rows_.size();
+    std::fill(extra_.begin(), extra_.end(), 0.0);
+    for (const Row& row : rows_) extra_[row.v] = -h * row.stiffness * v[row.v];
+    if (const int failed = evaluate(q, v, extra_, base_)) return failed;
+    if (n == 0) {
+      a = base_;
+      return kFine;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      const double before = extra_[rows_[k].v];
+      extra_[rows_[k].v] += 1;
+      if (const int failed = evaluate(q, v, extra_, unit_)) return failed;
+      extra_[rows_[k].v] = before;
+      for (std::size_t i = 0; i < n; ++i)
+        matrix_[i * n + k] = unit_[rows_[i].v] - base_[rows_[i].v];
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      matrix_[k * n + k] += 1 / (h * rows_[k].damping + h * h * rows_[k].stiffness);
+      y_[k] = base_[rows_[k].v];
+    }
+    solve();
+    for (std::size_t k = 0; k < n; ++k) extra_[rows_[k].v] -= y_[k];
+    return evaluate(q, v, extra_, a);
+  }
+
+ private:
+  struct Row {
+    std::size_t v;
+    double damping, stiffness;
+  };
+
+  // y <- matrix^-1 y by elimination; the matrix is symmetric and positive definite but for
+  // rounding.
+  void solve() {
+    const std::size_t n = rows_.size();
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t i = k + 1; i < n; ++i) {
+        const double part = matrix_[i * n + k] / matrix_[k * n + k];
+        for (std::size_t j = k; j < n; ++j) matrix_[i * n + j] -= part * matrix_[k * n + j];
+        y_[i] -= part * y_[k];
+      }
+    for (std::size_t k = n; k-- > 0;) {
+      for (std::size_t j = k + 1; j < n; ++j) y_[k] -= matrix_[k * n + j] * y_[j];
+      y_[k] /= matrix_[k * n + k];
+    }
+  }
+
+  std::vector<Row> rows_;
+  State extra_, base_, unit_, matrix_, y_;
+};
+
+// Fixed-step integrators of q' = G(q) v, v' = a(q, v). All but RK4 and the explicit Euler method
+// move quaternions by the exponential map, so that these keep their length.
+enum class Integrator { kEuler, kSemiImplicit, kImplicit, kRk4, kRkmk4 };
+
+struct IntegratorInfo {
+  const char* name;
+  Integrator kind;
+};
+
+constexpr std::array<IntegratorInfo, 5> kIntegrators{{
+    {"euler", Integrator::kEuler},
+    {"semi-implicit", Integrator::kSemiImplicit},
+    {"implicit", Integrator::kImplicit},
+    {"rk4", Integrator::kRk4},
+    {"rkmk4", Integrator::kRkmk4},
+}};
+
+class Stepper {
+ public:
+  using State = manifold::State;
+
+  Stepper() {
+    for (State* x : {&middle_q_, &q_rate_, &q_sum_}) x->resize(kNq);
+    for (State* x : {&middle_v_, &a_, &v_sum_, &x_, &x_rate_, &x_sum_, &none_}) x->resize(kNv);
+  }
+
+  // One step of length h from (q, v) to (q, v). accelerate(q, v, extra, a) evaluates with extra
+  // torques and returns a status; where that is a failure, the state stays as it was.
+  template <class Accelerate>
+  int step(Integrator kind, double h, State& q, State& v, Accelerate accelerate) {
+    switch (kind) {
+      case Integrator::kRk4:
+        return runge_kutta(h, q, v, accelerate);
+      case Integrator::kRkmk4:
+        return munthe_kaas(h, q, v, accelerate);
+      case Integrator::kImplicit:
+        return implicit(h, q, v, accelerate);
+      default:
+        return euler(kind == Integrator::kSemiImplicit, h, q, v, accelerate);
+    }
+  }
+
+ private:
+  static constexpr std::array<double, 4> kNode{0, 0.5, 0.5, 1}, kWeight{1, 2, 2, 1};
+
+  // y + h dy
+  static void move(const State& y, double h, const State& dy, State& result) {
+    for (std::size_t k = 0; k < y.size(); ++k) result[k] = y[k] + h * dy[k];
+  }
+
+  template <class Accelerate>
+  int euler(bool semi_implicit, double h, State& q, State& v, Accelerate accelerate) {
+    if (const int failed = accelerate(q, v, none_, a_)) return failed;
+    manifold::rate(q, v, q_rate_);
+    move(v, h, a_, v);
+    if (semi_implicit)
+      follow(h, q, v);
+    else
+      move(q, h, q_rate_, q);
+    manifold::normalise(q);
+    return kFine;
+  }
+
+  // The semi-implicit method with damping and springs as they are at the end of the step.
+  template <class Accelerate>
+  int implicit(double h, State& q, State& v, Accelerate accelerate) {
+    if (const int failed = passive_.accelerate(h, q, v, a_, accelerate)) return failed;
+    move(v, h, a_, v);
+    follow(h, q, v);
+    manifold::normalise(q);
+    return kFine;
+  }
+
+  // Moves q along v by the exponential map.
+  void follow(double h, State& q, const State& v) {
+    std::fill(x_.begin(), x_.end(), 0.0);
+    manifold::local_rate(q, x_, v, x_rate_);
+    move(x_, h, x_rate_, x_);
+    manifold::advance(q, x_, middle_q_);
+    q.swap(middle_q_);
+  }
+
+  // The classical method on q as numbers; quaternions are normalised after the step.
+  template <class Accelerate>
+  int runge_kutta(double h, State& q, State& v, Accelerate accelerate) {
+    middle_q_ = q;
+    middle_v_ = v;
+    std::fill(q_sum_.begin(), q_sum_.end(), 0.0);
+    std::fill(v_sum_.begin(), v_sum_.end(), 0.0);
+    for (std::size_t k = 0; k < kNode.size(); ++k) {
+      if (k > 0) {
+        move(q, kNode[k] * h, q_rate_, middle_q_);
+        move(v, kNode[k] * h, a_, middle_v_);
+      }
+      if (const int failed = accelerate(middle_q_, middle_v_, none_, a_)) return failed;
+      manifold::rate(middle_q_, middle_v_, q_rate_);
+      move(q_sum_, kWeight[k] / 6, q_rate_, q_sum_);
+      move(v_sum_, kWeight[k] / 6, a_, v_sum_);
+    }
+    move(q, h, q_sum_, q);
+    move(v, h, v_sum_, v);
+    manifold::normalise(q);
+    return kFine;
+  }
+
+  // Runge-Kutta-Munthe-Kaas: the same method on local coordinates about the step's start.
+  template <class Accelerate>
+  int munthe_kaas(double h, State& q, State& v, Accelerate accelerate) {
+    middle_q_ = q;
+    middle_v_ = v;
+    for (State* x : {&x_, &x_sum_, &v_sum_}) std::fill(x->begin(), x->end(), 0.0);
+    for (std::size_t k = 0; k < kNode.size(); ++k) {
+      if (k > 0) {
+        for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = kNode[k] * h * x_rate_[i];
+        manifold::advance(q, x_, middle_q_);
+        move(v, kNode[k] * h, a_, middle_v_);
+      }
+      if (const int failed = accelerate(middle_q_, middle_v_, none_, a_)) return failed;
+      manifold::local_rate(middle_q_, x_, middle_v_, x_rate_);
+      move(x_sum_, h * kWeight[k] / 6, x_rate_, x_sum_);
+      move(v_sum_, h * kWeight[k] / 6, a_, v_sum_);
+    }
+    manifold::advance(q, x_sum_, middle_q_);
+    q.swap(middle_q_);
+    move(v, 1, v_sum_, v);
+    manifold::normalise(q);
+    return kFine;
+  }
+
+  State middle_q_, middle_v_, q_rate_, a_, q_sum_, v_sum_, x_, x_rate_, x_sum_;
+  State none_;  // no extra torques
+  PassiveTerms passive_;
+};
+
+// Where --trajectory goes: times, configurations and velocities as CSV, a line each, or as .npz
+// (numpy: time (T), q (T, nq), v (T, nv), and the joints' names).
+class Trajectory {
+ public:
+  static constexpr double kMostBytes = 4e9;  // a member of a zip file without 64-bit extensions
+
+  static bool is_npz(const std::string& path) { return ends_with(path, ".npz"); }
+  static bool is_known(const std::string& path) { return is_npz(path) || ends_with(path, ".csv"); }
+
+  // False where the file cannot be written.
+  bool open(const std::string& path) {
+    path_ = path;
+    if (path.empty()) return true;
+    file_.reset(std::fopen(path.c_str(), "wb"));
+    if (file_ == nullptr) return false;
+    if (!is_npz(path)) write_names();
+    return true;
+  }
+
+  void record(double time, const std::vector<double>& q, const std::vector<double>& v) {
+    if (file_ == nullptr) return;
+    if (is_npz(path_)) {
+      times_.push_back(time);
+      q_.insert(q_.end(), q.begin(), q.end());
+      v_.insert(v_.end(), v.begin(), v.end());
+      return;
+    }
+    std::fprintf(file_.get(), "%.17g", time);
+    for (const std::vector<double>* values : {&q, &v})
+      for (const double x : *values) std::fprintf(file_.get(), ",%.17g", x);
+    std::fputc('\n', file_.get());
+  }
+
+  // False where writing has failed.
+  bool close() {
+    if (file_ == nullptr) return true;
+    if (is_npz(path_)) write_archive();
+    const bool good = std::ferror(file_.get()) == 0;
+    return std::fclose(file_.release()) == 0 && good;
+  }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  struct Member {
+    std::string name;
+    std::uint32_t check, size, offset;
+  };
+
+  static bool ends_with(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() &&
+           text.compare(text.size() - end.size(), end.size(), end) == 0;
+  }
+
+  // "time", then a name for each number: JOINT.q, or JOINT.q0 and so on where there are several.
+  void write_names() {
+    std::fputs("time", file_.get());
+    for (const char field : {'q', 'v'})
+      for (const JointConstants& joint : kJoints) {
+        std::string name;
+        for (const char* c = joint.name; *c != '\0'; ++c)
+          name += *c == '"' ? "\"\"" : std::string(1, *c);
+        const int count = field == 'q' ? joint.nq : joint.nv;
+        for (int k = 0; k < count; ++k)
+          std::fprintf(file_.get(), ",\"%s.%c%s\"", name.c_str(), field,
+                       count > 1 ? std::to_string(k).c_str() : "");
+      }
+    std::fputc('\n', file_.get());
+  }
+
+  void write_archive() {
+    std::vector<Member> members;
+    const auto rows = std::to_string(times_.size());
+    const auto add = [&](const char* name, const std::string& type, const std::string& shape,
+                         const void* data, std::size_t bytes) {
+      members.push_back(write_member(name, npy_head(type, shape), data, bytes));
+    };
+    add("time.npy", "<f8", "(" + rows + ",)", times_.data(), 8 * times_.size());
+    add("q.npy", "<f8", "(" + rows + ", " + std::to_string(kNq) + ")", q_.data(), 8 * q_.size());
+    add("v.npy", "<f8", "(" + rows + ", " + std::to_string(kNv) + ")", v_.data(), 8 * v_.size());
+    std::size_t longest = 1;
+    for (const JointConstants& joint : kJoints)
+      longest = std::max(longest, std::strlen(joint.name));
+    std::string names;  // UTF-8, padded with zeros
+    for (const JointConstants& joint : kJoints) {
+      names += joint.name;
+      names.resize((names.size() / longest + (names.size() % longest > 0)) * longest);
+    }
+    add("joints.npy", "|S" + std::to_string(longest), "(" + std::to_string(kJointCount) + ",)",
+        names.data(), names.size());
+    write_directory(members);
+  }
+
+  static std::string npy_head(const std::string& type, const std::string& shape) {
+    std::string text =
+        "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }";
+    text.resize((10 + text.size() + 1 + 63) / 64 * 64 - 11, ' ');
+    text += '\n';
+    return std::string("\x93NUMPY\x01\x00", 8) + low_bytes(text.size(), 2) + text;
+  }
+
+  static std::string low_bytes(std::uint64_t value, int count) {
+    std::string result;
+    for (int k = 0; k < count; ++k) result += static_cast<char>(value >> 8 * k & 0xFF);
+    return result;
+  }
+
+  static std::uint32_t crc32(std::uint32_t before, const void* data, std::size_t bytes) {
+    static const std::vector<std::uint32_t> table = [] {
+      std::vector<std::uint32_t> rows(256);
+      for (std::uint32_t k = 0; k < 256; ++k) {
+        std::uint32_t x = k;
+        for (int bit = 0; bit < 8; ++bit) x = x >> 1 ^ (x & 1 ? 0xEDB88320u : 0u);
+        rows[k] = x;
+      }
+      return rows;
+    }();
+    std::uint32_t x = ~before;
+    const auto* const at = static_cast<const unsigned char*>(data);
+    for (std::size_t k = 0; k < bytes; ++k) x = table[(x ^ at[k]) & 0xFF] ^ x >> 8;
+    return ~x;
+  }
+
+  // Method 0 (stored), 1 January 1980.
+  static std::string zip_fields(const Member& member) {
+    return low_bytes(20, 2) + low_bytes(0, 4) + low_bytes(0, 2) + low_bytes(0x21, 2) +
+           low_bytes(member.check, 4) + low_bytes(member.size, 4) + low_bytes(member.size, 4) +
+           low_bytes(member.name.size(), 2) + low_bytes(0, 2);
+  }
+
+  Member write_member(const char* name, const std::string& head, const void* data,
+                      std::size_t bytes) {
+    const Member member{name, crc32(crc32(0, head.data(), head.size()), data, bytes),
+                        static_cast<std::uint32_t>(head.size() + bytes), written_};
+    put(std::string("PK\x03\x04", 4) + zip_fields(member) + member.name + head);
+    if (bytes > 0) std::fwrite(data, 1, bytes, file_.get());
+    written_ += static_cast<std::uint32_t>(bytes);
+    return member;
+  }
+
+  void write_directory(const std::vector<Member>& members) {
+    const std::uint32_t start = written_;
+    for (const Member& member : members)
+      put(std::string("PK\x01\x02", 4) + low_bytes(20, 2) + zip_fields(member) + low_bytes(0, 10) +
+          low_bytes(member.offset, 4) + member.name);
+    const std::uint32_t size = written_ - start;
+    put(std::string("PK\x05\x06", 4) + low_bytes(0, 4) + low_bytes(members.size(), 2) +
+        low_bytes(members.size(), 2) + low_bytes(size, 4) + low_bytes(start, 4) + low_bytes(0, 2));
+  }
+
+  void put(const std::string& bytes) {
+    std::fwrite(bytes.data(), 1, bytes.size(), file_.get());
+    written_ += static_cast<std::uint32_t>(bytes.size());
+  }
+
+  std::string path_;
+  std::unique_ptr<std::FILE, Close> file_;
+  std::vector<double> times_, q_, v_;
+  std::uint32_t written_ = 0;
+};
+
+struct SimulationOptions {
+  double seconds = 0, step = 1e-3;  // no simulation where seconds are 0
+  const IntegratorInfo* integrator = &kIntegrators[3];
+  long long every = 1;  // steps between the rows of the trajectory
+  std::string trajectory;
+};
+
+// What the program is asked to do.
+struct Options {
+  std::string states, result, trace;
+  bool check = false, time = false, stretches = false, json = false, help = false, pin = true;
+  int repeat = 200;
+  std::uint64_t seed = 1;
+  double time_limit = 30, tolerance = kTolerance;
+  ChannelMode channel = kChannelMode;
+  int hosts = 0;  // as many as there are
+  SimulationOptions simulation;
+};
+
+enum ExitStatus : int { kDone = 0, kInputAtFault = 1, kUsage = 2, kFault = 3 };
+
+const char* const kUsageText =
+    "  --states FILE     solve these states (JSON, joints by name); --result FILE takes the "
+    "answer\n"
+    "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
+    "  --check           residual of an independent inverse dynamics, for the given or random "
+    "states\n"
+    "  --simulate S      integrate for S seconds from the one given state (or a random one), under "
+    "its\n"
+    "                    torques\n"
+    "  --step H          length of a step in seconds (0.001)\n"
+    "  --integrator NAME euler, semi-implicit, implicit, rk4 or rkmk4 (rk4)\n"
+    "  --trajectory FILE where the motion goes: FILE.csv or FILE.npz\n"
+    "  --every N         keep every Nth step of it (1), and the last\n"
+    "  --trace FILE      when each process did what, as JSON (medians over random states)\n"
+    "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
+    "                    (where there are more processes than cores, as --stretches)\n"
+    "  --stretches       time what each process computes between messages, one process at a time,\n"
+    "                    and play it through with what messages cost; stands in for --time\n"
+    "  --repeat N        evaluations of each random state when timing (200)\n"
+    "  --seed N          seed of the random states (1)\n"
+    "  --tolerance X     largest residual that --check lets pass\n"
+    "  --channel KIND    auto, window (processes share memory) or message (MPI messages)\n"
+    "  --hosts N         take the processes to be on N hosts, in equal parts: only those of one "
+    "share memory\n"
+    "  --timeout S       how long a process waits for another before it gives up, in seconds (30)\n"
+    "  --no-pin          leave the processes to the system's scheduler when timing\n"
+    "  --json            report as JSON on standard output\n"
+    "  --help            this text\n"
+    "Without --states, --check, --time, --trace or --simulate it checks and times. Exit status: 0 "
+    "done, 1 "
+    "input at "
+    "fault\n"
+    "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
+
+constexpr std::array<const char*, 5> kSimulationWords{"--simulate", "--step", "--integrator",
+                                                      "--trajectory", "--every"};
+
+// Takes one option of a simulation; number is not a number where the value is none of 0 or more.
+// Returns an empty string, or what is wrong.
+std::string parse_simulation(const std::string& word, const std::string& value, double number,
+                             SimulationOptions& options) {
+  if (word == "--integrator") {
+    std::string names;
+    for (const IntegratorInfo& info : kIntegrators) {
+      if (value == info.name) return options.integrator = &info, "";
+      names += (names.empty() ? "" : ", ") + std::string(info.name);
+    }
+    return "--integrator takes one of " + names;
+  }
+  if (word == "--trajectory") {
+    options.trajectory = value;
+    return Trajectory::is_known(value) ? "" : "--trajectory takes FILE.csv or FILE.npz";
+  }
+  if (word == "--every") {
+    options.every = number <= 1e12 ? static_cast<long long>(number) : 0;
+    const bool whole = options.every >= 1 && number == std::floor(number);
+    return whole ? "" : "--every takes a whole number from 1 to 1e12";
+  }
+  if (!(number > 0)) return word + " takes a number of seconds above 0";
+  (word == "--step" ? options.step : options.seconds) = number;
+  return "";
+}
+
+// Returns what is wrong with what was asked for together, and settles what was left open.
+std::string settle(bool simulation_words, Options& options) {
+  if (kBatch && (options.simulation.seconds > 0 || !options.trace.empty() || options.stretches))
+    return "a batch solver has neither --simulate nor --trace nor --stretches";
+  const bool others = options.check || options.time || !options.trace.empty();
+  if (options.simulation.seconds > 0) {
+    if (others || !options.result.empty())
+      return "--simulate goes alone: without --check, --time, --trace and --result";
+    return "";
+  }
+  if (simulation_words) return "--step, --integrator, --trajectory and --every need --simulate";
+  if (!options.result.empty() && options.states.empty()) return "--result needs --states";
+  if (options.json && options.result.empty() && !options.states.empty())
+    return "--json needs --result FILE where there are --states: both would go to standard output";
+  if (options.states.empty() && !others) options.check = options.time = true;
+  return "";
+}
+
+// Returns an empty string, or what is wrong.
+std::string parse(int count, char** words, Options& options) {
+  bool simulation_words = false;
+  for (int k = 1; k < count; ++k) {
+    const std::string word = words[k];
+    const auto flag = [&word](const char* name) { return word == name; };
+    if (flag("--check"))
+      options.check = true;
+    else if (flag("--time"))
+      options.time = true;
+    else if (flag("--stretches"))
+      options.time = options.stretches = true;
+    else if (flag("--json"))
+      options.json = true;
+    else if (flag("--help"))
+      options.help = true;
+    else if (flag("--no-pin"))
+      options.pin = false;
+    else {
+      const char* const known[] = {"--states",    "--result",  "--trace", "--repeat", "--seed",
+                                   "--tolerance", "--channel", "--hosts", "--timeout"};
+      const bool of_simulation =
+          std::any_of(kSimulationWords.begin(), kSimulationWords.end(), flag);
+      if (!of_simulation && std::none_of(std::begin(known), std::end(known), flag))
+        return "unknown option " + word;
+      if (k + 1 == count) return word + " needs a value";
+      const std::string value = words[++k];
+      char* end = nullptr;
+      const double number = std::strtod(value.c_str(), &end);
+      const bool numeric = !value.empty() && *end == '\0' && std::isfinite(number) && number >= 0;
+      if (of_simulation) {
+        simulation_words = true;
+        const std::string wrong =
+            parse_simulation(word, value, numeric ? number : std::nan(""), options.simulation);
+        if (!wrong.empty()) return wrong;
+      } else if (flag("--states"))
+        options.states = value;
+      else if (flag("--result"))
+        options.result = value;
+      else if (flag("--trace"))
+        options.trace = value;
+      else if (flag("--channel")) {
+        if (value == "auto")
+          options.channel = ChannelMode::kAuto;
+        else if (value == "window")
+          options.channel = ChannelMode::kWindow;
+        else if (value == "message")
+          options.channel = ChannelMode::kMessage;
+        else
+          return "--channel takes auto, window or message";
+      } else if (!numeric)
+        return word + " takes a number of 0 or more, not \"" + value + "\"";
+      else if (flag("--repeat")) {
+        if (number < 1 || number > 1e6 || number != std::floor(number))
+          return "--repeat takes a whole number from 1 to 1000000";
+        options.repeat = static_cast<int>(number);
+      } else if (flag("--seed")) {
+        if (number > 0x1p53 || number != std::floor(number))
+          return "--seed takes a whole number of 0 or more";
+        options.seed = static_cast<std::uint64_t>(number);
+      } else if (flag("--hosts")) {
+        if (number < 1 || number > kProcesses || number != std::floor(number))
+          return "--hosts takes a whole number from 1 to " + std::to_string(kProcesses) +
+                 ", that of processes";
+        options.hosts = static_cast<int>(number);
+      } else if (flag("--tolerance"))
+        options.tolerance = number;
+      else if (number <= 0 || number > 1e6)
+        return "--timeout takes a number of seconds above 0, at most 1000000";
+      else
+        options.time_limit = number;
+    }
+  }
+  return settle(simulation_words, options);
+}
+
+// Bounds the waits that the channel does not: MPI's own collective calls wait for ever for a
+// process that was stopped. Whoever sees no progress for the time limit, and a second for the
+// channel to say it better, ends, and mpiexec ends the others.
+class Watch {
+ public:
+  void start(int rank, double time_limit) {
+    std::snprintf(text(), kLength,
+                  "error: process %d: another process did not answer within the time limit\n",
+                  rank);
+    seconds_ = time_limit + 1;
+#if defined(__unix__) || defined(__APPLE__)
+    struct sigaction action = {};
+    action.sa_handler = give_up;
+    sigaction(SIGALRM, &action, nullptr);
+#endif
+    again();
+  }
+
+  // There was progress: the time starts anew.
+  void again() const {
+#if defined(__unix__) || defined(__APPLE__)
+    itimerval timer = {};
+    timer.it_value.tv_sec = static_cast<decltype(timer.it_value.tv_sec)>(seconds_);
+    timer.it_value.tv_usec =
+        static_cast<decltype(timer.it_value.tv_usec)>(1e6 * (seconds_ - std::floor(seconds_)));
+    setitimer(ITIMER_REAL, &timer, nullptr);
+#endif
+  }
+
+ private:
+  static constexpr std::size_t kLength = 100;
+
+  static char* text() {
+    static char place[kLength];
+    return place;
+  }
+
+#if defined(__unix__) || defined(__APPLE__)
+  // Only what a signal handler may call.
+  static void give_up(int) {
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, text(), std::strlen(text()));
+    _exit(kFault);
+  }
+#endif
+
+  double seconds_ = 0;
+};
+
+// The stages of each process's work, for --trace.
+constexpr std::array<Stage, 3> kStages_0{ {
+    {"kinematics", 29, -1},
+    {"assembly", 1, -1},
+    {"disassembly", 1, -1},
+} };
+constexpr std::array<Stage, 3> kStages_1{ {
+    {"kinematics", 29, -1},
+    {"assembly", 1, -1},
+    {"disassembly", 1, -1},
+} };
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data()};
+constexpr std::array<int, kProcesses> kStageCount{3, 3};
+
+struct Statistics {
+  double median = 0, least = 0, percentile99 = 0;
+};
+
+Statistics statistics(std::vector<double> ns) {
+  std::sort(ns.begin(), ns.end());
+  const auto at = [&ns](double part) {
+    return ns[std::min(ns.size() - 1,
+                       static_cast<std::size_t>(part * static_cast<double>(ns.size())))];
+  };
+  return {at(0.5), ns.front(), at(0.99)};
+}
+
+double nanoseconds(std::chrono::steady_clock::rep ticks) {
+  using Duration = std::chrono::steady_clock::duration;
+  return std::chrono::duration<double, std::nano>(Duration(ticks)).count();
+}
+
+// What one look at the clock takes; each time between two looks holds one.
+double clock_cost() {
+  using Clock = std::chrono::steady_clock;
+  double best = 1e9;
+  for (int k = 0; k < 64; ++k) {
+    const Clock::time_point start = Clock::now();
+    for (int i = 0; i < 64; ++i) (void)Clock::now();
+    best = std::min(best, nanoseconds((Clock::now() - start).count()) / 65);
+  }
+  return best;
+}
+
+// What --trace FILE writes: when each stage of each process began and ended, as the medians over
+// many evaluations of random states; ns from the instant at which the processes start together.
+class Trace {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t kMost = 12800;  // evaluations that are kept
+
+  explicit Trace(int rank)
+      : rank_(rank),
+        stages_(kStageCount[static_cast<std::size_t>(rank)]),
+        stamps_(static_cast<std::size_t>(stages_) + 1) {}
+
+  void begin() { trace_stamps = stamps_.data(); }
+
+  // Collective. An evaluation counts from when the first process began.
+  void end(MPI_Comm comm, bool keep) {
+    trace_stamps = nullptr;
+    long long first = stamps_[0];
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_LONG_LONG, MPI_MIN, comm);
+    if (!keep || starts_.size() == kMost * (stamps_.size() - 1)) return;
+    for (std::size_t k = 0; k + 1 < stamps_.size(); ++k) {
+      starts_.push_back(nanoseconds(stamps_[k] - first));
+      lengths_.push_back(nanoseconds(stamps_[k + 1] - stamps_[k]));
+    }
+    lasts_.push_back(nanoseconds(stamps_.back() - first));
+  }
+
+  // Collective; process 0 returns the text.
+  std::string text(MPI_Comm comm, const char* channel, bool pinned) const {
+    std::vector<double> own;
+    for (int k = 0; k < stages_; ++k) {
+      own.push_back(median(starts_, k));
+      own.push_back(median(lengths_, k));
+    }
+    if (rank_ != 0) {
+      MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, comm);
+      return "";
+    }
+    std::string text = "{\"model\": " + quoted(kRobot) +
+                       ", \"processes\": " + std::to_string(kProcesses) + ", \"channel\": \"" +
+                       channel + "\", \"pinned\": " + (pinned ? "true" : "false") +
+                       ", \"evaluations\": " + std::to_string(lasts_.size()) +
+                       ", \"clock_ns\": " + number(clock_cost()) + ",\n \"stages\": [";
+    for (int p = 0; p < kProcesses; ++p) {
+      const std::size_t count = 2 * static_cast<std::size_t>(kStageCount[p]);
+      std::vector<double> times(count);
+      if (p == 0)
+        times = own;
+      else
+        MPI_Recv(times.data(), static_cast<int>(count), MPI_DOUBLE, p, kTag, comm,
+                 MPI_STATUS_IGNORE);
+      for (std::size_t k = 0; 2 * k < count; ++k)
+        text += row(p, kStages[p][k], times[2 * k], times[2 * k + 1]) + ",";
+    }
+    if (text.back() == ',') text.pop_back();
+    return text + "\n ]}\n";
+  }
+
+ private:
+  static constexpr int kTag = 0x7ace;
+
+  static std::string number(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", x);
+    return text;
+  }
+
+  static std::string row(int process, const Stage& stage, double start, double length) {
+    const std::string joint = stage.joint < 0 ? "null" : quoted(kJoints[stage.joint].name);
+    const std::string message = stage.message < 0 ? "null" : std::to_string(stage.message);
+    return "\n  {\"process\": " + std::to_string(process) + ", \"what\": \"" + stage.what +
+           "\", \"joint\": " + joint + ", \"message\": " + message +
+           ", \"start_ns\": " + number(start) + ", \"length_ns\": " + number(length) + "}";
+  }
+
+  double median(const std::vector<double>& all, int stage) const {
+    std::vector<double> one;
+    const std::size_t step = stamps_.size() - 1;
+    for (std::size_t k = static_cast<std::size_t>(stage); k < all.size(); k += step)
+      one.push_back(all[k]);
+    if (one.empty()) return 0;
+    std::nth_element(one.begin(), one.begin() + static_cast<long>(one.size() / 2), one.end());
+    return one[one.size() / 2];
+  }
+
+  int rank_, stages_;
+  std::vector<Clock::rep> stamps_;
+  std::vector<double> starts_, lengths_, lasts_;
+};
+
+// What the parts of the program share: the solver, the states at work, and how a failure is told.
+
+// Random states, the same on every machine (splitmix64).
+States random_states(int count, std::uint64_t seed) {
+  const auto uniform = [&seed] {
+    std::uint64_t z = (seed += 0x9E3779B97F4A7C15ULL);
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
+    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;  // in [-1, 1)
+  };
+  States states;
+  states.count = count;
+  const auto size = [count](int n) {
+    return static_cast<std::size_t>(count) * static_cast<std::size_t>(n);
+  };
+  states.q.resize(size(kNq));
+  states.v.resize(size(kNv));
+  states.tau.resize(size(kNtau));
+  for (int s = 0; s < count; ++s) {
+    Real* q =
+        states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Real* v =
+        states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Real* tau = states.tau.data() +
+                size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    for (const JointConstants& joint : kJoints) {
+      const bool turns = joint.kind == JointKind::kRevolute;
+      for (int k = 0; k < joint.nq; ++k)
+        q[joint.q + k] = static_cast<Real>(turns ? 3.141592653589793 * uniform() : uniform());
+      if (joint.nq >= 4) {
+        double p[4], squared;
+        do {
+          squared = 0;
+          for (double& x : p) x = uniform(), squared += x * x;
+        } while (squared > 1 || squared < 0.01);
+        for (int k = 0; k < 4; ++k)
+          q[joint.q + joint.nq - 4 + k] = static_cast<Real>(p[k] / std::sqrt(squared));
+      }
+      for (int k = 0; k < joint.nv; ++k) {
+        v[joint.v + k] = static_cast<Real>(uniform());
+        tau[joint.v + k] = static_cast<Real>(uniform());
+      }
+    }
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Real>(uniform());
+    slave(q, v);
+  }
+  return states;
+}
+
+// The states file, read by process 0 and handed to all.
+int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
+  int status = kDone;
+  if (rank == 0) {
+    std::ifstream file(path, std::ios::binary);
+    file.peek();  // tells a folder from a file
+    std::ostringstream text;
+    if (!file.bad()) text << file.rdbuf();
+    std::string wrong;
+    if (!file.is_open() || file.bad())
+      wrong = " error: cannot read the states file";
+    else
+      wrong = StatesReader(text.str()).read(states);
+    if (!wrong.empty()) {
+      std::fprintf(stderr, "%s:%s\n", path.c_str(), wrong.c_str());
+      status = kInputAtFault;
+    }
+  }
+  MPI_Bcast(&status, 1, MPI_INT, 0, comm);
+  if (status != kDone) return status;
+  MPI_Bcast(&states.count, 1, MPI_INT, 0, comm);
+  const auto share = [&](std::vector<Real>& x, int n) {
+    x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
+    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiReal, 0, comm);
+  };
+  if (kBatch) return status;  // handed out as they are solved
+  share(states.q, kNq);
+  share(states.v, kNv);
+  share(states.tau, kNtau);
+  return status;
+}
+
+struct Session {
+  Options options;
+  int rank;
+  Watch watch;
+  Solver solver;
+  States states;
+  std::vector<Real> qdd;  // one acceleration after the other
+  bool pinned = false;
+
+  Session(Options given, int own_rank) : options(std::move(given)), rank(own_rank) {}
+
+  MPI_Comm comm() const { return solver.channel.comm(); }
+  const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
+  const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
+  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
+  Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
+
+  void use(States given) {
+    states = std::move(given);
+    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Real(0));
+  }
+
+  int complain(int status, const std::string& what, const std::string& file = "") const {
+    const std::string place = file.empty() ? "" : file + ": ";
+    if (rank == 0) std::fprintf(stderr, "%serror: %s\n", place.c_str(), what.c_str());
+    return status;
+  }
+
+  // A process that waited in vain cannot be waited for: the whole run ends.
+  void give_up_if_broken(int failed) const {
+    if (failure_kind(failed) != kNoAnswer) return;
+    std::fprintf(stderr, "error: process %d: %s\n", rank, describe(failed).c_str());
+    std::fflush(stderr);
+    MPI_Abort(MPI_COMM_WORLD, kFault);
+  }
+
+  const char* channel_name() const {
+    if (kProcesses == 1) return "none";
+    return solver.channel.name();
+  }
+};
+
+// The cores that the processes on this node may use: whether there is one for each of them.
+class Cores {
+ public:
+  // Collective.
+  explicit Cores(MPI_Comm comm) : comm_(comm) {
+    MPI_Comm node;
+    int processes = 1;
+    MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+    MPI_Comm_rank(node, &place_);
+    MPI_Comm_size(node, &processes);
+#if defined(__linux__)
+    CPU_ZERO(&own_);
+    cpu_set_t all;
+    known_ = sched_getaffinity(0, sizeof own_, &own_) == 0;
+    // Each may be bound to one of its own.
+    MPI_Allreduce(&own_, &all, static_cast<int>(sizeof all), MPI_BYTE, MPI_BOR, node);
+    count_ = CPU_COUNT(&all);
+    own_is_enough_ = known_ && CPU_COUNT(&own_) >= processes;
+#endif
+    if (count_ == 0) count_ = static_cast<int>(std::thread::hardware_concurrency());
+    int enough = count_ == 0 || count_ >= processes;
+    MPI_Allreduce(MPI_IN_PLACE, &enough, 1, MPI_INT, MPI_MIN, comm);
+    enough_ = enough != 0;
+    MPI_Comm_free(&node);
+  }
+
+  // Whether every process, on any node, can have one to itself.
+  bool enough() const { return enough_; }
+
+  int count() const { return count_; }
+
+  // Collective. Each process onto one of its own, if there are as many; whether all are.
+  bool pin() const {
+    int pinned = own_is_enough_ && pin_to(place_);
+    MPI_Allreduce(MPI_IN_PLACE, &pinned, 1, MPI_INT, MPI_MIN, comm_);
+    return pinned != 0;
+  }
+
+  // This process onto one that others may have, too.
+  void pin_in_turn() const { pin_to(place_); }
+
+ private:
+  // Onto the k-th of those that this process may use, counted round and round.
+  bool pin_to([[maybe_unused]] int k) const {
+#if defined(__linux__)
+    if (!known_) return false;
+    k %= CPU_COUNT(&own_);
+    int cpu = 0;
+    for (; cpu < CPU_SETSIZE; ++cpu)
+      if (CPU_ISSET(cpu, &own_) && k-- == 0) break;
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(cpu, &one);
+    return sched_setaffinity(0, sizeof one, &one) == 0;
+#else
+    return false;
+#endif
+  }
+
+  MPI_Comm comm_;
+  int place_ = 0, count_ = 0;
+  bool enough_ = true, own_is_enough_ = false;
+#if defined(__linux__)
+  bool known_ = false;
+  cpu_set_t own_;
+#endif
+};
+
+// A process's part in an evaluation: the messages that it sends and receives, in order, and how
+// long it computes before each and after the last; ns.
+struct Part {
+  std::vector<int> messages;
+  std::vector<double> stretches;  // one more than messages
+};
+
+// What a message costs, ns: its sender, from sent to seen, and per number to put it in and take it
+// out again.
+struct Hop {
+  double send, latency, number;
+};
+
+// When the last process is done, were all to begin together on cores of their own: their parts
+// played through, each message of a process waited for.
+inline double makespan(const std::vector<Part>& parts, const std::vector<MessageInfo>& messages,
+                       const Hop& hop) {
+  std::vector<double> clock(parts.size(), 0);
+  std::vector<std::size_t> at(parts.size(), 0), received(messages.size(), 0);
+  std::vector<std::vector<double>> sent(messages.size());  // when, each time
+  const auto advance = [&](std::size_t p) {
+    const std::size_t k = static_cast<std::size_t>(parts[p].messages[at[p]]);
+    const double ready = clock[p] + parts[p].stretches[at[p]];
+    const double copying = hop.number * messages[k].size / 2;
+    if (messages[k].source == static_cast<int>(p)) {
+      clock[p] = ready + hop.send + copying;
+      sent[k].push_back(clock[p]);
+    } else {
+      if (received[k] == sent[k].size()) return false;  // not sent yet
+      clock[p] = std::max(ready, sent[k][received[k]++] + hop.latency) + copying;
+    }
+    ++at[p];
+    return true;
+  };
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (std::size_t p = 0; p < parts.size(); ++p)
+      while (at[p] < parts[p].messages.size() && advance(p)) moved = true;
+  }
+  double last = 0;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    last = std::max(last, clock[p] + parts[p].stretches.back());
+  return last;
+}
+
+// As the cost profile default has them.
+constexpr Hop kWindowHop{0, 58.7, 0.934};
+constexpr Hop kMessageHop{0, 357, 12.5};
+
+// What messages cost on a channel.
+inline const Hop& hop_of(const Channel& channel) {
+  return channel.windowed() ? kWindowHop : kMessageHop;
+}
+
+// How long an evaluation would take if each process had a core of its own, where they have not: its
+// processes compute one at a time, the others asleep, with the messages that they have once had
+// (take.hpp); then these stretches and what messages cost are played through (makespan.hpp).
+class Stretches {
+ public:
+  explicit Stretches(Session& session) : session_(session) {}
+
+  // Collective. Evaluates each state of the session by evaluate(s), which returns its status; is
+  // told before each turn, and after it. Returns the first failure.
+  template <class Evaluate, class Turn>
+  int measure(Evaluate evaluate, Turn turn) {
+    takes_.assign(count(), Take());
+    lengths_.assign(count(), {});
+    int failed = record(evaluate);
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (failed != kFine) return failed;
+    const int repeat = evaluations() / session_.states.count, rounds = std::min(kRounds, repeat);
+    for (int round = 0; round < rounds; ++round)
+      for (int p = 0; p < kProcesses; ++p) {
+        rest();
+        if (p != session_.rank) continue;
+        turn();
+        play(evaluate, repeat * (round + 1) / rounds - repeat * round / rounds);
+      }
+    rest();
+    return kFine;
+  }
+
+  // Of each state, at most as many as are kept.
+  int evaluations() const {
+    return std::min(session_.options.repeat, kMost) * session_.states.count;
+  }
+
+  // Collective. Over the states, at process 0: medians of the stretches played through, and the
+  // least of all. Holds one look at the clock, as other times do.
+  Statistics played_through() {
+    const std::vector<std::vector<double>> told = bring_together();
+    if (session_.rank != 0) return {};
+    const std::vector<MessageInfo> messages(kMessages.begin(), kMessages.end());
+    std::vector<const double*> next;
+    for (const std::vector<double>& one : told) next.push_back(one.data());
+    work_.assign(kProcesses, 0);
+    std::vector<double> typical, least;
+    for (std::size_t s = 0; s < count(); ++s) {
+      std::vector<Part> medians(kProcesses), leasts(kProcesses);
+      for (std::size_t p = 0; p < kProcesses; ++p) {
+        next[p] = read(next[p], medians[p], leasts[p]);
+        for (const double ns : medians[p].stretches) work_[p] += ns / static_cast<double>(count());
+      }
+      typical.push_back(makespan(medians, messages, hop()) + look_);
+      least.push_back(makespan(leasts, messages, hop()) + look_);
+    }
+    Statistics found = statistics(std::move(typical));
+    found.least = *std::min_element(least.begin(), least.end());
+    return found;
+  }
+
+  // For how long each process computes in an evaluation, ns, as last played through.
+  const std::vector<double>& work() const { return work_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr int kTag = 0x57e7, kRounds = 5, kMost = 1000;
+
+  std::size_t count() const { return static_cast<std::size_t>(session_.states.count); }
+  const Hop& hop() const { return hop_of(session_.solver.channel); }
+
+  template <class Evaluate>
+  int record(Evaluate evaluate) {
+    int failed = kFine;
+    for (int s = 0; s < session_.states.count; ++s) {
+      Take& take = takes_[static_cast<std::size_t>(s)];
+      take.record();
+      session_.solver.channel.use(&take);
+      const int found = evaluate(s);
+      session_.solver.channel.use(nullptr);
+      session_.give_up_if_broken(found);
+      if (failed == kFine) failed = found;
+    }
+    return failed;
+  }
+
+  // A turn: all states as often as asked for, after once to warm up.
+  template <class Evaluate>
+  void play(Evaluate evaluate, int passes) {
+    look_ = clock_cost();
+    for (int pass = -1; pass < passes; ++pass)
+      for (int s = 0; s < session_.states.count; ++s) {
+        Take& take = takes_[static_cast<std::size_t>(s)];
+        take.play();
+        session_.solver.channel.use(&take);
+        const Clock::rep start = Clock::now().time_since_epoch().count();
+        evaluate(s);
+        const Clock::rep end = Clock::now().time_since_epoch().count();
+        session_.solver.channel.use(nullptr);
+        if (pass >= 0) keep(start, take.looks(), end, lengths_[static_cast<std::size_t>(s)]);
+      }
+  }
+
+  void keep(Clock::rep start, const std::vector<Clock::rep>& looks, Clock::rep end,
+            std::vector<double>& lengths) const {
+    for (std::size_t k = 0; k <= looks.size(); ++k) {
+      const Clock::rep until = k < looks.size() ? looks[k] : end;
+      lengths.push_back(std::max(0.0, nanoseconds(until - start) - look_));
+      start = until;
+    }
+  }
+
+  // Waits for the others, asleep: whoever computes is not disturbed.
+  void rest() const {
+    MPI_Request request;
+    MPI_Ibarrier(session_.comm(), &request);
+    for (int done = 0; MPI_Test(&request, &done, MPI_STATUS_IGNORE), !done;)
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    session_.watch.again();
+  }
+
+  // Collective. At process 0, for each process what it found of all states, one after the other:
+  // number of messages, the messages, then medians and least of their stretches.
+  std::vector<std::vector<double>> bring_together() {
+    std::vector<double> own;
+    for (std::size_t s = 0; s < count(); ++s) {
+      const std::vector<int>& messages = takes_[s].messages();
+      own.push_back(static_cast<double>(messages.size()));
+      own.insert(own.end(), messages.begin(), messages.end());
+      const std::vector<Statistics> found = of_stretches(lengths_[s], messages.size() + 1);
+      for (const Statistics& one : found) own.push_back(one.median);
+      for (const Statistics& one : found) own.push_back(one.least);
+    }
+    std::vector<std::vector<double>> all(kProcesses);
+    if (session_.rank != 0) {
+      MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, session_.comm());
+      return all;
+    }
+    all[0] = std::move(own);
+    for (int p = 1; p < kProcesses; ++p) {
+      MPI_Status status;
+      int size = 0;
+      MPI_Probe(p, kTag, session_.comm(), &status);
+      MPI_Get_count(&status, MPI_DOUBLE, &size);
+      all[static_cast<std::size_t>(p)].resize(static_cast<std::size_t>(size));
+      MPI_Recv(all[static_cast<std::size_t>(p)].data(), size, MPI_DOUBLE, p, kTag, session_.comm(),
+               MPI_STATUS_IGNORE);
+    }
+    return all;
+  }
+
+  static std::vector<Statistics> of_stretches(const std::vector<double>& lengths,
+                                              std::size_t stretches) {
+    std::vector<Statistics> found;
+    for (std::size_t first = 0; first < stretches; ++first) {
+      std::vector<double> one;
+      for (std::size_t k = first; k < lengths.size(); k += stretches) one.push_back(lengths[k]);
+      found.push_back(statistics(std::move(one)));
+    }
+    return found;
+  }
+
+  static const double* read(const double* from, Part& median, Part& least) {
+    const std::size_t messages = static_cast<std::size_t>(*from++);
+    median.messages.assign(from, from + messages);
+    least.messages = median.messages;
+    from += messages;
+    median.stretches.assign(from, from + messages + 1);
+    from += messages + 1;
+    least.stretches.assign(from, from + messages + 1);
+    return from + messages + 1;
+  }
+
+  Session& session_;
+  std::vector<Take> takes_;                   // of each state
+  std::vector<std::vector<double>> lengths_;  // of each state: one evaluation after the other
+  double look_ = 0;                           // at the clock
+  std::vector<double> work_;
+};
+
+// How long batches take (--time): on one process, two, four, ... and all.
+class BatchTiming {
+ public:
+  explicit BatchTiming(Session& session) : session_(session) {}
+
+  static constexpr int kStates = 1024;  // for each process
+
+  // Collective. Times batches of random states, each begun by start(), which returns when that was.
+  // Returns the first failure.
+  template <class S, class Start>
+  int measure(S& solver, Start start) {
+    const int count = kStates * (session_.rank == 0 ? kProcesses : 1);
+    session_.use(random_states(count, session_.options.seed));
+    for (int active = 1;; active = std::min(2 * active, kProcesses)) {
+      const int failed = measure_on(active, solver, start);
+      if (failed != kFine || active == kProcesses) return failed;
+    }
+  }
+
+  // Nanoseconds for each state and process, on all processes.
+  const Statistics& in_place() const { return steps_.back().in_place; }
+  const Statistics& at_root() const { return steps_.back().at_root; }
+
+  // Nothing where nothing was timed.
+  std::string json() const {
+    std::string text;
+    for (const Step& step : steps_) {
+      char words[120];
+      std::snprintf(words, sizeof words,
+                    "%s{\"processes\": %d, \"in_place\": %.4g, \"through_root\": %.4g}",
+                    text.empty() ? ", \"states_per_second\": [" : ", ", step.processes,
+                    step.per_second(step.in_place), step.per_second(step.at_root));
+      text += words;
+    }
+    return text + (text.empty() ? "" : "]");
+  }
+
+  void print(std::FILE* out) const {
+    if (steps_.empty()) return;
+    std::fprintf(out,
+                 "       states per second:  in place  per process   through 0  per process\n");
+    for (const Step& step : steps_) {
+      const double in_place = step.per_second(step.in_place);
+      const double at_root = step.per_second(step.at_root);
+      std::fprintf(out, "       %4d process%-2s   %11.3g  %11.3g %11.3g  %11.3g\n", step.processes,
+                   step.processes == 1 ? "" : "es", in_place, in_place / step.processes, at_root,
+                   at_root / step.processes);
+    }
+  }
+
+ private:
+  struct Step {
+    int processes;
+    Statistics in_place, at_root;
+    double per_second(const Statistics& ns) const { return 1e9 * processes / ns.median; }
+  };
+
+  template <class S, class Start>
+  int measure_on(int active, S& solver, Start start) {
+    std::vector<double> in_place, at_root;
+    int failed = kFine;
+    const auto time = [&](std::vector<double>* times, auto solve) {
+      const std::chrono::steady_clock::time_point begin = start();
+      const int found = solve();
+      const double ns = nanoseconds((std::chrono::steady_clock::now() - begin).count());
+      session_.give_up_if_broken(found);
+      if (failed == kFine) failed = found;
+      if (times != nullptr) times->push_back(ns / kStates);
+    };
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
+      session_.watch.again();
+      const Real *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
+      Real* const qdd = session_.acceleration(0);
+      time(pass < 0 ? nullptr : &in_place, [&] {
+        return solver.solve_batch(session_.rank < active ? kStates : 0, q, v, tau, qdd);
+      });
+      time(pass < 0 ? nullptr : &at_root, [&] {
+        return solver.solve_batch_at_root(kStates * active, q, v, tau, qdd, active - 1);
+      });
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    }
+    if (failed != kFine) return failed;
+    for (std::vector<double>* ns : {&in_place, &at_root})  // over when the last process is done
+      MPI_Allreduce(MPI_IN_PLACE, ns->data(), static_cast<int>(ns->size()), MPI_DOUBLE, MPI_MAX,
+                    session_.comm());
+    steps_.push_back({active, statistics(std::move(in_place)), statistics(std::move(at_root))});
+    return kFine;
+  }
+
+  Session& session_;
+  std::vector<Step> steps_;
+};
+
+// How long an evaluation takes (--time, --stretches), and where the time goes (--trace).
+class Timing {
+ public:
+  explicit Timing(Session& session) : session_(session) {}
+
+  int time_all() {
+    const Cores cores(session_.comm());
+    crowded_ = !cores.enough();
+    cores_ = cores.count();
+    if constexpr (kBatch) return time_batch(session_.solver, cores);
+    session_.use(random_states(kRandomStates, session_.options.seed));
+    if (crowded_ || session_.options.stretches) return time_stretches(cores);
+    session_.pinned = session_.options.pin && cores.pin();
+    std::vector<double> in_place, at_root;
+    int failed = kFine;
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine;
+         ++pass) {  // the first one warms up
+      session_.watch.again();
+      for (int s = 0; s < session_.states.count; ++s) {
+        Real* const qdd = session_.acceleration(s);
+        const Clock::time_point start = start_together();
+        const int first = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s), qdd);
+        const double in_place_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+        if (kProcesses > 1) MPI_Barrier(session_.comm());
+        const Clock::time_point start_root = Clock::now();
+        const int second =
+            session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s), qdd);
+        const double root_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
+        session_.give_up_if_broken(first);
+        session_.give_up_if_broken(second);
+        if (failed == kFine) failed = first != kFine ? first : second;
+        if (pass < 0) continue;
+        in_place.push_back(in_place_ns);
+        at_root.push_back(root_ns);
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    }
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+    // An evaluation is over when its last process is done.
+    MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
+                  MPI_MAX, session_.comm());
+    in_place_ = statistics(std::move(in_place));
+    at_root_ = statistics(std::move(at_root));
+    evaluations_ = session_.options.repeat * kRandomStates;
+    return kDone;
+  }
+
+  // Where processes share cores, or where it is asked for.
+  int time_stretches(const Cores& cores) {
+    const auto turn = [&] {
+      if (session_.options.pin) cores.pin_in_turn();
+    };
+    const auto in_place = [this](int s) {
+      return session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s),
+                                   session_.acceleration(s));
+    };
+    const auto at_root = [this](int s) {
+      return session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s),
+                                           session_.acceleration(s));
+    };
+    Stretches stretches(session_);
+    int failed = stretches.measure(at_root, turn);
+    if (failed == kFine) at_root_ = stretches.played_through();
+    if (failed == kFine) failed = stretches.measure(in_place, turn);
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+    in_place_ = stretches.played_through();
+    work_ = stretches.work();
+    evaluations_ = stretches.evaluations();
+    return kDone;
+  }
+
+  template <class S>
+  int time_batch(S& solver, const Cores& cores) {
+    session_.pinned = session_.options.pin && cores.pin();
+    int failed = kFine;
+    if constexpr (kBatch) failed = batches_.measure(solver, [this] { return start_together(); });
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random states: " + describe(failed));
+    in_place_ = batches_.in_place();
+    at_root_ = batches_.at_root();
+    evaluations_ = session_.options.repeat * BatchTiming::kStates;
+    return kDone;
+  }
+
+  // The same evaluations with time stamps between the stages of each process.
+  int trace_all() {
+    session_.use(random_states(kRandomStates, session_.options.seed));
+    if (!session_.pinned && session_.options.pin) session_.pinned = Cores(session_.comm()).pin();
+    Trace trace(session_.rank);
+    int failed = kFine;
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
+      session_.watch.again();
+      for (int s = 0; s < session_.states.count; ++s) {
+        start_together();
+        trace.begin();
+        const int found = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s),
+                                                session_.acceleration(s));
+        session_.give_up_if_broken(found);
+        trace.end(session_.comm(), pass >= 0);
+        if (failed == kFine) failed = found;
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    }
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+    const std::string text = trace.text(session_.comm(), session_.channel_name(), session_.pinned);
+    int status = kDone;
+    if (session_.rank == 0) {
+      std::ofstream file(session_.options.trace, std::ios::binary);
+      if (!(file << text << std::flush))
+        status = session_.complain(kFault, "cannot write the trace", session_.options.trace);
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
+    return status;
+  }
+
+  // Nothing where nothing was timed.
+  std::string json() const {
+    if (evaluations_ == 0) return "";
+    std::string text = ", \"time\": {\"source\": ";
+    text += work_.empty() ? "\"clock\"" : "\"stretches\"";
+    text += ", \"evaluations\": " + std::to_string(evaluations_);
+    text += session_.pinned ? ", \"pinned\": true" : ", \"pinned\": false";
+    text += figures("in_place", in_place_) + figures("through_root", at_root_);
+    std::string each;
+    for (const double ns : work_) each += (each.empty() ? "" : ", ") + whole(ns);
+    if (!each.empty()) text += ", \"work_ns\": [" + each + "]";
+    return text + batches_.json() + "}";
+  }
+
+  void print(std::FILE* out) const {
+    if (evaluations_ == 0) return;
+    std::fprintf(out, "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
+                 kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "",
+                 kBatch ? "state and process" : "evaluation");
+    if (crowded_)
+      std::fprintf(out, "       (%d cores for %d processes: a wall time %s)\n", cores_, kProcesses,
+                   kBatch ? "says little" : "would mean nothing");
+    if (!work_.empty())
+      std::fprintf(out,
+                   "       (from measured stretches of computing, one process at a time, played "
+                   "through\n        with what messages cost: %.0f ns each and %.2f per number)\n",
+                   hop().send + hop().latency, hop().number);
+    std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
+                 in_place_.median, in_place_.least, in_place_.percentile99);
+    std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n", at_root_.median,
+                 at_root_.least, at_root_.percentile99);
+    if (!work_.empty()) {
+      std::fprintf(out, "       each process computes           ");
+      for (const double ns : work_) std::fprintf(out, "%8.0f ", ns);
+      std::fprintf(out, "\n");
+    }
+    batches_.print(out);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // All processes start an evaluation at the same instant of their common clock; hosts have none.
+  Clock::time_point start_together() const {
+    if (kProcesses == 1) return Clock::now();
+    if (!session_.solver.channel.on_one_host()) {
+      MPI_Barrier(session_.comm());
+      return Clock::now();
+    }
+    Clock::rep start = 0;
+    if (session_.rank == 0)
+      start = (Clock::now() + std::chrono::microseconds(5)).time_since_epoch().count();
+    MPI_Bcast(&start, static_cast<int>(sizeof start), MPI_BYTE, 0, session_.comm());
+    const Clock::time_point at{Clock::duration(start)};
+    const Clock::time_point latest = Clock::now() + std::chrono::microseconds(50);
+    Clock::time_point now;
+    while ((now = Clock::now()) < at && now < latest) relax();
+    return now;
+  }
+
+  static std::string whole(double ns) { return std::to_string(std::llround(ns)); }
+
+  static std::string figures(const char* what, const Statistics& of) {
+    return std::string(", \"") + what + "\": {\"median_ns\": " + whole(of.median) +
+           ", \"min_ns\": " + whole(of.least) + ", \"p99_ns\": " + whole(of.percentile99) + "}";
+  }
+
+  const Hop& hop() const { return hop_of(session_.solver.channel); }
+
+  Session& session_;
+  int evaluations_ = 0;
+  bool crowded_ = false;  // not a core for each process
+  int cores_ = 0;
+  Statistics in_place_, at_root_;
+  BatchTiming batches_{session_};
+  std::vector<double> work_;  // of each process, where times are from stretches
+};
+
+// --simulate: process 0 integrates, all processes evaluate. The torques of the initial state act
+// all the time.
+class Simulation {
+ public:
+  explicit Simulation(Session& session) : on_(session) {}
+
+  // Collective.
+  int run() {
+    int status = start();
+    MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
+    if (status != kDone) return status;
+    status = kProcesses == 1 || on_.rank == 0 ? integrate() : serve();
+    MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
+    return status;
+  }
+
+  // Nothing where nothing was simulated.
+  std::string json() const {
+    if (!done_) return "";
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  ", \"simulation\": {\"integrator\": \"%s\", \"step\": %.17g, \"seconds\": %.17g, "
+                  "\"steps\": %lld, \"evaluations\": %lld, \"wall_s\": %.9g}",
+                  asked().integrator->name, asked().step, asked().seconds, steps_, evaluations_,
+                  wall_);
+    return text;
+  }
+
+  void print() const {
+    if (!done_) return;
+    std::printf(
+        "simulation  %s: %g s in %lld steps of %g s, %lld evaluations, %.3g s of wall time\n",
+        asked().integrator->name, asked().seconds, steps_, asked().step, evaluations_, wall_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr const char* kSmaller = "; take a smaller --step";
+
+  const SimulationOptions& asked() const { return on_.options.simulation; }
+
+  // The initial state and the file to write; process 0's status counts.
+  int start() {
+    if (on_.options.states.empty()) {
+      on_.use(random_states(1, on_.options.seed));
+    } else {
+      const int status = load(on_.options.states, on_.comm(), on_.rank, on_.states);
+      if (status != kDone) return status;
+      if (on_.states.count != 1)
+        return on_.complain(
+            kInputAtFault, std::to_string(on_.states.count) + " states; a simulation starts at one",
+            on_.options.states);
+    }
+    const double steps = std::ceil(asked().seconds / asked().step * (1 - 1e-12));
+    if (steps > 1e12) return on_.complain(kUsage, "--simulate: more than 1e12 steps");
+    steps_ = std::max(1LL, static_cast<long long>(steps));
+    if (on_.rank != 0) return kDone;
+    const std::string& path = asked().trajectory;
+    const double rows = static_cast<double>(steps_) / static_cast<double>(asked().every) + 2;
+    if (Trajectory::is_npz(path) && rows * 8 * std::max(kNq, kNv) > Trajectory::kMostBytes)
+      return on_.complain(kUsage,
+                          "the trajectory has too many rows for .npz; say --every N or .csv");
+    if (!trajectory_.open(path)) return on_.complain(kFault, "cannot write the trajectory", path);
+    return kDone;
+  }
+
+  // Evaluates for process 0 until that says that it is over.
+  int serve() {
+    if (kProcess[static_cast<std::size_t>(on_.rank)].v_count == 0) return kDone;
+    for (int status = kFine; failure_kind(status) != kEnded;) {
+      status = on_.solver.solve_at_root(nullptr, nullptr, nullptr, nullptr);
+      on_.give_up_if_broken(status);
+      tick();
+    }
+    return kDone;
+  }
+
+  int integrate() {
+    q_.assign(on_.q(0), on_.q(0) + kNq);
+    v_.assign(on_.v(0), on_.v(0) + kNv);
+    const Clock::time_point began = next_ = Clock::now();
+    next_shown_ = began + std::chrono::seconds(1);
+    std::string wrong = follow();
+    wall_ = std::chrono::duration<double>(Clock::now() - began).count();
+    if (told_) std::fputc('\n', stderr);
+    on_.give_up_if_broken(on_.solver.end_at_root());
+    if (!trajectory_.close())
+      return on_.complain(kFault, "cannot write the trajectory", asked().trajectory);
+    if (!wrong.empty()) return on_.complain(kInputAtFault, wrong, on_.options.states);
+    done_ = true;
+    return kDone;
+  }
+
+  // Takes all steps; returns an empty string, or what stopped it.
+  std::string follow() {
+    Stepper stepper;
+    manifold::normalise(q_);
+    trajectory_.record(0, q_, v_);
+    for (long long k = 0; k < steps_; ++k) {
+      const double time = static_cast<double>(k) * asked().step;
+      const double next = k + 1 < steps_ ? time + asked().step : asked().seconds;
+      const int failed = stepper.step(asked().integrator->kind, next - time, q_, v_,
+                                      [this](const auto& q, const auto& v, const auto& extra,
+                                             auto& a) { return accelerate(q, v, extra, a); });
+      on_.give_up_if_broken(failed);
+      if (failed != kFine) return describe(failed) + at(time) + (k > 0 ? kSmaller : "");
+      slave(q_.data(), v_.data());
+      const int joint = not_finite();
+      if (joint >= 0)
+        return "joint " + quoted(kJoints[joint].name) + ": its state is not finite" + at(next) +
+               kSmaller;
+      if ((k + 1) % asked().every == 0 || k + 1 == steps_) trajectory_.record(next, q_, v_);
+      show(next);
+    }
+    return "";
+  }
+
+  static std::string at(double time) {
+    char text[40];
+    std::snprintf(text, sizeof text, ", at t = %.9g s", time);
+    return text;
+  }
+
+  int accelerate(const manifold::State& q, const manifold::State& v, const manifold::State& extra,
+                 manifold::State& a) {
+    std::copy(q.begin(), q.end(), real_q_.begin());
+    std::copy(v.begin(), v.end(), real_v_.begin());
+    std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
+    for (std::size_t k = 0; k < extra.size(); ++k)
+      real_tau_[k] = static_cast<Real>(double(real_tau_[k]) + extra[k]);
+    const int status =
+        on_.solver.solve_at_root(real_q_.data(), real_v_.data(), real_tau_.data(), real_a_.data());
+    std::copy(real_a_.begin(), real_a_.end(), a.begin());
+    ++evaluations_;
+    return status;
+  }
+
+  // The first joint whose state is not finite, or -1.
+  int not_finite() const {
+    const auto good = [](double x) { return std::isfinite(x); };
+    for (int j = 0; j < kJointCount; ++j) {
+      const auto q = q_.begin() + kJoints[j].q, v = v_.begin() + kJoints[j].v;
+      if (!std::all_of(q, q + kJoints[j].nq, good) || !std::all_of(v, v + kJoints[j].nv, good))
+        return j;
+    }
+    return -1;
+  }
+
+  // True about every tenth of a second; the watch hears of progress then.
+  bool tick() {
+    const Clock::time_point now = Clock::now();
+    if (now < next_) return false;
+    next_ = now + std::chrono::milliseconds(100);
+    on_.watch.again();
+    return true;
+  }
+
+  // Progress on stderr, on runs over a second: a bar that moves on a terminal, else a line every
+  // ten seconds.
+  void show(double time) {
+    if (!tick() || next_ < next_shown_) return;
+#if defined(__unix__) || defined(__APPLE__)
+    const bool moves = isatty(STDERR_FILENO) != 0;
+#else
+    const bool moves = false;
+#endif
+    next_shown_ = next_ + std::chrono::seconds(moves ? 0 : 10);
+    const double part = time / asked().seconds;
+    std::string bar(30, ' ');
+    std::fill_n(bar.begin(), static_cast<int>(30 * part), '#');
+    std::fprintf(stderr, "%ssimulating [%s] %3.0f %%, %.4g of %g s%s", moves ? "\r" : "",
+                 bar.c_str(), 100 * part, time, asked().seconds, moves ? "" : "\n");
+    told_ = moves;
+  }
+
+  Session& on_;
+  Trajectory trajectory_;
+  manifold::State q_, v_;
+  std::array<Real, kNq> real_q_{};
+  std::array<Real, kNv> real_v_{}, real_a_{};
+  std::array<Real, kNtau> real_tau_{};
+  bool done_ = false, told_ = false;
+  long long steps_ = 0, evaluations_ = 0;
+  double wall_ = 0;
+  Clock::time_point next_{}, next_shown_{};
+};
+
+// The sizes of the corrections of all states, for people and programs: errors before each step.
+class Corrections {
+ public:
+  template <class AnySolver>
+  void note([[maybe_unused]] const AnySolver& solver) {
+    if constexpr (kRefine > 0)
+      for (const double size : solver.w.refinement.corrections) sizes_.push_back(size);
+  }
+
+  // As a member of a JSON object, a comma before it; nothing without refinement.
+  std::string json() const {
+    if (sizes_.empty()) return "";
+    std::string text = ", \"refine\": {\"steps\": " + std::to_string(kRefine);
+    for (const double part : {0.5, 1.0}) {
+      text += part < 1 ? ", \"correction_median\": [" : ", \"correction_max\": [";
+      for (int k = 0; k < kRefine; ++k) text += (k == 0 ? "" : ", ") + number(at(k, part));
+      text += "]";
+    }
+    return text + "}";
+  }
+
+  // The same of every state, for the result file.
+  std::string every() const {
+    if (sizes_.empty()) return "";
+    std::string text = ", \"corrections\": [";
+    for (std::size_t s = 0; s < sizes_.size(); s += kRefine) {
+      text += s == 0 ? "[" : ", [";
+      for (std::size_t k = 0; k < kRefine; ++k)
+        text += (k == 0 ? "" : ", ") + number(sizes_[s + k]);
+      text += "]";
+    }
+    return text + "]";
+  }
+
+  void print(std::FILE* out) const {
+    if (sizes_.empty()) return;
+    for (int k = 0; k < kRefine; ++k)
+      std::fprintf(out, "refine error before step %d: median %.1e, largest %.1e\n", k + 1,
+                   at(k, 0.5), at(k, 1));
+  }
+
+ private:
+  // Of correction k, the least value that a part of all states does not exceed.
+  double at(int k, double part) const {
+    std::vector<double> of_step;
+    for (std::size_t s = static_cast<std::size_t>(k); s < sizes_.size(); s += kRefine)
+      of_step.push_back(sizes_[s]);
+    std::sort(of_step.begin(), of_step.end());
+    const double place = part * static_cast<double>(of_step.size() - 1);
+    return of_step[static_cast<std::size_t>(place)];
+  }
+
+  // Infinity is no JSON number.
+  static std::string number(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", x);
+    return std::isfinite(x) ? text : "null";
+  }
+
+  std::vector<double> sizes_;
+};
+
+// The program around the solver: solves given states, checks, times, simulates, reports.
+
+class Program {
+ public:
+  Program(Options options, int rank) : session_(std::move(options), rank) {}
+
+  int run() {
+    const Options& options = session_.options;
+    session_.watch.start(session_.rank, options.time_limit);
+    const std::string wrong = session_.solver.channel.open(MPI_COMM_WORLD, options.channel,
+                                                           options.time_limit, options.hosts);
+    if (!wrong.empty()) return session_.complain(kFault, wrong);
+    int status = options.simulation.seconds > 0 ? simulation_.run() : answer();
+    const auto also = [&status](bool asked, auto task) {
+      if (!asked || status == kFault || status == kUsage) return;
+      const int found = task();
+      if (status == kDone) status = found;
+    };
+    also(options.time, [this] { return timing_.time_all(); });
+    also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (status != kFault) collect_warnings();
+    if (session_.rank == 0 && status != kFault) report();
+    session_.watch.again();
+    session_.solver.channel.close();
+    return status;
+  }
+
+ private:
+  // Solves the given states, or random ones to be checked.
+  int answer() {
+    const Options& options = session_.options;
+    int status = kDone;
+    if (!options.states.empty()) {
+      status = load(options.states, session_.comm(), session_.rank, session_.states);
+      const bool loaded = status == kDone;
+      if (loaded) status = solve_all();
+      if ((status == kDone || (kBatch && loaded)) && session_.rank == 0) {
+        const std::string path = options.result.empty() ? "/dev/stdout" : options.result;
+        if (!write_result(path, session_.qdd, session_.states.count, corrections_.every()))
+          status = session_.complain(kFault, "cannot write the result", path);
+      }
+      MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
+    } else if (options.check) {
+      session_.states = random_states(kRandomStates, options.seed);
+      status = solve_all();
+    }
+    session_.watch.again();
+    if (status == kDone && options.check) status = check_all();
+    return status;
+  }
+
+  // Accelerations of all states, in place, then gathered at process 0.
+  int solve_all() {
+    Session& on = session_;
+    on.use(std::move(on.states));
+    if constexpr (kBatch) return solve_many(on.solver);
+    int failed = kFine, at = 0;
+    for (int s = 0; s < on.states.count && failed == kFine; ++s) {
+      on.watch.again();
+      failed = on.solver.solve(on.q(s), on.v(s), on.tau(s), on.acceleration(s));
+      on.give_up_if_broken(failed);
+      corrections_.note(on.solver);
+      // Processes that share no joint's motion do not hear of each other's failures by themselves.
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
+      at = s;
+    }
+    if (failed != kFine)
+      return on.complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
+                         on.options.states);
+    return bring_together();
+  }
+
+  // As many states at once as there are lanes. States that fail are named, all others solved.
+  template <class S>
+  int solve_many(S& solver) {
+    constexpr int kNamed = 20;
+    Session& on = session_;
+    int status = kDone;
+    if constexpr (kBatch) {
+      on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
+                                                      on.acceleration(0)));
+      solved_ = on.states.count;
+      for (std::size_t k = 0; solver.failed_state(k) >= 0; ++k, --solved_) {
+        status = kInputAtFault;
+        if (k < kNamed) on.complain(status, solver.text, on.options.states);
+        if (k == kNamed) on.complain(status, "and more states", on.options.states);
+      }
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
+    return status;
+  }
+
+  int bring_together() {
+    Session& on = session_;
+    solved_ = on.states.count;
+    // Each process wrote its own joints and left the others zero.
+    void* const all = on.qdd.data();
+    const int size = static_cast<int>(on.qdd.size());
+    if (on.rank == 0)
+      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiReal, MPI_SUM, 0, on.comm());
+    else
+      MPI_Reduce(all, nullptr, size, kMpiReal, MPI_SUM, 0, on.comm());
+    return kDone;
+  }
+
+  int check_all() {
+    Session& on = session_;
+    int status = kDone;
+    if (on.rank == 0) {
+      std::vector<double> residuals;
+      for (int s = 0; s < on.states.count; ++s)
+        residuals.push_back(check::residual(on.q(s), on.v(s), on.tau(s), on.acceleration(s)));
+      std::sort(residuals.begin(), residuals.end());
+      residual_median_ = residuals[residuals.size() / 2];
+      residual_max_ = residuals.back();
+      checked_ = true;
+      if (!(residual_max_ <= on.options.tolerance)) status = kInputAtFault;
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
+    return status;
+  }
+
+  // What processes have met that costs digits but is no failure, told once.
+  void collect_warnings() {
+    int joint = near_lock(session_.solver.w, 0);
+    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (joint == 0) return;
+    warning_ = "joints " + names_of_run(joint - 1) +
+               ": near gimbal lock at some state: accelerations lose three digits or more";
+    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
+  }
+
+  // Shapes that join no runs of joints as one have nothing to tell.
+  template <class W>
+  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
+    return w.near_lock;
+  }
+  template <class W>
+  static int near_lock(const W&, long) {
+    return 0;
+  }
+
+  void report() const {
+    const Options& options = session_.options;
+    const bool right = residual_max_ <= options.tolerance;
+    if (options.json) {
+      std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"", quoted(kRobot).c_str(),
+                  kProcesses, session_.channel_name());
+      if (!options.states.empty() && options.simulation.seconds == 0)
+        std::printf(", \"solved\": %d", solved_);
+      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
+      if (checked_)
+        std::printf(
+            ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
+            "\"ok\": %s}",
+            residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
+                  simulation_.json().c_str());
+      return;
+    }
+    std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
+    if (checked_)
+      std::fprintf(out, "check  residual of inverse dynamics: median %.1e, largest %.1e: %s\n",
+                   residual_median_, residual_max_, right ? "right" : "WRONG");
+    corrections_.print(out);
+    timing_.print(out);
+    simulation_.print();
+  }
+
+  Session session_;
+  Timing timing_{session_};
+  Simulation simulation_{session_};
+  Corrections corrections_;
+  bool checked_ = false;
+  int solved_ = 0;
+  std::string warning_;
+  double residual_median_ = 0, residual_max_ = 0;
+};
+
+}  // namespace
+
+int main(int count, char** words) {
+  Options options;
+  const std::string wrong = parse(count, words, options);
+  MPI_Init(&count, &words);
+  int rank = 0, size = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  int status = kDone;
+  if (!wrong.empty() || (size != kProcesses && !options.help)) {
+    status = kUsage;
+    if (rank == 0 && !wrong.empty()) std::fprintf(stderr, "error: %s; see --help\n", wrong.c_str());
+    else if (rank == 0)
+      std::fprintf(stderr, "error: this solver is for exactly %d process%s, started with %d: use mpiexec -n %d\n",
+                   kProcesses, kProcesses == 1 ? "" : "es", size, kProcesses);
+  } else if (options.help) {
+    if (rank == 0) std::printf("usage: mpiexec -n %d %s [options]\n%s", kProcesses, words[0], kUsageText);
+  } else {
+    status = std::make_unique<Program>(options, rank)->run();
+  }
+  MPI_Finalize();
+  return status;
+}
+#endif  // ADAGEN_NO_MAIN
+#endif  // ADAGEN_DECLARATIONS
