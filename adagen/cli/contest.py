@@ -37,12 +37,13 @@ VARIANTS = (
     "--procs 1 --shape unrolled",
     "--procs 1 --shape kernels",
     "--procs 1 --batch",
+    "--procs 2 --batch",
     "--procs 1 --batch --scalar float",
 )
 """What adagen is asked for, in its own command line's words; what it cannot do is skipped."""
 MOST_TURNS = 16
 """Processes that are timed in turns, by their stretches, where there are fewer cores."""
-MOST_TEXT = 1_500_000
+MOST_TEXT = 2_000_000
 """Characters of a source that is still built: with more, a contest would be one of compilers."""
 
 
