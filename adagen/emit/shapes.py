@@ -117,7 +117,9 @@ def chosen_shape(plan: Plan, shape: str = "auto", *, batch: bool = False) -> str
     if shape == "auto":
         alone = len(plan.processes) == 1 and why_not_unrolled(plan) is None
         if batch:
-            shape = "unrolled" if alone and pays_unrolled_in_lanes(plan) else "kernels"
+            only = kernels.why_not(plan) is not None
+            pays = alone and (only or pays_unrolled_in_lanes(plan))
+            shape = "unrolled" if pays else "kernels"
         else:
             return "unrolled" if alone and pays_unrolled(plan) else stepwise(plan)
     reason = KNOWN[shape].why_not(plan)

@@ -13,6 +13,7 @@ from adagen.plan import Plan
 
 _MOST_FREEDOMS = 24
 _MOST_FREEDOMS_IN_LANES = 256
+_MOST_EACH_IN_LANES = 450
 _MOST_OPERATIONS = 3000  # of one process: about 20 kB of code
 _MOST_EACH = 250  # products and sums for each degree of freedom
 
@@ -77,10 +78,14 @@ def pays_unrolled(plan: Plan) -> bool:
 def pays_unrolled_in_lanes(plan: Plan) -> bool:
     """Return whether a straight line is expected to be the best shape for batches.
 
-    Its code is fetched once for all lanes, so that it is the fastest on every robot measured
-    (docs/code_shapes.md); beyond, it takes a compiler minutes.
+    Its code is fetched once for all lanes, so that it wins on large robots, too, if structure saves
+    something (docs/code_shapes.md); with more freedoms it takes a compiler minutes.
     """
-    return _freedoms(plan) <= _MOST_FREEDOMS_IN_LANES
+    freedoms = _freedoms(plan)
+    if freedoms > _MOST_FREEDOMS_IN_LANES:
+        return False
+    work = sum(one.operations.arithmetic for one in simulate(plan))
+    return work <= _MOST_EACH_IN_LANES * freedoms
 
 
 def _freedoms(plan: Plan) -> int:
