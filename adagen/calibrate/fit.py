@@ -18,7 +18,7 @@ from adagen.calibrate.nnls import nnls
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
 from adagen.plan.stages import Stage, stages
-from adagen.predict.features import Features, work_features
+from adagen.predict.features import Features, lanes_of, work_features
 from adagen.predict.straight import straight_features
 from adagen.schedule.costs import NAMES, PER_KIND, StepCosts
 
@@ -59,11 +59,12 @@ class Sample:
     def equations(self) -> list[Equation]:
         """Return one equation for each stage of work."""
         found = []
-        for p in range(len(self.plan.processes)):
+        for p, process in enumerate(self.plan.processes):
+            lanes = lanes_of(self.plan, process)
             for stage, time in self._timed(p):
                 if stage.message is None and stage.what != "slaved":
-                    steps = self.plan.processes[p].steps[stage.first : stage.last]
-                    total = work_features(steps, self.plan.joints)
+                    steps = process.steps[stage.first : stage.last]
+                    total = work_features(steps, self.plan.joints, lanes)
                     found.append(Equation(stage.what, total, time))
         return found
 

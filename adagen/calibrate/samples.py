@@ -17,6 +17,7 @@ from adagen.schedule import CostProfile, Topology
 
 HALVES = ["revolute"] * 10 + ["spherical"] * 10
 OTHERS = ["prismatic"] * 8 + ["planar"] * 8
+ROWS = ["revolute", "revolute", "revolute", "spherical", "spherical", "prismatic"]
 MIXED = ["revolute", "spherical", "revolute", "prismatic", "planar"]
 
 
@@ -31,11 +32,15 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
     others = robot("others", chain(16), OTHERS, 2)
     figure = robot("figure", tree(22, 0.3, 4), ["floating", *MIXED * 5][:22], 4)
     limbs = robot("limbs", [0, *tree(24, 0.3, 7)[1:]], ["floating", *["revolute"] * 23], 5)
+    legs = robot("legs", star(4, 6), ["revolute", *ROWS * 4], 9)
+    arms = robot("arms", star(2, 6), ["revolute", *ROWS * 2], 10)
     turned = robot("turned", chain(20), ["floating", *MIXED * 4][:20], 8)
     chosen = [
         ("segment", halves, 2, 1, "half"),
         ("segment", limbs, 2, 2, "shared"),
         ("segment", limbs, 1, 1, ""),
+        ("segment", legs, 1, 1, ""),
+        ("segment", arms, 1, 1, ""),
         ("ada", figure, 2, 3, "mixed"),
         ("ada", halves, 2, 5, "half"),
     ]

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
+from adagen.emit.shapes import stepwise
 from adagen.model.kinds import KINDS
+from adagen.plan.abreast import Limbs, limbs_abreast
 from adagen.plan.steps import (
     Accelerate,
     AccelerateRoot,
@@ -32,7 +34,7 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
-from adagen.plan.types import PlanJoint
+from adagen.plan.types import Plan, PlanJoint, Process
 from adagen.schedule.costs import StepCosts
 
 Features = dict[str, float]
@@ -115,7 +117,37 @@ def _turned(group: str, key: str, turned: bool) -> Features:
     return {f"{group}.{key}": 1, **({f"{group}.reversed": 1} if turned else {})}
 
 
-def work_features(steps: Iterable[Step], joints: Sequence[PlanJoint]) -> Features:
+Lanes = Mapping[int, Limbs]
+"""Of each joint that is passed side by side with others, the limbs that it belongs to."""
+
+_SWEPT = (Kinematics, Articulate, Accelerate)
+_SIDE_BY_SIDE: dict[type, str] = {
+    Kinematics: "kinematics",
+    Articulate: "articulate",
+    Accelerate: "accelerate",
+}
+_NUMBERS = {2: "two", 4: "four"}
+
+
+def lanes_of(plan: Plan, process: Process, shape: str = "auto") -> Lanes:
+    """Return which joints a process passes side by side; none where the shape does not do that."""
+    if (stepwise(plan) if shape == "auto" else shape) != "kernels":
+        return {}
+    return {j: limbs for limbs in limbs_abreast(plan, process) for j in limbs.members()}
+
+
+def _row_features(step: Step, kind: str, limbs: Limbs) -> Features:
+    """Of one joint of a row: the row's features, shared out."""
+    number = _NUMBERS[limbs.count]
+    found = {f"{_SIDE_BY_SIDE[type(step)]}_{number}.{kind}": 1 / limbs.count}
+    if isinstance(step, Articulate):
+        found[f"limbs.{number}"] = 1 / (limbs.count * len(limbs.rows))
+    return found
+
+
+def work_features(
+    steps: Iterable[Step], joints: Sequence[PlanJoint], lanes: Lanes | None = None
+) -> Features:
     """Return what steps of one process, done without a message between them, are made of.
 
     This is the one place where steps are added up: of what is predicted and of what is fitted to
@@ -124,16 +156,26 @@ def work_features(steps: Iterable[Step], joints: Sequence[PlanJoint]) -> Feature
     Args:
         steps: some steps of a process, in order.
         joints: the plan's joints.
+        lanes: those that are passed side by side.
     """
     total: Features = {}
     for step in steps:
-        for name, count in features(step, joints).items():
+        limbs = lanes.get(step.joint) if lanes and isinstance(step, _SWEPT) else None
+        if limbs is None:
+            found = features(step, joints)
+        else:
+            found = _row_features(step, joints[step.joint].kind, limbs)  # type: ignore[union-attr]
+        for name, count in found.items():
             total[name] = total.get(name, 0) + count
     return total
 
 
 def work_time(
-    steps: Iterable[Step], joints: Sequence[PlanJoint], costs: StepCosts, slaved: int = 0
+    steps: Iterable[Step],
+    joints: Sequence[PlanJoint],
+    costs: StepCosts,
+    slaved: int = 0,
+    lanes: Lanes | None = None,
 ) -> float:
     """Return what steps of one process take together on a core of speed 1, microseconds.
 
@@ -142,8 +184,9 @@ def work_time(
         joints: the plan's joints.
         costs: the machine's coefficients.
         slaved: number of slaved joints, each of which adds a right-hand side to every step.
+        lanes: joints that are passed side by side.
     """
-    return costs.total(work_features(steps, joints)) * (1 + slaved * costs["slaved.column"])
+    return costs.total(work_features(steps, joints, lanes)) * (1 + slaved * costs["slaved.column"])
 
 
 def step_time(step: Step, joints: Sequence[PlanJoint], costs: StepCosts, slaved: int = 0) -> float:

@@ -22,6 +22,7 @@ from adagen.plan.steps import Accelerate, Articulate, Kinematics, StartLink
 from adagen.predict.features import step_time
 from adagen.predict.simulate import predict
 from adagen.schedule import CostProfile, Schedule, Topology
+from adagen.schedule.costs import StepCosts
 from adagen.schedule.draft import Draft
 from adagen.schedule.sweeps import loads_of
 
@@ -123,7 +124,17 @@ class _Limbs:
 
     def evenly(self) -> float:
         """Time in which all processes together could do the work of all joints, microseconds."""
-        return sum(self.weight) / self.rate
+        assert self.profile.steps is not None
+        least = (self._least(j, self.profile.steps) for j in range(len(self.joints)))
+        return sum(least) / self.rate
+
+    def _least(self, joint: int, costs: StepCosts) -> float:
+        """What a joint takes at best, by itself or beside others, microseconds."""
+        kind, others = self.joints[joint].kind, self.weight[joint]
+        for group in ("kinematics", "articulate", "accelerate"):
+            rows = [costs[f"{group}_two.{kind}"] / 2, costs[f"{group}_four.{kind}"] / 4]
+            others -= max(0.0, costs[f"{group}.{kind}"] - min(rows))
+        return max(0.0, others)
 
     def layouts(self, roots: Sequence[int]) -> Iterator[Layout]:
         """Yield layouts around links that may be roots, each with a core that grows."""

@@ -27,11 +27,18 @@ PER_KIND: dict[str, tuple[str, ...]] = {
     "propagate": ("ground", "reversed", "spread"),
     "deliver": ("reversed", "load"),
     "accelerate": ("reversed",),
+    **{
+        f"{group}_{number}": ()
+        for group in ("kinematics", "articulate", "accelerate")
+        for number in ("two", "four")
+    },
 }
 """Groups with a coefficient per joint kind, and what else each has.
 
 A joint on the ground costs ``ground`` whatever its kind; ``reversed`` is added where the segment's
-root lies below the joint; the others are per handle, block or coupling.
+root lies below the joint; the others are per handle, block or coupling. What ends on a number
+prices a row of as many joints, passed side by side; the limbs that they belong to cost something
+besides, once (``limbs``).
 """
 
 OTHERS: dict[str, tuple[str, ...]] = {
@@ -39,6 +46,7 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "root": ("invert", "solve", "accelerate"),
     "free": ("base", "acceleration"),
     "slaved": ("solve", "apply", "column"),
+    "limbs": ("two", "four"),
     "process": ("evaluation",),
     "unrolled": ("evaluation", "operation", "sine", "cycle"),
 }
