@@ -83,9 +83,11 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Bo
   X.C.xx -= dot(Bx, Kx), X.C.xy -= dot(Bx, Ky), X.C.xz -= dot(Bx, Kz);
   X.C.yy -= dot(By, Ky), X.C.yz -= dot(By, Kz), X.C.zz -= dot(Bz, Kz);
   X.f += transposed_times(B, y);
-  X.A = Symmetric<T>{}, X.B = Matrix<T>{};
   X.n = torque;
-  if constexpr (!reversed) shift(X, r);
+  if constexpr (reversed)
+    X.A = Symmetric<T>{}, X.B = Matrix<T>{};
+  else
+    shift_mass(X, r);
 }
 
 // Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), by L D L^T. Whether that
