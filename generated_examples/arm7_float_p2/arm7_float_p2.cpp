@@ -564,6 +564,17 @@ ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
   X.n += cross(r, X.f);
 }
 
+// The same for a body whose A and B are zero, as a point mass's: B = rx C, A = -B rx.
+template <class T>
+ADAGEN_INLINE void shift_mass(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Vector<T> Cx{C.xx, C.xy, C.xz}, Cy{C.xy, C.yy, C.yz}, Cz{C.xz, C.yz, C.zz};
+  X.B = {Cz * r.y - Cy * r.z, Cx * r.z - Cz * r.x, Cy * r.x - Cx * r.y};
+  const Vector<T> Ax = cross(r, X.B.x), Ay = cross(r, X.B.y), Az = cross(r, X.B.z);
+  X.A = {Ax.x, Ax.y, Ax.z, Ay.y, Ay.z, Az.z};
+  X.n += cross(r, X.f);
+}
+
 // The inertia less U U^T / D, U = [n; f] and e = U / D.
 template <class T>
 ADAGEN_INLINE void subtract(Body<T>& X, const Vector<T>& n, const Vector<T>& f,
@@ -1969,9 +1980,11 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Bo
   X.C.xx -= dot(Bx, Kx), X.C.xy -= dot(Bx, Ky), X.C.xz -= dot(Bx, Kz);
   X.C.yy -= dot(By, Ky), X.C.yz -= dot(By, Kz), X.C.zz -= dot(Bz, Kz);
   X.f += transposed_times(B, y);
-  X.A = Symmetric<T>{}, X.B = Matrix<T>{};
   X.n = torque;
-  if constexpr (!reversed) shift(X, r);
+  if constexpr (reversed)
+    X.A = Symmetric<T>{}, X.B = Matrix<T>{};
+  else
+    shift_mass(X, r);
 }
 
 // Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), by L D L^T. Whether that

@@ -2,7 +2,7 @@
 //
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  root@0-3(|spine(right_hip(left_ankle@0(left_knee(left_hip|)|) | right_ankle@1(right_knee|)) | right_shoulder(left_shoulder(neck@0 | left_wrist@2(left_elbow|)) | right_wrist@3(right_elbow|))))
+// schedule  spine@0-3(root@2-3(|left_hip(right_hip(|right_knee(|right_ankle)) | left_knee(|left_ankle))) | left_shoulder@0-1(neck(right_shoulder(|right_elbow(|right_wrist))|) | left_elbow(|left_wrist)))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -112,7 +112,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr int kPlanMessages = 12;
+[[maybe_unused]] constexpr int kPlanMessages = 2;
 constexpr std::size_t kCacheLine = 64;
 constexpr bool kFloatingBase = false;
 constexpr double kTolerance = 1e-09;
@@ -600,6 +600,17 @@ ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
   X.n += cross(r, X.f);
 }
 
+// The same for a body whose A and B are zero, as a point mass's: B = rx C, A = -B rx.
+template <class T>
+ADAGEN_INLINE void shift_mass(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Vector<T> Cx{C.xx, C.xy, C.xz}, Cy{C.xy, C.yy, C.yz}, Cz{C.xz, C.yz, C.zz};
+  X.B = {Cz * r.y - Cy * r.z, Cx * r.z - Cz * r.x, Cy * r.x - Cx * r.y};
+  const Vector<T> Ax = cross(r, X.B.x), Ay = cross(r, X.B.y), Az = cross(r, X.B.z);
+  X.A = {Ax.x, Ax.y, Ax.z, Ay.y, Ay.z, Az.z};
+  X.n += cross(r, X.f);
+}
+
 // The inertia less U U^T / D, U = [n; f] and e = U / D.
 template <class T>
 ADAGEN_INLINE void subtract(Body<T>& X, const Vector<T>& n, const Vector<T>& f,
@@ -637,25 +648,15 @@ ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<
   return squared;
 }
 
-constexpr std::array<MessageInfo, 18> kMessages{ {
-    {0, 1, 54},  // 0: what hangs on "pelvis", "trunk"
-    {0, 2, 54},  // 1: what hangs on "pelvis", "trunk"
-    {0, 3, 54},  // 2: what hangs on "pelvis", "trunk"
-    {1, 0, 54},  // 3: what hangs on "pelvis", "trunk"
-    {1, 2, 54},  // 4: what hangs on "pelvis", "trunk"
-    {1, 3, 54},  // 5: what hangs on "pelvis", "trunk"
-    {2, 0, 27},  // 6: what hangs on "trunk"
-    {2, 1, 27},  // 7: what hangs on "trunk"
-    {2, 3, 27},  // 8: what hangs on "trunk"
-    {3, 0, 27},  // 9: what hangs on "trunk"
-    {3, 1, 27},  // 10: what hangs on "trunk"
-    {3, 2, 27},  // 11: what hangs on "trunk"
-    {0, 1, 52},  // 12: state
-    {1, 0, 16},  // 13: accelerations
-    {0, 2, 46},  // 14: state
-    {2, 0, 7},  // 15: accelerations
-    {0, 3, 46},  // 16: state
-    {3, 0, 7},  // 17: accelerations
+constexpr std::array<MessageInfo, 8> kMessages{ {
+    {0, 2, 27},  // 0: what hangs on "pelvis"
+    {2, 0, 27},  // 1: what hangs on "pelvis"
+    {0, 1, 0},  // 2: state
+    {1, 0, 0},  // 3: accelerations
+    {0, 2, 65},  // 4: state
+    {2, 0, 20},  // 5: accelerations
+    {0, 3, 0},  // 6: state
+    {3, 0, 0},  // 7: accelerations
 } };
 
 // What a process does in an evaluation as the others see it: the messages that it sends and
@@ -1035,9 +1036,9 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 } };
 
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns.
-constexpr int kSlotCount = 15;
-constexpr bool kAbreast = false;  // whether there are such
-constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 };
+constexpr int kSlotCount = 16;
+constexpr bool kAbreast = true;  // whether there are such
+constexpr int kSlots[kJointCount]{ 14, 8, 10, 12, 9, 11, 13, 6, 0, 2, 4, 7, 1, 3, 5 };
 
 // What a process does at a link.
 struct LinkRole {
@@ -1046,10 +1047,10 @@ struct LinkRole {
   bool parts;     // paths part at it outwards
 };
 constexpr LinkRole kRoles[4][kLinkCount]{
-    {{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
+    {{0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
+    {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
 };
 
 // What is kept where segments meet, with the joint that it belongs to.
@@ -1696,9 +1697,11 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Bo
   X.C.xx -= dot(Bx, Kx), X.C.xy -= dot(Bx, Ky), X.C.xz -= dot(Bx, Kz);
   X.C.yy -= dot(By, Ky), X.C.yz -= dot(By, Kz), X.C.zz -= dot(Bz, Kz);
   X.f += transposed_times(B, y);
-  X.A = Symmetric<T>{}, X.B = Matrix<T>{};
   X.n = torque;
-  if constexpr (!reversed) shift(X, r);
+  if constexpr (reversed)
+    X.A = Symmetric<T>{}, X.B = Matrix<T>{};
+  else
+    shift_mass(X, r);
 }
 
 // Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), by L D L^T. Whether that
@@ -2038,316 +2041,251 @@ void free_acceleration(Workspace& w) {
   as_joint_acceleration<j>(w);
 }
 
+// Limbs side by side: joints of as many limbs as there are lanes are treated together, from the
+// limbs' first joints outwards or back.
+template <int count, int rows>
+struct Limbs {
+  int slot;                 // of the first joint of the first limb
+  int joints[rows][count];  // all limbs' k-th joints, which are of one kind
+
+  using T = std::conditional_t<count == 2, Two, Four>;
+  static constexpr int kRows = rows;
+  constexpr Joints<T> at(int k) const {
+    Joints<T> result{slot + count * k, {}};
+    for (int lane = 0; lane < count; ++lane) result.joint[lane] = joints[k][lane];
+    return result;
+  }
+  // The link that a limb hangs on.
+  constexpr int near(int lane) const {
+    return kJoints[static_cast<std::size_t>(joints[0][lane])].parent;
+  }
+};
+
+constexpr int kMostNumbers = 27;  // of what is taken apart or made one: a Body
+
+// One lane of what consists of numbers alone, and all lanes made one.
+template <class T, template <class> class S, std::size_t... k>
+ADAGEN_INLINE S<Value> lane_of(const S<T>& all, int lane, std::index_sequence<k...>) {
+  T numbers[sizeof...(k)];
+  std::memcpy(numbers, &all, sizeof all);
+  const Value own[]{numbers[k][lane]...};
+  S<Value> result;
+  std::memcpy(&result, own, sizeof result);
+  return result;
+}
+template <class T, template <class> class S>
+ADAGEN_INLINE S<Value> lane(const S<T>& all, int lane) {
+  return lane_of(all, lane, std::make_index_sequence<sizeof all / sizeof(T)>{});
+}
+template <class T, std::size_t... lane>
+ADAGEN_INLINE T lanes_of(const Value (&numbers)[kWidth<T>][kMostNumbers], std::size_t k,
+                         std::index_sequence<lane...>) {
+  return T{numbers[lane][k]...};
+}
+template <class T, template <class> class S, std::size_t... k>
+ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>],
+                                std::index_sequence<k...>) {
+  Value own[kWidth<T>][kMostNumbers];
+  ADAGEN_FOR (lane, 0, kWidth<T>) std::memcpy(own[lane], sides[lane], sizeof *sides[lane]);
+  const T numbers[]{lanes_of<T>(own, k, std::make_index_sequence<kWidth<T>>{})...};
+  S<T> result;
+  std::memcpy(&result, numbers, sizeof result);
+  return result;
+}
+template <class T, template <class> class S>
+ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>]) {
+  return side_by_side<T, S>(sides, std::make_index_sequence<sizeof(S<T>) / sizeof(T)>{});
+}
+
+template <const auto& limbs>
+void outward_abreast(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  Frame<Value> frames[kWidth<T>];
+  const Frame<Value>* sides[kWidth<T>];
+  ADAGEN_FOR (lane, 0, kWidth<T>) {
+    const int near = limbs.near(lane);
+    frames[lane] = near == 0 ? ground() : frame_of(w, near == 0 ? 0 : near - 1);
+    sides[lane] = &frames[lane];
+  }
+  Frame<T> at = side_by_side<T, Frame>(sides);
+  for (int k = 0; k < limbs.kRows; ++k) step_outward<true>(w, limbs.at(k), at);
+}
+
+// Adds to bodies what the sweep finds at the links beyond a row of joints.
+template <int p, class T>
+ADAGEN_INLINE void meet_abreast(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Body<Value> none{};
+  const Body<Value>* sides[kWidth<T>];
+  bool any = false;
+  ADAGEN_FOR (lane, 0, kWidth<T>) {
+    const std::size_t link = static_cast<std::size_t>(joints.joint[lane] + 1);
+    const bool gathers = kRoles[p][link].gathers;
+    any |= gathers;
+    sides[lane] = gathers ? &w.bodies[link] : &none;
+  }
+  if (any) X += side_by_side<T, Body>(sides);
+  add_bare_link(w, joints, X);
+}
+
+// What hangs on the links that the limbs hang on.
+template <int p, const auto& limbs>
+auto inward_abreast(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  Body<T> X{};
+  for (int k = limbs.kRows - 1; k >= 0; --k) {
+    meet_abreast<p>(w, limbs.at(k), X);
+    step_inward<false>(w, limbs.at(k), X, [](const Body<T>&) {});
+  }
+  return X;
+}
+
+template <int p, const auto& limbs>
+void accelerate_abreast(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  const Motion<Value>* sides[kWidth<T>];
+  ADAGEN_FOR (lane, 0, kWidth<T>)
+    sides[lane] = &w.motions[static_cast<std::size_t>(limbs.near(lane))];
+  Motion<T> a = side_by_side<T, Motion>(sides);
+  for (int k = 0; k < limbs.kRows; ++k) {
+    const Joints<T> joints = limbs.at(k);
+    move<false>(w, joints, a);
+    ADAGEN_FOR (side, 0, kWidth<T>) {
+      const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
+      if (kRoles[p][link].parts) w.motions[link] = lane(a, side);
+    }
+  }
+}
+
+// "left_shoulder" .. "left_wrist", "right_shoulder" .. "right_wrist"
+constexpr Limbs<2, 3> kLimbs0{0, {{8, 12}, {9, 13}, {10, 14}}};
+
+// "left_hip" .. "left_ankle", "right_hip" .. "right_ankle"
+constexpr Limbs<2, 3> kLimbs1{8, {{1, 4}, {2, 5}, {3, 6}}};
+
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 4 of 15 joints: "left_hip", "left_knee", "left_ankle", "neck"; 1 more that every process computes for itself; kinematics of 1 more on the way to the ground
+// Process 0: 8 of 15 joints: "spine", "left_shoulder", "left_elbow", "left_wrist", "neck", "right_shoulder", ...; kinematics of 1 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 16, &JointConstants::q, kNotFinite);
-  require_finite(w, w.q, 25, 4, &JointConstants::q, kNotFinite);
-  require_finite(w, w.q, 38, 4, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 13, &JointConstants::v, kNotFinite);
-  require_finite(w, w.v, 20, 3, &JointConstants::v, kNotFinite);
-  require_finite(w, w.v, 30, 3, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 6, 7, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 20, 3, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 30, 3, &JointConstants::v, kNotFinite);
-  stamp(0);
-  std::copy_n(w.q + 11, 1, w.angle.data() + 2);
-  turn<block(2), block(2) + 1>(w);
-  orient<1>(w);
-  orient<3>(w);
-  orient<7>(w);
-  orient<11>(w);
-  free_base_frame<0>(w);
-  outward<1, 3>(w);  // "left_hip" .. "left_ankle"
-  outward<7, 7>(w);  // "spine"
-  outward<11, 11>(w);  // "neck"
-  stamp(1);
-  set_up_links<block(1), block(11) + 1>(w);
-  inward<0, 11, 11, true>(w);  // "neck"
-  inward<0, 1, 3, true>(w);  // "left_hip" .. "left_ankle"
-  stamp(2);
-  {  // to process 1: what hangs on "pelvis", "trunk"
-    Real* to = channel.outgoing(0, w.status);
-    to = put(to, w.bodies[1]);
-    to = put(to, w.bodies[8]);
-    channel.send(0, w.status);
-  }
-  stamp(3);
-  {  // to process 2: what hangs on "pelvis", "trunk"
-    Real* to = channel.outgoing(1, w.status);
-    to = put(to, w.bodies[1]);
-    to = put(to, w.bodies[8]);
-    channel.send(1, w.status);
-  }
-  stamp(4);
-  {  // to process 3: what hangs on "pelvis", "trunk"
-    Real* to = channel.outgoing(2, w.status);
-    to = put(to, w.bodies[1]);
-    to = put(to, w.bodies[8]);
-    channel.send(2, w.status);
-  }
-  stamp(5);
-  {  // from process 1: what hangs on "pelvis", "trunk"
-    const Real* from = channel.receive(3, w.status);
-    from = add(from, w.bodies[1]);
-    from = add(from, w.bodies[8]);
-  }
-  stamp(6);
-  {  // from process 2: what hangs on "trunk"
-    const Real* from = channel.receive(6, w.status);
-    from = add(from, w.bodies[8]);
-  }
-  stamp(7);
-  {  // from process 3: what hangs on "trunk"
-    const Real* from = channel.receive(9, w.status);
-    from = add(from, w.bodies[8]);
-  }
-  stamp(8);
-  inward<0, 7, 7, false>(w);  // "spine"
-  solve_root<0, 1>(w);
-  stamp(9);
-  accelerate<0, 7, 7>(w);  // "spine"
-  accelerate<0, 1, 3>(w);  // "left_hip" .. "left_ankle"
-  accelerate<0, 11, 11>(w);  // "neck"
-  stamp(10);
-  require_finite(w, w.answer.data(), 6, 7, &JointConstants::v, kOverflow);
-  require_finite(w, w.answer.data(), 30, 3, &JointConstants::v, kOverflow);
-  give(w, 6, 7);
-  give(w, 30, 3);
-}
-
-// Process 1: 5 of 15 joints: "root", "right_hip", "right_knee", "right_ankle", "spine"
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
-  require_finite(w, w.q, 16, 13, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 25, 26, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
-  require_finite(w, w.v, 13, 10, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 0, 6, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 13, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 20, 20, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 20, 20, &JointConstants::v, kNotFinite);
   stamp(0);
-  std::copy_n(w.q + 20, 1, w.angle.data() + 5);
-  turn<block(5), block(5) + 1>(w);
-  orient<4>(w);
-  orient<6>(w);
-  orient<7>(w);
-  free_base_frame<0>(w);
-  outward<4, 6>(w);  // "right_hip" .. "right_ankle"
-  outward<7, 7>(w);  // "spine"
-  stamp(1);
-  set_up_links<block(0), block(7) + 1>(w);
-  place<1, true>(w);  // "pelvis" itself
-  place<8, true>(w);  // "trunk" itself
-  free_base<0, false>(w);
-  inward<1, 4, 6, false>(w);  // "right_hip" .. "right_ankle"
-  stamp(2);
-  {  // to process 0: what hangs on "pelvis", "trunk"
-    Real* to = channel.outgoing(3, w.status);
-    to = put(to, w.bodies[1]);
-    to = put(to, w.bodies[8]);
-    channel.send(3, w.status);
-  }
-  stamp(3);
-  {  // to process 2: what hangs on "pelvis", "trunk"
-    Real* to = channel.outgoing(4, w.status);
-    to = put(to, w.bodies[1]);
-    to = put(to, w.bodies[8]);
-    channel.send(4, w.status);
-  }
-  stamp(4);
-  {  // to process 3: what hangs on "pelvis", "trunk"
-    Real* to = channel.outgoing(5, w.status);
-    to = put(to, w.bodies[1]);
-    to = put(to, w.bodies[8]);
-    channel.send(5, w.status);
-  }
-  stamp(5);
-  {  // from process 0: what hangs on "pelvis", "trunk"
-    const Real* from = channel.receive(0, w.status);
-    from = add(from, w.bodies[1]);
-    from = add(from, w.bodies[8]);
-  }
-  stamp(6);
-  {  // from process 2: what hangs on "trunk"
-    const Real* from = channel.receive(7, w.status);
-    from = add(from, w.bodies[8]);
-  }
-  stamp(7);
-  {  // from process 3: what hangs on "trunk"
-    const Real* from = channel.receive(10, w.status);
-    from = add(from, w.bodies[8]);
-  }
-  stamp(8);
-  inward<1, 7, 7, false>(w);  // "spine"
-  solve_root<1, 1>(w);
-  stamp(9);
-  accelerate<1, 7, 7>(w);  // "spine"
-  accelerate<1, 4, 6>(w);  // "right_hip" .. "right_ankle"
-  free_acceleration<0>(w);
-  stamp(10);
-  require_finite(w, w.answer.data(), 0, 6, &JointConstants::v, kOverflow);
-  require_finite(w, w.answer.data(), 13, 10, &JointConstants::v, kOverflow);
-  give(w, 0, 6);
-  give(w, 13, 10);
-}
-
-// Process 2: 3 of 15 joints: "left_shoulder", "left_elbow", "left_wrist"; 1 more that every process computes for itself; kinematics of 1 more on the way to the ground
-void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
-  require_finite(w, w.q, 25, 13, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
-  require_finite(w, w.v, 20, 10, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 20, 10, &JointConstants::v, kNotFinite);
-  stamp(0);
-  std::copy_n(w.q + 33, 1, w.angle.data() + 9);
-  turn<block(9), block(9) + 1>(w);
+  take_angles<0, 0>(w);
+  take_angles<7, 14>(w);
+  turn<block(2), block(3) + 1>(w);
   orient<7>(w);
   orient<8>(w);
   orient<10>(w);
-  free_base_frame<0>(w);
-  outward<7, 10>(w);  // "spine" .. "left_wrist"
-  stamp(1);
-  set_up_links<block(8), block(10) + 1>(w);
-  inward<2, 8, 10, true>(w);  // "left_shoulder" .. "left_wrist"
-  stamp(2);
-  {  // to process 0: what hangs on "trunk"
-    Real* to = channel.outgoing(6, w.status);
-    to = put(to, w.bodies[8]);
-    channel.send(6, w.status);
-  }
-  stamp(3);
-  {  // to process 1: what hangs on "trunk"
-    Real* to = channel.outgoing(7, w.status);
-    to = put(to, w.bodies[8]);
-    channel.send(7, w.status);
-  }
-  stamp(4);
-  {  // to process 3: what hangs on "trunk"
-    Real* to = channel.outgoing(8, w.status);
-    to = put(to, w.bodies[8]);
-    channel.send(8, w.status);
-  }
-  stamp(5);
-  {  // from process 0: what hangs on "pelvis", "trunk"
-    const Real* from = channel.receive(1, w.status);
-    from = get(from, w.bodies[1]);
-    from = add(from, w.bodies[8]);
-  }
-  stamp(6);
-  {  // from process 1: what hangs on "pelvis", "trunk"
-    const Real* from = channel.receive(4, w.status);
-    from = add(from, w.bodies[1]);
-    from = add(from, w.bodies[8]);
-  }
-  stamp(7);
-  {  // from process 3: what hangs on "trunk"
-    const Real* from = channel.receive(11, w.status);
-    from = add(from, w.bodies[8]);
-  }
-  stamp(8);
-  inward<2, 7, 7, false>(w);  // "spine"
-  solve_root<2, 1>(w);
-  stamp(9);
-  accelerate<2, 7, 10>(w);  // "spine" .. "left_wrist"
-  stamp(10);
-  require_finite(w, w.answer.data(), 23, 7, &JointConstants::v, kOverflow);
-  give(w, 23, 7);
-}
-
-// Process 3: 3 of 15 joints: "right_shoulder", "right_elbow", "right_wrist"; 1 more that every process computes for itself; kinematics of 1 more on the way to the ground
-void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
-  require_finite(w, w.q, 25, 4, &JointConstants::q, kNotFinite);
-  require_finite(w, w.q, 42, 9, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
-  require_finite(w, w.v, 20, 3, &JointConstants::v, kNotFinite);
-  require_finite(w, w.v, 33, 7, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 20, 3, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 33, 7, &JointConstants::v, kNotFinite);
-  stamp(0);
-  std::copy_n(w.q + 46, 1, w.angle.data() + 13);
-  turn<block(13), block(13) + 1>(w);
-  orient<7>(w);
+  orient<11>(w);
   orient<12>(w);
   orient<14>(w);
   free_base_frame<0>(w);
   outward<7, 7>(w);  // "spine"
-  outward<12, 14>(w);  // "right_shoulder" .. "right_wrist"
+  outward_abreast<kLimbs0>(w);
+  outward<11, 11>(w);  // "neck"
   stamp(1);
-  set_up_links<block(12), block(14) + 1>(w);
-  inward<3, 12, 14, true>(w);  // "right_shoulder" .. "right_wrist"
+  set_up_links<block(0), block(7) + 1>(w);
+  {
+    const auto X = inward_abreast<0, kLimbs0>(w);
+    leave<true>(w, 8, lane(X, 0));
+    leave<false>(w, 8, lane(X, 1));
+  }
+  inward<0, 11, 11, false>(w);  // "neck"
+  inward<0, 7, 7, true>(w);  // "spine"
   stamp(2);
-  {  // to process 0: what hangs on "trunk"
-    Real* to = channel.outgoing(9, w.status);
-    to = put(to, w.bodies[8]);
-    channel.send(9, w.status);
+  {  // to process 2: what hangs on "pelvis"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.bodies[1]);
+    channel.send(0, w.status);
   }
   stamp(3);
-  {  // to process 1: what hangs on "trunk"
-    Real* to = channel.outgoing(10, w.status);
-    to = put(to, w.bodies[8]);
-    channel.send(10, w.status);
+  {  // from process 2: what hangs on "pelvis"
+    const Real* from = channel.receive(1, w.status);
+    from = add(from, w.bodies[1]);
   }
   stamp(4);
-  {  // to process 2: what hangs on "trunk"
-    Real* to = channel.outgoing(11, w.status);
-    to = put(to, w.bodies[8]);
-    channel.send(11, w.status);
-  }
+  solve_root<0, 1>(w);
   stamp(5);
-  {  // from process 0: what hangs on "pelvis", "trunk"
-    const Real* from = channel.receive(2, w.status);
-    from = get(from, w.bodies[1]);
-    from = add(from, w.bodies[8]);
-  }
+  accelerate<0, 7, 7>(w);  // "spine"
+  accelerate_abreast<0, kLimbs0>(w);
+  accelerate<0, 11, 11>(w);  // "neck"
   stamp(6);
-  {  // from process 1: what hangs on "pelvis", "trunk"
-    const Real* from = channel.receive(5, w.status);
+  require_finite(w, w.answer.data(), 20, 20, &JointConstants::v, kOverflow);
+  give(w, 20, 20);
+}
+
+// Process 1: has nothing to do
+void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+}
+
+// Process 2: 7 of 15 joints: "root", "left_hip", "left_knee", "left_ankle", "right_hip", "right_knee", ...
+void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 25, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 20, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 20, &JointConstants::v, kNotFinite);
+  stamp(0);
+  take_angles<0, 6>(w);
+  turn<block(10), block(11) + 1>(w);
+  orient<1>(w);
+  orient<3>(w);
+  orient<4>(w);
+  orient<6>(w);
+  free_base_frame<0>(w);
+  outward_abreast<kLimbs1>(w);
+  stamp(1);
+  set_up_links<block(8), block(14) + 1>(w);
+  place<1, true>(w);  // "pelvis" itself
+  free_base<0, false>(w);
+  {
+    const auto X = inward_abreast<2, kLimbs1>(w);
+    leave<false>(w, 1, lane(X, 0));
+    leave<false>(w, 1, lane(X, 1));
+  }
+  stamp(2);
+  {  // to process 0: what hangs on "pelvis"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.bodies[1]);
+    channel.send(1, w.status);
+  }
+  stamp(3);
+  {  // from process 0: what hangs on "pelvis"
+    const Real* from = channel.receive(0, w.status);
     from = add(from, w.bodies[1]);
-    from = add(from, w.bodies[8]);
   }
-  stamp(7);
-  {  // from process 2: what hangs on "trunk"
-    const Real* from = channel.receive(8, w.status);
-    from = add(from, w.bodies[8]);
-  }
-  stamp(8);
-  inward<3, 7, 7, false>(w);  // "spine"
-  solve_root<3, 1>(w);
-  stamp(9);
-  accelerate<3, 7, 7>(w);  // "spine"
-  accelerate<3, 12, 14>(w);  // "right_shoulder" .. "right_wrist"
-  stamp(10);
-  require_finite(w, w.answer.data(), 33, 7, &JointConstants::v, kOverflow);
-  give(w, 33, 7);
+  stamp(4);
+  solve_root<2, 1>(w);
+  stamp(5);
+  accelerate_abreast<2, kLimbs1>(w);
+  free_acceleration<0>(w);
+  stamp(6);
+  require_finite(w, w.answer.data(), 0, 20, &JointConstants::v, kOverflow);
+  give(w, 0, 20);
+}
+
+// Process 3: has nothing to do
+void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<int, 24> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 25, 26, 27, 28, 38, 39, 40, 41};
-constexpr std::array<int, 19> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 20, 21, 22, 30, 31, 32};
-constexpr std::array<int, 10> kOwn_0{6, 7, 8, 9, 10, 11, 12, 30, 31, 32};
-constexpr std::array<int, 13> kTorque_0{6, 7, 8, 9, 10, 11, 12, 20, 21, 22, 30, 31, 32};
-constexpr std::array<int, 20> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28};
-constexpr std::array<int, 16> kReadV_1{0, 1, 2, 3, 4, 5, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
-constexpr std::array<int, 16> kOwn_1{0, 1, 2, 3, 4, 5, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
-constexpr std::array<int, 16> kTorque_1{0, 1, 2, 3, 4, 5, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
-constexpr std::array<int, 20> kReadQ_2{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37};
-constexpr std::array<int, 16> kReadV_2{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
-constexpr std::array<int, 7> kOwn_2{23, 24, 25, 26, 27, 28, 29};
-constexpr std::array<int, 10> kTorque_2{20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
-constexpr std::array<int, 20> kReadQ_3{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 42, 43, 44, 45, 46, 47, 48, 49, 50};
-constexpr std::array<int, 16> kReadV_3{0, 1, 2, 3, 4, 5, 20, 21, 22, 33, 34, 35, 36, 37, 38, 39};
-constexpr std::array<int, 7> kOwn_3{33, 34, 35, 36, 37, 38, 39};
-constexpr std::array<int, 10> kTorque_3{20, 21, 22, 33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 33> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50};
+constexpr std::array<int, 26> kReadV_0{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 20> kOwn_0{20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 20> kTorque_0{20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 25> kReadQ_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24};
+constexpr std::array<int, 20> kReadV_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
+constexpr std::array<int, 20> kOwn_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
+constexpr std::array<int, 20> kTorque_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {24, kReadQ_0.data(), 19, kReadV_0.data(), 10, kOwn_0.data(), 13, kTorque_0.data()},
-    {20, kReadQ_1.data(), 16, kReadV_1.data(), 16, kOwn_1.data(), 16, kTorque_1.data()},
-    {20, kReadQ_2.data(), 16, kReadV_2.data(), 7, kOwn_2.data(), 10, kTorque_2.data()},
-    {20, kReadQ_3.data(), 16, kReadV_3.data(), 7, kOwn_3.data(), 10, kTorque_3.data()},
+    {33, kReadQ_0.data(), 26, kReadV_0.data(), 20, kOwn_0.data(), 20, kTorque_0.data()},
+    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
+    {25, kReadQ_2.data(), 20, kReadV_2.data(), 20, kOwn_2.data(), 20, kTorque_2.data()},
+    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -3786,56 +3724,24 @@ class Watch {
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 10> kStages_0{ {
-    {"kinematics", 11, -1},
-    {"assembly", 1, -1},
-    {"send", -1, 0},
-    {"send", -1, 1},
-    {"send", -1, 2},
-    {"receive", -1, 3},
-    {"receive", -1, 6},
-    {"receive", -1, 9},
-    {"assembly", 7, -1},
-    {"disassembly", 7, -1},
-} };
-constexpr std::array<Stage, 10> kStages_1{ {
-    {"kinematics", 7, -1},
-    {"assembly", 4, -1},
-    {"send", -1, 3},
-    {"send", -1, 4},
-    {"send", -1, 5},
-    {"receive", -1, 0},
-    {"receive", -1, 7},
-    {"receive", -1, 10},
-    {"assembly", 7, -1},
-    {"disassembly", 7, -1},
-} };
-constexpr std::array<Stage, 10> kStages_2{ {
-    {"kinematics", 10, -1},
-    {"assembly", 8, -1},
-    {"send", -1, 6},
-    {"send", -1, 7},
-    {"send", -1, 8},
-    {"receive", -1, 1},
-    {"receive", -1, 4},
-    {"receive", -1, 11},
-    {"assembly", 7, -1},
-    {"disassembly", 7, -1},
-} };
-constexpr std::array<Stage, 10> kStages_3{ {
+constexpr std::array<Stage, 6> kStages_0{ {
     {"kinematics", 14, -1},
-    {"assembly", 12, -1},
-    {"send", -1, 9},
-    {"send", -1, 10},
-    {"send", -1, 11},
-    {"receive", -1, 2},
-    {"receive", -1, 5},
-    {"receive", -1, 8},
     {"assembly", 7, -1},
+    {"send", -1, 0},
+    {"receive", -1, 1},
+    {"assembly", -1, -1},
     {"disassembly", 7, -1},
 } };
-constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data(), kStages_2.data(), kStages_3.data()};
-constexpr std::array<int, kProcesses> kStageCount{10, 10, 10, 10};
+constexpr std::array<Stage, 6> kStages_2{ {
+    {"kinematics", 6, -1},
+    {"assembly", 1, -1},
+    {"send", -1, 1},
+    {"receive", -1, 0},
+    {"assembly", -1, -1},
+    {"disassembly", 1, -1},
+} };
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), nullptr, kStages_2.data(), nullptr};
+constexpr std::array<int, kProcesses> kStageCount{6, 0, 6, 0};
 
 struct Statistics {
   double median = 0, least = 0, percentile99 = 0;

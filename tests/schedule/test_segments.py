@@ -134,7 +134,7 @@ def test_slow_cores_get_less_to_do() -> None:
 def test_the_plan_never_takes_less_than_is_proven(processes: int) -> None:
     for model in (human_figure(), serial_chain(20), star(6, 3), serial_chain(12, floating=True)):
         found = find_schedule(Topology.of(model), processes, profile=PROFILE, expansions=500)
-        line = predict(make_plan(model, found, form="segment"), PROFILE)
+        line = predict(make_plan(model, found, form="segment"), PROFILE, "joints")
         assert line.makespan >= found.lower_bound - 1e-5
         assert line.makespan == pytest.approx(found.makespan, abs=1e-5)
 
