@@ -11,13 +11,7 @@ from adagen.emit.processes import describe_message
 from adagen.emit.runs import Run, ends_of_run, parts_of, runs, spans, swept
 from adagen.emit.stages import stamped_groups
 from adagen.emit.words import Words
-from adagen.plan.abreast import (
-    Limbs,
-    ends_of,
-    inward_order,
-    outward_order,
-    placed_links,
-)
+from adagen.plan.abreast import Limbs, ends_of, inward_order, outward_order, placed_links
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -263,13 +257,15 @@ class KernelLines:
 
     def _inward_abreast(self, limbs: Limbs) -> list[str]:
         """Sweep limbs inwards and leave what is found at the links that they hang on."""
-        lines = [f"const auto X = inward_abreast<{self.p}, {self._number(limbs)}>(w);"]
-        for lane, first in enumerate(limbs.rows[0]):
-            near = self.joints[first].parent
-            self.gathers.add(near)
-            if near > 0:
-                lines.append(f"leave<{self._starts(near)}>(w, {near}, lane(X, {lane}));")
-        return ["{", *(f"  {line}" for line in lines), "}"]
+        nears = [self.joints[first].parent for first in limbs.rows[0]]
+        self.gathers.update(nears)
+        sweep = f"inward_abreast<{self.p}, {self._number(limbs)}>(w);"
+        left = [
+            f"  leave<{self._starts(near)}>(w, {near}, lane(X, {lane}));"
+            for lane, near in enumerate(nears)
+            if near > 0
+        ]
+        return ["{", f"  const auto X = {sweep}", *left, "}"] if left else [sweep]
 
     def _SolveRoot(self, steps: list[SolveRoot]) -> list[str]:  # noqa: N802
         return [f"solve_root<{self.p}, {step.link}>(w);" for step in steps]

@@ -69,12 +69,13 @@ def test_trees_of_all_kinds_are_solved(
     [
         (star(4, 3, floating=True), 1),
         (star(5, 4), 1),
+        (binary(2), 1),
         (binary(4), 1),
         (binary(4, floating=True), 2),
         (human_figure(), 1),
         (human_figure(), 2),
     ],
-    ids=["legs", "arms", "tree", "tree by two", "figure", "figure by two"],
+    ids=["legs", "arms", "on the ground", "tree", "tree by two", "figure", "figure by two"],
 )
 def test_limbs_side_by_side_are_solved(
     model: Model, processes: int, builder: Builder, tmp_path: Path
