@@ -110,14 +110,19 @@ def fit_steps(samples: Sequence[Sample]) -> dict[str, float]:
 
 
 def _alike() -> Array:
-    """Return rows that are zero where the coefficients of the joint kinds of a group are equal."""
+    """Return rows that are zero where coefficients that resemble each other are equal.
+
+    Those of the joint kinds of a group do, and that of a row of joints side by side resembles that
+    of one such joint.
+    """
     rows = []
     for group in PER_KIND:
-        members = [NAMES.index(f"{group}.{kind}") for kind in KINDS]
-        for k in members:
+        alone = group.removesuffix("_two").removesuffix("_four")
+        for kind in KINDS:
+            others = KINDS if alone == group else (kind,)
             row = np.zeros(len(NAMES))
-            row[members] = -1 / len(members)
-            row[k] += 1
+            row[[NAMES.index(f"{alone}.{other}") for other in others]] = -1 / len(others)
+            row[NAMES.index(f"{group}.{kind}")] += 1
             rows.append(row)
     for k in range(len(NAMES)):
         row = np.zeros(len(NAMES))
