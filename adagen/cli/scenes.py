@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from adagen.cli.console import note, tell, warn
-from adagen.errors import InputError, UsageError
+from adagen.cli.console import note, progress, tell, warn
+from adagen.errors import EnvironmentFault, InputError, UsageError
 from adagen.scene import Reduction, apply_scene, read_scene
-from adagen.scene.report import Cost, removed, saved
+from adagen.scene.report import Cost, measured, removed, saved
 from adagen.scene.types import Scene
 
 if TYPE_CHECKING:
@@ -66,17 +66,44 @@ def _check_agreement(
 
 
 def tell_savings(plan: Plan, schedule: Schedule, options: argparse.Namespace) -> None:
-    """Print what is left of the robot and what that saves."""
+    """Print what is left of the robot and what that saves, as predicted and as measured here."""
     from adagen.schedule import load_profile
 
     profile = load_profile(options.profile)
     reduction: Reduction = options.reduction
     after = _cost(reduction.model, plan, schedule, profile)
-    note(saved(reduction, _whole(reduction, options, profile), after))
+    whole = _whole(reduction, options, profile)
+    if whole is None:
+        note(saved(reduction, None, after))
+        return
+    note(saved(reduction, _cost(reduction.full, *whole, profile), after))
+    _tell_measured(whole[0], plan)
 
 
-def _whole(reduction: Reduction, options: argparse.Namespace, profile: CostProfile) -> Cost | None:
-    """Return what the whole robot takes on as many processes; None where it has no answer."""
+def _tell_measured(whole: Plan, plan: Plan) -> None:
+    """Build and time both, in turns; where that cannot be done, say why."""
+    from adagen.build import find_toolchain
+    from adagen.calibrate.measure import Program
+
+    try:
+        with progress("building and timing the robot with and without the scene"):
+            toolchain = find_toolchain()
+            programs = [Program(each, toolchain) for each in (whole, plan)]
+            rounds = [[p.measure(repeat=_REPEAT).time for p in programs] for _ in range(_ROUNDS)]
+    except EnvironmentFault as fault:
+        note(f"scene: not measured: {fault}")
+        return
+    before, after = (min(times) for times in zip(*rounds, strict=True))
+    note(measured(before, after))
+
+
+_ROUNDS, _REPEAT = 5, 20  # evaluations of each of 64 random states
+
+
+def _whole(
+    reduction: Reduction, options: argparse.Namespace, profile: CostProfile
+) -> tuple[Plan, Schedule] | None:
+    """Return how the whole robot is solved by as many processes; None where it has no answer."""
     from adagen.plan import make_plan
     from adagen.predict import best_schedule
     from adagen.urdf.mobility import weakest
@@ -91,7 +118,7 @@ def _whole(reduction: Reduction, options: argparse.Namespace, profile: CostProfi
         plan = make_plan(full, schedule, form=options.form, scalar=options.scalar)
     except InputError:
         return None
-    return _cost(full, plan, schedule, profile)
+    return plan, schedule
 
 
 def _cost(model: Model, plan: Plan, schedule: Schedule, profile: CostProfile) -> Cost:

@@ -57,6 +57,12 @@ def saved(reduction: Reduction, before: Cost | None, after: Cost) -> str:
     )
 
 
+def measured(before: float, after: float) -> str:
+    """Return a line on measured times, microseconds, of the whole robot and of what is left."""
+    change = _change(1.0 - after / before, "less")
+    return f"scene: measured here: {after:.2f} us, the whole robot {before:.2f} us: {change} time"
+
+
 def _change(share: float, less: str) -> str:
     return f"{abs(share):.0%} {less if share >= 0 else 'more'}"
 

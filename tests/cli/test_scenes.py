@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -38,6 +39,9 @@ def test_locked_joints_are_gone_and_what_that_saves_is_told(
     said = capsys.readouterr().err
     assert 'scene: 14 joints locked: "neck_yaw" at 0, "neck_pitch" at 0.1' in said
     assert "scene: 16 of 30 joints and 21 of 35 degrees of freedom left" in said
+    line = next(line for line in said.splitlines() if "measured here" in line)
+    after, before = (float(x) for x in re.findall(r"([0-9.]+) us", line))
+    assert 0 < after < before  # half of the joints: beyond any disturbance
     assert "fewer operations" in said
     plan = json.loads((tmp_path / "humanoid_p1.plan.json").read_text())
     assert len(plan["joints"]) == 16
