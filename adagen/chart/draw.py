@@ -21,6 +21,7 @@ COLOURS = {
 }
 _PEER_COLOURS = ("#009e73", "#56b4e9", "#e69f00", "#b09000")
 _MARKERS = ("o", "^", "D", "v", "P")  # by steps of refinement
+_FACES = {"float": ("white", "hollow"), "mixed": ("0.8", "grey inside")}
 _LEAST = 1e-17  # errors below are drawn here
 _LINES = 11  # below the panels; the data has them all
 _TITLE, _PANELS, _GAP, _LINE, _LEGEND = 0.6, 5.2, 0.55, 0.155, 0.3  # heights in inches
@@ -156,7 +157,7 @@ def _height(point: Point, what: str) -> float:
 
 def _mark(axes: Any, point: Point, x: float, y: float, colour: str) -> None:
     marker = "x" if point.failed else _MARKERS[min(point.refine, len(_MARKERS) - 1)]
-    face = colour if point.scalar == "double" or point.failed else "white"
+    face = _FACES[point.scalar][0] if point.scalar in _FACES and not point.failed else colour
     axes.plot(x, y, marker, color=colour, mfc=face, ms=7 if point.front else 5.5, alpha=0.85)
     if point.source == "stretches":
         axes.plot(x, y, "o", color=colour, mfc="none", ms=11, mew=0.8, alpha=0.7)
@@ -167,7 +168,7 @@ def _mark(axes: Any, point: Point, x: float, y: float, colour: str) -> None:
 
 def _guides(axes: Any, chart: Chart) -> None:
     """Draw the rounding of each scalar, and what the joins of form ada are predicted to lose."""
-    for scalar in sorted({p.scalar for p in chart.points}):
+    for scalar in sorted({p.scalar for p in chart.points} - {"mixed"}):
         lines = [(EPSILON[scalar], f"eps,\n{scalar}")]
         grown = [
             p.predicted
@@ -228,8 +229,9 @@ def _handles(chart: Chart, colours: dict[str, str]) -> list[Any]:
         return Line2D([], [], marker=marker, color=colour, mfc=face, ls="", label=text)
 
     rows = [handle("o", c, c, NAMES.get(name, name)) for name, c in colours.items()]
-    if any(p.scalar == "float" for p in chart.points):
-        rows.append(handle("o", "black", "white", "float (hollow)"))
+    for scalar, (face, look) in _FACES.items():
+        if any(p.scalar == scalar for p in chart.points):
+            rows.append(handle("o", "black", face, f"{scalar} ({look})"))
     for n in sorted({p.refine for p in chart.points if p.refine}):
         rows.append(handle(_MARKERS[min(n, len(_MARKERS) - 1)], "black", "black", f"refined {n}x"))
     if any(p.source == "stretches" for p in chart.points):

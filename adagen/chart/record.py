@@ -24,7 +24,7 @@ class Point:
         team: whose it is: adagen, baseline, or a peer's name.
         algorithm: a key of ``adagen.chart.variants.NAMES``, or what a peer calls it.
         schedule: of adagen's forms.
-        scalar: "double" or "float".
+        scalar: "double", "float" or "mixed".
         processes: P.
         refine: steps of iterative refinement.
         shape: shape of the code.

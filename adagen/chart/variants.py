@@ -9,10 +9,11 @@ from typing import get_args
 import numpy as np
 
 from adagen.emit import emit
+from adagen.emit.refine import MIXED_STEPS
 from adagen.emit.shapes import BASELINES
 from adagen.errors import UsageError
 from adagen.model import Model
-from adagen.plan import Plan, make_plan
+from adagen.plan import SCALARS, Plan, make_plan
 from adagen.predict import best_schedule
 from adagen.schedule import Node, Schedule, Topology, load_profile, named_schedule, validate
 from adagen.schedule.tree import Named
@@ -37,7 +38,7 @@ class Variant:
     Attributes:
         algorithm: a key of ``NAMES``.
         schedule: one of ``SCHEDULES``; "auto" is searched.
-        scalar: "double" or "float".
+        scalar: "double", "float" or "mixed".
         processes: P.
         refine: steps of iterative refinement.
         shape: shape of the code; "auto" is what the compiler chooses.
@@ -61,7 +62,7 @@ class Variant:
         words = [NAMES[self.algorithm]]
         words += [self.shape] if self.shape != "auto" else []
         words += [self.schedule] if self.schedule != "auto" else []
-        words += ["float"] if self.scalar == "float" else []
+        words += [self.scalar] if self.scalar != "double" else []
         words += [f"P={self.processes}"] if self.processes > 1 else []
         words += [f"refined {self.refine}x"] if self.refine else []
         return ", ".join(words)
@@ -93,7 +94,7 @@ REFERENCE = Variant("segment")
 
 def every_variant(
     processes: Sequence[int] = (1, 2, 4),
-    scalars: Sequence[str] = ("double", "float"),
+    scalars: Sequence[str] = SCALARS,
     refinements: Sequence[int] = (0, 1, 2),
     shapes: Sequence[str] = ("auto",),
     *,
@@ -103,21 +104,25 @@ def every_variant(
 
     Schedules are varied in double without refinement, and refinement on the searched schedule,
     unless the ``whole`` product is asked for. A schedule makes no difference in form segment on one
-    process, and baselines have neither schedule nor processes nor refinement.
+    process, and baselines have neither schedule nor processes nor refinement, without which there
+    is no mixed solver.
     """
-    found = [REFERENCE, *(Variant(name, scalar=s) for name in BASELINES for s in scalars)]
+    unrefined = [scalar for scalar in scalars if scalar != "mixed"]
+    found = [REFERENCE, *(Variant(name, scalar=s) for name in BASELINES for s in unrefined)]
     for form in ("segment", "ada"):
         for p in processes:
             schedules = SCHEDULES if p > 1 or form == "ada" else SCHEDULES[:1]
             for scalar in scalars:
                 plain = Variant(form, scalar=scalar, processes=p)
-                found += [replace(plain, shape=shape) for shape in shapes]
+                found += [replace(plain, shape=shape) for shape in shapes if scalar in unrefined]
                 refined = [replace(plain, refine=n) for n in refinements if n]
+                if scalar == "mixed" and not refined:
+                    refined = [replace(plain, refine=MIXED_STEPS)]
                 rescheduled = [replace(plain, schedule=s) for s in schedules[1:]]
                 found += refined
                 if whole:
                     found += [replace(r, schedule=s.schedule) for r in refined for s in rescheduled]
-                if whole or scalar == "double":
+                if scalar in unrefined and (whole or scalar == "double"):
                     found += rescheduled
     return list(dict.fromkeys(found))
 

@@ -29,7 +29,7 @@ examples:
   adagen chart arm.urdf --procs 1 --scalars double --quick
   adagen chart arm.urdf --simulate 1                     integrators: wall time against error"""
 
-_SCALARS = ("double", "float")
+_SCALARS = ("double", "float", "mixed")
 _LEAST_STATES = 20
 LARGEST_STEP = 0.008
 """Largest step of a chart of integrators where none is given, s."""
@@ -71,7 +71,7 @@ def _add_variants(parser: Parser) -> None:
         type=_list_of(str, _SCALARS),
         default=_SCALARS,
         metavar="NAME,...",
-        help="number types (default: double,float)",
+        help="number types (default: double,float,mixed)",
     )
     add(
         "--refine",

@@ -135,9 +135,10 @@ def _add_algorithm(parser: Parser) -> None:
     )
     group.add_argument(
         "--scalar",
-        choices=("double", "float"),
+        choices=("double", "float", "mixed"),
         default="double",
-        help="number type (default: double)",
+        help="number type (default: double); mixed: factorized in float, refined to the digits of "
+        "double, states and answers in double",
     )
 
 
@@ -147,9 +148,9 @@ def add_emission(parser: Parser) -> None:
     group.add_argument(
         "--refine",
         type=whole(0, 9),
-        default=0,
         metavar="N",
-        help="refine each answer N times with wider residuals, and tell its error (default: 0)",
+        help="refine each answer N times with wider residuals, and tell its error (default: 0, of "
+        "--scalar mixed 2)",
     )
     group.add_argument(
         "--shape",
@@ -208,12 +209,13 @@ def check_emission(parser: Parser, options: argparse.Namespace) -> None:
         UsageError: options exclude each other.
     """
     from adagen.emit import check_batch
-    from adagen.emit.refine import checked_steps
+    from adagen.emit.refine import checked_shape, refinement_steps
 
     check_search(parser, options)
-    checked_steps(options.refine, options.shape)
+    steps = refinement_steps(options.refine, options.scalar)
+    checked_shape(steps, options.shape)
     if options.batch:
-        check_batch(options.shape, options.refine)
+        check_batch(options.shape, steps)
         if options.tune:
             parser.error("batches are not tuned: leave out --tune or --batch")
 

@@ -243,7 +243,8 @@ def _may_gather(options: argparse.Namespace) -> bool:
     if options.strategy != "exact" or options.split != "always":
         return False
     shape = getattr(options, "shape", "auto")
-    whole = getattr(options, "refine", 0) or getattr(options, "tune", False)
+    refined = getattr(options, "refine", 0) or options.scalar == "mixed"
+    whole = refined or getattr(options, "tune", False)
     return shape in ("auto", "kernels") and not whole
 
 
@@ -260,8 +261,9 @@ def _warn_of_lost_digits(plan: Plan, file: str) -> None:
         growth = predicted_growth(plan)
     except FloatingPointError as error:
         raise InputError(f"form {plan.form} cannot solve this robot: {error}", file) from None
-    # In form segment, cuts beside light links are not made in the first place.
-    if plan.form == "ada" and growth.error > TOLERANCE[plan.scalar]:
+    # In form segment, cuts beside light links are not made in the first place; what refinement
+    # makes good, a mixed solver says itself.
+    if plan.form == "ada" and plan.scalar != "mixed" and growth.error > TOLERANCE[plan.scalar]:
         warn(
             f"{file}: warning: relative errors of about {growth.error:.0e} are to be expected: a "
             f'link at joint "{plan.joints[growth.joint].name}" is much lighter than its neighbours;'

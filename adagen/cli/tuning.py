@@ -21,6 +21,7 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
     """
     from adagen.build import find_toolchain
     from adagen.emit import emit, stem_of
+    from adagen.emit.refine import refinement_steps
     from adagen.emit.shapes import SHAPES, chosen_shape
     from adagen.run.tune import candidates, compilers, table, tune
 
@@ -28,7 +29,7 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
         shapes = [name for name, shape in SHAPES.items() if shape.why_not(plan) is None]
     else:
         shapes = [chosen_shape(plan, options.shape)]
-    if options.refine:
+    if refinement_steps(options.refine, plan.scalar):
         shapes = ["joints"]
     stem = stem_of(plan)
 

@@ -6,18 +6,19 @@ from adagen import __version__
 from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
-from adagen.emit.refine import checked_steps, refinement_messages
+from adagen.emit.refine import checked_shape, refinement_messages, refinement_steps
 from adagen.emit.shapes import KNOWN, chosen_shape
 from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.plan import Plan, plan_to_json
 from adagen.plan.refine import refinable
+from adagen.plan.types import FACTORS
 from adagen.schedule import CostProfile, load_profile
 
 # Largest residual that an emitted self-check lets pass: what the scalar keeps, with a margin for
 # long chains (docs/accuracy.md).
-TOLERANCE = {"double": 1e-9, "float": 1e-3}
+TOLERANCE = {"double": 1e-9, "float": 1e-3, "mixed": 1e-9}
 
 HEADERS = (
     "algorithm",
@@ -59,7 +60,7 @@ def emit(
     name: str | None = None,
     svg: str | None = None,
     shape: str = "auto",
-    refine: int = 0,
+    refine: int | None = None,
     batch: int = 0,
     chunk: int = 0,
     compiler: str = "",
@@ -72,7 +73,8 @@ def emit(
         name: what to call the files (made safe here); the robot's name if not given.
         svg: a drawing of the schedule to put beside them.
         shape: shape of the code, one of ``adagen.emit.shapes.SHAPES``, or "auto".
-        refine: steps of iterative refinement that each evaluation takes, 0 to 9.
+        refine: steps of iterative refinement that each evaluation takes, 0 to 9; None: as many as
+            the scalar needs.
         batch: if not 0, solve many states at once on so many processes, each by the plan of one.
         chunk: values that one function of shape unrolled computes; 0 for its default.
         compiler: what the MPI wrapper is to call; "" for its own choice.
@@ -101,7 +103,7 @@ def source(
     plan: Plan,
     stem: str,
     shape: str = "auto",
-    refine: int = 0,
+    refine: int | None = None,
     chunk: int = 0,
     compiler: str = "",
     batch: int = 0,
@@ -112,11 +114,12 @@ def source(
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
+    refine = refinement_steps(refine, plan.scalar)
     if batch:
         if len(plan.processes) > 1:
             raise UsageError("a batch is solved by the plan of one process")
         check_batch(shape, refine)
-    shape = chosen_shape(plan, checked_steps(refine, shape), batch=bool(batch))
+    shape = chosen_shape(plan, checked_shape(refine, shape), batch=bool(batch))
     plan = refinable(plan) if refine else plan
     words = Words(plan, refine, chunk, bool(batch))
     processes = batch or len(plan.processes)
@@ -130,6 +133,8 @@ def source(
         shape=shape,
         tuning=_tuning(chunk, compiler),
         scalar=plan.scalar,
+        number=words.number,
+        real=FACTORS[plan.scalar],
         channel=plan.channel,
         base="floating" if plan.floating else "fixed",
         floating=plan.floating,
@@ -168,7 +173,7 @@ def check_batch(shape: str, refine: int) -> None:
         UsageError: the shape or refinement cannot be had for batches.
     """
     if refine:
-        raise UsageError("batches are not refined; leave out --refine or --batch")
+        raise UsageError("batches are not refined; leave out --batch, --refine or --scalar mixed")
     if shape not in ("auto", "kernels", "unrolled"):
         raise UsageError(f"batches are emitted in shapes kernels and unrolled, not {shape}")
 

@@ -8,6 +8,7 @@ from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.growth import EPSILON
 from adagen.plan.steps import Coupling, Disassemble, FusedJoin, Join
+from adagen.plan.types import FACTORS
 
 KEPT = 128
 """What of a bare link's mobility must be left, in units of the rounding error of one operation."""
@@ -84,7 +85,7 @@ def least_mobility(plan: Plan, join: Join) -> list[float]:
     if parent.phi:  # at least: 1 / trace of the inertia about any axis, 1 / mass in any direction
         trace = sum(parent.tensor[k][k] for k in range(3))
         least = [x + 1.0 / (trace if k < 3 else parent.mass) for k, x in enumerate(least)]
-    return [KEPT * EPSILON[plan.scalar] * x for x in least] if any(least) else []
+    return [KEPT * EPSILON[FACTORS[plan.scalar]] * x for x in least] if any(least) else []
 
 
 def _digits(words: Words, join: Join, phi_a: str, phi_b: str) -> list[str]:

@@ -31,15 +31,15 @@ def configuration(words: Words, j: int) -> list[str]:
     joint = words.plan.joints[j]
     if joint.mimic is None:
         if words.kind(j).nq == 1:
-            return [f"const Real q = w.q[{joint.q}];"]
-        return [f"const Real* const q = w.q + {joint.q};"]
+            return [f"const Real q = Real(w.q[{joint.q}]);"]
+        return [f"const Number* const q = w.q + {joint.q};"]
     source, multiplier, offset = joint.mimic
     q, v = words.plan.joints[source].q, words.plan.joints[source].v
     linear = words.printer.linear
     return [
         f"const Real q = {linear([(multiplier, f'w.q[{q}]')], offset)};"
         f"  // slaved to {words.quoted_joint(source)}",
-        f"const Real qd = {linear([(multiplier, f'w.v[{v}]')])};",
+        f"const Number qd = {linear([(multiplier, f'w.v[{v}]')])};",
     ]
 
 

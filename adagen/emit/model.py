@@ -28,7 +28,7 @@ def _links(words: Words) -> list[dict[str, object]]:
     steps = [step for process in plan.processes for step in process.steps]
     bare = {step.link for step in steps if isinstance(step, LinkBias)}
     started = {step.link for step in steps if isinstance(step, StartLink)}
-    number, numbers = words.printer.number, words.printer.numbers
+    number, numbers = words.constants.number, words.constants.numbers
     return [
         {
             "bare_block": words.bare_block(k) if k in bare else "",
@@ -39,14 +39,16 @@ def _links(words: Words) -> list[dict[str, object]]:
             "com": numbers(link.com),
             "tensor": numbers(x for row in link.tensor for x in row),
             "tensor_inverse": numbers(x for row in link.tensor_inverse for x in row),
-            "phi_upper": numbers(x for i, row in enumerate(link.phi) for x in row[i:]),
+            "phi_upper": words.printer.numbers(
+                x for i, row in enumerate(link.phi) for x in row[i:]
+            ),
         }
         for k, link in enumerate(plan.links)
     ]
 
 
 def _joints(words: Words) -> list[dict[str, object]]:
-    numbers = words.printer.numbers
+    numbers = words.constants.numbers
     rows = []
     for j, joint in enumerate(words.plan.joints):
         source, multiplier, offset = joint.mimic or (-1, 0.0, 0.0)
@@ -71,7 +73,7 @@ def _joints(words: Words) -> list[dict[str, object]]:
 
 
 def _outer_forces(words: Words) -> list[dict[str, object]]:
-    numbers = words.printer.numbers
+    numbers = words.constants.numbers
     return [
         {
             "quoted": quoted(wrench.name),

@@ -154,7 +154,7 @@ def _send(words: Words, number: int) -> list[str]:
     message = words.plan.messages[number]
     return [
         f"{{  // to process {message.target}: {describe_message(words, message)}",
-        f"  Real* to = channel.outgoing({number}, w.status);",
+        f"  Number* to = channel.outgoing({number}, w.status);",
         *(f"  to = put(to, {item});" for item in _contents(words, message)),
         f"  channel.send({number}, w.status);",
         "}",
@@ -165,7 +165,7 @@ def _receive(words: Words, number: int) -> list[str]:
     message = words.plan.messages[number]
     return [
         f"{{  // from process {message.source}: {describe_message(words, message)}",
-        f"  const Real* from = channel.receive({number}, w.status);",
+        f"  const Number* from = channel.receive({number}, w.status);",
         *(f"  from = get(from, {item});" for item in _contents(words, message)),
         "}",
     ]

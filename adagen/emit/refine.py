@@ -26,6 +26,8 @@ from adagen.plan.steps import (
 from adagen.plan.types import Plan, Process
 
 MOST_STEPS = 9
+MIXED_STEPS = 2
+"""Steps of a mixed solver: two leave rounding on most robots."""
 _VERBS: dict[type, str] = {
     Join: "reassemble",
     FusedJoin: "reassemble",
@@ -34,14 +36,27 @@ _VERBS: dict[type, str] = {
 }
 
 
-def checked_steps(refine: int, shape: str) -> str:
+def refinement_steps(asked: int | None, scalar: str) -> int:
+    """Return how many steps of refinement a solver takes; ``asked``: None where nobody said.
+
+    Raises:
+        UsageError: the number is out of range, or too small for the scalar.
+    """
+    if asked is None:
+        return MIXED_STEPS if scalar == "mixed" else 0
+    if not 0 <= asked <= MOST_STEPS:
+        raise UsageError(f"steps of refinement must be 0 to {MOST_STEPS}, not {asked}")
+    if scalar == "mixed" and asked == 0:
+        raise UsageError("scalar mixed is float that is refined: say --refine 1 or more")
+    return asked
+
+
+def checked_shape(refine: int, shape: str) -> str:
     """Return the shape in which so many steps of refinement are emitted.
 
     Raises:
-        UsageError: the number is out of range, or the shape has no refinement.
+        UsageError: the shape has no refinement.
     """
-    if not 0 <= refine <= MOST_STEPS:
-        raise UsageError(f"steps of refinement must be 0 to {MOST_STEPS}, not {refine}")
     if refine and shape not in ("auto", "joints"):
         raise UsageError(f"shape {shape} has no refinement; say --shape joints")
     return "joints" if refine else shape

@@ -10,6 +10,7 @@ from adagen.emit.names import distinct, identifiers, quoted
 from adagen.model.kinds import KINDS, JointKind
 from adagen.plan import Plan
 from adagen.plan.steps import Bias, Block, Force, Load, blocks_set_by
+from adagen.plan.types import FACTORS
 
 
 @dataclass(frozen=True)
@@ -33,8 +34,18 @@ class Words:
 
     @cached_property
     def printer(self) -> Printer:
-        """Prints numbers of the plan's scalar."""
-        return Printer(self.plan.scalar)
+        """Prints numbers of the type that the plan is solved in."""
+        return Printer(FACTORS[self.plan.scalar])
+
+    @cached_property
+    def constants(self) -> Printer:
+        """Prints the model's numbers, of the type that states and answers have."""
+        return Printer(self.number)
+
+    @property
+    def number(self) -> str:
+        """The type of states and answers."""
+        return "float" if self.plan.scalar == "float" else "double"
 
     @property
     def ground(self) -> str:

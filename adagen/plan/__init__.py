@@ -12,11 +12,11 @@ from adagen.plan.gather import GatherPlanner, why_not_gather
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
-from adagen.plan.types import Plan
+from adagen.plan.types import FACTORS, Plan
 from adagen.schedule import Schedule, Topology, schedule_line
 
 FORMS: dict[str, type[AdaPlanner]] = {"segment": SegmentPlanner, "ada": AdaPlanner}
-SCALARS = ("double", "float")
+SCALARS = tuple(FACTORS)
 CHANNELS = ("auto", "window", "message")
 MEETINGS = ("auto", "join", "gather")
 
@@ -50,7 +50,7 @@ def make_plan(
         model: the robot.
         schedule: a schedule of its joints.
         form: form of the algorithm, one of ``FORMS``.
-        scalar: "double" or "float".
+        scalar: one of ``SCALARS``.
         channel: how processes exchange, one of ``CHANNELS``.
         source_hash: hash of the robot description, for the emitted header.
         meeting: how segments meet, one of ``MEETINGS``: joined at the cuts by Eq. (3)-(10), or

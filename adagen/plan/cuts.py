@@ -25,6 +25,7 @@ from adagen.plan.constants import joints_of
 from adagen.plan.fused_frame import joint_coordinates, run_motion
 from adagen.plan.growth import generic_configuration, lost_mobility
 from adagen.plan.placement import motion_transform, placement
+from adagen.plan.types import FACTORS
 
 Array = NDArray[Any]
 
@@ -44,14 +45,15 @@ def cuttable_joints(
 
     Args:
         model: the robot.
-        scalar: "double" or "float".
+        scalar: "double", "float" or "mixed".
         joints: the joints in question, each a run of joints that are joined as one; if not given,
             all joints by themselves.
         limit: largest growth g at a cut, instead of what suits the scalar.
     """
-    largest = LARGEST_GROWTH[scalar] if limit is None else limit
-    conditioned = max(LARGEST_CONDITION[scalar], 0.0 if limit is None else limit)
-    lightest = SMALLEST_MASS[scalar] if limit is None else 1.0 / limit
+    number = FACTORS[scalar]
+    largest = LARGEST_GROWTH[number] if limit is None else limit
+    conditioned = max(LARGEST_CONDITION[number], 0.0 if limit is None else limit)
+    lightest = SMALLEST_MASS[number] if limit is None else 1.0 / limit
     whole = [(j,) for j in range(len(model.joints))] if joints is None else list(joints)
     robot = _Robot(settled(model, [run for run in whole if len(run) > 1]), whole)
     condition = np.maximum(robot.condition(1), robot.condition(2))

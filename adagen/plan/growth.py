@@ -20,7 +20,7 @@ from adagen.plan.constants import inverse_inertia
 from adagen.plan.interpret import execute
 from adagen.plan.interpret.joins import Joined
 from adagen.plan.steps import Join
-from adagen.plan.types import Plan, PlanJoint
+from adagen.plan.types import FACTORS, Plan, PlanJoint
 
 EPSILON = {"double": 2.0**-53, "float": 2.0**-24}
 
@@ -62,9 +62,9 @@ def _growth(plan: Plan, seed: int) -> Growth:
             if isinstance(step, Join):
                 values[step.joint] = _lost(plan, memory["join", step.joint])
     if not values:
-        return Growth(EPSILON[plan.scalar], 0, 1.0)
+        return Growth(EPSILON[FACTORS[plan.scalar]], 0, 1.0)
     worst = max(values, key=lambda joint: (values[joint], -joint))
-    return Growth(EPSILON[plan.scalar] * sum(values.values()), worst, values[worst])
+    return Growth(EPSILON[FACTORS[plan.scalar]] * sum(values.values()), worst, values[worst])
 
 
 def _lost(plan: Plan, joined: Joined) -> float:

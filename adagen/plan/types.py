@@ -10,6 +10,10 @@ from dataclasses import dataclass, field
 
 from adagen.plan.steps import Bias, Block, Force, Step
 
+FACTORS = {"double": "double", "float": "float", "mixed": "float"}
+"""Scalars, and the number type in which each factorizes and solves; all else of "mixed" is double,
+and what it solves for is refined."""
+
 
 @dataclass(frozen=True)
 class Message:
@@ -149,7 +153,7 @@ class Plan:
         name: the robot's name (data, not fit for code).
         source_hash: of the robot description, hexadecimal.
         form: "ada" or "segment".
-        scalar: "double" or "float".
+        scalar: a key of ``FACTORS``.
         channel: "auto", "window" or "message": what the emitted program prefers.
         schedule: the schedule in one line.
         floating: whether joint 0 is the floating base ``__base__``.

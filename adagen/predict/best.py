@@ -36,7 +36,7 @@ def best_schedule(
         processes: P.
         profile: the costs.
         form: of the algorithm.
-        scalar: "double" or "float".
+        scalar: "double", "float" or "mixed".
         limit: largest growth g at a cut of form `segment`, instead of what suits the scalar.
         gather: whether processes may gather at a core instead of being joined.
         search: further arguments of ``find_schedule``.

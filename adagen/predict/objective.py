@@ -15,6 +15,7 @@ from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.growth import Growth, predicted_growth
+from adagen.plan.types import FACTORS
 from adagen.predict.best import best_schedule
 from adagen.schedule import CostProfile, Schedule, named_schedule
 from adagen.schedule.tree import Named
@@ -64,7 +65,7 @@ def schedule_for(
         processes: P.
         profile: the costs.
         form: of the algorithm.
-        scalar: "double" or "float".
+        scalar: "double", "float" or "mixed".
         search: further arguments of ``find_schedule``.
 
     Raises:
@@ -76,7 +77,7 @@ def schedule_for(
         return best_schedule(model, processes, profile, form, scalar, limit, **search)
 
     if objective == "time":
-        return best(HARDLY_SINGULAR[scalar])
+        return best(HARDLY_SINGULAR[FACTORS[scalar]])
     found = best(None)
     if objective == "both" or (form == "segment" and processes == 1):
         return found

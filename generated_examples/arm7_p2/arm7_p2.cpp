@@ -2,7 +2,7 @@
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  shoulder_pitch@0-1(base_yaw@1 | left_finger_slide@0(right_finger_slide(flange_roll(wrist_pitch(forearm_roll(elbow_pitch(upper_arm_roll|)|)|)|)|)|))
+// schedule  base_yaw@0-1(|shoulder_pitch(|upper_arm_roll(|elbow_pitch(|forearm_roll(|wrist_pitch(|flange_roll(|left_finger_slide(right_finger_slide|))))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -104,7 +104,8 @@ void arm7_p2_close(arm7_p2_solver* solver);
 
 namespace {
 
-using Real = double;
+using Number = double;  // of states, answers and messages
+using Real = double;    // of all between
 constexpr int kProcesses = 2;
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
@@ -112,13 +113,13 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr int kPlanMessages = 2;
+[[maybe_unused]] constexpr int kPlanMessages = 0;
 constexpr std::size_t kCacheLine = 64;
 constexpr bool kFloatingBase = false;
 constexpr double kTolerance = 1e-09;
 constexpr int kRandomStates = 64;
 constexpr const char* kRobot = "arm7";
-const MPI_Datatype kMpiReal = MPI_DOUBLE;
+const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -128,7 +129,7 @@ enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
 // + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
 // tau holds that.
 struct Passive {
-  Real damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  Number damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
   bool prescribed = false;
 };
 
@@ -137,11 +138,11 @@ struct Passive {
 struct JointConstants {
   const char* name;
   JointKind kind;
-  int parent;           // parent link; the child link has the joint's number plus one
-  int q, nq, v, nv;     // where its configuration and velocity are
-  Real rotation[9];     // joint frame to parent link's frame, row by row
-  Real translation[3];  // origin of the joint frame in the parent link's frame, m
-  int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
+  int parent;             // parent link; the child link has the joint's number plus one
+  int q, nq, v, nv;       // where its configuration and velocity are
+  Number rotation[9];     // joint frame to parent link's frame, row by row
+  Number translation[3];  // origin of the joint frame in the parent link's frame, m
+  int source;             // joint that it is slaved to, or -1: q = multiplier q_source + offset
   double multiplier, offset;
   Passive passive{};
 };
@@ -149,17 +150,17 @@ struct JointConstants {
 // An outer force that is an input, told in the frame of the link that has its name.
 struct OuterForce {
   const char* name;
-  int link;             // that feels it
-  Real rotation[9];     // from that frame to the link's, row by row
-  Real translation[3];  // its origin in the link's frame, m
+  int link;               // that feels it
+  Number rotation[9];     // from that frame to the link's, row by row
+  Number translation[3];  // its origin in the link's frame, m
 };
 
 struct LinkConstants {
   const char* name;
-  Real mass;               // kg
-  Real com[3];             // centre of mass, m
-  Real tensor[9];          // rotational inertia about it, kg m^2
-  Real tensor_inverse[9];  // J, its inverse
+  Number mass;               // kg
+  Number com[3];             // centre of mass, m
+  Number tensor[9];          // rotational inertia about it, kg m^2
+  Number tensor_inverse[9];  // J, its inverse
 };
 
 // What a process reads and owns of the state.
@@ -176,7 +177,7 @@ struct ProcessInfo {
 
 // What goes from one process to another once in an evaluation.
 struct MessageInfo {
-  int source, target, size;  // size in Real, the status not counted
+  int source, target, size;  // size in Number, the status not counted
 };
 
 constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
@@ -273,6 +274,7 @@ enum Failure : int {
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
+  kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -338,6 +340,9 @@ std::string describe(int status) {
       return "the evaluations are over";
     case kNotRefined:
       return "refinement does not converge: the inertias differ too much for the scalar";
+    case kTooFewSteps:
+      return "refinement converges too slowly: its last correction is too large; take more steps "
+             "(--refine) or --scalar double";
     case kNoAnswer:
       return "process " + std::to_string(place) + " did not answer within the time limit";
   }
@@ -612,341 +617,9 @@ ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<
   return squared;
 }
 
-// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
-// the motion itself, and one for each slaved joint's coupling torque.
-using Vec3 = Eigen::Matrix<Real, 3, 1>;
-using Mat3 = Eigen::Matrix<Real, 3, 3>;
-using Vec6 = Eigen::Matrix<Real, 6, 1>;
-using Mat6 = Eigen::Matrix<Real, 6, 6>;
-using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
-
-// Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
-struct Transform {
-  Mat3 E;  // rotates parent coordinates into child coordinates
-  Vec3 r;  // origin of the child frame in parent coordinates
-
-  template <class M>
-  void times(const M& m, M& result) const {
-    for (int k = 0; k < M::ColsAtCompileTime; ++k) {
-      const Vec3 angular = m.col(k).template head<3>();
-      const Vec3 linear = m.col(k).template tail<3>();
-      result.col(k).template head<3>().noalias() = E * angular;
-      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
-    }
-  }
-
-  // X^T m: takes a wrench on the child to the same wrench on the parent.
-  Columns6 transposed_times(const Columns6& m) const {
-    Columns6 result;
-    for (int k = 0; k < kColumns; ++k) {
-      const Vec3 force = E.transpose() * m.col(k).template tail<3>();
-      result.col(k).template head<3>() =
-          E.transpose() * m.col(k).template head<3>() + r.cross(force);
-      result.col(k).template tail<3>() = force;
-    }
-    return result;
-  }
-};
-
-ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
-  Mat6 result;
-  X.times(m, result);
-  return result;
-}
-
-ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
-  Mat6 transposed, result;
-  transposed.noalias() = m.transpose();
-  X.times(transposed, result);
-  return result;
-}
-
-// m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
-ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
-  Mat6 result = times_transposed(X, m);
-  result.transposeInPlace();
-  return result;
-}
-
-template <int columns>
-Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
-                                          const Eigen::Matrix<Real, 6, columns>& m) {
-  Eigen::Matrix<Real, 6, columns> result;
-  X.times(m, result);
-  return result;
-}
-
-// Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
-// quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
-[[maybe_unused]] Real conjugate_rotation(const Real* quaternion, Mat3& E) {
-  const Real x = quaternion[0], y = quaternion[1], z = quaternion[2], w = quaternion[3];
-  const Real squared = x * x + y * y + z * z + w * w;
-  const Real s = 2 / squared;
-  E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
-      s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w),   //
-      s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y);
-  return squared;
-}
-
-// b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
-ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
-  using Constant3 = Eigen::Map<const Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>>;
-  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
-  const Vec3 c(link.com[0], link.com[1], link.com[2]);
-  const Vec3 momentum = Constant3(link.tensor) * omega;
-  const Vec3 alpha = Constant3(link.tensor_inverse) * momentum.cross(omega);
-  b.setZero();
-  b.col(0).template head<3>() = alpha;
-  b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
-}
-
-// Joint kinds in their canonical frames: the rows of a spatial vector that a joint frees (R, S) and
-// those it constrains (N). Both are selections, so N and R cost nothing and round nothing.
-template <int... Rows>
-struct Selection {
-  static constexpr int count = sizeof...(Rows);
-  static constexpr std::array<int, sizeof...(Rows)> row{Rows...};
-};
-
-struct Revolute {
-  using Free = Selection<2>;
-  using Constrained = Selection<0, 1, 3, 4, 5>;
-};
-struct Prismatic {
-  using Free = Selection<5>;
-  using Constrained = Selection<0, 1, 2, 3, 4>;
-};
-struct Spherical {
-  using Free = Selection<0, 1, 2>;
-  using Constrained = Selection<3, 4, 5>;
-};
-struct Planar {
-  using Free = Selection<3, 4, 2>;
-  using Constrained = Selection<0, 1, 5>;
-};
-struct Floating {
-  using Free = Selection<3, 4, 5, 0, 1, 2>;
-  using Constrained = Selection<>;
-};
-
-template <class Kind>
-[[maybe_unused]] constexpr int kFree = Kind::Free::count;
-template <class Kind>
-[[maybe_unused]] constexpr int kConstrained = Kind::Constrained::count;
-
-// S qd, the velocity across a joint.
-template <class Kind>
-Vec6 joint_velocity(const Real* qd) {
-  Vec6 result = Vec6::Zero();
-  for (int k = 0; k < kFree<Kind>; ++k) result[Kind::Free::row[k]] = qd[k];
-  return result;
-}
-
-// c_i = v_i x S qd, the part of the acceleration across a joint that qdd has no say in.
-template <class Kind>
-Columns6 velocity_product(const Vec6& velocity, const Real* qd) {
-  const Vec6 motion = joint_velocity<Kind>(qd);
-  Columns6 result = Columns6::Zero();
-  result.col(0).template head<3>() = velocity.head<3>().cross(motion.head<3>());
-  result.col(0).template tail<3>() =
-      velocity.head<3>().cross(motion.tail<3>()) + velocity.tail<3>().cross(motion.head<3>());
-  return result;
-}
-
-// What disassembly needs of a joint i that was assembled.
-template <class Kind>
-struct Joined {
-  static constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
-  std::array<std::array<Real, m>, m> L;         // Cholesky factor of V_i^-1; its diagonal inverted
-  std::array<std::array<Real, m>, n> RPN;       // R_i (Phi_Ai + Phi_Bi) N_i^T
-  std::array<std::array<Real, kColumns>, m> z;  // L^-1 N_i beta_i
-  std::array<std::array<Real, kColumns>, n> R_beta;  // R_i beta_i
-  std::array<std::array<Real, kColumns>, n> tau;
-};
-
-// How a joint i and a handle j of one chain feel each other: Z = L^-1 N_i Phi_ij, Y = R_i Phi_ij.
-template <class Kind>
-struct Coupled {
-  std::array<std::array<Real, 6>, kConstrained<Kind>> Z;
-  std::array<std::array<Real, 6>, kFree<Kind>> Y;
-};
-
-// x <- L^-1 x, row by row.
-template <std::size_t m, std::size_t k>
-void forward_substitute(const std::array<std::array<Real, m>, m>& L,
-                        std::array<std::array<Real, k>, m>& x) {
-  for (std::size_t i = 0; i < m; ++i) {
-    for (std::size_t j = 0; j < i; ++j)
-      for (std::size_t c = 0; c < k; ++c) x[i][c] -= L[i][j] * x[j][c];
-    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
-  }
-}
-
-// x <- L^-T x.
-template <std::size_t m, std::size_t k>
-void backward_substitute(const std::array<std::array<Real, m>, m>& L,
-                         std::array<std::array<Real, k>, m>& x) {
-  for (std::size_t i = m; i-- > 0;) {
-    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
-    for (std::size_t j = 0; j < i; ++j)
-      for (std::size_t c = 0; c < k; ++c) x[j][c] -= L[i][j] * x[i][c];
-  }
-}
-
-// Cholesky's factorization in place, the inverse of the diagonal in its place. False where a pivot
-// has lost every digit, or was none to begin with.
-template <std::size_t m>
-bool factorize(std::array<std::array<Real, m>, m>& L) {
-  bool good = true;
-  for (std::size_t j = 0; j < m; ++j) {
-    Real pivot = L[j][j];
-    const Real least = 8 * std::numeric_limits<Real>::epsilon() * pivot;
-    for (std::size_t k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
-    good = good && pivot > least && pivot <= std::numeric_limits<Real>::max();
-    const Real inverse = 1 / std::sqrt(pivot);
-    L[j][j] = inverse;
-    for (std::size_t i = j + 1; i < m; ++i) {
-      for (std::size_t k = 0; k < j; ++k) L[i][j] -= L[i][k] * L[j][k];
-      L[i][j] *= inverse;
-    }
-  }
-  return good;
-}
-
-// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
-// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
-// each row, is 64 eps times that.
-template <class Kind>
-bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
-  bool good = true;
-  for (int k : Kind::Constrained::row)
-    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
-  return good;
-}
-
-// V_i and beta_i of Eq. (3)-(7): Phi_A and Phi_B are those of the joint's two sides in its frame,
-// b_A, b_B and c the accelerations there. Returns false where the factorization fails.
-template <class Kind>
-ADAGEN_NOINLINE bool join(Joined<Kind>& i, const Mat6& Phi_A, const Mat6& Phi_B,
-                          const Columns6& b_A, const Columns6& b_B, const Columns6& c) {
-  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
-  constexpr auto& free = Kind::Free::row;
-  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
-  const Mat6 Phi = Phi_A + Phi_B;
-  Columns6 beta = b_A - b_B + c;
-  for (int k = 0; k < n; ++k)
-    for (int column = 0; column < kColumns; ++column)
-      beta.col(column) -= Phi.col(free[k]) * i.tau[k][column];
-  for (int row = 0; row < n; ++row) {
-    for (int column = 0; column < kColumns; ++column)
-      i.R_beta[row][column] = beta(free[row], column);
-    for (int k = 0; k < m; ++k) i.RPN[row][k] = Phi(free[row], constrained[k]);
-  }
-  if constexpr (m > 0) {
-    for (int row = 0; row < m; ++row) {
-      for (int k = 0; k <= row; ++k) i.L[row][k] = Phi(constrained[row], constrained[k]);
-      for (int column = 0; column < kColumns; ++column)
-        i.z[row][column] = beta(constrained[row], column);
-    }
-    const bool good = factorize(i.L);
-    forward_substitute(i.L, i.z);
-    return good;
-  }
-  return true;
-}
-
-// Z and Y of a handle j, Phi_ij being given with the joint's frame on its left.
-template <class Kind>
-ADAGEN_NOINLINE void couple(const Joined<Kind>& i, const Mat6& Phi_ij, Coupled<Kind>& j) {
-  for (int row = 0; row < kFree<Kind>; ++row)
-    for (int k = 0; k < 6; ++k) j.Y[row][k] = Phi_ij(Kind::Free::row[row], k);
-  if constexpr (kConstrained<Kind> > 0) {
-    for (int row = 0; row < kConstrained<Kind>; ++row)
-      for (int k = 0; k < 6; ++k) j.Z[row][k] = Phi_ij(Kind::Constrained::row[row], k);
-    forward_substitute(i.L, j.Z);
-  }
-}
-
-// Phi_Aji W_i Phi_Aik = Z_j^T Z_k: what Eq. (3) and (4) subtract and Eq. (5) is.
-template <class Kind>
-ADAGEN_NOINLINE Mat6 product([[maybe_unused]] const Coupled<Kind>& j,
-                             [[maybe_unused]] const Coupled<Kind>& k) {
-  Mat6 result = Mat6::Zero();
-  if constexpr (kConstrained<Kind> > 0) {
-    for (int row = 0; row < kConstrained<Kind>; ++row) {
-      const Vec6 left = Eigen::Map<const Vec6>(j.Z[row].data());
-      const Vec6 right = Eigen::Map<const Vec6>(k.Z[row].data());
-      result.noalias() += left * right.transpose();
-    }
-  }
-  return result;
-}
-
-// Phi_ji gamma_i = Z^T z + Y^T tau: the change of b_j in Eq. (6) and (7).
-template <class Kind>
-Columns6 bias_change(const Joined<Kind>& i, const Coupled<Kind>& j) {
-  Columns6 result = Columns6::Zero();
-  for (int column = 0; column < kColumns; ++column) {
-    for (int row = 0; row < kConstrained<Kind>; ++row)
-      result.col(column) += Eigen::Map<const Vec6>(j.Z[row].data()) * i.z[row][column];
-    for (int row = 0; row < kFree<Kind>; ++row)
-      result.col(column) += Eigen::Map<const Vec6>(j.Y[row].data()) * i.tau[row][column];
-  }
-  return result;
-}
-
-// Disassembly of a joint: collects what the outer forces do to it, then gives its acceleration and
-// its force.
-template <class Kind>
-class Release {
- public:
-  explicit Release(const Joined<Kind>& i) : i_(i), z_(i.z), qdd_(i.R_beta) {
-    for (auto& row : qdd_)
-      for (Real& x : row) x = -x;
-  }
-
-  void feel_A(const Coupled<Kind>& j, const Columns6& f) { feel(j, f, Real(1)); }
-  void feel_B(const Coupled<Kind>& k, const Columns6& f) { feel(k, f, Real(-1)); }
-
-  // f_i, Eq. (10); on the way n_i, Eq. (8), and qdd_i, Eq. (9).
-  Columns6 force() {
-    if constexpr (kConstrained<Kind> > 0) backward_substitute(i_.L, z_);
-    Columns6 f;
-    for (int column = 0; column < kColumns; ++column) {
-      for (int k = 0; k < kConstrained<Kind>; ++k)
-        f(Kind::Constrained::row[k], column) = z_[k][column];
-      for (int k = 0; k < kFree<Kind>; ++k) {
-        f(Kind::Free::row[k], column) = i_.tau[k][column];
-        for (int l = 0; l < kConstrained<Kind>; ++l)
-          qdd_[k][column] += i_.RPN[k][l] * z_[l][column];
-      }
-    }
-    return f;
-  }
-
-  const std::array<std::array<Real, kColumns>, kFree<Kind>>& qdd() const { return qdd_; }
-
- private:
-  void feel(const Coupled<Kind>& j, const Columns6& f, Real sign) {
-    for (int column = 0; column < kColumns; ++column) {
-      const Vec6 signed_f = sign * f.col(column);
-      for (int row = 0; row < kConstrained<Kind>; ++row)
-        z_[row][column] += Eigen::Map<const Vec6>(j.Z[row].data()).dot(signed_f);
-      for (int row = 0; row < kFree<Kind>; ++row)
-        qdd_[row][column] -= Eigen::Map<const Vec6>(j.Y[row].data()).dot(signed_f);
-    }
-  }
-
-  const Joined<Kind>& i_;
-  std::array<std::array<Real, kColumns>, kConstrained<Kind>> z_;
-  std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
-};
-
-constexpr std::array<MessageInfo, 4> kMessages{ {
-    {0, 1, 27},  // 0: what hangs on "turret"
-    {1, 0, 42},  // 1: assembled: chain of "base_yaw"
-    {0, 1, 3},  // 2: state
-    {1, 0, 1},  // 3: accelerations
+constexpr std::array<MessageInfo, 2> kMessages{ {
+    {0, 1, 0},  // 0: state
+    {1, 0, 0},  // 1: accelerations
 } };
 
 // What a process does in an evaluation as the others see it: the messages that it sends and
@@ -970,7 +643,7 @@ class Take {
   const std::vector<Clock::rep>& looks() const { return looks_; }  // one at each message
 
   // Message k was sent, or received with this content, its status before it.
-  ADAGEN_NOINLINE void note(int k, const Real* content = nullptr) {
+  ADAGEN_NOINLINE void note(int k, const Number* content = nullptr) {
     messages_.push_back(k);
     looks_.push_back(0);
     starts_.push_back(contents_.size());
@@ -980,7 +653,7 @@ class Take {
   }
 
   // The next message is due; returns its content, if it is one received.
-  ADAGEN_NOINLINE const Real* pass() {
+  ADAGEN_NOINLINE const Number* pass() {
     looks_[next_] = Clock::now().time_since_epoch().count();
     return contents_.data() + starts_[next_++];
   }
@@ -991,7 +664,7 @@ class Take {
   std::vector<int> messages_;
   std::vector<Clock::rep> looks_;
   std::vector<std::size_t> starts_;  // in contents_
-  std::vector<Real> contents_;
+  std::vector<Number> contents_;
 };
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
@@ -1054,7 +727,7 @@ class Channel {
   }
 
   // Where to write message k. Waits for an MPI message that is still under way.
-  Real* outgoing(int k, int& status) {
+  Number* outgoing(int k, int& status) {
     Port& port = ports_[k];
     if (port.slots) return port.slot(port.count + 1, k).content() + 1;
     wait(port.request, kMessages[k].target, status);
@@ -1069,21 +742,21 @@ class Channel {
     Port& port = ports_[k];
     if (port.slots) {
       Slot& slot = port.slot(++port.count, k);
-      slot.content()[0] = static_cast<Real>(status);
+      slot.content()[0] = static_cast<Number>(status);
       slot.number.store(port.count, std::memory_order_release);
       return;
     }
-    port.buffer[0] = static_cast<Real>(status);
-    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+    port.buffer[0] = static_cast<Number>(status);
+    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
               kMessages[k].target, k, comm_, &port.request);
   }
 
   // Waits for message k and returns its content; what its source knows of failures joins the
   // status.
-  const Real* receive(int k, int& status) {
+  const Number* receive(int k, int& status) {
     if (take_ && take_->playing()) return opened(take_->pass(), status);
     Port& port = ports_[k];
-    const Real* content;
+    const Number* content;
     if (port.slots) {
       const std::uint64_t number = ++port.count;
       Slot& slot = port.slot(number, k);
@@ -1091,7 +764,7 @@ class Channel {
         fail(status, failure(kNoAnswer, kMessages[k].source));
       content = slot.content();
     } else {
-      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
                 kMessages[k].source, k, comm_, &port.request);
       wait(port.request, kMessages[k].source, status);
       content = port.buffer.data();
@@ -1141,7 +814,9 @@ class Channel {
 
   struct alignas(kCacheLine) Slot {
     std::atomic<std::uint64_t> number;
-    Real* content() { return reinterpret_cast<Real*>(reinterpret_cast<char*>(this) + kCacheLine); }
+    Number* content() {
+      return reinterpret_cast<Number*>(reinterpret_cast<char*>(this) + kCacheLine);
+    }
   };
 
   struct Port {
@@ -1150,17 +825,17 @@ class Channel {
     Slot& slot(std::uint64_t number, int k) const {
       return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
     }
-    std::vector<Real> buffer;
+    std::vector<Number> buffer;
     MPI_Request request = MPI_REQUEST_NULL;
   };
 
-  static const Real* opened(const Real* content, int& status) {
+  static const Number* opened(const Number* content, int& status) {
     if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
     return content + 1;
   }
 
   static std::size_t slot_bytes(const MessageInfo& info) {
-    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Real);
+    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Number);
     return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
   }
 
@@ -1325,19 +1000,12 @@ struct LinkRole {
   bool parts;     // paths part at it outwards
 };
 constexpr LinkRole kRoles[2][kLinkCount]{
-    {{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}},
-    {{1, 0, 1}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}},
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
 };
 
 // What is kept where segments meet, with the joint that it belongs to.
-struct Joint_base_yaw {
-  Mat6 Phi_turret;
-  Columns6 b_turret;
-};
 struct Cuts {
-  Joint_base_yaw j_base_yaw;
-  std::array<Columns6, kLinkCount> loads;  // wrenches on links, from handle forces
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
 // The memory of a process. What is set up for many links at once lies in blocks, side by side.
@@ -2325,346 +1993,32 @@ void free_acceleration(Workspace& w) {
 }
 
 
-// Nothing on the ground moves beyond its Frame, and the ground does not yield.
-const Mat6 kZero = Mat6::Zero();
-const Columns6 kGround = Columns6::Zero();
-
-// Mobility: what a segment shows at its handles, and what forces there do inside it. Phi and b are
-// in the axes of the base about the handles' origins; b are accelerations beyond those of a Frame.
-using Vec3 = Eigen::Matrix<Real, 3, 1>;
-
-ADAGEN_INLINE Motion<Value> motion_of(const Columns6& a) {
-  return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
-}
-ADAGEN_INLINE Columns6 columns_of(const Motion<Value>& a) {
-  Columns6 result;
-  result << a.angular.x, a.angular.y, a.angular.z, a.linear.x, a.linear.y, a.linear.z;
-  return result;
-}
-
-inline Mat6 inertia_of(const Body<Value>& X) {
-  Mat6 I;
-  I << X.A.xx, X.A.xy, X.A.xz, X.B.x.x, X.B.x.y, X.B.x.z,  //
-      X.A.xy, X.A.yy, X.A.yz, X.B.y.x, X.B.y.y, X.B.y.z,   //
-      X.A.xz, X.A.yz, X.A.zz, X.B.z.x, X.B.z.y, X.B.z.z,   //
-      X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx, X.C.xy, X.C.xz,   //
-      X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy, X.C.yz,   //
-      X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz;
-  return I;
-}
-inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
-
-// Phi = (I^A)^-1 and b = -Phi p^A of a segment's root, by Cholesky's factorization.
-[[maybe_unused]] inline bool invert(const Body<Value>& X, Mat6& Phi, Columns6& b) {
-  const Mat6 I = inertia_of(X);
-  std::array<std::array<Real, 6>, 6> L, x{};
-  ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
-    x[i][i] = 1;
-  }
-  const bool good = factorize(L);
-  forward_substitute(L, x);
-  ADAGEN_FOR (i, 0, 6)
-    ADAGEN_FOR (k, i, 6) {
-      Real sum = 0;
-      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
-      Phi(i, k) = Phi(k, i) = sum;
-    }
-  b.noalias() = -Phi * force_of(X);
-  return good;
-}
-
-template <int p, int link>
-void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
-  if (!invert(whole<p>(w, link), Phi, b)) fail(w, kFactorization, link - 1);
-}
-
-// Six columns of motions of a link, side by side: L times them are the far link's.
-template <bool reversed>
-ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a) {
-  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
-  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
-  const Value* const e = memory.e;
-  const Vector<Value> axis = axis_at(w.of(j, kAxes));
-  if (kind == JointKind::kSpherical) {
-    if constexpr (kAnySpherical) {
-      if constexpr (!reversed) carry(a, memory.r);
-      const Vector<Lanes> v = a.linear;
-      a.angular = {-(e[0] * v.x + e[1] * v.y + e[2] * v.z), -(e[3] * v.x + e[4] * v.y + e[5] * v.z),
-                   -(e[6] * v.x + e[7] * v.y + e[8] * v.z)};
-      if constexpr (reversed) carry(a, -memory.r);
-    }
-    return;
-  }
-  const Lanes x =
-      -((e[0] * a.angular.x + e[1] * a.angular.y) + (e[2] * a.angular.z + e[3] * a.linear.x) +
-        (e[4] * a.linear.y + e[5] * a.linear.z));
-  const Vector<Lanes> moved{axis.x * x, axis.y * x, axis.z * x};
-  if constexpr (!reversed) carry(a, memory.r);
-  if (kind == JointKind::kPrismatic)
-    a.linear += moved;
-  else
-    a.angular += moved;
-  if constexpr (reversed) carry(a, -memory.r);
-}
-
-ADAGEN_INLINE Motion<Lanes> rows_of(const Mat6& transposed) {
-  const auto row = [&transposed](int k) {
-    Lanes result{};
-    std::memcpy(&result, transposed.data() + 6 * k, 6 * sizeof(Real));
-    return result;
-  };
-  return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}};
-}
-ADAGEN_INLINE Mat6 from_rows(const Motion<Lanes>& a) {  // transposed
-  Mat6 result;
-  const Lanes* rows[6] = {&a.angular.x, &a.angular.y, &a.angular.z,
-                          &a.linear.x,  &a.linear.y,  &a.linear.z};
-  for (int k = 0; k < 6; ++k) std::memcpy(result.data() + 6 * k, rows[k], 6 * sizeof(Real));
-  return result;
-}
-
-// L m, m being told with the near link in its rows.
-template <bool reversed>
-Mat6 passed(Workspace& w, int j, const Mat6& m) {
-  Motion<Lanes> rows = rows_of(m.transpose());
-  pass<reversed>(w, j, rows);
-  return from_rows(rows).transpose();
-}
-
-// S D^-1 S^T at the far link's origin.
-template <bool reversed>
-Mat6 own_mobility(Workspace& w, int j) {
-  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
-  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
-  Mat6 result = Mat6::Zero();
-  if (kind == JointKind::kSpherical) {
-    if constexpr (kAnySpherical) {
-      for (int k = 0; k < 3; ++k) {
-        const Vector<Value> unit{Value(k == 0), Value(k == 1), Value(k == 2)};
-        const Vector<Value> x = solve_rotations(memory.e + 12, unit);
-        result(0, k) = x.x, result(1, k) = x.y, result(2, k) = x.z;
-      }
-    }
-    if constexpr (reversed) {
-      Mat6 shifted = Mat6::Identity();
-      const Vector<Value> r = -memory.r;  // linear += angular x r
-      shifted(3, 1) = r.z, shifted(3, 2) = -r.y, shifted(4, 0) = -r.z;
-      shifted(4, 2) = r.x, shifted(5, 0) = r.y, shifted(5, 1) = -r.x;
-      result = shifted * result * shifted.transpose();
-    }
-    return result;
-  }
-  Motion<Value> S{};
-  (kind == JointKind::kPrismatic ? S.linear : S.angular) = axis_at(w.of(j, kAxes));
-  if constexpr (reversed) carry(S, -memory.r);
-  const Columns6 s = columns_of(S);
-  return s * memory.e[7] * s.transpose();
-}
-
-// Omega and b outwards across a joint: L Omega L^T + S D^-1 S^T. Nothing is subtracted.
-template <bool reversed>
-void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias, Mat6& far,
-               Columns6& far_bias) {
-  const Mat6 half = passed<reversed>(w, j, near);
-  far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
-  Motion<Value> a = motion_of(near_bias);
-  move<reversed>(w, single(j), a);
-  far_bias = columns_of(a);
-}
-
-// A wrench on the far link: the joint feels S^T of it, the near link L^T.
-template <bool reversed>
-void deliver(Workspace& w, int j, const Columns6& load, Columns6& handed) {
-  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
-  Memory& memory = w.joints[static_cast<std::size_t>(j)];
-  Value* const e = memory.e;
-  Vector<Value> n{load[0], load[1], load[2]}, f{load[3], load[4], load[5]};
-  if constexpr (reversed) n += cross(f, memory.r);
-  if (kind == JointKind::kSpherical) {
-    if constexpr (kAnySpherical) {
-      const Vector<Value> y = solve_rotations(e + 12, n);
-      e[9] += y.x, e[10] += y.y, e[11] += y.z;
-      const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
-      f += -transposed_times(K, n);
-      n = Vector<Value>{};
-      if constexpr (!reversed) n += cross(memory.r, f);
-    }
-  } else {
-    const Value x = dot(axis_at(w.of(j, kAxes)), kind == JointKind::kPrismatic ? f : n);
-    e[6] += x * e[7];
-    if constexpr (!reversed) n += cross(memory.r, f);
-    n += -(Vector<Value>{e[0], e[1], e[2]} * x);
-    f += -(Vector<Value>{e[3], e[4], e[5]} * x);
-  }
-  handed += columns_of({n, f});
-}
-
-// A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
-template <int link>
-void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
-  const Body<Value>& X = w.bodies[link];
-  const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
-  w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
-}
-
-// The force that what was left at a link needs to move as the link does.
-template <int link>
-Columns6 force_on(Workspace& w) {
-  const Body<Value>& X = w.bodies[link];
-  return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
-}
-
-// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to
-// a singular matrix for that, angular and linear ones beside the largest of their kind.
-template <int link>
-void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
-  constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
-  std::array<std::array<Real, 6>, 6> L, x{};
-  ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) L[i][k] = Phi(i, k);
-    x[i][i] = 1;
-  }
-  bool good = factorize(L);  // leaves inverse roots of the pivots on the diagonal
-  const Real most[2] = {Phi.diagonal().template head<3>().maxCoeff(),
-                        Phi.diagonal().template tail<3>().maxCoeff()};
-  ADAGEN_FOR (i, 0, 6) good = good && L[i][i] * L[i][i] * kLeastPivot * most[i / 3] < 1;
-  if (!good) return fail(w, kSingularPose, link - 1);
-  forward_substitute(L, x);
-  const auto entry = [&x](int i, int k) {
-    Real sum = 0;
-    ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
-    return sum;
-  };
-  Body<Value>& X = w.bodies[link];
-  X.A = {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
-  X.B = {{entry(0, 3), entry(0, 4), entry(0, 5)},
-         {entry(1, 3), entry(1, 4), entry(1, 5)},
-         {entry(2, 3), entry(2, 4), entry(2, 5)}};
-  X.C = {entry(3, 3), entry(3, 4), entry(3, 5), entry(4, 4), entry(4, 5), entry(5, 5)};
-  const Columns6 p = -(inertia_of(X) * b);
-  X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
-}
-
-// --- joins: adapters to the joints' own frames ---------------------------------------------------
-
-// From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
-[[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
-  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
-  X.E << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
-  Y.E = X.E;
-  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
-  X.r << r.x, r.y, r.z;
-  Y.r.setZero();
-}
-
-template <std::size_t n>
-void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
-  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
-}
-
-template <std::size_t n>
-void store_acceleration(Workspace& w, int, int v,
-                        const std::array<std::array<Real, kColumns>, n>& qdd) {
-  for (std::size_t k = 0; k < n; ++k) w.answer[static_cast<std::size_t>(v) + k] = qdd[k][0];
-}
-
-// What goes into a message, and out of one.
-template <class M>
-Real* put(Real* to, const M& m) {
-  Eigen::Map<M>{to} = m;
-  return to + M::SizeAtCompileTime;
-}
-
-template <class M>
-const Real* get(const Real* from, M& m) {
-  m = Eigen::Map<const M>(from);
-  return from + M::SizeAtCompileTime;
-}
-
-template <std::size_t n>
-Real* put(Real* to, const std::array<Real, n>& x) {
-  return std::copy(x.begin(), x.end(), to);
-}
-
-template <std::size_t n>
-const Real* get(const Real* from, std::array<Real, n>& x) {
-  std::copy(from, from + n, x.begin());
-  return from + n;
-}
-
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 8 of 9 joints: "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch", "flange_roll", ...; kinematics of 1 more on the way to the ground
+// Process 0: 9 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 9, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 9, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 1, 8, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 9, &JointConstants::v, kNotFinite);
   stamp(0);
   std::copy_n(w.q + 0, 7, w.angle.data() + 0);
   turn<block(0), block(8) + 1>(w);
-  pass_outward<0, 0>(w);  // "base_yaw"
-  outward<1, 7>(w);  // "shoulder_pitch" .. "left_finger_slide"
+  outward<0, 7>(w);  // "base_yaw" .. "left_finger_slide"
   outward<8, 8>(w);  // "right_finger_slide"
   stamp(1);
-  set_up_links<block(1), block(8) + 1>(w);
+  set_up_links<block(0), block(8) + 1>(w);
   inward<0, 8, 8, true>(w);  // "right_finger_slide"
-  inward<0, 1, 7, true>(w);  // "shoulder_pitch" .. "left_finger_slide"
+  inward<0, 0, 7, true>(w);  // "base_yaw" .. "left_finger_slide"
   stamp(2);
-  {  // to process 1: what hangs on "turret"
-    Real* to = channel.outgoing(0, w.status);
-    to = put(to, w.bodies[1]);
-    channel.send(0, w.status);
-  }
-  stamp(3);
-  {  // from process 1: assembled: chain of "base_yaw"
-    const Real* from = channel.receive(1, w.status);
-    from = get(from, w.j_base_yaw.Phi_turret);
-    from = get(from, w.j_base_yaw.b_turret);
-  }
-  stamp(4);
-  solve_mobility<1>(w, w.j_base_yaw.Phi_turret, w.j_base_yaw.b_turret);
-  accelerate<0, 1, 7>(w);  // "shoulder_pitch" .. "left_finger_slide"
+  accelerate<0, 0, 7>(w);  // "base_yaw" .. "left_finger_slide"
   accelerate<0, 8, 8>(w);  // "right_finger_slide"
-  stamp(5);
-  require_finite(w, w.answer.data(), 1, 8, &JointConstants::v, kOverflow);
-  give(w, 1, 8);
+  stamp(3);
+  require_finite(w, w.answer.data(), 0, 9, &JointConstants::v, kOverflow);
+  give(w, 0, 9);
 }
 
-// Process 1: 1 of 9 joints: "base_yaw"
+// Process 1: has nothing to do
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 1, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 1, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 0, 1, &JointConstants::v, kNotFinite);
-  stamp(0);
-  std::copy_n(w.q + 0, 1, w.angle.data() + 0);
-  turn<block(0), block(0) + 1>(w);
-  outward<0, 0>(w);  // "base_yaw"
-  stamp(1);
-  set_up_links<block(0), block(0) + 1>(w);
-  place<1, true>(w);  // "turret" itself
-  inward<1, 0, 0, true>(w);  // "base_yaw"
-  propagate<false>(w, 0, kZero, kGround, w.j_base_yaw.Phi_turret, w.j_base_yaw.b_turret);
-  stamp(2);
-  {  // to process 0: assembled: chain of "base_yaw"
-    Real* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_base_yaw.Phi_turret);
-    to = put(to, w.j_base_yaw.b_turret);
-    channel.send(1, w.status);
-  }
-  stamp(3);
-  {  // from process 0: what hangs on "turret"
-    const Real* from = channel.receive(0, w.status);
-    from = get(from, w.bodies[1]);
-  }
-  stamp(4);
-  solve_mobility<1>(w, w.j_base_yaw.Phi_turret, w.j_base_yaw.b_turret);
-  w.loads[1] = -force_on<1>(w);
-  deliver<false>(w, 0, w.loads[1], w.loads[0]);
-  accelerate<1, 0, 0>(w);  // "base_yaw"
-  stamp(5);
-  require_finite(w, w.answer.data(), 0, 1, &JointConstants::v, kOverflow);
-  give(w, 0, 1);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
@@ -2673,15 +2027,11 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 // reads.
 constexpr std::array<int, 9> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr std::array<int, 9> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 8> kOwn_0{1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 8> kTorque_0{1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 1> kReadQ_1{0};
-constexpr std::array<int, 1> kReadV_1{0};
-constexpr std::array<int, 1> kOwn_1{0};
-constexpr std::array<int, 1> kTorque_1{0};
+constexpr std::array<int, 9> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
+constexpr std::array<int, 9> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {9, kReadQ_0.data(), 9, kReadV_0.data(), 8, kOwn_0.data(), 8, kTorque_0.data()},
-    {1, kReadQ_1.data(), 1, kReadV_1.data(), 1, kOwn_1.data(), 1, kTorque_1.data()},
+    {9, kReadQ_0.data(), 9, kReadV_0.data(), 9, kOwn_0.data(), 9, kTorque_0.data()},
+    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -2693,7 +2043,7 @@ class Solver {
   std::string text;  // of the last failure
 
   // State and result in place: reads what this process needs, writes what it owns.
-  int solve(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     prepare(q, v, tau, qdd);
     run();
@@ -2701,7 +2051,7 @@ class Solver {
   }
 
   // Everything through process 0: it has the state and gets all accelerations.
-  int solve_at_root(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if constexpr (kProcesses == 1) return solve(q, v, tau, qdd);
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
@@ -2730,24 +2080,25 @@ class Solver {
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
     if (own.v_count == 0) return finish(kFine);
     int status = kFine;
-    const Real* content = channel.receive(state_message(rank), status);
+    const Number* content = channel.receive(state_message(rank), status);
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
     for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
-    Real* result = channel.outgoing(result_message(rank), w.status);
+    Number* result = channel.outgoing(result_message(rank), w.status);
     for (int k = 0; k < own.v_count; ++k) result[k] = qdd_[own.v[k]];
     channel.send(result_message(rank), w.status);
     return finish(w.status);
   }
 
-  int solve_as_root(const Real* q, const Real* v, const Real* tau, Real* qdd, int status = kFine) {
+  int solve_as_root(const Number* q, const Number* v, const Number* tau, Number* qdd,
+                    int status = kFine) {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;
-      Real* content = channel.outgoing(state_message(p), status);
+      Number* content = channel.outgoing(state_message(p), status);
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
       for (int k = 0; k < other.tau_count; ++k) *content++ = tau[other.tau[k]];
@@ -2759,14 +2110,14 @@ class Solver {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;
-      const Real* result = channel.receive(result_message(p), w.status);
+      const Number* result = channel.receive(result_message(p), w.status);
       for (int k = 0; k < other.v_count; ++k) qdd_[other.v[k]] = result[k];
     }
     if (w.status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
     return finish(w.status);
   }
 
-  void prepare(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  void prepare(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     w.q = q;
     w.v = v;
     w.tau = tau;
@@ -2782,9 +2133,9 @@ class Solver {
   static int state_message(int process) { return kPlanMessages + 2 * (process - 1); }
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
-  std::array<Real, kNq> q_{};
-  std::array<Real, kNv> v_{}, qdd_{};
-  std::array<Real, kNtau> tau_{};
+  std::array<Number, kNq> q_{};
+  std::array<Number, kNv> v_{}, qdd_{};
+  std::array<Number, kNtau> tau_{};
 };
 
 }  // namespace
@@ -2864,8 +2215,8 @@ Mat times(const Mat& a, const Mat& b) {
       for (int k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
   return result;
 }
-Vec vec3(const Real* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
-Mat mat3(const Real* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
+Vec vec3(const Number* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
+Mat mat3(const Number* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
 
 struct Body {
   Mat turn;   // child to parent coordinates
@@ -2876,14 +2227,14 @@ struct Body {
 };
 
 // Rotation and origin of the child frame in the joint frame.
-void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift) {
+void displace(const JointConstants& joint, const Number* q, Mat& turn, Vec& shift) {
   turn = {Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
   shift = {};
   const auto about_z = [&turn](double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     turn = {Vec{c, -s, 0}, Vec{s, c, 0}, Vec{0, 0, 1}};
   };
-  const auto orient = [&turn](const Real* p) {
+  const auto orient = [&turn](const Number* p) {
     double x = double(p[0]), y = double(p[1]), z = double(p[2]), w = double(p[3]);
     const double length = std::sqrt(x * x + y * y + z * z + w * w);
     x /= length, y /= length, z /= length, w /= length;
@@ -2911,7 +2262,7 @@ void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift)
 }
 
 // Angular and linear part of a joint's velocity or acceleration, in the child's frame.
-void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linear) {
+void motion(const JointConstants& joint, const Number* x, Vec& angular, Vec& linear) {
   angular = linear = {};
   switch (joint.kind) {
     case JointKind::kRevolute:
@@ -2933,7 +2284,7 @@ void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linea
 }
 
 // What a joint's damping, friction, spring and rotor take of its torque.
-void add_passive(const JointConstants& joint, const Real* q, const Real* v, const Real* qdd,
+void add_passive(const JointConstants& joint, const Number* q, const Number* v, const Number* qdd,
                  double* tau) {
   const Passive& own = joint.passive;
   for (int k = 0; k < joint.nv; ++k) {
@@ -2945,7 +2296,7 @@ void add_passive(const JointConstants& joint, const Real* q, const Real* v, cons
 }
 
 // The outer forces push their links.
-void push(const Real* outer, std::array<Body, kLinkCount>& body) {
+void push(const Number* outer, std::array<Body, kLinkCount>& body) {
   for (const OuterForce& one : kOuterForces) {
     Body& b = body[static_cast<std::size_t>(one.link)];
     const Mat turn = mat3(one.rotation);
@@ -2958,7 +2309,7 @@ void push(const Real* outer, std::array<Body, kLinkCount>& body) {
 
 // Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
 // through their sources' torques.
-void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real* outer,
+void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const Number* outer,
                       double* tau) {
   static std::array<Body, kLinkCount> body;
   body[0] = {};
@@ -3027,7 +2378,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real*
 
 // How far slaved accelerations are from following their sources, relative to their size, and
 // prescribed ones from what was prescribed.
-double slip(const Real* tau, const Real* qdd) {
+double slip(const Number* tau, const Number* qdd) {
   double worst = 0;
   for (const JointConstants& joint : kJoints) {
     for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
@@ -3042,9 +2393,9 @@ double slip(const Real* tau, const Real* qdd) {
 
 // The larger of that and of |ID(q, v, qdd) - tau| relative to the size of the torques that it
 // balances.
-double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
+double residual(const Number* q, const Number* v, const Number* tau, const Number* qdd) {
   static std::array<double, kNv> needed, at_rest;
-  static std::array<Real, kNv> zero{};
+  static std::array<Number, kNv> zero{};
   inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
   inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
   std::array<double, kNv> given{};
@@ -3244,7 +2595,7 @@ class JsonReader {
 // Reads a states file (JSON) and writes a result file, joints by name.
 struct States {
   int count = 0;
-  std::vector<Real> q, v, tau;  // one state after the other
+  std::vector<Number> q, v, tau;  // one state after the other
 };
 
 class StatesReader : private JsonReader {
@@ -3327,7 +2678,7 @@ class StatesReader : private JsonReader {
     const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
     const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
     const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
-    std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
+    std::vector<Number>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
     int count = 0;
     array([&] {
       const std::vector<double> entry = numbers();
@@ -3336,7 +2687,8 @@ class StatesReader : private JsonReader {
                " numbers, not " + std::to_string(size));
       const std::size_t row = stride * static_cast<std::size_t>(count);
       if (values.size() < row + stride) values.resize(row + stride);
-      for (std::size_t k = 0; k < size; ++k) values[row + start + k] = static_cast<Real>(entry[k]);
+      for (std::size_t k = 0; k < size; ++k)
+        values[row + start + k] = static_cast<Number>(entry[k]);
       ++count;
     });
     if (count == 0) refuse("there is no state");
@@ -3366,7 +2718,7 @@ class StatesReader : private JsonReader {
              std::to_string(given.size() / 6) + " states, but the joints have " +
              std::to_string(states.count));
     for (std::size_t i = 0; i < given.size(); ++i)
-      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Number>(given[i]);
   }
 
   static void fill_slaved(States& states) {
@@ -3377,7 +2729,7 @@ class StatesReader : private JsonReader {
 };
 
 // more: further members of the file, each after a comma.
-bool write_result(const std::string& path, const std::vector<Real>& qdd, int count,
+bool write_result(const std::string& path, const std::vector<Number>& qdd, int count,
                   const std::string& more) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (file == nullptr) return false;
@@ -3385,7 +2737,7 @@ bool write_result(const std::string& path, const std::vector<Real>& qdd, int cou
   for (int j = 0; j < kJointCount; ++j) {
     std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",", quoted(kJoints[j].name).c_str());
     for (int s = 0; s < count; ++s) {
-      const Real* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
+      const Number* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
       std::fputs(s == 0 ? "" : ", ", file);
       if (kJoints[j].nv > 1) std::fputs("[", file);
       for (int k = 0; k < kJoints[j].nv; ++k)
@@ -4120,22 +3472,13 @@ class Watch {
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 5> kStages_0{ {
+constexpr std::array<Stage, 3> kStages_0{ {
     {"kinematics", 8, -1},
-    {"assembly", 1, -1},
-    {"send", -1, 0},
-    {"receive", -1, 1},
-    {"disassembly", 1, -1},
-} };
-constexpr std::array<Stage, 5> kStages_1{ {
-    {"kinematics", 0, -1},
     {"assembly", 0, -1},
-    {"send", -1, 1},
-    {"receive", -1, 0},
     {"disassembly", 0, -1},
 } };
-constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data()};
-constexpr std::array<int, kProcesses> kStageCount{5, 5};
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), nullptr};
+constexpr std::array<int, kProcesses> kStageCount{3, 0};
 
 struct Statistics {
   double median = 0, least = 0, percentile99 = 0;
@@ -4276,16 +3619,16 @@ States random_states(int count, std::uint64_t seed) {
   states.v.resize(size(kNv));
   states.tau.resize(size(kNtau));
   for (int s = 0; s < count; ++s) {
-    Real* q =
+    Number* q =
         states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* v =
+    Number* v =
         states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* tau = states.tau.data() +
-                size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Number* tau = states.tau.data() +
+                  size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     for (const JointConstants& joint : kJoints) {
       const bool turns = joint.kind == JointKind::kRevolute;
       for (int k = 0; k < joint.nq; ++k)
-        q[joint.q + k] = static_cast<Real>(turns ? 3.141592653589793 * uniform() : uniform());
+        q[joint.q + k] = static_cast<Number>(turns ? 3.141592653589793 * uniform() : uniform());
       if (joint.nq >= 4) {
         double p[4], squared;
         do {
@@ -4293,14 +3636,14 @@ States random_states(int count, std::uint64_t seed) {
           for (double& x : p) x = uniform(), squared += x * x;
         } while (squared > 1 || squared < 0.01);
         for (int k = 0; k < 4; ++k)
-          q[joint.q + joint.nq - 4 + k] = static_cast<Real>(p[k] / std::sqrt(squared));
+          q[joint.q + joint.nq - 4 + k] = static_cast<Number>(p[k] / std::sqrt(squared));
       }
       for (int k = 0; k < joint.nv; ++k) {
-        v[joint.v + k] = static_cast<Real>(uniform());
-        tau[joint.v + k] = static_cast<Real>(uniform());
+        v[joint.v + k] = static_cast<Number>(uniform());
+        tau[joint.v + k] = static_cast<Number>(uniform());
       }
     }
-    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Real>(uniform());
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Number>(uniform());
     slave(q, v);
   }
   return states;
@@ -4327,9 +3670,9 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   MPI_Bcast(&status, 1, MPI_INT, 0, comm);
   if (status != kDone) return status;
   MPI_Bcast(&states.count, 1, MPI_INT, 0, comm);
-  const auto share = [&](std::vector<Real>& x, int n) {
+  const auto share = [&](std::vector<Number>& x, int n) {
     x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
-    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiReal, 0, comm);
+    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiNumber, 0, comm);
   };
   if (kBatch) return status;  // handed out as they are solved
   share(states.q, kNq);
@@ -4344,20 +3687,20 @@ struct Session {
   Watch watch;
   Solver solver;
   States states;
-  std::vector<Real> qdd;  // one acceleration after the other
+  std::vector<Number> qdd;  // one acceleration after the other
   bool pinned = false;
 
   Session(Options given, int own_rank) : options(std::move(given)), rank(own_rank) {}
 
   MPI_Comm comm() const { return solver.channel.comm(); }
-  const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
-  const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
-  Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
+  const Number* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
+  const Number* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
+  const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
+  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
 
   void use(States given) {
     states = std::move(given);
-    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Real(0));
+    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Number(0));
   }
 
   int complain(int status, const std::string& what, const std::string& file = "") const {
@@ -4494,8 +3837,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 58.7, 0.934};
-constexpr Hop kMessageHop{0, 357, 12.5};
+constexpr Hop kWindowHop{0, 105, 0.415};
+constexpr Hop kMessageHop{22, 105, 0.597};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {
@@ -4749,8 +4092,8 @@ class BatchTiming {
     };
     for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
       session_.watch.again();
-      const Real *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
-      Real* const qdd = session_.acceleration(0);
+      const Number *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
+      Number* const qdd = session_.acceleration(0);
       time(pass < 0 ? nullptr : &in_place, [&] {
         return solver.solve_batch(session_.rank < active ? kStates : 0, q, v, tau, qdd);
       });
@@ -4790,7 +4133,7 @@ class Timing {
          ++pass) {  // the first one warms up
       session_.watch.again();
       for (int s = 0; s < session_.states.count; ++s) {
-        Real* const qdd = session_.acceleration(s);
+        Number* const qdd = session_.acceleration(s);
         const Clock::time_point start = start_together();
         const int first = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s), qdd);
         const double in_place_ns =
@@ -5098,7 +4441,7 @@ class Simulation {
     std::copy(v.begin(), v.end(), real_v_.begin());
     std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
     for (std::size_t k = 0; k < extra.size(); ++k)
-      real_tau_[k] = static_cast<Real>(double(real_tau_[k]) + extra[k]);
+      real_tau_[k] = static_cast<Number>(double(real_tau_[k]) + extra[k]);
     const int status =
         on_.solver.solve_at_root(real_q_.data(), real_v_.data(), real_tau_.data(), real_a_.data());
     std::copy(real_a_.begin(), real_a_.end(), a.begin());
@@ -5147,9 +4490,9 @@ class Simulation {
   Session& on_;
   Trajectory trajectory_;
   manifold::State q_, v_;
-  std::array<Real, kNq> real_q_{};
-  std::array<Real, kNv> real_v_{}, real_a_{};
-  std::array<Real, kNtau> real_tau_{};
+  std::array<Number, kNq> real_q_{};
+  std::array<Number, kNv> real_v_{}, real_a_{};
+  std::array<Number, kNtau> real_tau_{};
   bool done_ = false, told_ = false;
   long long steps_ = 0, evaluations_ = 0;
   double wall_ = 0;
@@ -5317,9 +4660,9 @@ class Program {
     void* const all = on.qdd.data();
     const int size = static_cast<int>(on.qdd.size());
     if (on.rank == 0)
-      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiReal, MPI_SUM, 0, on.comm());
+      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiNumber, MPI_SUM, 0, on.comm());
     else
-      MPI_Reduce(all, nullptr, size, kMpiReal, MPI_SUM, 0, on.comm());
+      MPI_Reduce(all, nullptr, size, kMpiNumber, MPI_SUM, 0, on.comm());
     return kDone;
   }
 

@@ -101,7 +101,8 @@ void arm7_unrolled_p2_close(arm7_unrolled_p2_solver* solver);
 
 namespace {
 
-using Real = double;
+using Number = double;  // of states, answers and messages
+using Real = double;    // of all between
 constexpr int kProcesses = 2;
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
@@ -115,7 +116,7 @@ constexpr bool kFloatingBase = false;
 constexpr double kTolerance = 1e-09;
 constexpr int kRandomStates = 64;
 constexpr const char* kRobot = "arm7";
-const MPI_Datatype kMpiReal = MPI_DOUBLE;
+const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -125,7 +126,7 @@ enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
 // + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
 // tau holds that.
 struct Passive {
-  Real damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  Number damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
   bool prescribed = false;
 };
 
@@ -134,11 +135,11 @@ struct Passive {
 struct JointConstants {
   const char* name;
   JointKind kind;
-  int parent;           // parent link; the child link has the joint's number plus one
-  int q, nq, v, nv;     // where its configuration and velocity are
-  Real rotation[9];     // joint frame to parent link's frame, row by row
-  Real translation[3];  // origin of the joint frame in the parent link's frame, m
-  int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
+  int parent;             // parent link; the child link has the joint's number plus one
+  int q, nq, v, nv;       // where its configuration and velocity are
+  Number rotation[9];     // joint frame to parent link's frame, row by row
+  Number translation[3];  // origin of the joint frame in the parent link's frame, m
+  int source;             // joint that it is slaved to, or -1: q = multiplier q_source + offset
   double multiplier, offset;
   Passive passive{};
 };
@@ -146,17 +147,17 @@ struct JointConstants {
 // An outer force that is an input, told in the frame of the link that has its name.
 struct OuterForce {
   const char* name;
-  int link;             // that feels it
-  Real rotation[9];     // from that frame to the link's, row by row
-  Real translation[3];  // its origin in the link's frame, m
+  int link;               // that feels it
+  Number rotation[9];     // from that frame to the link's, row by row
+  Number translation[3];  // its origin in the link's frame, m
 };
 
 struct LinkConstants {
   const char* name;
-  Real mass;               // kg
-  Real com[3];             // centre of mass, m
-  Real tensor[9];          // rotational inertia about it, kg m^2
-  Real tensor_inverse[9];  // J, its inverse
+  Number mass;               // kg
+  Number com[3];             // centre of mass, m
+  Number tensor[9];          // rotational inertia about it, kg m^2
+  Number tensor_inverse[9];  // J, its inverse
 };
 
 // What a process reads and owns of the state.
@@ -173,7 +174,7 @@ struct ProcessInfo {
 
 // What goes from one process to another once in an evaluation.
 struct MessageInfo {
-  int source, target, size;  // size in Real, the status not counted
+  int source, target, size;  // size in Number, the status not counted
 };
 
 constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
@@ -270,6 +271,7 @@ enum Failure : int {
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
+  kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -335,6 +337,9 @@ std::string describe(int status) {
       return "the evaluations are over";
     case kNotRefined:
       return "refinement does not converge: the inertias differ too much for the scalar";
+    case kTooFewSteps:
+      return "refinement converges too slowly: its last correction is too large; take more steps "
+             "(--refine) or --scalar double";
     case kNoAnswer:
       return "process " + std::to_string(place) + " did not answer within the time limit";
   }
@@ -369,7 +374,7 @@ class Take {
   const std::vector<Clock::rep>& looks() const { return looks_; }  // one at each message
 
   // Message k was sent, or received with this content, its status before it.
-  ADAGEN_NOINLINE void note(int k, const Real* content = nullptr) {
+  ADAGEN_NOINLINE void note(int k, const Number* content = nullptr) {
     messages_.push_back(k);
     looks_.push_back(0);
     starts_.push_back(contents_.size());
@@ -379,7 +384,7 @@ class Take {
   }
 
   // The next message is due; returns its content, if it is one received.
-  ADAGEN_NOINLINE const Real* pass() {
+  ADAGEN_NOINLINE const Number* pass() {
     looks_[next_] = Clock::now().time_since_epoch().count();
     return contents_.data() + starts_[next_++];
   }
@@ -390,7 +395,7 @@ class Take {
   std::vector<int> messages_;
   std::vector<Clock::rep> looks_;
   std::vector<std::size_t> starts_;  // in contents_
-  std::vector<Real> contents_;
+  std::vector<Number> contents_;
 };
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
@@ -453,7 +458,7 @@ class Channel {
   }
 
   // Where to write message k. Waits for an MPI message that is still under way.
-  Real* outgoing(int k, int& status) {
+  Number* outgoing(int k, int& status) {
     Port& port = ports_[k];
     if (port.slots) return port.slot(port.count + 1, k).content() + 1;
     wait(port.request, kMessages[k].target, status);
@@ -468,21 +473,21 @@ class Channel {
     Port& port = ports_[k];
     if (port.slots) {
       Slot& slot = port.slot(++port.count, k);
-      slot.content()[0] = static_cast<Real>(status);
+      slot.content()[0] = static_cast<Number>(status);
       slot.number.store(port.count, std::memory_order_release);
       return;
     }
-    port.buffer[0] = static_cast<Real>(status);
-    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+    port.buffer[0] = static_cast<Number>(status);
+    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
               kMessages[k].target, k, comm_, &port.request);
   }
 
   // Waits for message k and returns its content; what its source knows of failures joins the
   // status.
-  const Real* receive(int k, int& status) {
+  const Number* receive(int k, int& status) {
     if (take_ && take_->playing()) return opened(take_->pass(), status);
     Port& port = ports_[k];
-    const Real* content;
+    const Number* content;
     if (port.slots) {
       const std::uint64_t number = ++port.count;
       Slot& slot = port.slot(number, k);
@@ -490,7 +495,7 @@ class Channel {
         fail(status, failure(kNoAnswer, kMessages[k].source));
       content = slot.content();
     } else {
-      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
                 kMessages[k].source, k, comm_, &port.request);
       wait(port.request, kMessages[k].source, status);
       content = port.buffer.data();
@@ -540,7 +545,9 @@ class Channel {
 
   struct alignas(kCacheLine) Slot {
     std::atomic<std::uint64_t> number;
-    Real* content() { return reinterpret_cast<Real*>(reinterpret_cast<char*>(this) + kCacheLine); }
+    Number* content() {
+      return reinterpret_cast<Number*>(reinterpret_cast<char*>(this) + kCacheLine);
+    }
   };
 
   struct Port {
@@ -549,17 +556,17 @@ class Channel {
     Slot& slot(std::uint64_t number, int k) const {
       return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
     }
-    std::vector<Real> buffer;
+    std::vector<Number> buffer;
     MPI_Request request = MPI_REQUEST_NULL;
   };
 
-  static const Real* opened(const Real* content, int& status) {
+  static const Number* opened(const Number* content, int& status) {
     if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
     return content + 1;
   }
 
   static std::size_t slot_bytes(const MessageInfo& info) {
-    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Real);
+    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Number);
     return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
   }
 
@@ -4074,7 +4081,7 @@ class Solver {
   std::string text;  // of the last failure
 
   // State and result in place: reads what this process needs, writes what it owns.
-  int solve(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     prepare(q, v, tau, qdd);
     run();
@@ -4082,7 +4089,7 @@ class Solver {
   }
 
   // Everything through process 0: it has the state and gets all accelerations.
-  int solve_at_root(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if constexpr (kProcesses == 1) return solve(q, v, tau, qdd);
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
@@ -4111,24 +4118,25 @@ class Solver {
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
     if (own.v_count == 0) return finish(kFine);
     int status = kFine;
-    const Real* content = channel.receive(state_message(rank), status);
+    const Number* content = channel.receive(state_message(rank), status);
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
     for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
-    Real* result = channel.outgoing(result_message(rank), w.status);
+    Number* result = channel.outgoing(result_message(rank), w.status);
     for (int k = 0; k < own.v_count; ++k) result[k] = qdd_[own.v[k]];
     channel.send(result_message(rank), w.status);
     return finish(w.status);
   }
 
-  int solve_as_root(const Real* q, const Real* v, const Real* tau, Real* qdd, int status = kFine) {
+  int solve_as_root(const Number* q, const Number* v, const Number* tau, Number* qdd,
+                    int status = kFine) {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;
-      Real* content = channel.outgoing(state_message(p), status);
+      Number* content = channel.outgoing(state_message(p), status);
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
       for (int k = 0; k < other.tau_count; ++k) *content++ = tau[other.tau[k]];
@@ -4140,14 +4148,14 @@ class Solver {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;
-      const Real* result = channel.receive(result_message(p), w.status);
+      const Number* result = channel.receive(result_message(p), w.status);
       for (int k = 0; k < other.v_count; ++k) qdd_[other.v[k]] = result[k];
     }
     if (w.status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
     return finish(w.status);
   }
 
-  void prepare(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  void prepare(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     w.q = q;
     w.v = v;
     w.tau = tau;
@@ -4163,9 +4171,9 @@ class Solver {
   static int state_message(int process) { return kPlanMessages + 2 * (process - 1); }
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
-  std::array<Real, kNq> q_{};
-  std::array<Real, kNv> v_{}, qdd_{};
-  std::array<Real, kNtau> tau_{};
+  std::array<Number, kNq> q_{};
+  std::array<Number, kNv> v_{}, qdd_{};
+  std::array<Number, kNtau> tau_{};
 };
 
 }  // namespace
@@ -4245,8 +4253,8 @@ Mat times(const Mat& a, const Mat& b) {
       for (int k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
   return result;
 }
-Vec vec3(const Real* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
-Mat mat3(const Real* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
+Vec vec3(const Number* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
+Mat mat3(const Number* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
 
 struct Body {
   Mat turn;   // child to parent coordinates
@@ -4257,14 +4265,14 @@ struct Body {
 };
 
 // Rotation and origin of the child frame in the joint frame.
-void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift) {
+void displace(const JointConstants& joint, const Number* q, Mat& turn, Vec& shift) {
   turn = {Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
   shift = {};
   const auto about_z = [&turn](double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     turn = {Vec{c, -s, 0}, Vec{s, c, 0}, Vec{0, 0, 1}};
   };
-  const auto orient = [&turn](const Real* p) {
+  const auto orient = [&turn](const Number* p) {
     double x = double(p[0]), y = double(p[1]), z = double(p[2]), w = double(p[3]);
     const double length = std::sqrt(x * x + y * y + z * z + w * w);
     x /= length, y /= length, z /= length, w /= length;
@@ -4292,7 +4300,7 @@ void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift)
 }
 
 // Angular and linear part of a joint's velocity or acceleration, in the child's frame.
-void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linear) {
+void motion(const JointConstants& joint, const Number* x, Vec& angular, Vec& linear) {
   angular = linear = {};
   switch (joint.kind) {
     case JointKind::kRevolute:
@@ -4314,7 +4322,7 @@ void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linea
 }
 
 // What a joint's damping, friction, spring and rotor take of its torque.
-void add_passive(const JointConstants& joint, const Real* q, const Real* v, const Real* qdd,
+void add_passive(const JointConstants& joint, const Number* q, const Number* v, const Number* qdd,
                  double* tau) {
   const Passive& own = joint.passive;
   for (int k = 0; k < joint.nv; ++k) {
@@ -4326,7 +4334,7 @@ void add_passive(const JointConstants& joint, const Real* q, const Real* v, cons
 }
 
 // The outer forces push their links.
-void push(const Real* outer, std::array<Body, kLinkCount>& body) {
+void push(const Number* outer, std::array<Body, kLinkCount>& body) {
   for (const OuterForce& one : kOuterForces) {
     Body& b = body[static_cast<std::size_t>(one.link)];
     const Mat turn = mat3(one.rotation);
@@ -4339,7 +4347,7 @@ void push(const Real* outer, std::array<Body, kLinkCount>& body) {
 
 // Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
 // through their sources' torques.
-void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real* outer,
+void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const Number* outer,
                       double* tau) {
   static std::array<Body, kLinkCount> body;
   body[0] = {};
@@ -4408,7 +4416,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real*
 
 // How far slaved accelerations are from following their sources, relative to their size, and
 // prescribed ones from what was prescribed.
-double slip(const Real* tau, const Real* qdd) {
+double slip(const Number* tau, const Number* qdd) {
   double worst = 0;
   for (const JointConstants& joint : kJoints) {
     for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
@@ -4423,9 +4431,9 @@ double slip(const Real* tau, const Real* qdd) {
 
 // The larger of that and of |ID(q, v, qdd) - tau| relative to the size of the torques that it
 // balances.
-double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
+double residual(const Number* q, const Number* v, const Number* tau, const Number* qdd) {
   static std::array<double, kNv> needed, at_rest;
-  static std::array<Real, kNv> zero{};
+  static std::array<Number, kNv> zero{};
   inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
   inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
   std::array<double, kNv> given{};
@@ -4625,7 +4633,7 @@ class JsonReader {
 // Reads a states file (JSON) and writes a result file, joints by name.
 struct States {
   int count = 0;
-  std::vector<Real> q, v, tau;  // one state after the other
+  std::vector<Number> q, v, tau;  // one state after the other
 };
 
 class StatesReader : private JsonReader {
@@ -4708,7 +4716,7 @@ class StatesReader : private JsonReader {
     const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
     const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
     const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
-    std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
+    std::vector<Number>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
     int count = 0;
     array([&] {
       const std::vector<double> entry = numbers();
@@ -4717,7 +4725,8 @@ class StatesReader : private JsonReader {
                " numbers, not " + std::to_string(size));
       const std::size_t row = stride * static_cast<std::size_t>(count);
       if (values.size() < row + stride) values.resize(row + stride);
-      for (std::size_t k = 0; k < size; ++k) values[row + start + k] = static_cast<Real>(entry[k]);
+      for (std::size_t k = 0; k < size; ++k)
+        values[row + start + k] = static_cast<Number>(entry[k]);
       ++count;
     });
     if (count == 0) refuse("there is no state");
@@ -4747,7 +4756,7 @@ class StatesReader : private JsonReader {
              std::to_string(given.size() / 6) + " states, but the joints have " +
              std::to_string(states.count));
     for (std::size_t i = 0; i < given.size(); ++i)
-      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Number>(given[i]);
   }
 
   static void fill_slaved(States& states) {
@@ -4758,7 +4767,7 @@ class StatesReader : private JsonReader {
 };
 
 // more: further members of the file, each after a comma.
-bool write_result(const std::string& path, const std::vector<Real>& qdd, int count,
+bool write_result(const std::string& path, const std::vector<Number>& qdd, int count,
                   const std::string& more) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (file == nullptr) return false;
@@ -4766,7 +4775,7 @@ bool write_result(const std::string& path, const std::vector<Real>& qdd, int cou
   for (int j = 0; j < kJointCount; ++j) {
     std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",", quoted(kJoints[j].name).c_str());
     for (int s = 0; s < count; ++s) {
-      const Real* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
+      const Number* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
       std::fputs(s == 0 ? "" : ", ", file);
       if (kJoints[j].nv > 1) std::fputs("[", file);
       for (int k = 0; k < kJoints[j].nv; ++k)
@@ -5659,16 +5668,16 @@ States random_states(int count, std::uint64_t seed) {
   states.v.resize(size(kNv));
   states.tau.resize(size(kNtau));
   for (int s = 0; s < count; ++s) {
-    Real* q =
+    Number* q =
         states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* v =
+    Number* v =
         states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* tau = states.tau.data() +
-                size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Number* tau = states.tau.data() +
+                  size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     for (const JointConstants& joint : kJoints) {
       const bool turns = joint.kind == JointKind::kRevolute;
       for (int k = 0; k < joint.nq; ++k)
-        q[joint.q + k] = static_cast<Real>(turns ? 3.141592653589793 * uniform() : uniform());
+        q[joint.q + k] = static_cast<Number>(turns ? 3.141592653589793 * uniform() : uniform());
       if (joint.nq >= 4) {
         double p[4], squared;
         do {
@@ -5676,14 +5685,14 @@ States random_states(int count, std::uint64_t seed) {
           for (double& x : p) x = uniform(), squared += x * x;
         } while (squared > 1 || squared < 0.01);
         for (int k = 0; k < 4; ++k)
-          q[joint.q + joint.nq - 4 + k] = static_cast<Real>(p[k] / std::sqrt(squared));
+          q[joint.q + joint.nq - 4 + k] = static_cast<Number>(p[k] / std::sqrt(squared));
       }
       for (int k = 0; k < joint.nv; ++k) {
-        v[joint.v + k] = static_cast<Real>(uniform());
-        tau[joint.v + k] = static_cast<Real>(uniform());
+        v[joint.v + k] = static_cast<Number>(uniform());
+        tau[joint.v + k] = static_cast<Number>(uniform());
       }
     }
-    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Real>(uniform());
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Number>(uniform());
     slave(q, v);
   }
   return states;
@@ -5710,9 +5719,9 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   MPI_Bcast(&status, 1, MPI_INT, 0, comm);
   if (status != kDone) return status;
   MPI_Bcast(&states.count, 1, MPI_INT, 0, comm);
-  const auto share = [&](std::vector<Real>& x, int n) {
+  const auto share = [&](std::vector<Number>& x, int n) {
     x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
-    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiReal, 0, comm);
+    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiNumber, 0, comm);
   };
   if (kBatch) return status;  // handed out as they are solved
   share(states.q, kNq);
@@ -5727,20 +5736,20 @@ struct Session {
   Watch watch;
   Solver solver;
   States states;
-  std::vector<Real> qdd;  // one acceleration after the other
+  std::vector<Number> qdd;  // one acceleration after the other
   bool pinned = false;
 
   Session(Options given, int own_rank) : options(std::move(given)), rank(own_rank) {}
 
   MPI_Comm comm() const { return solver.channel.comm(); }
-  const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
-  const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
-  Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
+  const Number* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
+  const Number* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
+  const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
+  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
 
   void use(States given) {
     states = std::move(given);
-    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Real(0));
+    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Number(0));
   }
 
   int complain(int status, const std::string& what, const std::string& file = "") const {
@@ -5877,8 +5886,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 58.7, 0.934};
-constexpr Hop kMessageHop{0, 357, 12.5};
+constexpr Hop kWindowHop{0, 105, 0.415};
+constexpr Hop kMessageHop{22, 105, 0.597};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {
@@ -6132,8 +6141,8 @@ class BatchTiming {
     };
     for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
       session_.watch.again();
-      const Real *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
-      Real* const qdd = session_.acceleration(0);
+      const Number *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
+      Number* const qdd = session_.acceleration(0);
       time(pass < 0 ? nullptr : &in_place, [&] {
         return solver.solve_batch(session_.rank < active ? kStates : 0, q, v, tau, qdd);
       });
@@ -6173,7 +6182,7 @@ class Timing {
          ++pass) {  // the first one warms up
       session_.watch.again();
       for (int s = 0; s < session_.states.count; ++s) {
-        Real* const qdd = session_.acceleration(s);
+        Number* const qdd = session_.acceleration(s);
         const Clock::time_point start = start_together();
         const int first = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s), qdd);
         const double in_place_ns =
@@ -6481,7 +6490,7 @@ class Simulation {
     std::copy(v.begin(), v.end(), real_v_.begin());
     std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
     for (std::size_t k = 0; k < extra.size(); ++k)
-      real_tau_[k] = static_cast<Real>(double(real_tau_[k]) + extra[k]);
+      real_tau_[k] = static_cast<Number>(double(real_tau_[k]) + extra[k]);
     const int status =
         on_.solver.solve_at_root(real_q_.data(), real_v_.data(), real_tau_.data(), real_a_.data());
     std::copy(real_a_.begin(), real_a_.end(), a.begin());
@@ -6530,9 +6539,9 @@ class Simulation {
   Session& on_;
   Trajectory trajectory_;
   manifold::State q_, v_;
-  std::array<Real, kNq> real_q_{};
-  std::array<Real, kNv> real_v_{}, real_a_{};
-  std::array<Real, kNtau> real_tau_{};
+  std::array<Number, kNq> real_q_{};
+  std::array<Number, kNv> real_v_{}, real_a_{};
+  std::array<Number, kNtau> real_tau_{};
   bool done_ = false, told_ = false;
   long long steps_ = 0, evaluations_ = 0;
   double wall_ = 0;
@@ -6700,9 +6709,9 @@ class Program {
     void* const all = on.qdd.data();
     const int size = static_cast<int>(on.qdd.size());
     if (on.rank == 0)
-      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiReal, MPI_SUM, 0, on.comm());
+      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiNumber, MPI_SUM, 0, on.comm());
     else
-      MPI_Reduce(all, nullptr, size, kMpiReal, MPI_SUM, 0, on.comm());
+      MPI_Reduce(all, nullptr, size, kMpiNumber, MPI_SUM, 0, on.comm());
     return kDone;
   }
 

@@ -2,7 +2,7 @@
 //
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  spine@0-3(root@2-3(|left_hip(right_hip(|right_knee(|right_ankle)) | left_knee(|left_ankle))) | left_shoulder@0-1(neck(right_shoulder(|right_elbow(|right_wrist))|) | left_elbow(|left_wrist)))
+// schedule  root@0-3(|right_shoulder(left_shoulder(spine(left_ankle@0(left_knee(left_hip(right_ankle(right_knee(right_hip|)|)|)|)|) | neck@3) | left_wrist@1(left_elbow|)) | right_wrist@2(right_elbow|)))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -104,7 +104,8 @@ void human40_p4_close(human40_p4_solver* solver);
 
 namespace {
 
-using Real = double;
+using Number = double;  // of states, answers and messages
+using Real = double;    // of all between
 constexpr int kProcesses = 4;
 constexpr int kJointCount = 15, kLinkCount = kJointCount + 1;
 constexpr int kNq = 51, kNv = 40;
@@ -112,13 +113,13 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr int kPlanMessages = 2;
+[[maybe_unused]] constexpr int kPlanMessages = 12;
 constexpr std::size_t kCacheLine = 64;
 constexpr bool kFloatingBase = false;
 constexpr double kTolerance = 1e-09;
 constexpr int kRandomStates = 64;
 constexpr const char* kRobot = "human40";
-const MPI_Datatype kMpiReal = MPI_DOUBLE;
+const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -128,7 +129,7 @@ enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
 // + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
 // tau holds that.
 struct Passive {
-  Real damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  Number damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
   bool prescribed = false;
 };
 
@@ -137,11 +138,11 @@ struct Passive {
 struct JointConstants {
   const char* name;
   JointKind kind;
-  int parent;           // parent link; the child link has the joint's number plus one
-  int q, nq, v, nv;     // where its configuration and velocity are
-  Real rotation[9];     // joint frame to parent link's frame, row by row
-  Real translation[3];  // origin of the joint frame in the parent link's frame, m
-  int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
+  int parent;             // parent link; the child link has the joint's number plus one
+  int q, nq, v, nv;       // where its configuration and velocity are
+  Number rotation[9];     // joint frame to parent link's frame, row by row
+  Number translation[3];  // origin of the joint frame in the parent link's frame, m
+  int source;             // joint that it is slaved to, or -1: q = multiplier q_source + offset
   double multiplier, offset;
   Passive passive{};
 };
@@ -149,17 +150,17 @@ struct JointConstants {
 // An outer force that is an input, told in the frame of the link that has its name.
 struct OuterForce {
   const char* name;
-  int link;             // that feels it
-  Real rotation[9];     // from that frame to the link's, row by row
-  Real translation[3];  // its origin in the link's frame, m
+  int link;               // that feels it
+  Number rotation[9];     // from that frame to the link's, row by row
+  Number translation[3];  // its origin in the link's frame, m
 };
 
 struct LinkConstants {
   const char* name;
-  Real mass;               // kg
-  Real com[3];             // centre of mass, m
-  Real tensor[9];          // rotational inertia about it, kg m^2
-  Real tensor_inverse[9];  // J, its inverse
+  Number mass;               // kg
+  Number com[3];             // centre of mass, m
+  Number tensor[9];          // rotational inertia about it, kg m^2
+  Number tensor_inverse[9];  // J, its inverse
 };
 
 // What a process reads and owns of the state.
@@ -176,7 +177,7 @@ struct ProcessInfo {
 
 // What goes from one process to another once in an evaluation.
 struct MessageInfo {
-  int source, target, size;  // size in Real, the status not counted
+  int source, target, size;  // size in Number, the status not counted
 };
 
 constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
@@ -309,6 +310,7 @@ enum Failure : int {
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
+  kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -374,6 +376,9 @@ std::string describe(int status) {
       return "the evaluations are over";
     case kNotRefined:
       return "refinement does not converge: the inertias differ too much for the scalar";
+    case kTooFewSteps:
+      return "refinement converges too slowly: its last correction is too large; take more steps "
+             "(--refine) or --scalar double";
     case kNoAnswer:
       return "process " + std::to_string(place) + " did not answer within the time limit";
   }
@@ -648,15 +653,25 @@ ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<
   return squared;
 }
 
-constexpr std::array<MessageInfo, 8> kMessages{ {
-    {0, 2, 27},  // 0: what hangs on "pelvis"
-    {2, 0, 27},  // 1: what hangs on "pelvis"
-    {0, 1, 0},  // 2: state
-    {1, 0, 0},  // 3: accelerations
-    {0, 2, 65},  // 4: state
-    {2, 0, 20},  // 5: accelerations
-    {0, 3, 0},  // 6: state
-    {3, 0, 0},  // 7: accelerations
+constexpr std::array<MessageInfo, 18> kMessages{ {
+    {0, 1, 27},  // 0: what hangs on "trunk"
+    {0, 2, 27},  // 1: what hangs on "trunk"
+    {0, 3, 27},  // 2: what hangs on "trunk"
+    {1, 0, 27},  // 3: what hangs on "trunk"
+    {1, 2, 27},  // 4: what hangs on "trunk"
+    {1, 3, 27},  // 5: what hangs on "trunk"
+    {2, 0, 27},  // 6: what hangs on "trunk"
+    {2, 1, 27},  // 7: what hangs on "trunk"
+    {2, 3, 27},  // 8: what hangs on "trunk"
+    {3, 0, 27},  // 9: what hangs on "trunk"
+    {3, 1, 27},  // 10: what hangs on "trunk"
+    {3, 2, 27},  // 11: what hangs on "trunk"
+    {0, 1, 43},  // 12: state
+    {1, 0, 7},  // 13: accelerations
+    {0, 2, 43},  // 14: state
+    {2, 0, 7},  // 15: accelerations
+    {0, 3, 30},  // 16: state
+    {3, 0, 3},  // 17: accelerations
 } };
 
 // What a process does in an evaluation as the others see it: the messages that it sends and
@@ -680,7 +695,7 @@ class Take {
   const std::vector<Clock::rep>& looks() const { return looks_; }  // one at each message
 
   // Message k was sent, or received with this content, its status before it.
-  ADAGEN_NOINLINE void note(int k, const Real* content = nullptr) {
+  ADAGEN_NOINLINE void note(int k, const Number* content = nullptr) {
     messages_.push_back(k);
     looks_.push_back(0);
     starts_.push_back(contents_.size());
@@ -690,7 +705,7 @@ class Take {
   }
 
   // The next message is due; returns its content, if it is one received.
-  ADAGEN_NOINLINE const Real* pass() {
+  ADAGEN_NOINLINE const Number* pass() {
     looks_[next_] = Clock::now().time_since_epoch().count();
     return contents_.data() + starts_[next_++];
   }
@@ -701,7 +716,7 @@ class Take {
   std::vector<int> messages_;
   std::vector<Clock::rep> looks_;
   std::vector<std::size_t> starts_;  // in contents_
-  std::vector<Real> contents_;
+  std::vector<Number> contents_;
 };
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
@@ -764,7 +779,7 @@ class Channel {
   }
 
   // Where to write message k. Waits for an MPI message that is still under way.
-  Real* outgoing(int k, int& status) {
+  Number* outgoing(int k, int& status) {
     Port& port = ports_[k];
     if (port.slots) return port.slot(port.count + 1, k).content() + 1;
     wait(port.request, kMessages[k].target, status);
@@ -779,21 +794,21 @@ class Channel {
     Port& port = ports_[k];
     if (port.slots) {
       Slot& slot = port.slot(++port.count, k);
-      slot.content()[0] = static_cast<Real>(status);
+      slot.content()[0] = static_cast<Number>(status);
       slot.number.store(port.count, std::memory_order_release);
       return;
     }
-    port.buffer[0] = static_cast<Real>(status);
-    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+    port.buffer[0] = static_cast<Number>(status);
+    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
               kMessages[k].target, k, comm_, &port.request);
   }
 
   // Waits for message k and returns its content; what its source knows of failures joins the
   // status.
-  const Real* receive(int k, int& status) {
+  const Number* receive(int k, int& status) {
     if (take_ && take_->playing()) return opened(take_->pass(), status);
     Port& port = ports_[k];
-    const Real* content;
+    const Number* content;
     if (port.slots) {
       const std::uint64_t number = ++port.count;
       Slot& slot = port.slot(number, k);
@@ -801,7 +816,7 @@ class Channel {
         fail(status, failure(kNoAnswer, kMessages[k].source));
       content = slot.content();
     } else {
-      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
                 kMessages[k].source, k, comm_, &port.request);
       wait(port.request, kMessages[k].source, status);
       content = port.buffer.data();
@@ -851,7 +866,9 @@ class Channel {
 
   struct alignas(kCacheLine) Slot {
     std::atomic<std::uint64_t> number;
-    Real* content() { return reinterpret_cast<Real*>(reinterpret_cast<char*>(this) + kCacheLine); }
+    Number* content() {
+      return reinterpret_cast<Number*>(reinterpret_cast<char*>(this) + kCacheLine);
+    }
   };
 
   struct Port {
@@ -860,17 +877,17 @@ class Channel {
     Slot& slot(std::uint64_t number, int k) const {
       return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
     }
-    std::vector<Real> buffer;
+    std::vector<Number> buffer;
     MPI_Request request = MPI_REQUEST_NULL;
   };
 
-  static const Real* opened(const Real* content, int& status) {
+  static const Number* opened(const Number* content, int& status) {
     if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
     return content + 1;
   }
 
   static std::size_t slot_bytes(const MessageInfo& info) {
-    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Real);
+    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Number);
     return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
   }
 
@@ -1036,9 +1053,9 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 } };
 
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns.
-constexpr int kSlotCount = 16;
+constexpr int kSlotCount = 25;
 constexpr bool kAbreast = true;  // whether there are such
-constexpr int kSlots[kJointCount]{ 14, 8, 10, 12, 9, 11, 13, 6, 0, 2, 4, 7, 1, 3, 5 };
+constexpr int kSlots[kJointCount]{ 6, 0, 2, 4, 1, 3, 5, 7, 8, 9, 10, 24, 16, 17, 18 };
 
 // What a process does at a link.
 struct LinkRole {
@@ -1047,10 +1064,10 @@ struct LinkRole {
   bool parts;     // paths part at it outwards
 };
 constexpr LinkRole kRoles[4][kLinkCount]{
-    {{0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
-    {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
 };
 
 // What is kept where segments meet, with the joint that it belongs to.
@@ -2156,136 +2173,298 @@ void accelerate_abreast(Workspace& w) {
   }
 }
 
-// "left_shoulder" .. "left_wrist", "right_shoulder" .. "right_wrist"
-constexpr Limbs<2, 3> kLimbs0{0, {{8, 12}, {9, 13}, {10, 14}}};
-
 // "left_hip" .. "left_ankle", "right_hip" .. "right_ankle"
-constexpr Limbs<2, 3> kLimbs1{8, {{1, 4}, {2, 5}, {3, 6}}};
+constexpr Limbs<2, 3> kLimbs0{0, {{1, 4}, {2, 5}, {3, 6}}};
 
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 8 of 15 joints: "spine", "left_shoulder", "left_elbow", "left_wrist", "neck", "right_shoulder", ...; kinematics of 1 more on the way to the ground
+// Process 0: 8 of 15 joints: "root", "left_hip", "left_knee", "left_ankle", "right_hip", "right_knee", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
-  require_finite(w, w.q, 25, 26, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
-  require_finite(w, w.v, 20, 20, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 20, 20, &JointConstants::v, kNotFinite);
+  require_finite(w, w.q, 0, 29, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 23, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 23, &JointConstants::v, kNotFinite);
   stamp(0);
-  take_angles<0, 0>(w);
-  take_angles<7, 14>(w);
+  take_angles<0, 7>(w);
   turn<block(2), block(3) + 1>(w);
-  orient<7>(w);
-  orient<8>(w);
-  orient<10>(w);
-  orient<11>(w);
-  orient<12>(w);
-  orient<14>(w);
-  free_base_frame<0>(w);
-  outward<7, 7>(w);  // "spine"
-  outward_abreast<kLimbs0>(w);
-  outward<11, 11>(w);  // "neck"
-  stamp(1);
-  set_up_links<block(0), block(7) + 1>(w);
-  {
-    const auto X = inward_abreast<0, kLimbs0>(w);
-    leave<true>(w, 8, lane(X, 0));
-    leave<false>(w, 8, lane(X, 1));
-  }
-  inward<0, 11, 11, false>(w);  // "neck"
-  inward<0, 7, 7, true>(w);  // "spine"
-  stamp(2);
-  {  // to process 2: what hangs on "pelvis"
-    Real* to = channel.outgoing(0, w.status);
-    to = put(to, w.bodies[1]);
-    channel.send(0, w.status);
-  }
-  stamp(3);
-  {  // from process 2: what hangs on "pelvis"
-    const Real* from = channel.receive(1, w.status);
-    from = add(from, w.bodies[1]);
-  }
-  stamp(4);
-  solve_root<0, 1>(w);
-  stamp(5);
-  accelerate<0, 7, 7>(w);  // "spine"
-  accelerate_abreast<0, kLimbs0>(w);
-  accelerate<0, 11, 11>(w);  // "neck"
-  stamp(6);
-  require_finite(w, w.answer.data(), 20, 20, &JointConstants::v, kOverflow);
-  give(w, 20, 20);
-}
-
-// Process 1: has nothing to do
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-}
-
-// Process 2: 7 of 15 joints: "root", "left_hip", "left_knee", "left_ankle", "right_hip", "right_knee", ...
-void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 25, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 20, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 0, 20, &JointConstants::v, kNotFinite);
-  stamp(0);
-  take_angles<0, 6>(w);
-  turn<block(10), block(11) + 1>(w);
   orient<1>(w);
   orient<3>(w);
   orient<4>(w);
   orient<6>(w);
+  orient<7>(w);
   free_base_frame<0>(w);
-  outward_abreast<kLimbs1>(w);
+  outward_abreast<kLimbs0>(w);
+  outward<7, 7>(w);  // "spine"
   stamp(1);
-  set_up_links<block(8), block(14) + 1>(w);
-  place<1, true>(w);  // "pelvis" itself
-  free_base<0, false>(w);
+  set_up_links<block(0), block(6) + 1>(w);
+  free_base<0, true>(w);
   {
-    const auto X = inward_abreast<2, kLimbs1>(w);
+    const auto X = inward_abreast<0, kLimbs0>(w);
     leave<false>(w, 1, lane(X, 0));
     leave<false>(w, 1, lane(X, 1));
   }
+  inward_reversed<0, 7, 7, true>(w);  // "spine"
   stamp(2);
-  {  // to process 0: what hangs on "pelvis"
-    Real* to = channel.outgoing(1, w.status);
-    to = put(to, w.bodies[1]);
-    channel.send(1, w.status);
+  {  // to process 1: what hangs on "trunk"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.bodies[8]);
+    channel.send(0, w.status);
   }
   stamp(3);
-  {  // from process 0: what hangs on "pelvis"
-    const Real* from = channel.receive(0, w.status);
-    from = add(from, w.bodies[1]);
+  {  // to process 2: what hangs on "trunk"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.bodies[8]);
+    channel.send(1, w.status);
   }
   stamp(4);
-  solve_root<2, 1>(w);
+  {  // to process 3: what hangs on "trunk"
+    Real* to = channel.outgoing(2, w.status);
+    to = put(to, w.bodies[8]);
+    channel.send(2, w.status);
+  }
   stamp(5);
-  accelerate_abreast<2, kLimbs1>(w);
-  free_acceleration<0>(w);
+  {  // from process 1: what hangs on "trunk"
+    const Real* from = channel.receive(3, w.status);
+    from = add(from, w.bodies[8]);
+  }
   stamp(6);
-  require_finite(w, w.answer.data(), 0, 20, &JointConstants::v, kOverflow);
-  give(w, 0, 20);
+  {  // from process 2: what hangs on "trunk"
+    const Real* from = channel.receive(6, w.status);
+    from = add(from, w.bodies[8]);
+  }
+  stamp(7);
+  {  // from process 3: what hangs on "trunk"
+    const Real* from = channel.receive(9, w.status);
+    from = add(from, w.bodies[8]);
+  }
+  stamp(8);
+  solve_root<0, 8>(w);
+  stamp(9);
+  accelerate_reversed<0, 7, 7>(w);  // "spine"
+  accelerate_abreast<0, kLimbs0>(w);
+  free_acceleration<0>(w);
+  stamp(10);
+  require_finite(w, w.answer.data(), 0, 23, &JointConstants::v, kOverflow);
+  give(w, 0, 23);
 }
 
-// Process 3: has nothing to do
+// Process 1: 3 of 15 joints: "left_shoulder", "left_elbow", "left_wrist"; kinematics of 2 more on the way to the ground
+void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 25, 13, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 20, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 23, 7, &JointConstants::v, kNotFinite);
+  stamp(0);
+  take_angles<0, 0>(w);
+  take_angles<7, 10>(w);
+  turn<block(9), block(9) + 1>(w);
+  orient<7>(w);
+  orient<8>(w);
+  orient<10>(w);
+  free_base_frame<0>(w);
+  pass_outward<7, 7>(w);  // "spine"
+  outward<8, 10>(w);  // "left_shoulder" .. "left_wrist"
+  stamp(1);
+  set_up_links<block(8), block(10) + 1>(w);
+  inward<1, 8, 10, true>(w);  // "left_shoulder" .. "left_wrist"
+  stamp(2);
+  {  // to process 0: what hangs on "trunk"
+    Real* to = channel.outgoing(3, w.status);
+    to = put(to, w.bodies[8]);
+    channel.send(3, w.status);
+  }
+  stamp(3);
+  {  // to process 2: what hangs on "trunk"
+    Real* to = channel.outgoing(4, w.status);
+    to = put(to, w.bodies[8]);
+    channel.send(4, w.status);
+  }
+  stamp(4);
+  {  // to process 3: what hangs on "trunk"
+    Real* to = channel.outgoing(5, w.status);
+    to = put(to, w.bodies[8]);
+    channel.send(5, w.status);
+  }
+  stamp(5);
+  {  // from process 0: what hangs on "trunk"
+    const Real* from = channel.receive(0, w.status);
+    from = add(from, w.bodies[8]);
+  }
+  stamp(6);
+  {  // from process 2: what hangs on "trunk"
+    const Real* from = channel.receive(7, w.status);
+    from = add(from, w.bodies[8]);
+  }
+  stamp(7);
+  {  // from process 3: what hangs on "trunk"
+    const Real* from = channel.receive(10, w.status);
+    from = add(from, w.bodies[8]);
+  }
+  stamp(8);
+  solve_root<1, 8>(w);
+  stamp(9);
+  accelerate<1, 8, 10>(w);  // "left_shoulder" .. "left_wrist"
+  stamp(10);
+  require_finite(w, w.answer.data(), 23, 7, &JointConstants::v, kOverflow);
+  give(w, 23, 7);
+}
+
+// Process 2: 3 of 15 joints: "right_shoulder", "right_elbow", "right_wrist"; kinematics of 2 more on the way to the ground
+void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 25, 4, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 42, 9, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 20, 3, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 33, 7, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 33, 7, &JointConstants::v, kNotFinite);
+  stamp(0);
+  take_angles<0, 0>(w);
+  take_angles<7, 7>(w);
+  take_angles<12, 14>(w);
+  turn<block(17), block(17) + 1>(w);
+  orient<7>(w);
+  orient<12>(w);
+  orient<14>(w);
+  free_base_frame<0>(w);
+  pass_outward<7, 7>(w);  // "spine"
+  outward<12, 14>(w);  // "right_shoulder" .. "right_wrist"
+  stamp(1);
+  set_up_links<block(16), block(18) + 1>(w);
+  inward<2, 12, 14, true>(w);  // "right_shoulder" .. "right_wrist"
+  stamp(2);
+  {  // to process 0: what hangs on "trunk"
+    Real* to = channel.outgoing(6, w.status);
+    to = put(to, w.bodies[8]);
+    channel.send(6, w.status);
+  }
+  stamp(3);
+  {  // to process 1: what hangs on "trunk"
+    Real* to = channel.outgoing(7, w.status);
+    to = put(to, w.bodies[8]);
+    channel.send(7, w.status);
+  }
+  stamp(4);
+  {  // to process 3: what hangs on "trunk"
+    Real* to = channel.outgoing(8, w.status);
+    to = put(to, w.bodies[8]);
+    channel.send(8, w.status);
+  }
+  stamp(5);
+  {  // from process 0: what hangs on "trunk"
+    const Real* from = channel.receive(1, w.status);
+    from = add(from, w.bodies[8]);
+  }
+  stamp(6);
+  {  // from process 1: what hangs on "trunk"
+    const Real* from = channel.receive(4, w.status);
+    from = add(from, w.bodies[8]);
+  }
+  stamp(7);
+  {  // from process 3: what hangs on "trunk"
+    const Real* from = channel.receive(11, w.status);
+    from = add(from, w.bodies[8]);
+  }
+  stamp(8);
+  solve_root<2, 8>(w);
+  stamp(9);
+  accelerate<2, 12, 14>(w);  // "right_shoulder" .. "right_wrist"
+  stamp(10);
+  require_finite(w, w.answer.data(), 33, 7, &JointConstants::v, kOverflow);
+  give(w, 33, 7);
+}
+
+// Process 3: 1 of 15 joints: "neck"; kinematics of 2 more on the way to the ground
 void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 25, 4, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 38, 4, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 20, 3, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 30, 3, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 30, 3, &JointConstants::v, kNotFinite);
+  stamp(0);
+  take_angles<0, 0>(w);
+  take_angles<7, 7>(w);
+  take_angles<11, 11>(w);
+  orient<7>(w);
+  orient<11>(w);
+  free_base_frame<0>(w);
+  pass_outward<7, 7>(w);  // "spine"
+  outward<11, 11>(w);  // "neck"
+  stamp(1);
+  set_up_links<block(7), block(7) + 1>(w);
+  set_up_links<block(24), block(24) + 1>(w);
+  place<8, true>(w);  // "trunk" itself
+  inward<3, 11, 11, false>(w);  // "neck"
+  stamp(2);
+  {  // to process 0: what hangs on "trunk"
+    Real* to = channel.outgoing(9, w.status);
+    to = put(to, w.bodies[8]);
+    channel.send(9, w.status);
+  }
+  stamp(3);
+  {  // to process 1: what hangs on "trunk"
+    Real* to = channel.outgoing(10, w.status);
+    to = put(to, w.bodies[8]);
+    channel.send(10, w.status);
+  }
+  stamp(4);
+  {  // to process 2: what hangs on "trunk"
+    Real* to = channel.outgoing(11, w.status);
+    to = put(to, w.bodies[8]);
+    channel.send(11, w.status);
+  }
+  stamp(5);
+  {  // from process 0: what hangs on "trunk"
+    const Real* from = channel.receive(2, w.status);
+    from = add(from, w.bodies[8]);
+  }
+  stamp(6);
+  {  // from process 1: what hangs on "trunk"
+    const Real* from = channel.receive(5, w.status);
+    from = add(from, w.bodies[8]);
+  }
+  stamp(7);
+  {  // from process 2: what hangs on "trunk"
+    const Real* from = channel.receive(8, w.status);
+    from = add(from, w.bodies[8]);
+  }
+  stamp(8);
+  solve_root<3, 8>(w);
+  stamp(9);
+  accelerate<3, 11, 11>(w);  // "neck"
+  stamp(10);
+  require_finite(w, w.answer.data(), 30, 3, &JointConstants::v, kOverflow);
+  give(w, 30, 3);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<int, 33> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50};
-constexpr std::array<int, 26> kReadV_0{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
-constexpr std::array<int, 20> kOwn_0{20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
-constexpr std::array<int, 20> kTorque_0{20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
-constexpr std::array<int, 25> kReadQ_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24};
-constexpr std::array<int, 20> kReadV_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
-constexpr std::array<int, 20> kOwn_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
-constexpr std::array<int, 20> kTorque_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
+constexpr std::array<int, 29> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28};
+constexpr std::array<int, 23> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
+constexpr std::array<int, 23> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
+constexpr std::array<int, 23> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
+constexpr std::array<int, 20> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37};
+constexpr std::array<int, 16> kReadV_1{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
+constexpr std::array<int, 7> kOwn_1{23, 24, 25, 26, 27, 28, 29};
+constexpr std::array<int, 7> kTorque_1{23, 24, 25, 26, 27, 28, 29};
+constexpr std::array<int, 20> kReadQ_2{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 42, 43, 44, 45, 46, 47, 48, 49, 50};
+constexpr std::array<int, 16> kReadV_2{0, 1, 2, 3, 4, 5, 20, 21, 22, 33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 7> kOwn_2{33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 7> kTorque_2{33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 15> kReadQ_3{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 38, 39, 40, 41};
+constexpr std::array<int, 12> kReadV_3{0, 1, 2, 3, 4, 5, 20, 21, 22, 30, 31, 32};
+constexpr std::array<int, 3> kOwn_3{30, 31, 32};
+constexpr std::array<int, 3> kTorque_3{30, 31, 32};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {33, kReadQ_0.data(), 26, kReadV_0.data(), 20, kOwn_0.data(), 20, kTorque_0.data()},
-    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
-    {25, kReadQ_2.data(), 20, kReadV_2.data(), 20, kOwn_2.data(), 20, kTorque_2.data()},
-    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
+    {29, kReadQ_0.data(), 23, kReadV_0.data(), 23, kOwn_0.data(), 23, kTorque_0.data()},
+    {20, kReadQ_1.data(), 16, kReadV_1.data(), 7, kOwn_1.data(), 7, kTorque_1.data()},
+    {20, kReadQ_2.data(), 16, kReadV_2.data(), 7, kOwn_2.data(), 7, kTorque_2.data()},
+    {15, kReadQ_3.data(), 12, kReadV_3.data(), 3, kOwn_3.data(), 3, kTorque_3.data()},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -2297,7 +2476,7 @@ class Solver {
   std::string text;  // of the last failure
 
   // State and result in place: reads what this process needs, writes what it owns.
-  int solve(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     prepare(q, v, tau, qdd);
     run();
@@ -2305,7 +2484,7 @@ class Solver {
   }
 
   // Everything through process 0: it has the state and gets all accelerations.
-  int solve_at_root(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if constexpr (kProcesses == 1) return solve(q, v, tau, qdd);
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
@@ -2334,24 +2513,25 @@ class Solver {
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
     if (own.v_count == 0) return finish(kFine);
     int status = kFine;
-    const Real* content = channel.receive(state_message(rank), status);
+    const Number* content = channel.receive(state_message(rank), status);
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
     for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
-    Real* result = channel.outgoing(result_message(rank), w.status);
+    Number* result = channel.outgoing(result_message(rank), w.status);
     for (int k = 0; k < own.v_count; ++k) result[k] = qdd_[own.v[k]];
     channel.send(result_message(rank), w.status);
     return finish(w.status);
   }
 
-  int solve_as_root(const Real* q, const Real* v, const Real* tau, Real* qdd, int status = kFine) {
+  int solve_as_root(const Number* q, const Number* v, const Number* tau, Number* qdd,
+                    int status = kFine) {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;
-      Real* content = channel.outgoing(state_message(p), status);
+      Number* content = channel.outgoing(state_message(p), status);
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
       for (int k = 0; k < other.tau_count; ++k) *content++ = tau[other.tau[k]];
@@ -2363,14 +2543,14 @@ class Solver {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;
-      const Real* result = channel.receive(result_message(p), w.status);
+      const Number* result = channel.receive(result_message(p), w.status);
       for (int k = 0; k < other.v_count; ++k) qdd_[other.v[k]] = result[k];
     }
     if (w.status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
     return finish(w.status);
   }
 
-  void prepare(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  void prepare(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     w.q = q;
     w.v = v;
     w.tau = tau;
@@ -2386,9 +2566,9 @@ class Solver {
   static int state_message(int process) { return kPlanMessages + 2 * (process - 1); }
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
-  std::array<Real, kNq> q_{};
-  std::array<Real, kNv> v_{}, qdd_{};
-  std::array<Real, kNtau> tau_{};
+  std::array<Number, kNq> q_{};
+  std::array<Number, kNv> v_{}, qdd_{};
+  std::array<Number, kNtau> tau_{};
 };
 
 }  // namespace
@@ -2468,8 +2648,8 @@ Mat times(const Mat& a, const Mat& b) {
       for (int k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
   return result;
 }
-Vec vec3(const Real* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
-Mat mat3(const Real* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
+Vec vec3(const Number* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
+Mat mat3(const Number* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
 
 struct Body {
   Mat turn;   // child to parent coordinates
@@ -2480,14 +2660,14 @@ struct Body {
 };
 
 // Rotation and origin of the child frame in the joint frame.
-void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift) {
+void displace(const JointConstants& joint, const Number* q, Mat& turn, Vec& shift) {
   turn = {Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
   shift = {};
   const auto about_z = [&turn](double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     turn = {Vec{c, -s, 0}, Vec{s, c, 0}, Vec{0, 0, 1}};
   };
-  const auto orient = [&turn](const Real* p) {
+  const auto orient = [&turn](const Number* p) {
     double x = double(p[0]), y = double(p[1]), z = double(p[2]), w = double(p[3]);
     const double length = std::sqrt(x * x + y * y + z * z + w * w);
     x /= length, y /= length, z /= length, w /= length;
@@ -2515,7 +2695,7 @@ void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift)
 }
 
 // Angular and linear part of a joint's velocity or acceleration, in the child's frame.
-void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linear) {
+void motion(const JointConstants& joint, const Number* x, Vec& angular, Vec& linear) {
   angular = linear = {};
   switch (joint.kind) {
     case JointKind::kRevolute:
@@ -2537,7 +2717,7 @@ void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linea
 }
 
 // What a joint's damping, friction, spring and rotor take of its torque.
-void add_passive(const JointConstants& joint, const Real* q, const Real* v, const Real* qdd,
+void add_passive(const JointConstants& joint, const Number* q, const Number* v, const Number* qdd,
                  double* tau) {
   const Passive& own = joint.passive;
   for (int k = 0; k < joint.nv; ++k) {
@@ -2549,7 +2729,7 @@ void add_passive(const JointConstants& joint, const Real* q, const Real* v, cons
 }
 
 // The outer forces push their links.
-void push(const Real* outer, std::array<Body, kLinkCount>& body) {
+void push(const Number* outer, std::array<Body, kLinkCount>& body) {
   for (const OuterForce& one : kOuterForces) {
     Body& b = body[static_cast<std::size_t>(one.link)];
     const Mat turn = mat3(one.rotation);
@@ -2562,7 +2742,7 @@ void push(const Real* outer, std::array<Body, kLinkCount>& body) {
 
 // Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
 // through their sources' torques.
-void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real* outer,
+void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const Number* outer,
                       double* tau) {
   static std::array<Body, kLinkCount> body;
   body[0] = {};
@@ -2631,7 +2811,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real*
 
 // How far slaved accelerations are from following their sources, relative to their size, and
 // prescribed ones from what was prescribed.
-double slip(const Real* tau, const Real* qdd) {
+double slip(const Number* tau, const Number* qdd) {
   double worst = 0;
   for (const JointConstants& joint : kJoints) {
     for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
@@ -2646,9 +2826,9 @@ double slip(const Real* tau, const Real* qdd) {
 
 // The larger of that and of |ID(q, v, qdd) - tau| relative to the size of the torques that it
 // balances.
-double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
+double residual(const Number* q, const Number* v, const Number* tau, const Number* qdd) {
   static std::array<double, kNv> needed, at_rest;
-  static std::array<Real, kNv> zero{};
+  static std::array<Number, kNv> zero{};
   inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
   inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
   std::array<double, kNv> given{};
@@ -2848,7 +3028,7 @@ class JsonReader {
 // Reads a states file (JSON) and writes a result file, joints by name.
 struct States {
   int count = 0;
-  std::vector<Real> q, v, tau;  // one state after the other
+  std::vector<Number> q, v, tau;  // one state after the other
 };
 
 class StatesReader : private JsonReader {
@@ -2931,7 +3111,7 @@ class StatesReader : private JsonReader {
     const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
     const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
     const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
-    std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
+    std::vector<Number>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
     int count = 0;
     array([&] {
       const std::vector<double> entry = numbers();
@@ -2940,7 +3120,8 @@ class StatesReader : private JsonReader {
                " numbers, not " + std::to_string(size));
       const std::size_t row = stride * static_cast<std::size_t>(count);
       if (values.size() < row + stride) values.resize(row + stride);
-      for (std::size_t k = 0; k < size; ++k) values[row + start + k] = static_cast<Real>(entry[k]);
+      for (std::size_t k = 0; k < size; ++k)
+        values[row + start + k] = static_cast<Number>(entry[k]);
       ++count;
     });
     if (count == 0) refuse("there is no state");
@@ -2970,7 +3151,7 @@ class StatesReader : private JsonReader {
              std::to_string(given.size() / 6) + " states, but the joints have " +
              std::to_string(states.count));
     for (std::size_t i = 0; i < given.size(); ++i)
-      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Number>(given[i]);
   }
 
   static void fill_slaved(States& states) {
@@ -2981,7 +3162,7 @@ class StatesReader : private JsonReader {
 };
 
 // more: further members of the file, each after a comma.
-bool write_result(const std::string& path, const std::vector<Real>& qdd, int count,
+bool write_result(const std::string& path, const std::vector<Number>& qdd, int count,
                   const std::string& more) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (file == nullptr) return false;
@@ -2989,7 +3170,7 @@ bool write_result(const std::string& path, const std::vector<Real>& qdd, int cou
   for (int j = 0; j < kJointCount; ++j) {
     std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",", quoted(kJoints[j].name).c_str());
     for (int s = 0; s < count; ++s) {
-      const Real* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
+      const Number* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
       std::fputs(s == 0 ? "" : ", ", file);
       if (kJoints[j].nv > 1) std::fputs("[", file);
       for (int k = 0; k < kJoints[j].nv; ++k)
@@ -3724,24 +3905,56 @@ class Watch {
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 6> kStages_0{ {
-    {"kinematics", 14, -1},
+constexpr std::array<Stage, 10> kStages_0{ {
+    {"kinematics", 7, -1},
     {"assembly", 7, -1},
     {"send", -1, 0},
-    {"receive", -1, 1},
+    {"send", -1, 1},
+    {"send", -1, 2},
+    {"receive", -1, 3},
+    {"receive", -1, 6},
+    {"receive", -1, 9},
     {"assembly", -1, -1},
     {"disassembly", 7, -1},
 } };
-constexpr std::array<Stage, 6> kStages_2{ {
-    {"kinematics", 6, -1},
-    {"assembly", 1, -1},
-    {"send", -1, 1},
+constexpr std::array<Stage, 10> kStages_1{ {
+    {"kinematics", 10, -1},
+    {"assembly", 8, -1},
+    {"send", -1, 3},
+    {"send", -1, 4},
+    {"send", -1, 5},
     {"receive", -1, 0},
+    {"receive", -1, 7},
+    {"receive", -1, 10},
     {"assembly", -1, -1},
-    {"disassembly", 1, -1},
+    {"disassembly", 8, -1},
 } };
-constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), nullptr, kStages_2.data(), nullptr};
-constexpr std::array<int, kProcesses> kStageCount{6, 0, 6, 0};
+constexpr std::array<Stage, 10> kStages_2{ {
+    {"kinematics", 14, -1},
+    {"assembly", 12, -1},
+    {"send", -1, 6},
+    {"send", -1, 7},
+    {"send", -1, 8},
+    {"receive", -1, 1},
+    {"receive", -1, 4},
+    {"receive", -1, 11},
+    {"assembly", -1, -1},
+    {"disassembly", 12, -1},
+} };
+constexpr std::array<Stage, 10> kStages_3{ {
+    {"kinematics", 11, -1},
+    {"assembly", 11, -1},
+    {"send", -1, 9},
+    {"send", -1, 10},
+    {"send", -1, 11},
+    {"receive", -1, 2},
+    {"receive", -1, 5},
+    {"receive", -1, 8},
+    {"assembly", -1, -1},
+    {"disassembly", 11, -1},
+} };
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data(), kStages_2.data(), kStages_3.data()};
+constexpr std::array<int, kProcesses> kStageCount{10, 10, 10, 10};
 
 struct Statistics {
   double median = 0, least = 0, percentile99 = 0;
@@ -3882,16 +4095,16 @@ States random_states(int count, std::uint64_t seed) {
   states.v.resize(size(kNv));
   states.tau.resize(size(kNtau));
   for (int s = 0; s < count; ++s) {
-    Real* q =
+    Number* q =
         states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* v =
+    Number* v =
         states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* tau = states.tau.data() +
-                size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Number* tau = states.tau.data() +
+                  size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     for (const JointConstants& joint : kJoints) {
       const bool turns = joint.kind == JointKind::kRevolute;
       for (int k = 0; k < joint.nq; ++k)
-        q[joint.q + k] = static_cast<Real>(turns ? 3.141592653589793 * uniform() : uniform());
+        q[joint.q + k] = static_cast<Number>(turns ? 3.141592653589793 * uniform() : uniform());
       if (joint.nq >= 4) {
         double p[4], squared;
         do {
@@ -3899,14 +4112,14 @@ States random_states(int count, std::uint64_t seed) {
           for (double& x : p) x = uniform(), squared += x * x;
         } while (squared > 1 || squared < 0.01);
         for (int k = 0; k < 4; ++k)
-          q[joint.q + joint.nq - 4 + k] = static_cast<Real>(p[k] / std::sqrt(squared));
+          q[joint.q + joint.nq - 4 + k] = static_cast<Number>(p[k] / std::sqrt(squared));
       }
       for (int k = 0; k < joint.nv; ++k) {
-        v[joint.v + k] = static_cast<Real>(uniform());
-        tau[joint.v + k] = static_cast<Real>(uniform());
+        v[joint.v + k] = static_cast<Number>(uniform());
+        tau[joint.v + k] = static_cast<Number>(uniform());
       }
     }
-    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Real>(uniform());
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Number>(uniform());
     slave(q, v);
   }
   return states;
@@ -3933,9 +4146,9 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   MPI_Bcast(&status, 1, MPI_INT, 0, comm);
   if (status != kDone) return status;
   MPI_Bcast(&states.count, 1, MPI_INT, 0, comm);
-  const auto share = [&](std::vector<Real>& x, int n) {
+  const auto share = [&](std::vector<Number>& x, int n) {
     x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
-    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiReal, 0, comm);
+    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiNumber, 0, comm);
   };
   if (kBatch) return status;  // handed out as they are solved
   share(states.q, kNq);
@@ -3950,20 +4163,20 @@ struct Session {
   Watch watch;
   Solver solver;
   States states;
-  std::vector<Real> qdd;  // one acceleration after the other
+  std::vector<Number> qdd;  // one acceleration after the other
   bool pinned = false;
 
   Session(Options given, int own_rank) : options(std::move(given)), rank(own_rank) {}
 
   MPI_Comm comm() const { return solver.channel.comm(); }
-  const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
-  const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
-  Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
+  const Number* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
+  const Number* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
+  const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
+  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
 
   void use(States given) {
     states = std::move(given);
-    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Real(0));
+    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Number(0));
   }
 
   int complain(int status, const std::string& what, const std::string& file = "") const {
@@ -4100,8 +4313,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 58.7, 0.934};
-constexpr Hop kMessageHop{0, 357, 12.5};
+constexpr Hop kWindowHop{0, 105, 0.415};
+constexpr Hop kMessageHop{22, 105, 0.597};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {
@@ -4355,8 +4568,8 @@ class BatchTiming {
     };
     for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
       session_.watch.again();
-      const Real *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
-      Real* const qdd = session_.acceleration(0);
+      const Number *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
+      Number* const qdd = session_.acceleration(0);
       time(pass < 0 ? nullptr : &in_place, [&] {
         return solver.solve_batch(session_.rank < active ? kStates : 0, q, v, tau, qdd);
       });
@@ -4396,7 +4609,7 @@ class Timing {
          ++pass) {  // the first one warms up
       session_.watch.again();
       for (int s = 0; s < session_.states.count; ++s) {
-        Real* const qdd = session_.acceleration(s);
+        Number* const qdd = session_.acceleration(s);
         const Clock::time_point start = start_together();
         const int first = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s), qdd);
         const double in_place_ns =
@@ -4704,7 +4917,7 @@ class Simulation {
     std::copy(v.begin(), v.end(), real_v_.begin());
     std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
     for (std::size_t k = 0; k < extra.size(); ++k)
-      real_tau_[k] = static_cast<Real>(double(real_tau_[k]) + extra[k]);
+      real_tau_[k] = static_cast<Number>(double(real_tau_[k]) + extra[k]);
     const int status =
         on_.solver.solve_at_root(real_q_.data(), real_v_.data(), real_tau_.data(), real_a_.data());
     std::copy(real_a_.begin(), real_a_.end(), a.begin());
@@ -4753,9 +4966,9 @@ class Simulation {
   Session& on_;
   Trajectory trajectory_;
   manifold::State q_, v_;
-  std::array<Real, kNq> real_q_{};
-  std::array<Real, kNv> real_v_{}, real_a_{};
-  std::array<Real, kNtau> real_tau_{};
+  std::array<Number, kNq> real_q_{};
+  std::array<Number, kNv> real_v_{}, real_a_{};
+  std::array<Number, kNtau> real_tau_{};
   bool done_ = false, told_ = false;
   long long steps_ = 0, evaluations_ = 0;
   double wall_ = 0;
@@ -4923,9 +5136,9 @@ class Program {
     void* const all = on.qdd.data();
     const int size = static_cast<int>(on.qdd.size());
     if (on.rank == 0)
-      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiReal, MPI_SUM, 0, on.comm());
+      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiNumber, MPI_SUM, 0, on.comm());
     else
-      MPI_Reduce(all, nullptr, size, kMpiReal, MPI_SUM, 0, on.comm());
+      MPI_Reduce(all, nullptr, size, kMpiNumber, MPI_SUM, 0, on.comm());
     return kDone;
   }
 

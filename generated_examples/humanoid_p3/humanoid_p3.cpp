@@ -101,7 +101,8 @@ void humanoid_p3_close(humanoid_p3_solver* solver);
 
 namespace {
 
-using Real = double;
+using Number = double;  // of states, answers and messages
+using Real = double;    // of all between
 constexpr int kProcesses = 3;
 constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 constexpr int kNq = 36, kNv = 35;
@@ -115,7 +116,7 @@ constexpr bool kFloatingBase = true;
 constexpr double kTolerance = 1e-09;
 constexpr int kRandomStates = 64;
 constexpr const char* kRobot = "humanoid";
-const MPI_Datatype kMpiReal = MPI_DOUBLE;
+const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -125,7 +126,7 @@ enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
 // + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
 // tau holds that.
 struct Passive {
-  Real damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  Number damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
   bool prescribed = false;
 };
 
@@ -134,11 +135,11 @@ struct Passive {
 struct JointConstants {
   const char* name;
   JointKind kind;
-  int parent;           // parent link; the child link has the joint's number plus one
-  int q, nq, v, nv;     // where its configuration and velocity are
-  Real rotation[9];     // joint frame to parent link's frame, row by row
-  Real translation[3];  // origin of the joint frame in the parent link's frame, m
-  int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
+  int parent;             // parent link; the child link has the joint's number plus one
+  int q, nq, v, nv;       // where its configuration and velocity are
+  Number rotation[9];     // joint frame to parent link's frame, row by row
+  Number translation[3];  // origin of the joint frame in the parent link's frame, m
+  int source;             // joint that it is slaved to, or -1: q = multiplier q_source + offset
   double multiplier, offset;
   Passive passive{};
 };
@@ -146,17 +147,17 @@ struct JointConstants {
 // An outer force that is an input, told in the frame of the link that has its name.
 struct OuterForce {
   const char* name;
-  int link;             // that feels it
-  Real rotation[9];     // from that frame to the link's, row by row
-  Real translation[3];  // its origin in the link's frame, m
+  int link;               // that feels it
+  Number rotation[9];     // from that frame to the link's, row by row
+  Number translation[3];  // its origin in the link's frame, m
 };
 
 struct LinkConstants {
   const char* name;
-  Real mass;               // kg
-  Real com[3];             // centre of mass, m
-  Real tensor[9];          // rotational inertia about it, kg m^2
-  Real tensor_inverse[9];  // J, its inverse
+  Number mass;               // kg
+  Number com[3];             // centre of mass, m
+  Number tensor[9];          // rotational inertia about it, kg m^2
+  Number tensor_inverse[9];  // J, its inverse
 };
 
 // What a process reads and owns of the state.
@@ -173,7 +174,7 @@ struct ProcessInfo {
 
 // What goes from one process to another once in an evaluation.
 struct MessageInfo {
-  int source, target, size;  // size in Real, the status not counted
+  int source, target, size;  // size in Number, the status not counted
 };
 
 constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
@@ -448,8 +449,9 @@ Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
 
 // Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
 // quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
-[[maybe_unused]] Real conjugate_rotation(const Real* quaternion, Mat3& E) {
-  const Real x = quaternion[0], y = quaternion[1], z = quaternion[2], w = quaternion[3];
+[[maybe_unused]] Real conjugate_rotation(const Number* quaternion, Mat3& E) {
+  const Real x = Real(quaternion[0]), y = Real(quaternion[1]);
+  const Real z = Real(quaternion[2]), w = Real(quaternion[3]);
   const Real squared = x * x + y * y + z * z + w * w;
   const Real s = 2 / squared;
   E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
@@ -460,11 +462,11 @@ Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
 
 // b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
 ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
-  using Constant3 = Eigen::Map<const Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>>;
+  using Constant3 = Eigen::Map<const Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>>;
   const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
-  const Vec3 c(link.com[0], link.com[1], link.com[2]);
-  const Vec3 momentum = Constant3(link.tensor) * omega;
-  const Vec3 alpha = Constant3(link.tensor_inverse) * momentum.cross(omega);
+  const Vec3 c(Real(link.com[0]), Real(link.com[1]), Real(link.com[2]));
+  const Vec3 momentum = Constant3(link.tensor).cast<Real>() * omega;
+  const Vec3 alpha = Constant3(link.tensor_inverse).cast<Real>() * momentum.cross(omega);
   b.setZero();
   b.col(0).template head<3>() = alpha;
   b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
@@ -484,6 +486,7 @@ enum Failure : int {
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
+  kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -549,6 +552,9 @@ std::string describe(int status) {
       return "the evaluations are over";
     case kNotRefined:
       return "refinement does not converge: the inertias differ too much for the scalar";
+    case kTooFewSteps:
+      return "refinement converges too slowly: its last correction is too large; take more steps "
+             "(--refine) or --scalar double";
     case kNoAnswer:
       return "process " + std::to_string(place) + " did not answer within the time limit";
   }
@@ -591,15 +597,15 @@ template <class Kind>
 
 // S qd, the velocity across a joint.
 template <class Kind>
-Vec6 joint_velocity(const Real* qd) {
+Vec6 joint_velocity(const Number* qd) {
   Vec6 result = Vec6::Zero();
-  for (int k = 0; k < kFree<Kind>; ++k) result[Kind::Free::row[k]] = qd[k];
+  for (int k = 0; k < kFree<Kind>; ++k) result[Kind::Free::row[k]] = Real(qd[k]);
   return result;
 }
 
 // c_i = v_i x S qd, the part of the acceleration across a joint that qdd has no say in.
 template <class Kind>
-Columns6 velocity_product(const Vec6& velocity, const Real* qd) {
+Columns6 velocity_product(const Vec6& velocity, const Number* qd) {
   const Vec6 motion = joint_velocity<Kind>(qd);
   Columns6 result = Columns6::Zero();
   result.col(0).template head<3>() = velocity.head<3>().cross(motion.head<3>());
@@ -829,7 +835,7 @@ class Take {
   const std::vector<Clock::rep>& looks() const { return looks_; }  // one at each message
 
   // Message k was sent, or received with this content, its status before it.
-  ADAGEN_NOINLINE void note(int k, const Real* content = nullptr) {
+  ADAGEN_NOINLINE void note(int k, const Number* content = nullptr) {
     messages_.push_back(k);
     looks_.push_back(0);
     starts_.push_back(contents_.size());
@@ -839,7 +845,7 @@ class Take {
   }
 
   // The next message is due; returns its content, if it is one received.
-  ADAGEN_NOINLINE const Real* pass() {
+  ADAGEN_NOINLINE const Number* pass() {
     looks_[next_] = Clock::now().time_since_epoch().count();
     return contents_.data() + starts_[next_++];
   }
@@ -850,7 +856,7 @@ class Take {
   std::vector<int> messages_;
   std::vector<Clock::rep> looks_;
   std::vector<std::size_t> starts_;  // in contents_
-  std::vector<Real> contents_;
+  std::vector<Number> contents_;
 };
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
@@ -913,7 +919,7 @@ class Channel {
   }
 
   // Where to write message k. Waits for an MPI message that is still under way.
-  Real* outgoing(int k, int& status) {
+  Number* outgoing(int k, int& status) {
     Port& port = ports_[k];
     if (port.slots) return port.slot(port.count + 1, k).content() + 1;
     wait(port.request, kMessages[k].target, status);
@@ -928,21 +934,21 @@ class Channel {
     Port& port = ports_[k];
     if (port.slots) {
       Slot& slot = port.slot(++port.count, k);
-      slot.content()[0] = static_cast<Real>(status);
+      slot.content()[0] = static_cast<Number>(status);
       slot.number.store(port.count, std::memory_order_release);
       return;
     }
-    port.buffer[0] = static_cast<Real>(status);
-    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+    port.buffer[0] = static_cast<Number>(status);
+    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
               kMessages[k].target, k, comm_, &port.request);
   }
 
   // Waits for message k and returns its content; what its source knows of failures joins the
   // status.
-  const Real* receive(int k, int& status) {
+  const Number* receive(int k, int& status) {
     if (take_ && take_->playing()) return opened(take_->pass(), status);
     Port& port = ports_[k];
-    const Real* content;
+    const Number* content;
     if (port.slots) {
       const std::uint64_t number = ++port.count;
       Slot& slot = port.slot(number, k);
@@ -950,7 +956,7 @@ class Channel {
         fail(status, failure(kNoAnswer, kMessages[k].source));
       content = slot.content();
     } else {
-      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
                 kMessages[k].source, k, comm_, &port.request);
       wait(port.request, kMessages[k].source, status);
       content = port.buffer.data();
@@ -1000,7 +1006,9 @@ class Channel {
 
   struct alignas(kCacheLine) Slot {
     std::atomic<std::uint64_t> number;
-    Real* content() { return reinterpret_cast<Real*>(reinterpret_cast<char*>(this) + kCacheLine); }
+    Number* content() {
+      return reinterpret_cast<Number*>(reinterpret_cast<char*>(this) + kCacheLine);
+    }
   };
 
   struct Port {
@@ -1009,17 +1017,17 @@ class Channel {
     Slot& slot(std::uint64_t number, int k) const {
       return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
     }
-    std::vector<Real> buffer;
+    std::vector<Number> buffer;
     MPI_Request request = MPI_REQUEST_NULL;
   };
 
-  static const Real* opened(const Real* content, int& status) {
+  static const Number* opened(const Number* content, int& status) {
     if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
     return content + 1;
   }
 
   static std::size_t slot_bytes(const MessageInfo& info) {
-    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Real);
+    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Number);
     return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
   }
 
@@ -1470,10 +1478,10 @@ struct Joint_right_wrist_pitch {
 };
 
 struct Workspace {
-  const Real* q = nullptr;
-  const Real* v = nullptr;
-  const Real* tau = nullptr;
-  Real* qdd = nullptr;
+  const Number* q = nullptr;
+  const Number* v = nullptr;
+  const Number* tau = nullptr;
+  Number* qdd = nullptr;
   int status = kFine;
   int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   Joint_base j_base;
@@ -1515,8 +1523,8 @@ inline void fail(Workspace& w, Failure kind, int joint) {
 }
 
 // x - x is zero for finite x only.
-inline void require_finite(Workspace& w, const Real* x, int count, int joint) {
-  Real sum = 0;
+inline void require_finite(Workspace& w, const Number* x, int count, int joint) {
+  Number sum = 0;
   for (int k = 0; k < count; ++k) sum += x[k] - x[k];
   if (!(sum == 0)) fail(w, kNotFinite, joint);
 }
@@ -1531,7 +1539,7 @@ void load_torque(Workspace& w, int joint, int v, std::array<std::array<Real, kCo
   require_finite(w, w.tau + v, static_cast<int>(n), joint);
   for (std::size_t k = 0; k < n; ++k) {
     tau[k] = {};
-    tau[k][0] = w.tau[v + static_cast<int>(k)];
+    tau[k][0] = Real(w.tau[v + static_cast<int>(k)]);
   }
 }
 
@@ -1603,25 +1611,27 @@ void store_coupled(Workspace& w, int joint, int v,
 
 // What goes into a message, and out of one.
 template <class M>
-Real* put(Real* to, const M& m) {
-  Eigen::Map<M>{to} = m;
+Number* put(Number* to, const M& m) {
+  Eigen::Map<Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>>{to} =
+      m.template cast<Number>();
   return to + M::SizeAtCompileTime;
 }
 
 template <class M>
-const Real* get(const Real* from, M& m) {
-  m = Eigen::Map<const M>(from);
+const Number* get(const Number* from, M& m) {
+  using Content = Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>;
+  m = Eigen::Map<const Content>(from).template cast<Real>();
   return from + M::SizeAtCompileTime;
 }
 
 template <std::size_t n>
-Real* put(Real* to, const std::array<Real, n>& x) {
+Number* put(Number* to, const std::array<Real, n>& x) {
   return std::copy(x.begin(), x.end(), to);
 }
 
 template <std::size_t n>
-const Real* get(const Real* from, std::array<Real, n>& x) {
-  std::copy(from, from + n, x.begin());
+const Number* get(const Number* from, std::array<Real, n>& x) {
+  std::transform(from, from + n, x.begin(), [](Number value) { return Real(value); });
   return from + n;
 }
 
@@ -1664,7 +1674,7 @@ void kinematics_base(Workspace& w) {
   auto& i = w.j_base;
   require_finite(w, w.q + 0, 7, 0);
   require_finite(w, w.v + 0, 6, 0);
-  const Real* const q = w.q + 0;
+  const Number* const q = w.q + 0;
   require_length(w, conjugate_rotation(q + 3, i.X.E), 0);
   i.X.r << q[0], q[1], q[2];
   i.v = joint_velocity<Floating>(w.v + 0);
@@ -1702,7 +1712,7 @@ void kinematics_left_hip_pitch(Workspace& w) {
   auto& i = w.j_left_hip_pitch;
   require_finite(w, w.q + 7, 1, 1);
   require_finite(w, w.v + 6, 1, 1);
-  const Real q = w.q[7];
+  const Real q = Real(w.q[7]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -1746,7 +1756,7 @@ void kinematics_left_hip_roll(Workspace& w) {
   auto& i = w.j_left_hip_roll;
   require_finite(w, w.q + 8, 1, 2);
   require_finite(w, w.v + 7, 1, 2);
-  const Real q = w.q[8];
+  const Real q = Real(w.q[8]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -1789,7 +1799,7 @@ void kinematics_left_hip_yaw(Workspace& w) {
   auto& i = w.j_left_hip_yaw;
   require_finite(w, w.q + 9, 1, 3);
   require_finite(w, w.v + 8, 1, 3);
-  const Real q = w.q[9];
+  const Real q = Real(w.q[9]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -1832,7 +1842,7 @@ void kinematics_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
   require_finite(w, w.q + 10, 1, 4);
   require_finite(w, w.v + 9, 1, 4);
-  const Real q = w.q[10];
+  const Real q = Real(w.q[10]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -1875,7 +1885,7 @@ void kinematics_left_ankle_pitch(Workspace& w) {
   auto& i = w.j_left_ankle_pitch;
   require_finite(w, w.q + 11, 1, 5);
   require_finite(w, w.v + 10, 1, 5);
-  const Real q = w.q[11];
+  const Real q = Real(w.q[11]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << c, s, 0.0,  //
       -s, c, 0.0,  //
@@ -1918,7 +1928,7 @@ void kinematics_left_ankle_roll(Workspace& w) {
   auto& i = w.j_left_ankle_roll;
   require_finite(w, w.q + 12, 1, 6);
   require_finite(w, w.v + 11, 1, 6);
-  const Real q = w.q[12];
+  const Real q = Real(w.q[12]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -1960,7 +1970,7 @@ void kinematics_right_hip_pitch(Workspace& w) {
   auto& i = w.j_right_hip_pitch;
   require_finite(w, w.q + 13, 1, 7);
   require_finite(w, w.v + 12, 1, 7);
-  const Real q = w.q[13];
+  const Real q = Real(w.q[13]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2003,7 +2013,7 @@ void kinematics_right_hip_roll(Workspace& w) {
   auto& i = w.j_right_hip_roll;
   require_finite(w, w.q + 14, 1, 8);
   require_finite(w, w.v + 13, 1, 8);
-  const Real q = w.q[14];
+  const Real q = Real(w.q[14]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2046,7 +2056,7 @@ void kinematics_right_hip_yaw(Workspace& w) {
   auto& i = w.j_right_hip_yaw;
   require_finite(w, w.q + 15, 1, 9);
   require_finite(w, w.v + 14, 1, 9);
-  const Real q = w.q[15];
+  const Real q = Real(w.q[15]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2089,7 +2099,7 @@ void kinematics_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
   require_finite(w, w.q + 16, 1, 10);
   require_finite(w, w.v + 15, 1, 10);
-  const Real q = w.q[16];
+  const Real q = Real(w.q[16]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2132,7 +2142,7 @@ void kinematics_right_ankle_pitch(Workspace& w) {
   auto& i = w.j_right_ankle_pitch;
   require_finite(w, w.q + 17, 1, 11);
   require_finite(w, w.v + 16, 1, 11);
-  const Real q = w.q[17];
+  const Real q = Real(w.q[17]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << c, s, 0.0,  //
       -s, c, 0.0,  //
@@ -2175,7 +2185,7 @@ void kinematics_right_ankle_roll(Workspace& w) {
   auto& i = w.j_right_ankle_roll;
   require_finite(w, w.q + 18, 1, 12);
   require_finite(w, w.v + 17, 1, 12);
-  const Real q = w.q[18];
+  const Real q = Real(w.q[18]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2217,7 +2227,7 @@ void kinematics_waist_yaw(Workspace& w) {
   auto& i = w.j_waist_yaw;
   require_finite(w, w.q + 19, 1, 13);
   require_finite(w, w.v + 18, 1, 13);
-  const Real q = w.q[19];
+  const Real q = Real(w.q[19]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << c, s, 0.0,  //
       -s, c, 0.0,  //
@@ -2257,7 +2267,7 @@ void kinematics_waist_roll(Workspace& w) {
   auto& i = w.j_waist_roll;
   require_finite(w, w.q + 20, 1, 14);
   require_finite(w, w.v + 19, 1, 14);
-  const Real q = w.q[20];
+  const Real q = Real(w.q[20]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
@@ -2300,7 +2310,7 @@ void kinematics_waist_pitch(Workspace& w) {
   auto& i = w.j_waist_pitch;
   require_finite(w, w.q + 21, 1, 15);
   require_finite(w, w.v + 20, 1, 15);
-  const Real q = w.q[21];
+  const Real q = Real(w.q[21]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
@@ -2343,7 +2353,7 @@ void kinematics_left_shoulder_pitch(Workspace& w) {
   auto& i = w.j_left_shoulder_pitch;
   require_finite(w, w.q + 22, 1, 16);
   require_finite(w, w.v + 21, 1, 16);
-  const Real q = w.q[22];
+  const Real q = Real(w.q[22]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << c, s, 0.0,  //
       -s, c, 0.0,  //
@@ -2387,7 +2397,7 @@ void kinematics_left_shoulder_roll(Workspace& w) {
   auto& i = w.j_left_shoulder_roll;
   require_finite(w, w.q + 23, 1, 17);
   require_finite(w, w.v + 22, 1, 17);
-  const Real q = w.q[23];
+  const Real q = Real(w.q[23]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2430,7 +2440,7 @@ void kinematics_left_shoulder_yaw(Workspace& w) {
   auto& i = w.j_left_shoulder_yaw;
   require_finite(w, w.q + 24, 1, 18);
   require_finite(w, w.v + 23, 1, 18);
-  const Real q = w.q[24];
+  const Real q = Real(w.q[24]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2473,7 +2483,7 @@ void kinematics_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
   require_finite(w, w.q + 25, 1, 19);
   require_finite(w, w.v + 24, 1, 19);
-  const Real q = w.q[25];
+  const Real q = Real(w.q[25]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2516,7 +2526,7 @@ void kinematics_left_wrist_roll(Workspace& w) {
   auto& i = w.j_left_wrist_roll;
   require_finite(w, w.q + 26, 1, 20);
   require_finite(w, w.v + 25, 1, 20);
-  const Real q = w.q[26];
+  const Real q = Real(w.q[26]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
@@ -2559,7 +2569,7 @@ void kinematics_left_wrist_pitch(Workspace& w) {
   auto& i = w.j_left_wrist_pitch;
   require_finite(w, w.q + 27, 1, 21);
   require_finite(w, w.v + 26, 1, 21);
-  const Real q = w.q[27];
+  const Real q = Real(w.q[27]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2601,7 +2611,7 @@ void kinematics_neck_yaw(Workspace& w) {
   auto& i = w.j_neck_yaw;
   require_finite(w, w.q + 28, 1, 22);
   require_finite(w, w.v + 27, 1, 22);
-  const Real q = w.q[28];
+  const Real q = Real(w.q[28]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
@@ -2645,7 +2655,7 @@ void kinematics_neck_pitch(Workspace& w) {
   auto& i = w.j_neck_pitch;
   require_finite(w, w.q + 29, 1, 23);
   require_finite(w, w.v + 28, 1, 23);
-  const Real q = w.q[29];
+  const Real q = Real(w.q[29]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2687,7 +2697,7 @@ void kinematics_right_shoulder_pitch(Workspace& w) {
   auto& i = w.j_right_shoulder_pitch;
   require_finite(w, w.q + 30, 1, 24);
   require_finite(w, w.v + 29, 1, 24);
-  const Real q = w.q[30];
+  const Real q = Real(w.q[30]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << c, s, 0.0,  //
       -s, c, 0.0,  //
@@ -2730,7 +2740,7 @@ void kinematics_right_shoulder_roll(Workspace& w) {
   auto& i = w.j_right_shoulder_roll;
   require_finite(w, w.q + 31, 1, 25);
   require_finite(w, w.v + 30, 1, 25);
-  const Real q = w.q[31];
+  const Real q = Real(w.q[31]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2773,7 +2783,7 @@ void kinematics_right_shoulder_yaw(Workspace& w) {
   auto& i = w.j_right_shoulder_yaw;
   require_finite(w, w.q + 32, 1, 26);
   require_finite(w, w.v + 31, 1, 26);
-  const Real q = w.q[32];
+  const Real q = Real(w.q[32]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2816,7 +2826,7 @@ void kinematics_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
   require_finite(w, w.q + 33, 1, 27);
   require_finite(w, w.v + 32, 1, 27);
-  const Real q = w.q[33];
+  const Real q = Real(w.q[33]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2859,7 +2869,7 @@ void kinematics_right_wrist_roll(Workspace& w) {
   auto& i = w.j_right_wrist_roll;
   require_finite(w, w.q + 34, 1, 28);
   require_finite(w, w.v + 33, 1, 28);
-  const Real q = w.q[34];
+  const Real q = Real(w.q[34]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
@@ -2902,7 +2912,7 @@ void kinematics_right_wrist_pitch(Workspace& w) {
   auto& i = w.j_right_wrist_pitch;
   require_finite(w, w.q + 35, 1, 29);
   require_finite(w, w.v + 34, 1, 29);
-  const Real q = w.q[35];
+  const Real q = Real(w.q[35]);
   const Real c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
@@ -2985,7 +2995,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_base(w);
   stamp(2);
   {  // from process 1: assembled: chain of "waist_roll"
-    const Real* from = channel.receive(1, w.status);
+    const Number* from = channel.receive(1, w.status);
     from = get(from, w.j_waist_roll.Phi_waist_link);
     from = get(from, w.j_waist_roll.b_waist_link);
   }
@@ -2995,7 +3005,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   disassemble_waist_yaw(w);
   stamp(5);
   {  // to process 1: forces on: chain of "waist_roll"
-    Real* to = channel.outgoing(2, w.status);
+    Number* to = channel.outgoing(2, w.status);
     to = put(to, w.j_waist_roll.F_on_waist_link);
     channel.send(2, w.status);
   }
@@ -3052,7 +3062,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_neck_yaw(w);
   stamp(2);
   {  // from process 2: assembled: chain of "left_shoulder_roll"
-    const Real* from = channel.receive(0, w.status);
+    const Number* from = channel.receive(0, w.status);
     from = get(from, w.j_left_shoulder_roll.Phi_left_shoulder);
     from = get(from, w.j_left_shoulder_roll.b_left_shoulder);
   }
@@ -3064,14 +3074,14 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_waist_roll(w);
   stamp(4);
   {  // to process 0: assembled: chain of "waist_roll"
-    Real* to = channel.outgoing(1, w.status);
+    Number* to = channel.outgoing(1, w.status);
     to = put(to, w.j_waist_roll.Phi_waist_link);
     to = put(to, w.j_waist_roll.b_waist_link);
     channel.send(1, w.status);
   }
   stamp(5);
   {  // from process 0: forces on: chain of "waist_roll"
-    const Real* from = channel.receive(2, w.status);
+    const Number* from = channel.receive(2, w.status);
     from = get(from, w.j_waist_roll.F_on_waist_link);
   }
   stamp(6);
@@ -3080,7 +3090,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   disassemble_left_shoulder_pitch(w);
   stamp(7);
   {  // to process 2: forces on: chain of "left_shoulder_roll"
-    Real* to = channel.outgoing(3, w.status);
+    Number* to = channel.outgoing(3, w.status);
     to = put(to, w.j_left_shoulder_roll.F_on_left_shoulder);
     channel.send(3, w.status);
   }
@@ -3123,14 +3133,14 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_left_shoulder_roll(w);
   stamp(2);
   {  // to process 1: assembled: chain of "left_shoulder_roll"
-    Real* to = channel.outgoing(0, w.status);
+    Number* to = channel.outgoing(0, w.status);
     to = put(to, w.j_left_shoulder_roll.Phi_left_shoulder);
     to = put(to, w.j_left_shoulder_roll.b_left_shoulder);
     channel.send(0, w.status);
   }
   stamp(3);
   {  // from process 1: forces on: chain of "left_shoulder_roll"
-    const Real* from = channel.receive(3, w.status);
+    const Number* from = channel.receive(3, w.status);
     from = get(from, w.j_left_shoulder_roll.F_on_left_shoulder);
   }
   stamp(4);
@@ -3173,7 +3183,7 @@ class Solver {
   std::string text;  // of the last failure
 
   // State and result in place: reads what this process needs, writes what it owns.
-  int solve(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     prepare(q, v, tau, qdd);
     run();
@@ -3181,7 +3191,7 @@ class Solver {
   }
 
   // Everything through process 0: it has the state and gets all accelerations.
-  int solve_at_root(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if constexpr (kProcesses == 1) return solve(q, v, tau, qdd);
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
@@ -3210,24 +3220,25 @@ class Solver {
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
     if (own.v_count == 0) return finish(kFine);
     int status = kFine;
-    const Real* content = channel.receive(state_message(rank), status);
+    const Number* content = channel.receive(state_message(rank), status);
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
     for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
-    Real* result = channel.outgoing(result_message(rank), w.status);
+    Number* result = channel.outgoing(result_message(rank), w.status);
     for (int k = 0; k < own.v_count; ++k) result[k] = qdd_[own.v[k]];
     channel.send(result_message(rank), w.status);
     return finish(w.status);
   }
 
-  int solve_as_root(const Real* q, const Real* v, const Real* tau, Real* qdd, int status = kFine) {
+  int solve_as_root(const Number* q, const Number* v, const Number* tau, Number* qdd,
+                    int status = kFine) {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;
-      Real* content = channel.outgoing(state_message(p), status);
+      Number* content = channel.outgoing(state_message(p), status);
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
       for (int k = 0; k < other.tau_count; ++k) *content++ = tau[other.tau[k]];
@@ -3239,14 +3250,14 @@ class Solver {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;
-      const Real* result = channel.receive(result_message(p), w.status);
+      const Number* result = channel.receive(result_message(p), w.status);
       for (int k = 0; k < other.v_count; ++k) qdd_[other.v[k]] = result[k];
     }
     if (w.status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
     return finish(w.status);
   }
 
-  void prepare(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  void prepare(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     w.q = q;
     w.v = v;
     w.tau = tau;
@@ -3262,9 +3273,9 @@ class Solver {
   static int state_message(int process) { return kPlanMessages + 2 * (process - 1); }
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
-  std::array<Real, kNq> q_{};
-  std::array<Real, kNv> v_{}, qdd_{};
-  std::array<Real, kNtau> tau_{};
+  std::array<Number, kNq> q_{};
+  std::array<Number, kNv> v_{}, qdd_{};
+  std::array<Number, kNtau> tau_{};
 };
 
 }  // namespace
@@ -3344,8 +3355,8 @@ Mat times(const Mat& a, const Mat& b) {
       for (int k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
   return result;
 }
-Vec vec3(const Real* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
-Mat mat3(const Real* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
+Vec vec3(const Number* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
+Mat mat3(const Number* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
 
 struct Body {
   Mat turn;   // child to parent coordinates
@@ -3356,14 +3367,14 @@ struct Body {
 };
 
 // Rotation and origin of the child frame in the joint frame.
-void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift) {
+void displace(const JointConstants& joint, const Number* q, Mat& turn, Vec& shift) {
   turn = {Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
   shift = {};
   const auto about_z = [&turn](double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     turn = {Vec{c, -s, 0}, Vec{s, c, 0}, Vec{0, 0, 1}};
   };
-  const auto orient = [&turn](const Real* p) {
+  const auto orient = [&turn](const Number* p) {
     double x = double(p[0]), y = double(p[1]), z = double(p[2]), w = double(p[3]);
     const double length = std::sqrt(x * x + y * y + z * z + w * w);
     x /= length, y /= length, z /= length, w /= length;
@@ -3391,7 +3402,7 @@ void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift)
 }
 
 // Angular and linear part of a joint's velocity or acceleration, in the child's frame.
-void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linear) {
+void motion(const JointConstants& joint, const Number* x, Vec& angular, Vec& linear) {
   angular = linear = {};
   switch (joint.kind) {
     case JointKind::kRevolute:
@@ -3413,7 +3424,7 @@ void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linea
 }
 
 // What a joint's damping, friction, spring and rotor take of its torque.
-void add_passive(const JointConstants& joint, const Real* q, const Real* v, const Real* qdd,
+void add_passive(const JointConstants& joint, const Number* q, const Number* v, const Number* qdd,
                  double* tau) {
   const Passive& own = joint.passive;
   for (int k = 0; k < joint.nv; ++k) {
@@ -3425,7 +3436,7 @@ void add_passive(const JointConstants& joint, const Real* q, const Real* v, cons
 }
 
 // The outer forces push their links.
-void push(const Real* outer, std::array<Body, kLinkCount>& body) {
+void push(const Number* outer, std::array<Body, kLinkCount>& body) {
   for (const OuterForce& one : kOuterForces) {
     Body& b = body[static_cast<std::size_t>(one.link)];
     const Mat turn = mat3(one.rotation);
@@ -3438,7 +3449,7 @@ void push(const Real* outer, std::array<Body, kLinkCount>& body) {
 
 // Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
 // through their sources' torques.
-void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real* outer,
+void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const Number* outer,
                       double* tau) {
   static std::array<Body, kLinkCount> body;
   body[0] = {};
@@ -3507,7 +3518,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real*
 
 // How far slaved accelerations are from following their sources, relative to their size, and
 // prescribed ones from what was prescribed.
-double slip(const Real* tau, const Real* qdd) {
+double slip(const Number* tau, const Number* qdd) {
   double worst = 0;
   for (const JointConstants& joint : kJoints) {
     for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
@@ -3522,9 +3533,9 @@ double slip(const Real* tau, const Real* qdd) {
 
 // The larger of that and of |ID(q, v, qdd) - tau| relative to the size of the torques that it
 // balances.
-double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
+double residual(const Number* q, const Number* v, const Number* tau, const Number* qdd) {
   static std::array<double, kNv> needed, at_rest;
-  static std::array<Real, kNv> zero{};
+  static std::array<Number, kNv> zero{};
   inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
   inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
   std::array<double, kNv> given{};
@@ -3724,7 +3735,7 @@ class JsonReader {
 // Reads a states file (JSON) and writes a result file, joints by name.
 struct States {
   int count = 0;
-  std::vector<Real> q, v, tau;  // one state after the other
+  std::vector<Number> q, v, tau;  // one state after the other
 };
 
 class StatesReader : private JsonReader {
@@ -3807,7 +3818,7 @@ class StatesReader : private JsonReader {
     const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
     const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
     const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
-    std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
+    std::vector<Number>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
     int count = 0;
     array([&] {
       const std::vector<double> entry = numbers();
@@ -3816,7 +3827,8 @@ class StatesReader : private JsonReader {
                " numbers, not " + std::to_string(size));
       const std::size_t row = stride * static_cast<std::size_t>(count);
       if (values.size() < row + stride) values.resize(row + stride);
-      for (std::size_t k = 0; k < size; ++k) values[row + start + k] = static_cast<Real>(entry[k]);
+      for (std::size_t k = 0; k < size; ++k)
+        values[row + start + k] = static_cast<Number>(entry[k]);
       ++count;
     });
     if (count == 0) refuse("there is no state");
@@ -3846,7 +3858,7 @@ class StatesReader : private JsonReader {
              std::to_string(given.size() / 6) + " states, but the joints have " +
              std::to_string(states.count));
     for (std::size_t i = 0; i < given.size(); ++i)
-      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Number>(given[i]);
   }
 
   static void fill_slaved(States& states) {
@@ -3857,7 +3869,7 @@ class StatesReader : private JsonReader {
 };
 
 // more: further members of the file, each after a comma.
-bool write_result(const std::string& path, const std::vector<Real>& qdd, int count,
+bool write_result(const std::string& path, const std::vector<Number>& qdd, int count,
                   const std::string& more) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (file == nullptr) return false;
@@ -3865,7 +3877,7 @@ bool write_result(const std::string& path, const std::vector<Real>& qdd, int cou
   for (int j = 0; j < kJointCount; ++j) {
     std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",", quoted(kJoints[j].name).c_str());
     for (int s = 0; s < count; ++s) {
-      const Real* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
+      const Number* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
       std::fputs(s == 0 ? "" : ", ", file);
       if (kJoints[j].nv > 1) std::fputs("[", file);
       for (int k = 0; k < kJoints[j].nv; ++k)
@@ -4769,16 +4781,16 @@ States random_states(int count, std::uint64_t seed) {
   states.v.resize(size(kNv));
   states.tau.resize(size(kNtau));
   for (int s = 0; s < count; ++s) {
-    Real* q =
+    Number* q =
         states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* v =
+    Number* v =
         states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* tau = states.tau.data() +
-                size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Number* tau = states.tau.data() +
+                  size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     for (const JointConstants& joint : kJoints) {
       const bool turns = joint.kind == JointKind::kRevolute;
       for (int k = 0; k < joint.nq; ++k)
-        q[joint.q + k] = static_cast<Real>(turns ? 3.141592653589793 * uniform() : uniform());
+        q[joint.q + k] = static_cast<Number>(turns ? 3.141592653589793 * uniform() : uniform());
       if (joint.nq >= 4) {
         double p[4], squared;
         do {
@@ -4786,14 +4798,14 @@ States random_states(int count, std::uint64_t seed) {
           for (double& x : p) x = uniform(), squared += x * x;
         } while (squared > 1 || squared < 0.01);
         for (int k = 0; k < 4; ++k)
-          q[joint.q + joint.nq - 4 + k] = static_cast<Real>(p[k] / std::sqrt(squared));
+          q[joint.q + joint.nq - 4 + k] = static_cast<Number>(p[k] / std::sqrt(squared));
       }
       for (int k = 0; k < joint.nv; ++k) {
-        v[joint.v + k] = static_cast<Real>(uniform());
-        tau[joint.v + k] = static_cast<Real>(uniform());
+        v[joint.v + k] = static_cast<Number>(uniform());
+        tau[joint.v + k] = static_cast<Number>(uniform());
       }
     }
-    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Real>(uniform());
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Number>(uniform());
     slave(q, v);
   }
   return states;
@@ -4820,9 +4832,9 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   MPI_Bcast(&status, 1, MPI_INT, 0, comm);
   if (status != kDone) return status;
   MPI_Bcast(&states.count, 1, MPI_INT, 0, comm);
-  const auto share = [&](std::vector<Real>& x, int n) {
+  const auto share = [&](std::vector<Number>& x, int n) {
     x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
-    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiReal, 0, comm);
+    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiNumber, 0, comm);
   };
   if (kBatch) return status;  // handed out as they are solved
   share(states.q, kNq);
@@ -4837,20 +4849,20 @@ struct Session {
   Watch watch;
   Solver solver;
   States states;
-  std::vector<Real> qdd;  // one acceleration after the other
+  std::vector<Number> qdd;  // one acceleration after the other
   bool pinned = false;
 
   Session(Options given, int own_rank) : options(std::move(given)), rank(own_rank) {}
 
   MPI_Comm comm() const { return solver.channel.comm(); }
-  const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
-  const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
-  Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
+  const Number* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
+  const Number* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
+  const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
+  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
 
   void use(States given) {
     states = std::move(given);
-    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Real(0));
+    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Number(0));
   }
 
   int complain(int status, const std::string& what, const std::string& file = "") const {
@@ -4987,8 +4999,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 58.7, 0.934};
-constexpr Hop kMessageHop{0, 357, 12.5};
+constexpr Hop kWindowHop{0, 105, 0.415};
+constexpr Hop kMessageHop{22, 105, 0.597};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {
@@ -5242,8 +5254,8 @@ class BatchTiming {
     };
     for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
       session_.watch.again();
-      const Real *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
-      Real* const qdd = session_.acceleration(0);
+      const Number *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
+      Number* const qdd = session_.acceleration(0);
       time(pass < 0 ? nullptr : &in_place, [&] {
         return solver.solve_batch(session_.rank < active ? kStates : 0, q, v, tau, qdd);
       });
@@ -5283,7 +5295,7 @@ class Timing {
          ++pass) {  // the first one warms up
       session_.watch.again();
       for (int s = 0; s < session_.states.count; ++s) {
-        Real* const qdd = session_.acceleration(s);
+        Number* const qdd = session_.acceleration(s);
         const Clock::time_point start = start_together();
         const int first = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s), qdd);
         const double in_place_ns =
@@ -5591,7 +5603,7 @@ class Simulation {
     std::copy(v.begin(), v.end(), real_v_.begin());
     std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
     for (std::size_t k = 0; k < extra.size(); ++k)
-      real_tau_[k] = static_cast<Real>(double(real_tau_[k]) + extra[k]);
+      real_tau_[k] = static_cast<Number>(double(real_tau_[k]) + extra[k]);
     const int status =
         on_.solver.solve_at_root(real_q_.data(), real_v_.data(), real_tau_.data(), real_a_.data());
     std::copy(real_a_.begin(), real_a_.end(), a.begin());
@@ -5640,9 +5652,9 @@ class Simulation {
   Session& on_;
   Trajectory trajectory_;
   manifold::State q_, v_;
-  std::array<Real, kNq> real_q_{};
-  std::array<Real, kNv> real_v_{}, real_a_{};
-  std::array<Real, kNtau> real_tau_{};
+  std::array<Number, kNq> real_q_{};
+  std::array<Number, kNv> real_v_{}, real_a_{};
+  std::array<Number, kNtau> real_tau_{};
   bool done_ = false, told_ = false;
   long long steps_ = 0, evaluations_ = 0;
   double wall_ = 0;
@@ -5810,9 +5822,9 @@ class Program {
     void* const all = on.qdd.data();
     const int size = static_cast<int>(on.qdd.size());
     if (on.rank == 0)
-      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiReal, MPI_SUM, 0, on.comm());
+      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiNumber, MPI_SUM, 0, on.comm());
     else
-      MPI_Reduce(all, nullptr, size, kMpiReal, MPI_SUM, 0, on.comm());
+      MPI_Reduce(all, nullptr, size, kMpiNumber, MPI_SUM, 0, on.comm());
     return kDone;
   }
 

@@ -8,19 +8,19 @@ class Solver {
 
   // States one after the other, as are their accelerations; nothing is said to other processes.
   // Accelerations of a state that fails are not numbers; the others are what they should be.
-  int solve_batch(int count, const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  int solve_batch(int count, const Number* q, const Number* v, const Number* tau, Number* qdd) {
     forget();
     return solve_rows(count, q, v, tau, qdd) ? kFine : name_failures(count, q, v, tau, qdd);
   }
 
-  int solve(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     return solve_batch(1, q, v, tau, qdd);
   }
 
   // Collective: process 0 has all states and gets all accelerations, and to know what failed; the
   // others return once it has. Of them, processes 1 to helpers help.
-  int solve_batch_at_root(int count, const Real* q, const Real* v, const Real* tau, Real* qdd,
-                          int helpers = kProcesses - 1) {
+  int solve_batch_at_root(int count, const Number* q, const Number* v, const Number* tau,
+                          Number* qdd, int helpers = kProcesses - 1) {
     if constexpr (kProcesses == 1) return solve_batch(count, q, v, tau, qdd);
     forget();
     const auto solve = [this](auto... rows) { return solve_rows(rows...); };
@@ -42,7 +42,7 @@ class Solver {
   }
 
   // What simulates asks for one state at a time.
-  int solve_at_root(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     return solve(q, v, tau, qdd);
   }
   int end_at_root() { return kFine; }
@@ -60,7 +60,7 @@ class Solver {
   }
 
   // Returns whether all states could be solved.
-  bool solve_rows(int count, const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  bool solve_rows(int count, const Number* q, const Number* v, const Number* tau, Number* qdd) {
     bool good = true;
     for (int first = 0, states; first < count; first += states) {
       states = std::min(kLanes, count - first);
@@ -80,7 +80,7 @@ class Solver {
         if (run() == kFine)
           take(s, qdd + (row + s) * kNv);
         else
-          std::fill_n(qdd + (row + s) * kNv, kNv, std::numeric_limits<Real>::quiet_NaN());
+          std::fill_n(qdd + (row + s) * kNv, kNv, std::numeric_limits<Number>::quiet_NaN());
       }
     }
     return good;
@@ -88,7 +88,8 @@ class Solver {
 
   // Tries the states that have no accelerations once more, each by itself; returns the first
   // failure.
-  int name_failures(int count, const Real* q, const Real* v, const Real* tau, const Real* qdd) {
+  int name_failures(int count, const Number* q, const Number* v, const Number* tau,
+                    const Number* qdd) {
     for (int s = 0; s < count; ++s) {
       const long row = s;
       if (qdd[row * kNv] == qdd[row * kNv]) continue;
@@ -108,7 +109,7 @@ class Solver {
   }
 
   // Rows of numbers into lanes; lanes without a state repeat the last one.
-  static void spread(int states, const Real* rows, int width, Value* lanes) {
+  static void spread(int states, const Number* rows, int width, Value* lanes) {
     if (states == kLanes) {
       for (int k = 0; k < width; ++k)
         ADAGEN_FOR (s, 0, kLanes) lanes[k][s] = rows[s * width + k];
@@ -124,7 +125,7 @@ class Solver {
     for (std::size_t k = 0; k < lanes.size(); ++k) lanes[k] = Value{} + all[k][s];
   }
 
-  void take(int s, Real* qdd) const {
+  void take(int s, Number* qdd) const {
     for (int k = 0; k < kNv; ++k) qdd[k] = qdd_[size(k)][s];
   }
 

@@ -69,8 +69,8 @@ class BatchTiming {
     };
     for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
       session_.watch.again();
-      const Real *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
-      Real* const qdd = session_.acceleration(0);
+      const Number *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
+      Number* const qdd = session_.acceleration(0);
       time(pass < 0 ? nullptr : &in_place, [&] {
         return solver.solve_batch(session_.rank < active ? kStates : 0, q, v, tau, qdd);
       });

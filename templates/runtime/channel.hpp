@@ -58,7 +58,7 @@ class Channel {
   }
 
   // Where to write message k. Waits for an MPI message that is still under way.
-  Real* outgoing(int k, int& status) {
+  Number* outgoing(int k, int& status) {
     Port& port = ports_[k];
     if (port.slots) return port.slot(port.count + 1, k).content() + 1;
     wait(port.request, kMessages[k].target, status);
@@ -73,21 +73,21 @@ class Channel {
     Port& port = ports_[k];
     if (port.slots) {
       Slot& slot = port.slot(++port.count, k);
-      slot.content()[0] = static_cast<Real>(status);
+      slot.content()[0] = static_cast<Number>(status);
       slot.number.store(port.count, std::memory_order_release);
       return;
     }
-    port.buffer[0] = static_cast<Real>(status);
-    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+    port.buffer[0] = static_cast<Number>(status);
+    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
               kMessages[k].target, k, comm_, &port.request);
   }
 
   // Waits for message k and returns its content; what its source knows of failures joins the
   // status.
-  const Real* receive(int k, int& status) {
+  const Number* receive(int k, int& status) {
     if (take_ && take_->playing()) return opened(take_->pass(), status);
     Port& port = ports_[k];
-    const Real* content;
+    const Number* content;
     if (port.slots) {
       const std::uint64_t number = ++port.count;
       Slot& slot = port.slot(number, k);
@@ -95,7 +95,7 @@ class Channel {
         fail(status, failure(kNoAnswer, kMessages[k].source));
       content = slot.content();
     } else {
-      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiReal,
+      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
                 kMessages[k].source, k, comm_, &port.request);
       wait(port.request, kMessages[k].source, status);
       content = port.buffer.data();
@@ -145,7 +145,9 @@ class Channel {
 
   struct alignas(kCacheLine) Slot {
     std::atomic<std::uint64_t> number;
-    Real* content() { return reinterpret_cast<Real*>(reinterpret_cast<char*>(this) + kCacheLine); }
+    Number* content() {
+      return reinterpret_cast<Number*>(reinterpret_cast<char*>(this) + kCacheLine);
+    }
   };
 
   struct Port {
@@ -154,17 +156,17 @@ class Channel {
     Slot& slot(std::uint64_t number, int k) const {
       return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
     }
-    std::vector<Real> buffer;
+    std::vector<Number> buffer;
     MPI_Request request = MPI_REQUEST_NULL;
   };
 
-  static const Real* opened(const Real* content, int& status) {
+  static const Number* opened(const Number* content, int& status) {
     if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
     return content + 1;
   }
 
   static std::size_t slot_bytes(const MessageInfo& info) {
-    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Real);
+    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Number);
     return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
   }
 

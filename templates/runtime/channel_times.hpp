@@ -85,5 +85,5 @@ class ChannelTimes {
 
   Channel channel_;
   int status_ = kFine;
-  std::array<Real, 1024> numbers_{};
+  std::array<Number, 1024> numbers_{};
 };

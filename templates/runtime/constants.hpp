@@ -4,7 +4,7 @@ enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
 // + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
 // tau holds that.
 struct Passive {
-  Real damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  Number damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
   bool prescribed = false;
 };
 
@@ -13,11 +13,11 @@ struct Passive {
 struct JointConstants {
   const char* name;
   JointKind kind;
-  int parent;           // parent link; the child link has the joint's number plus one
-  int q, nq, v, nv;     // where its configuration and velocity are
-  Real rotation[9];     // joint frame to parent link's frame, row by row
-  Real translation[3];  // origin of the joint frame in the parent link's frame, m
-  int source;           // joint that it is slaved to, or -1: q = multiplier q_source + offset
+  int parent;             // parent link; the child link has the joint's number plus one
+  int q, nq, v, nv;       // where its configuration and velocity are
+  Number rotation[9];     // joint frame to parent link's frame, row by row
+  Number translation[3];  // origin of the joint frame in the parent link's frame, m
+  int source;             // joint that it is slaved to, or -1: q = multiplier q_source + offset
   double multiplier, offset;
   Passive passive{};
 };
@@ -25,17 +25,17 @@ struct JointConstants {
 // An outer force that is an input, told in the frame of the link that has its name.
 struct OuterForce {
   const char* name;
-  int link;             // that feels it
-  Real rotation[9];     // from that frame to the link's, row by row
-  Real translation[3];  // its origin in the link's frame, m
+  int link;               // that feels it
+  Number rotation[9];     // from that frame to the link's, row by row
+  Number translation[3];  // its origin in the link's frame, m
 };
 
 struct LinkConstants {
   const char* name;
-  Real mass;               // kg
-  Real com[3];             // centre of mass, m
-  Real tensor[9];          // rotational inertia about it, kg m^2
-  Real tensor_inverse[9];  // J, its inverse
+  Number mass;               // kg
+  Number com[3];             // centre of mass, m
+  Number tensor[9];          // rotational inertia about it, kg m^2
+  Number tensor_inverse[9];  // J, its inverse
 };
 
 // What a process reads and owns of the state.
@@ -52,5 +52,5 @@ struct ProcessInfo {
 
 // What goes from one process to another once in an evaluation.
 struct MessageInfo {
-  int source, target, size;  // size in Real, the status not counted
+  int source, target, size;  // size in Number, the status not counted
 };

@@ -6,7 +6,7 @@ struct Held {
 
 // c + S qdd, qdd being prescribed.
 template <class Kind>
-void prescribe(const Real* qdd, Columns6& c) {
+void prescribe(const Number* qdd, Columns6& c) {
   c.col(0) += joint_velocity<Kind>(qdd);
 }
 

@@ -1,23 +1,25 @@
 // What goes into a message, and out of one.
 template <class M>
-Real* put(Real* to, const M& m) {
-  Eigen::Map<M>{to} = m;
+Number* put(Number* to, const M& m) {
+  Eigen::Map<Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>>{to} =
+      m.template cast<Number>();
   return to + M::SizeAtCompileTime;
 }
 
 template <class M>
-const Real* get(const Real* from, M& m) {
-  m = Eigen::Map<const M>(from);
+const Number* get(const Number* from, M& m) {
+  using Content = Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>;
+  m = Eigen::Map<const Content>(from).template cast<Real>();
   return from + M::SizeAtCompileTime;
 }
 
 template <std::size_t n>
-Real* put(Real* to, const std::array<Real, n>& x) {
+Number* put(Number* to, const std::array<Real, n>& x) {
   return std::copy(x.begin(), x.end(), to);
 }
 
 template <std::size_t n>
-const Real* get(const Real* from, std::array<Real, n>& x) {
-  std::copy(from, from + n, x.begin());
+const Number* get(const Number* from, std::array<Real, n>& x) {
+  std::transform(from, from + n, x.begin(), [](Number value) { return Real(value); });
   return from + n;
 }

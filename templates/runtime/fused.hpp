@@ -39,7 +39,7 @@ void place(const std::array<std::array<Real, kColumns>, count>& rows,
 
 // Adds a joint beyond those that are in the run already; ``at`` counts their freedoms.
 template <class Kind, int at, int n>
-void extend(Run<n>& i, const Transform& X, const Vec6& v, const Real* qd) {
+void extend(Run<n>& i, const Transform& X, const Vec6& v, const Number* qd) {
   if constexpr (at == 0) {
     i.X = X;
     i.S.setZero();

@@ -1,8 +1,8 @@
 // States of process 0, one after the other, and where their accelerations go.
 struct Batch {
   int count;
-  const Real *q, *v, *tau;
-  Real* qdd;
+  const Number *q, *v, *tau;
+  Number* qdd;
 };
 
 // Process 0 hands pieces of a batch to the others as they finish earlier ones, and solves pieces in
@@ -42,7 +42,7 @@ class Handout {
                      [&](const MPI_Status& s) { good &= s.MPI_TAG == kSolved; });
       for (Given& given : helper.given) {
         channel.wait(given.sent, p, status);
-        MPI_Isend(nullptr, 0, kMpiReal, p, kStates, channel.comm(), &given.sent);
+        MPI_Isend(nullptr, 0, kMpiNumber, p, kStates, channel.comm(), &given.sent);
       }
     }
     for (int p = 1; p < kProcesses; ++p)
@@ -64,16 +64,16 @@ class Handout {
       Taken& piece = taken_[k];
       int numbers = 0;
       channel.wait(piece.asked, 0, status,
-                   [&](const MPI_Status& s) { MPI_Get_count(&s, kMpiReal, &numbers); });
+                   [&](const MPI_Status& s) { MPI_Get_count(&s, kMpiNumber, &numbers); });
       channel.wait(piece.answered, 0, status);
       if (numbers == 0) {
         ++ends;
         continue;
       }
       const int count = numbers / kNumbers;
-      const Real* const v = piece.states.data() + count * kNq;
+      const Number* const v = piece.states.data() + count * kNq;
       const bool good = solve(count, piece.states.data(), v, v + count * kNv, piece.qdd.data());
-      MPI_Isend(piece.qdd.data(), count * kNv, kMpiReal, 0, good ? kSolved : kFailed,
+      MPI_Isend(piece.qdd.data(), count * kNv, kMpiNumber, 0, good ? kSolved : kFailed,
                 channel.comm(), &piece.answered);
       ask(channel, piece);
     }
@@ -84,14 +84,14 @@ class Handout {
   static constexpr int kStates = 0, kSolved = 1, kFailed = 2;  // what a message is
   // States of a piece, at most: about 64 kB, which is on its way for less time than it takes.
   static constexpr int kMost =
-      std::max(1, (1 << 16) / (kNumbers * static_cast<int>(sizeof(Real)) * kLanes)) * kLanes;
+      std::max(1, (1 << 16) / (kNumbers * static_cast<int>(sizeof(Number)) * kLanes)) * kLanes;
 
   // A piece at process 0, which another solves, and at that one.
   struct Given {
     MPI_Request sent = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
   struct Taken {
-    std::vector<Real> states, qdd;
+    std::vector<Number> states, qdd;
     MPI_Request asked = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
 
@@ -126,18 +126,18 @@ class Handout {
   static void give(Channel& channel, Given& given, int p, const Batch& batch, int first, int count,
                    int& status) {
     const long row = first;
-    const std::array<const Real*, 3> from{batch.q + row * kNq, batch.v + row * kNv,
-                                          batch.tau + row * kNv};
+    const std::array<const Number*, 3> from{batch.q + row * kNq, batch.v + row * kNv,
+                                            batch.tau + row * kNv};
     const std::array<int, 3> lengths{count * kNq, count * kNv, count * kNv};
     std::array<MPI_Aint, 3> places;
     for (std::size_t k = 0; k < 3; ++k) MPI_Get_address(from[k], &places[k]);
     MPI_Datatype rows;
-    MPI_Type_create_hindexed(3, lengths.data(), places.data(), kMpiReal, &rows);
+    MPI_Type_create_hindexed(3, lengths.data(), places.data(), kMpiNumber, &rows);
     MPI_Type_commit(&rows);
     channel.wait(given.sent, p, status);
     MPI_Isend(MPI_BOTTOM, 1, rows, p, kStates, channel.comm(), &given.sent);
     MPI_Type_free(&rows);
-    MPI_Irecv(batch.qdd + row * kNv, count * kNv, kMpiReal, p, MPI_ANY_TAG, channel.comm(),
+    MPI_Irecv(batch.qdd + row * kNv, count * kNv, kMpiNumber, p, MPI_ANY_TAG, channel.comm(),
               &given.answered);
   }
 
@@ -149,7 +149,7 @@ class Handout {
   }
 
   static void ask(Channel& channel, Taken& piece) {
-    MPI_Irecv(piece.states.data(), static_cast<int>(piece.states.size()), kMpiReal, 0, kStates,
+    MPI_Irecv(piece.states.data(), static_cast<int>(piece.states.size()), kMpiNumber, 0, kStates,
               channel.comm(), &piece.asked);
   }
 

@@ -134,8 +134,10 @@ ADAGEN_NOINLINE Mat6 congruent_in_parent(const Transform& X, const Mat6& m) {
 
 // Spatial inertia of a link at its origin.
 Inertia spatial_inertia(const LinkConstants& link) {
-  const Real x = link.com[0], y = link.com[1], z = link.com[2], m = link.mass;
-  const Real* const t = link.tensor;
+  const Real x = Real(link.com[0]), y = Real(link.com[1]), z = Real(link.com[2]);
+  const Real m = Real(link.mass);
+  std::array<Real, 9> t;
+  std::transform(link.tensor, link.tensor + 9, t.begin(), [](Number value) { return Real(value); });
   return {{t[0] + m * (y * y + z * z), t[1] - m * x * y, t[2] - m * x * z,
            t[4] + m * (x * x + z * z), t[5] - m * y * z, t[8] + m * (x * x + y * y)},
           {m, 0, 0, m, 0, m},

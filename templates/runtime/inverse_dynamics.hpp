@@ -26,8 +26,8 @@ Mat times(const Mat& a, const Mat& b) {
       for (int k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
   return result;
 }
-Vec vec3(const Real* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
-Mat mat3(const Real* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
+Vec vec3(const Number* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
+Mat mat3(const Number* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
 
 struct Body {
   Mat turn;   // child to parent coordinates
@@ -38,14 +38,14 @@ struct Body {
 };
 
 // Rotation and origin of the child frame in the joint frame.
-void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift) {
+void displace(const JointConstants& joint, const Number* q, Mat& turn, Vec& shift) {
   turn = {Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
   shift = {};
   const auto about_z = [&turn](double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     turn = {Vec{c, -s, 0}, Vec{s, c, 0}, Vec{0, 0, 1}};
   };
-  const auto orient = [&turn](const Real* p) {
+  const auto orient = [&turn](const Number* p) {
     double x = double(p[0]), y = double(p[1]), z = double(p[2]), w = double(p[3]);
     const double length = std::sqrt(x * x + y * y + z * z + w * w);
     x /= length, y /= length, z /= length, w /= length;
@@ -73,7 +73,7 @@ void displace(const JointConstants& joint, const Real* q, Mat& turn, Vec& shift)
 }
 
 // Angular and linear part of a joint's velocity or acceleration, in the child's frame.
-void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linear) {
+void motion(const JointConstants& joint, const Number* x, Vec& angular, Vec& linear) {
   angular = linear = {};
   switch (joint.kind) {
     case JointKind::kRevolute:
@@ -95,7 +95,7 @@ void motion(const JointConstants& joint, const Real* x, Vec& angular, Vec& linea
 }
 
 // What a joint's damping, friction, spring and rotor take of its torque.
-void add_passive(const JointConstants& joint, const Real* q, const Real* v, const Real* qdd,
+void add_passive(const JointConstants& joint, const Number* q, const Number* v, const Number* qdd,
                  double* tau) {
   const Passive& own = joint.passive;
   for (int k = 0; k < joint.nv; ++k) {
@@ -107,7 +107,7 @@ void add_passive(const JointConstants& joint, const Real* q, const Real* v, cons
 }
 
 // The outer forces push their links.
-void push(const Real* outer, std::array<Body, kLinkCount>& body) {
+void push(const Number* outer, std::array<Body, kLinkCount>& body) {
   for (const OuterForce& one : kOuterForces) {
     Body& b = body[static_cast<std::size_t>(one.link)];
     const Mat turn = mat3(one.rotation);
@@ -120,7 +120,7 @@ void push(const Real* outer, std::array<Body, kLinkCount>& body) {
 
 // Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
 // through their sources' torques.
-void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real* outer,
+void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const Number* outer,
                       double* tau) {
   static std::array<Body, kLinkCount> body;
   body[0] = {};
@@ -189,7 +189,7 @@ void inverse_dynamics(const Real* q, const Real* v, const Real* qdd, const Real*
 
 // How far slaved accelerations are from following their sources, relative to their size, and
 // prescribed ones from what was prescribed.
-double slip(const Real* tau, const Real* qdd) {
+double slip(const Number* tau, const Number* qdd) {
   double worst = 0;
   for (const JointConstants& joint : kJoints) {
     for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
@@ -204,9 +204,9 @@ double slip(const Real* tau, const Real* qdd) {
 
 // The larger of that and of |ID(q, v, qdd) - tau| relative to the size of the torques that it
 // balances.
-double residual(const Real* q, const Real* v, const Real* tau, const Real* qdd) {
+double residual(const Number* q, const Number* v, const Number* tau, const Number* qdd) {
   static std::array<double, kNv> needed, at_rest;
-  static std::array<Real, kNv> zero{};
+  static std::array<Number, kNv> zero{};
   inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
   inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
   std::array<double, kNv> given{};

@@ -34,15 +34,15 @@ template <class Kind>
 
 // S qd, the velocity across a joint.
 template <class Kind>
-Vec6 joint_velocity(const Real* qd) {
+Vec6 joint_velocity(const Number* qd) {
   Vec6 result = Vec6::Zero();
-  for (int k = 0; k < kFree<Kind>; ++k) result[Kind::Free::row[k]] = qd[k];
+  for (int k = 0; k < kFree<Kind>; ++k) result[Kind::Free::row[k]] = Real(qd[k]);
   return result;
 }
 
 // c_i = v_i x S qd, the part of the acceleration across a joint that qdd has no say in.
 template <class Kind>
-Columns6 velocity_product(const Vec6& velocity, const Real* qd) {
+Columns6 velocity_product(const Vec6& velocity, const Number* qd) {
   const Vec6 motion = joint_velocity<Kind>(qd);
   Columns6 result = Columns6::Zero();
   result.col(0).template head<3>() = velocity.head<3>().cross(motion.head<3>());

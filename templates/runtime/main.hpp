@@ -97,9 +97,9 @@ class Program {
     void* const all = on.qdd.data();
     const int size = static_cast<int>(on.qdd.size());
     if (on.rank == 0)
-      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiReal, MPI_SUM, 0, on.comm());
+      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiNumber, MPI_SUM, 0, on.comm());
     else
-      MPI_Reduce(all, nullptr, size, kMpiReal, MPI_SUM, 0, on.comm());
+      MPI_Reduce(all, nullptr, size, kMpiNumber, MPI_SUM, 0, on.comm());
     return kDone;
   }
 

@@ -3,8 +3,8 @@ inline void fail(Workspace& w, Failure kind, int joint) {
 }
 
 // x - x is zero for finite x only.
-inline void require_finite(Workspace& w, const Real* x, int count, int joint) {
-  Real sum = 0;
+inline void require_finite(Workspace& w, const Number* x, int count, int joint) {
+  Number sum = 0;
   for (int k = 0; k < count; ++k) sum += x[k] - x[k];
   if (!(sum == 0)) fail(w, kNotFinite, joint);
 }
@@ -19,7 +19,7 @@ void load_torque(Workspace& w, int joint, int v, std::array<std::array<Real, kCo
   require_finite(w, w.tau + v, static_cast<int>(n), joint);
   for (std::size_t k = 0; k < n; ++k) {
     tau[k] = {};
-    tau[k][0] = w.tau[v + static_cast<int>(k)];
+    tau[k][0] = Real(w.tau[v + static_cast<int>(k)]);
   }
 }
 

@@ -3,12 +3,14 @@
 [[maybe_unused]] inline Columns6 outer_force(Workspace& w, int k, int at, int joint) {
   require_finite(w, w.tau + at, 6, joint);
   const OuterForce& outer = kOuterForces[static_cast<std::size_t>(k)];
-  const Eigen::Map<const Vec3> given_force(w.tau + at), given_moment(w.tau + at + 3);
+  using Given = Eigen::Map<const Eigen::Matrix<Number, 3, 1>>;
+  const Vec3 given_force = Given(w.tau + at).cast<Real>();
+  const Vec3 given_moment = Given(w.tau + at + 3).cast<Real>();
   Mat3 turn;
   Vec3 place;
   for (int i = 0; i < 3; ++i) {
-    place[i] = outer.translation[i];
-    for (int c = 0; c < 3; ++c) turn(i, c) = outer.rotation[3 * i + c];
+    place[i] = Real(outer.translation[i]);
+    for (int c = 0; c < 3; ++c) turn(i, c) = Real(outer.rotation[3 * i + c]);
   }
   const Vec3 force = turn * given_force;
   Columns6 result = Columns6::Zero();

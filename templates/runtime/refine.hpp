@@ -39,6 +39,14 @@ struct ExchangeInfo {
   Table forces;   // joints whose force is told
 };
 
+// The slaved joint that a right-hand side is of; the first is of none.
+constexpr std::array<int, kColumns> kSlaved = [] {
+  std::array<int, kColumns> result{};
+  for (int j = 0, column = 0; j < kJointCount; ++j)
+    if (kJoints[j].source >= 0) result[++column] = j;
+  return result;
+}();
+
 // A joint and the link under it.
 struct WideJoint {
   WideMat3 E;            // parent to child coordinates
@@ -53,14 +61,14 @@ struct WideJoint {
 class Refinement {
  public:
   std::array<Columns6, kJointCount> f;  // joint forces of the last step, every right-hand side
-  std::array<Vec6, kJointCount> force;  // the same with coupling torques
-  std::array<Real, kNv> step{};         // accelerations of the last step
+  std::array<Eigen::Matrix<Number, 6, 1>, kJointCount> force;  // the same with coupling torques
+  std::array<Number, kNv> step{};                              // accelerations of the last step
   std::array<Vec6, kLinkCount> rho;
   std::array<Wide, kNv> qdd{};
   Wide step_energy = 0, energy = 0;  // this process's shares of e^T H e and t^T H t
   std::array<double, kRefine> corrections{};
 
-  void begin(const RefinedProcess& own, const Real* q, const Real* v) {
+  void begin(const RefinedProcess& own, const Number* q, const Number* v) {
     qdd.fill(0);
     for (const int j : own.path) place(j, q), move(j, v);
     for (const int j : own.at) {
@@ -75,6 +83,23 @@ class Refinement {
     }
   }
 
+  // The joint's force, column by column, along the joint the torque as it was given.
+  void collect(int j, const Number* tau) {
+    const JointConstants& joint = kJoints[j];
+    force[j] = f[j].col(0).cast<Number>();
+    for (int k = 0; k < joint.nv; ++k) force[j][free_row(joint.kind, k)] = tau[joint.v + k];
+  }
+
+  // What a coupling torque adds to it. Along the source that is the torque times the multiplier,
+  // which may be rounded in f.
+  void couple(int j, int column, Number torque) {
+    const JointConstants& slaved = kJoints[kSlaved[column]];
+    force[j] += f[j].col(column).cast<Number>() * torque;
+    if (slaved.source != j) return;
+    const int row = free_row(kJoints[j].kind, 0);
+    force[j][row] -= (Number(slaved.multiplier) + Number(f[j](row, column))) * torque;
+  }
+
   // The last step becomes part of the answer.
   void add(const RefinedProcess& own) {
     for (const int k : own.entries) qdd[k] += Wide(step[k]);
@@ -83,7 +108,7 @@ class Refinement {
       const JointConstants& joint = kJoints[j];
       const int source = kJoints[joint.source].v;
       qdd[joint.v] = Wide(joint.multiplier) * qdd[source];
-      step[joint.v] = static_cast<Real>(joint.multiplier * double(step[source]));
+      step[joint.v] = static_cast<Number>(joint.multiplier * double(step[source]));
     }
   }
 
@@ -166,12 +191,12 @@ class Refinement {
     return wide(moment, force);
   }
 
-  void place(int j, const Real* q) {
+  void place(int j, const Number* q) {
     const JointConstants& joint = kJoints[j];
     WideMat3 base, turn = WideMat3::Identity();
     Wide3 shift = Wide3::Zero();
     for (int k = 0; k < 9; ++k) base(k / 3, k % 3) = Wide(joint.rotation[k]);
-    const Real* const own = q + (joint.source < 0 ? joint.q : kJoints[joint.source].q);
+    const Number* const own = q + (joint.source < 0 ? joint.q : kJoints[joint.source].q);
     const auto scalar = [&joint, own](int k) {
       if (joint.source < 0) return Wide(own[k]);
       return Wide(joint.multiplier) * Wide(own[k]) + Wide(joint.offset);
@@ -204,7 +229,7 @@ class Refinement {
     for (int k = 0; k < 3; ++k) joints_[j].r[k] += Wide(joint.translation[k]);
   }
 
-  static WideMat3 oriented(const Real* quaternion) {
+  static WideMat3 oriented(const Number* quaternion) {
     const Wide x = quaternion[0], y = quaternion[1], z = quaternion[2], w = quaternion[3];
     const Wide s = 2 / (x * x + y * y + z * z + w * w);
     WideMat3 turn;
@@ -214,7 +239,7 @@ class Refinement {
     return turn;
   }
 
-  void move(int j, const Real* v) {
+  void move(int j, const Number* v) {
     const JointConstants& joint = kJoints[j];
     WideJoint& i = joints_[j];
     Wide6 motion;

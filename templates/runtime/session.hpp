@@ -17,16 +17,16 @@ States random_states(int count, std::uint64_t seed) {
   states.v.resize(size(kNv));
   states.tau.resize(size(kNtau));
   for (int s = 0; s < count; ++s) {
-    Real* q =
+    Number* q =
         states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* v =
+    Number* v =
         states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Real* tau = states.tau.data() +
-                size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Number* tau = states.tau.data() +
+                  size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
     for (const JointConstants& joint : kJoints) {
       const bool turns = joint.kind == JointKind::kRevolute;
       for (int k = 0; k < joint.nq; ++k)
-        q[joint.q + k] = static_cast<Real>(turns ? 3.141592653589793 * uniform() : uniform());
+        q[joint.q + k] = static_cast<Number>(turns ? 3.141592653589793 * uniform() : uniform());
       if (joint.nq >= 4) {
         double p[4], squared;
         do {
@@ -34,14 +34,14 @@ States random_states(int count, std::uint64_t seed) {
           for (double& x : p) x = uniform(), squared += x * x;
         } while (squared > 1 || squared < 0.01);
         for (int k = 0; k < 4; ++k)
-          q[joint.q + joint.nq - 4 + k] = static_cast<Real>(p[k] / std::sqrt(squared));
+          q[joint.q + joint.nq - 4 + k] = static_cast<Number>(p[k] / std::sqrt(squared));
       }
       for (int k = 0; k < joint.nv; ++k) {
-        v[joint.v + k] = static_cast<Real>(uniform());
-        tau[joint.v + k] = static_cast<Real>(uniform());
+        v[joint.v + k] = static_cast<Number>(uniform());
+        tau[joint.v + k] = static_cast<Number>(uniform());
       }
     }
-    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Real>(uniform());
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Number>(uniform());
     slave(q, v);
   }
   return states;
@@ -68,9 +68,9 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   MPI_Bcast(&status, 1, MPI_INT, 0, comm);
   if (status != kDone) return status;
   MPI_Bcast(&states.count, 1, MPI_INT, 0, comm);
-  const auto share = [&](std::vector<Real>& x, int n) {
+  const auto share = [&](std::vector<Number>& x, int n) {
     x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
-    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiReal, 0, comm);
+    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiNumber, 0, comm);
   };
   if (kBatch) return status;  // handed out as they are solved
   share(states.q, kNq);
@@ -85,20 +85,20 @@ struct Session {
   Watch watch;
   Solver solver;
   States states;
-  std::vector<Real> qdd;  // one acceleration after the other
+  std::vector<Number> qdd;  // one acceleration after the other
   bool pinned = false;
 
   Session(Options given, int own_rank) : options(std::move(given)), rank(own_rank) {}
 
   MPI_Comm comm() const { return solver.channel.comm(); }
-  const Real* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
-  const Real* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Real* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
-  Real* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
+  const Number* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
+  const Number* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
+  const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
+  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
 
   void use(States given) {
     states = std::move(given);
-    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Real(0));
+    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Number(0));
   }
 
   int complain(int status, const std::string& what, const std::string& file = "") const {

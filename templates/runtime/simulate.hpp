@@ -127,7 +127,7 @@ class Simulation {
     std::copy(v.begin(), v.end(), real_v_.begin());
     std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
     for (std::size_t k = 0; k < extra.size(); ++k)
-      real_tau_[k] = static_cast<Real>(double(real_tau_[k]) + extra[k]);
+      real_tau_[k] = static_cast<Number>(double(real_tau_[k]) + extra[k]);
     const int status =
         on_.solver.solve_at_root(real_q_.data(), real_v_.data(), real_tau_.data(), real_a_.data());
     std::copy(real_a_.begin(), real_a_.end(), a.begin());
@@ -176,9 +176,9 @@ class Simulation {
   Session& on_;
   Trajectory trajectory_;
   manifold::State q_, v_;
-  std::array<Real, kNq> real_q_{};
-  std::array<Real, kNv> real_v_{}, real_a_{};
-  std::array<Real, kNtau> real_tau_{};
+  std::array<Number, kNq> real_q_{};
+  std::array<Number, kNv> real_v_{}, real_a_{};
+  std::array<Number, kNtau> real_tau_{};
   bool done_ = false, told_ = false;
   long long steps_ = 0, evaluations_ = 0;
   double wall_ = 0;

@@ -7,7 +7,7 @@ class Solver {
   std::string text;  // of the last failure
 
   // State and result in place: reads what this process needs, writes what it owns.
-  int solve(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     prepare(q, v, tau, qdd);
     run();
@@ -15,7 +15,7 @@ class Solver {
   }
 
   // Everything through process 0: it has the state and gets all accelerations.
-  int solve_at_root(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if constexpr (kProcesses == 1) return solve(q, v, tau, qdd);
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
@@ -44,24 +44,25 @@ class Solver {
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
     if (own.v_count == 0) return finish(kFine);
     int status = kFine;
-    const Real* content = channel.receive(state_message(rank), status);
+    const Number* content = channel.receive(state_message(rank), status);
     for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
     for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
     for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
-    Real* result = channel.outgoing(result_message(rank), w.status);
+    Number* result = channel.outgoing(result_message(rank), w.status);
     for (int k = 0; k < own.v_count; ++k) result[k] = qdd_[own.v[k]];
     channel.send(result_message(rank), w.status);
     return finish(w.status);
   }
 
-  int solve_as_root(const Real* q, const Real* v, const Real* tau, Real* qdd, int status = kFine) {
+  int solve_as_root(const Number* q, const Number* v, const Number* tau, Number* qdd,
+                    int status = kFine) {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;
-      Real* content = channel.outgoing(state_message(p), status);
+      Number* content = channel.outgoing(state_message(p), status);
       for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
       for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
       for (int k = 0; k < other.tau_count; ++k) *content++ = tau[other.tau[k]];
@@ -73,14 +74,14 @@ class Solver {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
       if (other.v_count == 0) continue;
-      const Real* result = channel.receive(result_message(p), w.status);
+      const Number* result = channel.receive(result_message(p), w.status);
       for (int k = 0; k < other.v_count; ++k) qdd_[other.v[k]] = result[k];
     }
     if (w.status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
     return finish(w.status);
   }
 
-  void prepare(const Real* q, const Real* v, const Real* tau, Real* qdd) {
+  void prepare(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     w.q = q;
     w.v = v;
     w.tau = tau;
@@ -96,7 +97,7 @@ class Solver {
   static int state_message(int process) { return kPlanMessages + 2 * (process - 1); }
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
-  std::array<Real, kNq> q_{};
-  std::array<Real, kNv> v_{}, qdd_{};
-  std::array<Real, kNtau> tau_{};
+  std::array<Number, kNq> q_{};
+  std::array<Number, kNv> v_{}, qdd_{};
+  std::array<Number, kNtau> tau_{};
 };

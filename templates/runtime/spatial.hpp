@@ -64,8 +64,9 @@ Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
 
 // Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
 // quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
-[[maybe_unused]] Real conjugate_rotation(const Real* quaternion, Mat3& E) {
-  const Real x = quaternion[0], y = quaternion[1], z = quaternion[2], w = quaternion[3];
+[[maybe_unused]] Real conjugate_rotation(const Number* quaternion, Mat3& E) {
+  const Real x = Real(quaternion[0]), y = Real(quaternion[1]);
+  const Real z = Real(quaternion[2]), w = Real(quaternion[3]);
   const Real squared = x * x + y * y + z * z + w * w;
   const Real s = 2 / squared;
   E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
@@ -76,11 +77,11 @@ Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
 
 // b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
 ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
-  using Constant3 = Eigen::Map<const Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>>;
+  using Constant3 = Eigen::Map<const Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>>;
   const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
-  const Vec3 c(link.com[0], link.com[1], link.com[2]);
-  const Vec3 momentum = Constant3(link.tensor) * omega;
-  const Vec3 alpha = Constant3(link.tensor_inverse) * momentum.cross(omega);
+  const Vec3 c(Real(link.com[0]), Real(link.com[1]), Real(link.com[2]));
+  const Vec3 momentum = Constant3(link.tensor).cast<Real>() * omega;
+  const Vec3 alpha = Constant3(link.tensor_inverse).cast<Real>() * momentum.cross(omega);
   b.setZero();
   b.col(0).template head<3>() = alpha;
   b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);

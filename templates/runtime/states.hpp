@@ -1,7 +1,7 @@
 // Reads a states file (JSON) and writes a result file, joints by name.
 struct States {
   int count = 0;
-  std::vector<Real> q, v, tau;  // one state after the other
+  std::vector<Number> q, v, tau;  // one state after the other
 };
 
 class StatesReader : private JsonReader {
@@ -84,7 +84,7 @@ class StatesReader : private JsonReader {
     const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
     const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
     const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
-    std::vector<Real>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
+    std::vector<Number>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
     int count = 0;
     array([&] {
       const std::vector<double> entry = numbers();
@@ -93,7 +93,8 @@ class StatesReader : private JsonReader {
                " numbers, not " + std::to_string(size));
       const std::size_t row = stride * static_cast<std::size_t>(count);
       if (values.size() < row + stride) values.resize(row + stride);
-      for (std::size_t k = 0; k < size; ++k) values[row + start + k] = static_cast<Real>(entry[k]);
+      for (std::size_t k = 0; k < size; ++k)
+        values[row + start + k] = static_cast<Number>(entry[k]);
       ++count;
     });
     if (count == 0) refuse("there is no state");
@@ -123,7 +124,7 @@ class StatesReader : private JsonReader {
              std::to_string(given.size() / 6) + " states, but the joints have " +
              std::to_string(states.count));
     for (std::size_t i = 0; i < given.size(); ++i)
-      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Real>(given[i]);
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Number>(given[i]);
   }
 
   static void fill_slaved(States& states) {
@@ -134,7 +135,7 @@ class StatesReader : private JsonReader {
 };
 
 // more: further members of the file, each after a comma.
-bool write_result(const std::string& path, const std::vector<Real>& qdd, int count,
+bool write_result(const std::string& path, const std::vector<Number>& qdd, int count,
                   const std::string& more) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (file == nullptr) return false;
@@ -142,7 +143,7 @@ bool write_result(const std::string& path, const std::vector<Real>& qdd, int cou
   for (int j = 0; j < kJointCount; ++j) {
     std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",", quoted(kJoints[j].name).c_str());
     for (int s = 0; s < count; ++s) {
-      const Real* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
+      const Number* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
       std::fputs(s == 0 ? "" : ", ", file);
       if (kJoints[j].nv > 1) std::fputs("[", file);
       for (int k = 0; k < kJoints[j].nv; ++k)

@@ -12,6 +12,7 @@ enum Failure : int {
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
+  kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -77,6 +78,9 @@ std::string describe(int status) {
       return "the evaluations are over";
     case kNotRefined:
       return "refinement does not converge: the inertias differ too much for the scalar";
+    case kTooFewSteps:
+      return "refinement converges too slowly: its last correction is too large; take more steps "
+             "(--refine) or --scalar double";
     case kNoAnswer:
       return "process " + std::to_string(place) + " did not answer within the time limit";
   }

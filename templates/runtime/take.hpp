@@ -19,7 +19,7 @@ class Take {
   const std::vector<Clock::rep>& looks() const { return looks_; }  // one at each message
 
   // Message k was sent, or received with this content, its status before it.
-  ADAGEN_NOINLINE void note(int k, const Real* content = nullptr) {
+  ADAGEN_NOINLINE void note(int k, const Number* content = nullptr) {
     messages_.push_back(k);
     looks_.push_back(0);
     starts_.push_back(contents_.size());
@@ -29,7 +29,7 @@ class Take {
   }
 
   // The next message is due; returns its content, if it is one received.
-  ADAGEN_NOINLINE const Real* pass() {
+  ADAGEN_NOINLINE const Number* pass() {
     looks_[next_] = Clock::now().time_since_epoch().count();
     return contents_.data() + starts_[next_++];
   }
@@ -40,5 +40,5 @@ class Take {
   std::vector<int> messages_;
   std::vector<Clock::rep> looks_;
   std::vector<std::size_t> starts_;  // in contents_
-  std::vector<Real> contents_;
+  std::vector<Number> contents_;
 };

@@ -17,7 +17,7 @@ class Timing {
          ++pass) {  // the first one warms up
       session_.watch.again();
       for (int s = 0; s < session_.states.count; ++s) {
-        Real* const qdd = session_.acceleration(s);
+        Number* const qdd = session_.acceleration(s);
         const Clock::time_point start = start_together();
         const int first = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s), qdd);
         const double in_place_ns =

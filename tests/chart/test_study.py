@@ -34,6 +34,8 @@ class TestVariants:
         }  # fmt: skip
         assert {v.schedule for v in found} == {"auto", "balanced", "sequential", "random"}
         assert set(found) < set(every_variant(whole=True))
+        assert {v.refine for v in found if v.scalar == "mixed"} == {1, 2}
+        assert {v.refine for v in every_variant(refinements=(0,)) if v.scalar == "mixed"} == {2}
 
     @pytest.mark.parametrize("processes", [1, 2, 5])
     def test_a_random_schedule_is_one(self, processes: int) -> None:

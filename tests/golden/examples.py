@@ -58,6 +58,7 @@ EXAMPLES = (
     Example("arm7_unrolled", "arm7", 2, form="ada", shape="unrolled"),
     Example("arm7_slaved", "arm7", 2, mimic=True, form="ada"),
     Example("arm7_float", "arm7", 2, scalar="float"),
+    Example("arm7_mixed", "arm7", 2, scalar="mixed"),
     Example("arm7_batch", "arm7", 2, batch=True),
     Example("humanoid_batch", "humanoid", 2, floating=True, shape="kernels", batch=True),
     Example("humanoid", "humanoid", 1, floating=True),
@@ -81,7 +82,13 @@ def stages(example: Example) -> tuple[Schedule, Plan]:
     """Return the schedule and the plan of an example."""
     model = example.model()
     processes = 1 if example.batch else example.processes
-    schedule = best_schedule(model, processes, load_profile("default"), example.form)
+    schedule = best_schedule(
+        model,
+        processes,
+        load_profile("default"),
+        example.form,
+        gather=example.scalar != "mixed",  # as shape joints, which refines, has it
+    )
     plan = make_plan(
         model,
         schedule,

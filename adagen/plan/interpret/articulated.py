@@ -26,6 +26,7 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
+from adagen.plan.types import FACTORS
 
 if TYPE_CHECKING:
     from adagen.plan.interpret.machine import Machine
@@ -84,7 +85,7 @@ class SegmentMachine:
         phi, b = self.memory[step.block], self.memory[step.bias]
         most = np.diag(phi).reshape(2, 3).max(axis=1).repeat(3)
         pivots = np.diag(np.linalg.cholesky(phi)) ** 2
-        if (pivots / most).min() < LEAST_PIVOT[self.machine.plan.scalar]:
+        if (pivots / most).min() < LEAST_PIVOT[FACTORS[self.machine.plan.scalar]]:
             raise np.linalg.LinAlgError
         inverse = np.linalg.inv(phi)
         self.memory["IA", step.link], self.memory["pA", step.link] = inverse, -inverse @ b

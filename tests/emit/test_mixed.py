@@ -1,0 +1,95 @@
+"""Scalar mixed: factors in float, states and answers in double, refined to the digits of double."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.emit import emit, stem_of
+from adagen.errors import UsageError
+from adagen.plan import make_plan, plan_from_json, plan_to_json
+from adagen.plan.cuts import cuttable_joints
+from adagen.states import random_states
+from tests.emit.test_refine import errors, refined, with_light_link
+from tests.emitted import Builder
+from tests.models import random_tree, serial_chain
+from tests.schedules import random_schedule
+
+
+@pytest.mark.parametrize(
+    ("form", "processes"),
+    [("segment", 1), ("ada", 2), pytest.param("segment", 4, marks=pytest.mark.slow)],
+)
+def test_answers_have_the_digits_of_double(
+    form: str, processes: int, builder: Builder, tmp_path: Path
+) -> None:
+    """Slaved joints, all kinds of joints, a floating base; states that no float can hold."""
+    model = random_tree(np.random.default_rng(4), 9, floating=True, mimics=2)
+    schedule = random_schedule(model, processes, np.random.default_rng(processes))
+    plan = make_plan(model, schedule, form=form, scalar="mixed")
+    states = random_states(model, 5, seed=3)
+    found = refined(builder, plan, 3).solve(model, states, tmp_path)
+    assert errors(model, states, found).max() < 1e-13
+    said = np.array(json.loads((tmp_path / "result.json").read_text())["corrections"])
+    assert ((said[:, 0] > 1e-9) & (said[:, 0] < 1e-2)).all()  # the error of a float
+    assert (said[:, 1] < 1e-2 * said[:, 0]).all()
+    assert said[:, 2].max() < 1e-9
+
+
+def test_the_program_checks_and_times_itself_as_in_double(builder: Builder) -> None:
+    model = serial_chain(4)
+    plan = make_plan(
+        model, random_schedule(model, 2, np.random.default_rng(0)), scalar="mixed", form="ada"
+    )
+    solver = refined(builder, plan, 2)
+    done = solver.run("--check", "--time", "--repeat", "1", "--json")
+    report = json.loads(done.stdout)
+    assert (done.status, report["refine"]["steps"]) == (0, 2)
+    assert report["check"]["residual_max"] < 1e-12
+    assert report["time"]["in_place"]["median_ns"] > 0
+
+
+def test_where_it_does_not_converge_it_says_so(builder: Builder) -> None:
+    """In form ada a light link's mobility is lost to its neighbours, down to noise in float."""
+    model = with_light_link(1e-6)
+    schedule = random_schedule(model, 1, np.random.default_rng(0))
+    plan = make_plan(model, schedule, form="ada", scalar="mixed")
+    done = refined(builder, plan, 3).run("--check")
+    assert done.status == 1
+    assert "refinement does not converge" in done.stderr or "no digits left" in done.stderr
+
+
+def test_where_its_steps_are_too_few_it_says_so(builder: Builder) -> None:
+    model = with_light_link(1e-3)
+    schedule = random_schedule(model, 1, np.random.default_rng(0))
+    plan = make_plan(model, schedule, form="ada", scalar="mixed")
+    done = refined(builder, plan, 1).run("--check")
+    assert done.status == 1
+    assert "refinement converges too slowly" in done.stderr
+    assert refined(builder, plan, 4).run("--check").status == 0
+
+
+def test_steps_are_two_unless_said_otherwise_and_never_none() -> None:
+    model = serial_chain(3)
+    plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(0)), scalar="mixed")
+    text = emit(plan)[f"{stem_of(plan)}.cpp"]
+    assert "constexpr int kRefine = 2;" in text
+    assert "using Number = double;" in text
+    assert "using Real = float;" in text
+    assert "_solve(" in text and "const float* q, const" not in text
+    with pytest.raises(UsageError, match="say --refine 1 or more"):
+        emit(plan, refine=0)
+    with pytest.raises(UsageError, match="leave out --batch"):
+        emit(plan, batch=1)
+    with pytest.raises(UsageError, match="no refinement"):
+        emit(plan, shape="kernels")
+    assert plan_from_json(plan_to_json(plan)) == plan
+
+
+def test_processes_meet_where_floats_can() -> None:
+    for ratio in (1e-2, 1e-4):
+        model = with_light_link(ratio)
+        assert cuttable_joints(model, "mixed") == cuttable_joints(model, "float")
