@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from adagen.emit.shapes import stepwise
+from adagen.emit.shapes import SHAPES
 from adagen.model.kinds import KINDS
 from adagen.plan.abreast import Limbs, limbs_abreast
 from adagen.plan.steps import (
@@ -131,7 +131,7 @@ _NUMBERS = {2: "two", 4: "four"}
 
 def lanes_of(plan: Plan, process: Process, shape: str = "auto") -> Lanes:
     """Return which joints a process passes side by side; none where the shape does not do that."""
-    if (stepwise(plan) if shape == "auto" else shape) != "kernels":
+    if shape not in ("auto", "kernels") or SHAPES["kernels"].why_not(plan) is not None:
         return {}
     return {j: limbs for limbs in limbs_abreast(plan, process) for j in limbs.members()}
 

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from heapq import nsmallest
 
+from adagen.emit.shapes import SHAPES
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.constants import joints_of
@@ -87,7 +88,10 @@ def gathering(
     """
     for schedule in schedules:
         gathered = replace(schedule, meeting="gather")
-        time = predict(make_plan(model, gathered), profile).makespan
+        plan = make_plan(model, gathered)
+        if SHAPES["kernels"].why_not(plan) is not None:  # no other shape gathers
+            continue
+        time = predict(plan, profile).makespan
         lower = min(time, _Limbs(model, schedule.processes, profile).evenly())
         yield replace(
             gathered,

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
+from adagen.calibrate.robots import chain, robot
+from adagen.emit.shapes import SHAPES
 from adagen.plan import make_plan
 from adagen.predict import best_schedule, choose_processes
 from adagen.schedule import Topology, find_schedule, load_profile, validate
 from adagen.schedule.restricted import joined_between_processes
-from tests.models import human_figure, serial_chain
+from tests.models import human_figure, random_tree, serial_chain
 from tests.predict.costs import step_profile
 
 PROFILE = load_profile("default")
@@ -46,3 +51,20 @@ def test_as_many_processes_as_pay_are_chosen() -> None:
 
     assert chosen(join__revolute=9.0) == 1
     assert chosen(articulate__revolute=9.0) >= 3
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(1, 9), st.integers(1, 3), st.booleans(), st.integers(0, 2**32 - 1))
+def test_what_is_chosen_can_be_emitted(
+    joints: int, processes: int, floating: bool, seed: int
+) -> None:
+    """Also where joints of several freedoms stand on the ground, whose mobility is not a body."""
+    model = random_tree(np.random.default_rng(seed), joints, branching=0.4, floating=floating)
+    plan = make_plan(model, best_schedule(model, processes, PROFILE))
+    assert any(shape.why_not(plan) is None for shape in SHAPES.values())
+
+
+def test_a_planar_joint_on_the_ground_does_not_keep_processes_apart() -> None:
+    model = robot("planar", chain(6), ["planar", *["revolute"] * 5])
+    plan = make_plan(model, best_schedule(model, 2, PROFILE))
+    assert any(shape.why_not(plan) is None for shape in SHAPES.values())
