@@ -102,6 +102,7 @@ def calibrate(
     free = [sample for sample in found.stepwise if not sample.plan.slaved]
     costs = _costs(free, found, default)
     costs = _with_slaved(costs, [sample for sample in found.stepwise if sample.plan.slaved])
+    sent = costs  # as messages by themselves have it
     if found.channels is not None:
         costs = _with_latency_at_work(costs, free)
     profile = replace(fit_equation11(name, costs), steps=costs)
@@ -118,7 +119,7 @@ def calibrate(
     ]
     errors = relative_errors(free, costs)
     for channel, times in (found.channels or {}).items():
-        errors[f"messages, {channel}"] = channel_errors(times, costs.channel(channel))
+        errors[f"messages, {channel}"] = channel_errors(times, sent.channel(channel))
     return Calibration(
         profile,
         errors,

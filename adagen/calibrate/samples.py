@@ -32,7 +32,9 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
     others = robot("others", chain(16), OTHERS, 2)
     figure = robot("figure", tree(22, 0.3, 4), ["floating", *MIXED * 5][:22], 4)
     limbs = robot("limbs", [0, *tree(24, 0.3, 7)[1:]], ["floating", *["revolute"] * 23], 5)
-    legs = robot("legs", star(4, 6), ["floating", *["revolute"] * 24], 9)
+    legs = robot("legs", star(4, 8), ["floating", *["revolute"] * 32], 9)
+    paws = robot("paws", star(4, 3), ["floating", *["revolute"] * 12], 13)
+    wings = robot("wings", star(2, 9), ["revolute"], 14)
     feet = robot("feet", star(4, 4), ["revolute", *ROWS[2:] * 4], 11)
     arms = robot("arms", star(2, 6), ["revolute", *ROWS * 2], 10)
     rope = robot("rope", chain(40), ["revolute"], 12)
@@ -43,6 +45,8 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
         ("segment", limbs, 1, 1, ""),
         ("segment", rope, 1, 1, ""),
         ("segment", legs, 1, 1, ""),
+        ("segment", paws, 1, 1, ""),
+        ("segment", wings, 1, 1, ""),
         ("segment", feet, 1, 1, ""),
         ("segment", arms, 1, 1, ""),
         ("ada", figure, 2, 3, "mixed"),

@@ -2248,14 +2248,27 @@ ADAGEN_INLINE void meet_abreast(Workspace& w, const Joints<T>& joints, Body<T>& 
   add_bare_link(w, joints, X);
 }
 
+// Whether nothing but the links themselves is found between the limbs' joints.
+template <int p, class L>
+constexpr bool bare_rows(const L& limbs) {
+  for (int k = 0; k + 1 < L::kRows; ++k)
+    for (const int joint : limbs.at(k).joint)
+      if (kRoles[p][static_cast<std::size_t>(joint + 1)].gathers) return false;
+  return true;
+}
+
 // What hangs on the links that the limbs hang on.
 template <int p, const auto& limbs>
 auto inward_abreast(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;
   Body<T> X{};
+  constexpr bool quick = bare_rows<p>(limbs);
+  if constexpr (quick) meet_abreast<p>(w, limbs.at(limbs.kRows - 1), X);
   for (int k = limbs.kRows - 1; k >= 0; --k) {
-    meet_abreast<p>(w, limbs.at(k), X);
-    step_inward<false>(w, limbs.at(k), X, [](const Body<T>&) {});
+    if constexpr (!quick) meet_abreast<p>(w, limbs.at(k), X);
+    step_inward<false>(w, limbs.at(k), X, [&](Body<T>& near) {
+      if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
+    });
   }
   return X;
 }
@@ -4204,8 +4217,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 105, 0.415};
-constexpr Hop kMessageHop{22, 105, 0.597};
+constexpr Hop kWindowHop{0, 117, 0.18};
+constexpr Hop kMessageHop{21.2, 105, 0.608};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {
