@@ -26,8 +26,6 @@ Array = NDArray[np.float64]
 _STEADY = 1e-2
 """Weight of the wish that coefficients of one group resemble each other, for what no equation tells
 apart (a link's start and its joint's articulation, say)."""
-_ROW_ALIKE = 5.0
-"""How much more a row of joints side by side is to resemble one joint: few robots tell it."""
 _SHORT = 0.05
 """Microseconds that a short stage may be off by before its relative error counts in full."""
 
@@ -125,7 +123,7 @@ def _alike() -> Array:
             row = np.zeros(len(NAMES))
             row[[NAMES.index(f"{alone}.{other}") for other in others]] = -1 / len(others)
             row[NAMES.index(f"{group}.{kind}")] += 1
-            rows.append(row if alone == group else _ROW_ALIKE * row)
+            rows.append(row)
     for k in range(len(NAMES)):
         row = np.zeros(len(NAMES))
         row[k] = 0.1  # and nothing is dearer than it need be

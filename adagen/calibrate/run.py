@@ -207,22 +207,26 @@ def _costs(free: Sequence[Sample], found: _Measured, default: CostProfile) -> St
 
 
 def _with_latency_at_work(costs: StepCosts, samples: Sequence[Sample]) -> StepCosts:
-    """Return the costs with the window's latency as programs at work feel it.
+    """Return the costs with latencies as programs at work feel them.
 
     Messages sent to and fro find a receiver that does nothing else; at work, memory is in use for
-    other things, and either process may be late. The latency is raised by what lets the predicted
-    times of programs of several processes fit best.
+    other things, and either process may be late. Latencies are raised by what lets the predicted
+    times of programs of several processes, which meet in the window, fit best.
     """
     together = [s for s in samples if len(s.plan.processes) > 1 and s.plan.messages]
 
+    def raised(more: float) -> StepCosts:
+        window, message = (
+            replace(c, latency=c.latency + more) for c in (costs.window, costs.message)
+        )
+        return replace(costs, window=window, message=message)
+
     def off(more: float) -> float:
-        window = replace(costs.window, latency=costs.window.latency + more)
-        profile = CostProfile("", 0.0, 0.0, 0.0, 1.0, steps=replace(costs, window=window))
+        profile = CostProfile("", 0.0, 0.0, 0.0, 1.0, steps=raised(more))
         times = [(s.measured.time, predict(s.plan, profile).makespan) for s in together]
         return sum(abs(measured - predicted) / measured for measured, predicted in times)
 
-    more = min((step / 200 for step in range(61)), key=off)  # up to 0.3 us
-    return replace(costs, window=replace(costs.window, latency=costs.window.latency + more))
+    return raised(min((step / 200 for step in range(61)), key=off))  # by up to 0.3 us
 
 
 def _with_slaved(costs: StepCosts, samples: Sequence[Sample]) -> StepCosts:

@@ -3898,8 +3898,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 117, 0.18};
-constexpr Hop kMessageHop{21.2, 105, 0.608};
+constexpr Hop kWindowHop{0, 112, 0.432};
+constexpr Hop kMessageHop{21.1, 181, 0.576};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {
