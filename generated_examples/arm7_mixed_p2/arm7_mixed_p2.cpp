@@ -2,7 +2,7 @@
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // options   form segment, shape joints, scalar mixed, refine 2, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  base_yaw@0-1(|shoulder_pitch(|upper_arm_roll(|elbow_pitch(|forearm_roll(|wrist_pitch(|flange_roll(|left_finger_slide(right_finger_slide|))))))))
+// schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -117,7 +117,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 2;  // steps of iterative refinement
-[[maybe_unused]] constexpr int kPlanMessages = 0;
+[[maybe_unused]] constexpr int kPlanMessages = 2;
 constexpr std::size_t kCacheLine = 64;
 constexpr bool kFloatingBase = false;
 constexpr double kTolerance = 1e-09;
@@ -1341,9 +1341,14 @@ Columns6 rearticulate(Articulated<Kind>& i, Real sigma, const Columns6& p) {
   return force;
 }
 
-constexpr std::array<MessageInfo, 2> kMessages{ {
-    {0, 1, 0},  // 0: state
-    {1, 0, 0},  // 1: accelerations
+constexpr std::array<MessageInfo, 7> kMessages{ {
+    {1, 0, 42},  // 0: assembled: chain of "flange_roll"
+    {0, 1, 6},  // 1: forces on: chain of "flange_roll"
+    {0, 1, 22},  // 2: state
+    {1, 0, 4},  // 3: accelerations
+    {0, 1, 11},  // 4: step of refinement
+    {1, 0, 2},  // 5: energies
+    {0, 1, 1},  // 6: size of the correction
 } };
 
 // What a process does in an evaluation as the others see it: the messages that it sends and
@@ -1690,6 +1695,7 @@ struct Joint_base_yaw {
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_shoulder_pitch {
@@ -1699,6 +1705,16 @@ struct Joint_shoulder_pitch {
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
+  Mat6 Phi_turret;  // of the chain it completes
+  Columns6 b_turret;
+  Mat6 Phi_upper_arm;  // of the chain it completes
+  Columns6 b_upper_arm;
+  Mat6 Phi_elbow_housing;  // of the chain it completes
+  Columns6 b_elbow_housing;
+  Mat6 Phi_forearm;  // of the chain it completes
+  Columns6 b_forearm;
+  Columns6 load;  // what handle forces add
+  Columns6 F_on_forearm;  // outer wrench on that chain
 };
 
 struct Joint_upper_arm_roll {
@@ -1708,6 +1724,7 @@ struct Joint_upper_arm_roll {
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_elbow_pitch {
@@ -1717,15 +1734,17 @@ struct Joint_elbow_pitch {
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_forearm_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "wrist_housing"
+  Joined<Revolute> joined;
   Inertia IA;  // articulated-body inertia of link "wrist_housing"
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
+  Columns6 load;  // what handle forces add
 };
 
 struct Joint_wrist_pitch {
@@ -1744,6 +1763,9 @@ struct Joint_flange_roll {
   Columns6 pA;  // and its bias force
   Columns6 a;  // acceleration of the link, relative to free fall
   Articulated<Revolute> body;
+  Mat6 Phi_wrist_housing;  // of the chain it completes
+  Columns6 b_wrist_housing;
+  Columns6 F_on_wrist_housing;  // outer wrench on that chain
 };
 
 struct Joint_left_finger_slide {
@@ -1940,6 +1962,22 @@ void articulate_base_yaw(Workspace& w) {
     fail(w, kFactorization, 0);
 }
 
+void propagate_base_yaw(Workspace& w) {
+  auto& i = w.j_base_yaw;
+  Mat6 Omega = kZero;
+  carry(i.body, Omega);
+  w.j_shoulder_pitch.Phi_turret = Omega;
+  Columns6 a = i.X * w.ground;
+  accelerate(i.body, a);
+  w.j_shoulder_pitch.b_turret = a;
+}
+
+void deliver_base_yaw(Workspace& w) {
+  auto& i = w.j_base_yaw;
+  Columns6 load = i.load;
+  deliver(i.body, load);
+}
+
 void accelerate_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   Columns6 a = i.X * w.ground;
@@ -1947,13 +1985,20 @@ void accelerate_base_yaw(Workspace& w) {
   i.a = a;
   store_acceleration(w, 0, 0, qdd);
   Columns6& f = w.refinement.f[0];
-  f = effort(i.IA, i.a, i.pA);
+  f = effort(i.IA, i.a, i.pA) - i.load;
   along<Revolute>(i.body.tau, f);
 }
 
 void rearticulate_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   rearticulate(i.body, 1, i.pA);
+}
+
+void repropagate_base_yaw(Workspace& w) {
+  auto& i = w.j_base_yaw;
+  Columns6 a = i.X * w.ground;
+  accelerate(i.body, a);
+  w.j_shoulder_pitch.b_turret = a;
 }
 
 // =================================================================================================
@@ -1985,6 +2030,23 @@ void articulate_shoulder_pitch(Workspace& w) {
   w.j_base_yaw.pA += i.X.transposed_times(force);
 }
 
+void propagate_shoulder_pitch(Workspace& w) {
+  auto& i = w.j_shoulder_pitch;
+  Mat6 Omega = from_right(i.X * w.j_shoulder_pitch.Phi_turret, i.X);
+  carry(i.body, Omega);
+  w.j_shoulder_pitch.Phi_upper_arm = Omega;
+  Columns6 a = i.X * w.j_shoulder_pitch.b_turret;
+  accelerate(i.body, a);
+  w.j_shoulder_pitch.b_upper_arm = a;
+}
+
+void deliver_shoulder_pitch(Workspace& w) {
+  auto& i = w.j_shoulder_pitch;
+  Columns6 load = i.load;
+  deliver(i.body, load);
+  w.j_base_yaw.load += i.X.transposed_times(load);
+}
+
 void accelerate_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   Columns6 a = i.X * w.j_base_yaw.a;
@@ -1992,13 +2054,20 @@ void accelerate_shoulder_pitch(Workspace& w) {
   i.a = a;
   store_acceleration(w, 1, 1, qdd);
   Columns6& f = w.refinement.f[1];
-  f = effort(i.IA, i.a, i.pA);
+  f = effort(i.IA, i.a, i.pA) - i.load;
   along<Revolute>(i.body.tau, f);
 }
 
 void rearticulate_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   w.j_base_yaw.pA += i.X.transposed_times(rearticulate(i.body, 1, i.pA));
+}
+
+void repropagate_shoulder_pitch(Workspace& w) {
+  auto& i = w.j_shoulder_pitch;
+  Columns6 a = i.X * w.j_shoulder_pitch.b_turret;
+  accelerate(i.body, a);
+  w.j_shoulder_pitch.b_upper_arm = a;
 }
 
 // =================================================================================================
@@ -2030,6 +2099,23 @@ void articulate_upper_arm_roll(Workspace& w) {
   w.j_shoulder_pitch.pA += i.X.transposed_times(force);
 }
 
+void propagate_upper_arm_roll(Workspace& w) {
+  auto& i = w.j_upper_arm_roll;
+  Mat6 Omega = from_right(i.X * w.j_shoulder_pitch.Phi_upper_arm, i.X);
+  carry(i.body, Omega);
+  w.j_shoulder_pitch.Phi_elbow_housing = Omega;
+  Columns6 a = i.X * w.j_shoulder_pitch.b_upper_arm;
+  accelerate(i.body, a);
+  w.j_shoulder_pitch.b_elbow_housing = a;
+}
+
+void deliver_upper_arm_roll(Workspace& w) {
+  auto& i = w.j_upper_arm_roll;
+  Columns6 load = i.load;
+  deliver(i.body, load);
+  w.j_shoulder_pitch.load += i.X.transposed_times(load);
+}
+
 void accelerate_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   Columns6 a = i.X * w.j_shoulder_pitch.a;
@@ -2037,13 +2123,20 @@ void accelerate_upper_arm_roll(Workspace& w) {
   i.a = a;
   store_acceleration(w, 2, 2, qdd);
   Columns6& f = w.refinement.f[2];
-  f = effort(i.IA, i.a, i.pA);
+  f = effort(i.IA, i.a, i.pA) - i.load;
   along<Revolute>(i.body.tau, f);
 }
 
 void rearticulate_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   w.j_shoulder_pitch.pA += i.X.transposed_times(rearticulate(i.body, 1, i.pA));
+}
+
+void repropagate_upper_arm_roll(Workspace& w) {
+  auto& i = w.j_upper_arm_roll;
+  Columns6 a = i.X * w.j_shoulder_pitch.b_upper_arm;
+  accelerate(i.body, a);
+  w.j_shoulder_pitch.b_elbow_housing = a;
 }
 
 // =================================================================================================
@@ -2075,6 +2168,23 @@ void articulate_elbow_pitch(Workspace& w) {
   w.j_upper_arm_roll.pA += i.X.transposed_times(force);
 }
 
+void propagate_elbow_pitch(Workspace& w) {
+  auto& i = w.j_elbow_pitch;
+  Mat6 Omega = from_right(i.X * w.j_shoulder_pitch.Phi_elbow_housing, i.X);
+  carry(i.body, Omega);
+  w.j_shoulder_pitch.Phi_forearm = Omega;
+  Columns6 a = i.X * w.j_shoulder_pitch.b_elbow_housing;
+  accelerate(i.body, a);
+  w.j_shoulder_pitch.b_forearm = a;
+}
+
+void deliver_elbow_pitch(Workspace& w) {
+  auto& i = w.j_elbow_pitch;
+  Columns6 load = i.load;
+  deliver(i.body, load);
+  w.j_upper_arm_roll.load += i.X.transposed_times(load);
+}
+
 void accelerate_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   Columns6 a = i.X * w.j_upper_arm_roll.a;
@@ -2082,13 +2192,20 @@ void accelerate_elbow_pitch(Workspace& w) {
   i.a = a;
   store_acceleration(w, 3, 3, qdd);
   Columns6& f = w.refinement.f[3];
-  f = effort(i.IA, i.a, i.pA);
+  f = effort(i.IA, i.a, i.pA) - i.load;
   along<Revolute>(i.body.tau, f);
 }
 
 void rearticulate_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   w.j_upper_arm_roll.pA += i.X.transposed_times(rearticulate(i.body, 1, i.pA));
+}
+
+void repropagate_elbow_pitch(Workspace& w) {
+  auto& i = w.j_elbow_pitch;
+  Columns6 a = i.X * w.j_shoulder_pitch.b_elbow_housing;
+  accelerate(i.body, a);
+  w.j_shoulder_pitch.b_forearm = a;
 }
 
 // =================================================================================================
@@ -2108,32 +2225,29 @@ void kinematics_forearm_roll(Workspace& w) {
   i.v = i.X * w.j_elbow_pitch.v + joint_velocity<Revolute>(w.v + 4);
 }
 
-void articulate_forearm_roll(Workspace& w) {
+// A: the chain of "shoulder_pitch"; B: the chain of "flange_roll"; C feels the joint at no link
+void assemble_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
-  load_torque(w, 4, 4, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 4);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
+  load_torque(w, 4, 4, i.joined.tau);
+  const Mat6 X_Phi_A = i.X * w.j_shoulder_pitch.Phi_forearm;
+  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
+  if (!join(i.joined, Phi_A, w.j_flange_roll.Phi_wrist_housing, i.X * w.j_shoulder_pitch.b_forearm, w.j_flange_roll.b_wrist_housing, c))
     fail(w, kFactorization, 4);
-  add_in_parent(i.X, handed, w.j_elbow_pitch.IA);
-  w.j_elbow_pitch.pA += i.X.transposed_times(force);
 }
 
-void accelerate_forearm_roll(Workspace& w) {
+void disassemble_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
-  Columns6 a = i.X * w.j_elbow_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 4, 4, qdd);
-  Columns6& f = w.refinement.f[4];
-  f = effort(i.IA, i.a, i.pA);
-  along<Revolute>(i.body.tau, f);
+  Release<Revolute> release(i.joined);
+  const Columns6& f = w.refinement.f[4] = release.force();
+  store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
+  w.j_shoulder_pitch.F_on_forearm = -i.X.transposed_times(f);
+  w.j_flange_roll.F_on_wrist_housing = f;
 }
 
-void rearticulate_forearm_roll(Workspace& w) {
+void reassemble_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
-  w.j_elbow_pitch.pA += i.X.transposed_times(rearticulate(i.body, 1, i.pA));
+  rejoin(i.joined, i.X * w.j_shoulder_pitch.b_forearm, w.j_flange_roll.b_wrist_housing);
 }
 
 // =================================================================================================
@@ -2317,8 +2431,61 @@ void rearticulate_right_finger_slide(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 9 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch", ...
+// Process 0: 5 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll"
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(0);
+  kinematics_base_yaw(w);
+  kinematics_shoulder_pitch(w);
+  kinematics_upper_arm_roll(w);
+  kinematics_elbow_pitch(w);
+  kinematics_forearm_roll(w);
+  stamp(1);
+  start_link(kInertia_turret, w.j_base_yaw.v, w.j_base_yaw.IA, w.j_base_yaw.pA);
+  start_link(kInertia_upper_arm, w.j_shoulder_pitch.v, w.j_shoulder_pitch.IA, w.j_shoulder_pitch.pA);
+  start_link(kInertia_elbow_housing, w.j_upper_arm_roll.v, w.j_upper_arm_roll.IA, w.j_upper_arm_roll.pA);
+  start_link(kInertia_forearm, w.j_elbow_pitch.v, w.j_elbow_pitch.IA, w.j_elbow_pitch.pA);
+  articulate_elbow_pitch(w);
+  articulate_upper_arm_roll(w);
+  articulate_shoulder_pitch(w);
+  articulate_base_yaw(w);
+  propagate_base_yaw(w);
+  propagate_shoulder_pitch(w);
+  propagate_upper_arm_roll(w);
+  propagate_elbow_pitch(w);
+  stamp(2);
+  {  // from process 1: assembled: chain of "flange_roll"
+    const Number* from = channel.receive(0, w.status);
+    from = get(from, w.j_flange_roll.Phi_wrist_housing);
+    from = get(from, w.j_flange_roll.b_wrist_housing);
+  }
+  stamp(3);
+  assemble_forearm_roll(w);
+  stamp(4);
+  disassemble_forearm_roll(w);
+  stamp(5);
+  {  // to process 1: forces on: chain of "flange_roll"
+    Number* to = channel.outgoing(1, w.status);
+    to = put(to, w.j_flange_roll.F_on_wrist_housing);
+    channel.send(1, w.status);
+  }
+  stamp(6);
+  w.j_base_yaw.load = Columns6::Zero();
+  w.j_shoulder_pitch.load = Columns6::Zero();
+  w.j_upper_arm_roll.load = Columns6::Zero();
+  w.j_elbow_pitch.load = w.j_shoulder_pitch.F_on_forearm;
+  deliver_elbow_pitch(w);
+  deliver_upper_arm_roll(w);
+  deliver_shoulder_pitch(w);
+  deliver_base_yaw(w);
+  accelerate_base_yaw(w);
+  accelerate_shoulder_pitch(w);
+  accelerate_upper_arm_roll(w);
+  accelerate_elbow_pitch(w);
+  stamp(7);
+}
+
+// Process 1: 4 of 9 joints: "wrist_pitch", "flange_roll", "left_finger_slide", "right_finger_slide"; kinematics of 5 more on the way to the ground
+void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_base_yaw(w);
   kinematics_shoulder_pitch(w);
@@ -2330,10 +2497,6 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_left_finger_slide(w);
   kinematics_right_finger_slide(w);
   stamp(1);
-  start_link(kInertia_turret, w.j_base_yaw.v, w.j_base_yaw.IA, w.j_base_yaw.pA);
-  start_link(kInertia_upper_arm, w.j_shoulder_pitch.v, w.j_shoulder_pitch.IA, w.j_shoulder_pitch.pA);
-  start_link(kInertia_elbow_housing, w.j_upper_arm_roll.v, w.j_upper_arm_roll.IA, w.j_upper_arm_roll.pA);
-  start_link(kInertia_forearm, w.j_elbow_pitch.v, w.j_elbow_pitch.IA, w.j_elbow_pitch.pA);
   start_link(kInertia_wrist_housing, w.j_forearm_roll.v, w.j_forearm_roll.IA, w.j_forearm_roll.pA);
   start_link(kInertia_wrist, w.j_wrist_pitch.v, w.j_wrist_pitch.IA, w.j_wrist_pitch.pA);
   start_link(kInertia_hand, w.j_flange_roll.v, w.j_flange_roll.IA, w.j_flange_roll.pA);
@@ -2343,26 +2506,28 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   articulate_left_finger_slide(w);
   articulate_flange_roll(w);
   articulate_wrist_pitch(w);
-  articulate_forearm_roll(w);
-  articulate_elbow_pitch(w);
-  articulate_upper_arm_roll(w);
-  articulate_shoulder_pitch(w);
-  articulate_base_yaw(w);
+  if (!invert(w.j_forearm_roll.IA, w.j_forearm_roll.pA, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing))
+    fail(w, kFactorization, 4);
   stamp(2);
-  accelerate_base_yaw(w);
-  accelerate_shoulder_pitch(w);
-  accelerate_upper_arm_roll(w);
-  accelerate_elbow_pitch(w);
-  accelerate_forearm_roll(w);
+  {  // to process 0: assembled: chain of "flange_roll"
+    Number* to = channel.outgoing(0, w.status);
+    to = put(to, w.j_flange_roll.Phi_wrist_housing);
+    to = put(to, w.j_flange_roll.b_wrist_housing);
+    channel.send(0, w.status);
+  }
+  stamp(3);
+  {  // from process 0: forces on: chain of "flange_roll"
+    const Number* from = channel.receive(1, w.status);
+    from = get(from, w.j_flange_roll.F_on_wrist_housing);
+  }
+  stamp(4);
+  w.j_forearm_roll.load = w.j_flange_roll.F_on_wrist_housing;
+  w.j_forearm_roll.a = w.j_flange_roll.b_wrist_housing + w.j_flange_roll.Phi_wrist_housing * w.j_forearm_roll.load;
   accelerate_wrist_pitch(w);
   accelerate_flange_roll(w);
   accelerate_left_finger_slide(w);
   accelerate_right_finger_slide(w);
-  stamp(3);
-}
-
-// Process 1: has nothing to do
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  stamp(5);
 }
 
 // ---- refinement ---------------------------------------------------------------------------------
@@ -2374,6 +2539,42 @@ void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
   w.j_shoulder_pitch.pA = first_column(-w.refinement.rho[2]);
   w.j_upper_arm_roll.pA = first_column(-w.refinement.rho[3]);
   w.j_elbow_pitch.pA = first_column(-w.refinement.rho[4]);
+  rearticulate_elbow_pitch(w);
+  rearticulate_upper_arm_roll(w);
+  rearticulate_shoulder_pitch(w);
+  rearticulate_base_yaw(w);
+  repropagate_base_yaw(w);
+  repropagate_shoulder_pitch(w);
+  repropagate_upper_arm_roll(w);
+  repropagate_elbow_pitch(w);
+  {  // from process 1: assembled: chain of "flange_roll"
+    const Number* from = channel.receive(0, w.status);
+    from = get(from, w.j_flange_roll.b_wrist_housing);
+  }
+  reassemble_forearm_roll(w);
+  disassemble_forearm_roll(w);
+  {  // to process 1: forces on: chain of "flange_roll"
+    Number* to = channel.outgoing(1, w.status);
+    to = put(to, w.j_flange_roll.F_on_wrist_housing);
+    channel.send(1, w.status);
+  }
+  w.j_base_yaw.load = Columns6::Zero();
+  w.j_shoulder_pitch.load = Columns6::Zero();
+  w.j_upper_arm_roll.load = Columns6::Zero();
+  w.j_elbow_pitch.load = w.j_shoulder_pitch.F_on_forearm;
+  deliver_elbow_pitch(w);
+  deliver_upper_arm_roll(w);
+  deliver_shoulder_pitch(w);
+  deliver_base_yaw(w);
+  accelerate_base_yaw(w);
+  accelerate_shoulder_pitch(w);
+  accelerate_upper_arm_roll(w);
+  accelerate_elbow_pitch(w);
+}
+
+// Process 1, a correction: its steps again with the factors that they left, for what is
+// left over at the links.
+void correct_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.j_forearm_roll.pA = first_column(-w.refinement.rho[5]);
   w.j_wrist_pitch.pA = first_column(-w.refinement.rho[6]);
   w.j_flange_roll.pA = first_column(-w.refinement.rho[7]);
@@ -2383,45 +2584,52 @@ void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
   rearticulate_left_finger_slide(w);
   rearticulate_flange_roll(w);
   rearticulate_wrist_pitch(w);
-  rearticulate_forearm_roll(w);
-  rearticulate_elbow_pitch(w);
-  rearticulate_upper_arm_roll(w);
-  rearticulate_shoulder_pitch(w);
-  rearticulate_base_yaw(w);
-  accelerate_base_yaw(w);
-  accelerate_shoulder_pitch(w);
-  accelerate_upper_arm_roll(w);
-  accelerate_elbow_pitch(w);
-  accelerate_forearm_roll(w);
+  w.j_flange_roll.b_wrist_housing.noalias() = -w.j_flange_roll.Phi_wrist_housing * w.j_forearm_roll.pA;
+  {  // to process 0: assembled: chain of "flange_roll"
+    Number* to = channel.outgoing(0, w.status);
+    to = put(to, w.j_flange_roll.b_wrist_housing);
+    channel.send(0, w.status);
+  }
+  {  // from process 0: forces on: chain of "flange_roll"
+    const Number* from = channel.receive(1, w.status);
+    from = get(from, w.j_flange_roll.F_on_wrist_housing);
+  }
+  w.j_forearm_roll.load = w.j_flange_roll.F_on_wrist_housing;
+  w.j_forearm_roll.a = w.j_flange_roll.b_wrist_housing + w.j_flange_roll.Phi_wrist_housing * w.j_forearm_roll.load;
   accelerate_wrist_pitch(w);
   accelerate_flange_roll(w);
   accelerate_left_finger_slide(w);
   accelerate_right_finger_slide(w);
 }
 
-// Process 1, a correction: its steps again with the factors that they left, for what is
-// left over at the links.
-void correct_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-}
-
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kSolve{run_0, run_1};
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kCorrect{correct_0, correct_1};
 
-constexpr std::array<int, 9> kRefined_0_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 9> kRefined_0_1{0, 1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 9> kRefined_0_2{0, 1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 9> kRefined_0_3{0, 1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 9> kRefined_0_4{0, 1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 9> kRefined_0_5{1, 2, 3, 4, 5, 6, 7, 8, 9};
+constexpr std::array<int, 5> kRefined_0_0{0, 1, 2, 3, 4};
+constexpr std::array<int, 5> kRefined_0_1{0, 1, 2, 3, 4};
+constexpr std::array<int, 5> kRefined_0_2{0, 1, 2, 3, 4};
+constexpr std::array<int, 4> kRefined_0_3{0, 1, 2, 3};
+constexpr std::array<int, 5> kRefined_0_4{0, 1, 2, 3, 4};
+constexpr std::array<int, 4> kRefined_0_5{1, 2, 3, 4};
+constexpr std::array<int, 4> kRefined_1_0{5, 6, 7, 8};
+constexpr std::array<int, 9> kRefined_1_1{0, 1, 2, 3, 4, 5, 6, 7, 8};
+constexpr std::array<int, 4> kRefined_1_2{5, 6, 7, 8};
+constexpr std::array<int, 9> kRefined_1_3{0, 1, 2, 3, 4, 5, 6, 7, 8};
+constexpr std::array<int, 5> kRefined_1_4{4, 5, 6, 7, 8};
+constexpr std::array<int, 5> kRefined_1_5{5, 6, 7, 8, 9};
 constexpr std::array<RefinedProcess, kProcesses> kRefined{ {
-    {{9, kRefined_0_0.data()}, {9, kRefined_0_1.data()}, {9, kRefined_0_2.data()}, {9, kRefined_0_3.data()}, {9, kRefined_0_4.data()}, {9, kRefined_0_5.data()}, {0, nullptr}},
-    {{0, nullptr}, {0, nullptr}, {0, nullptr}, {0, nullptr}, {0, nullptr}, {0, nullptr}, {0, nullptr}},
+    {{5, kRefined_0_0.data()}, {5, kRefined_0_1.data()}, {5, kRefined_0_2.data()}, {4, kRefined_0_3.data()}, {5, kRefined_0_4.data()}, {4, kRefined_0_5.data()}, {0, nullptr}},
+    {{4, kRefined_1_0.data()}, {9, kRefined_1_1.data()}, {4, kRefined_1_2.data()}, {9, kRefined_1_3.data()}, {5, kRefined_1_4.data()}, {5, kRefined_1_5.data()}, {0, nullptr}},
 } };
 
-constexpr std::array<ExchangeInfo, 0> kExchanges{};
-constexpr std::array<int, 0> kSharing{};  // processes that tell process 0 of their part
+constexpr std::array<int, 5> kToldEntries_0{0, 1, 2, 3, 4};
+constexpr std::array<int, 1> kToldForces_0{4};
+constexpr std::array<ExchangeInfo, 1> kExchanges{ {
+    {0, 1, {5, kToldEntries_0.data()}, {1, kToldForces_0.data()}},
+} };
+constexpr std::array<int, 1> kSharing{1};  // processes that tell process 0 of their part
 constexpr int kFirstExchange = kPlanMessages + 2 * (kProcesses - 1);
-constexpr int kFirstShare = kFirstExchange + 0;
+constexpr int kFirstShare = kFirstExchange + 1;
 
 // Torque by which a slaved joint and its source are held in step.
 inline Real coupling_torque([[maybe_unused]] const Workspace& w, [[maybe_unused]] int k) {
@@ -2543,13 +2751,17 @@ void refined(Workspace& w, Channel& channel) {
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<int, 9> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 9> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 9> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 9> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
+constexpr std::array<int, 5> kReadQ_0{0, 1, 2, 3, 4};
+constexpr std::array<int, 5> kReadV_0{0, 1, 2, 3, 4};
+constexpr std::array<int, 5> kOwn_0{0, 1, 2, 3, 4};
+constexpr std::array<int, 5> kTorque_0{0, 1, 2, 3, 4};
+constexpr std::array<int, 9> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 7, 8};
+constexpr std::array<int, 9> kReadV_1{0, 1, 2, 3, 4, 5, 6, 7, 8};
+constexpr std::array<int, 4> kOwn_1{5, 6, 7, 8};
+constexpr std::array<int, 4> kTorque_1{5, 6, 7, 8};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {9, kReadQ_0.data(), 9, kReadV_0.data(), 9, kOwn_0.data(), 9, kTorque_0.data()},
-    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
+    {5, kReadQ_0.data(), 5, kReadV_0.data(), 5, kOwn_0.data(), 5, kTorque_0.data()},
+    {9, kReadQ_1.data(), 9, kReadV_1.data(), 4, kOwn_1.data(), 4, kTorque_1.data()},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -3995,13 +4207,24 @@ class Watch {
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 3> kStages_0{ {
-    {"kinematics", 8, -1},
-    {"assembly", 0, -1},
-    {"disassembly", 0, -1},
+constexpr std::array<Stage, 7> kStages_0{ {
+    {"kinematics", 4, -1},
+    {"assembly", 3, -1},
+    {"receive", -1, 0},
+    {"assembly", 4, -1},
+    {"disassembly", 4, -1},
+    {"send", -1, 1},
+    {"disassembly", 3, -1},
 } };
-constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), nullptr};
-constexpr std::array<int, kProcesses> kStageCount{3, 0};
+constexpr std::array<Stage, 5> kStages_1{ {
+    {"kinematics", 8, -1},
+    {"assembly", 5, -1},
+    {"send", -1, 0},
+    {"receive", -1, 1},
+    {"disassembly", 5, -1},
+} };
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data()};
+constexpr std::array<int, kProcesses> kStageCount{7, 5};
 
 struct Statistics {
   double median = 0, least = 0, percentile99 = 0;

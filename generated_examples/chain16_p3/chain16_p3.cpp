@@ -2,7 +2,7 @@
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  joint01@0-2(|joint02(|joint03(|joint04(|joint05(|joint06(|joint07(|joint08(|joint09(|joint10(|joint11(|joint12(|joint13(|joint14(|joint15(|joint16)))))))))))))))
+// schedule  joint08@0-2(joint04@0(joint02(joint01 | joint03) | joint06(joint05 | joint07)) | joint12@1-2(joint10@1(joint09 | joint11) | joint14@2(joint13 | joint15(|joint16))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -113,7 +113,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr int kPlanMessages = 0;
+[[maybe_unused]] constexpr int kPlanMessages = 4;
 constexpr std::size_t kCacheLine = 64;
 constexpr bool kFloatingBase = false;
 constexpr double kTolerance = 1e-09;
@@ -659,11 +659,346 @@ ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<
   return squared;
 }
 
-constexpr std::array<MessageInfo, 4> kMessages{ {
-    {0, 1, 0},  // 0: state
-    {1, 0, 0},  // 1: accelerations
-    {0, 2, 0},  // 2: state
-    {2, 0, 0},  // 3: accelerations
+// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
+// the motion itself, and one for each slaved joint's coupling torque.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+using Mat3 = Eigen::Matrix<Real, 3, 3>;
+using Vec6 = Eigen::Matrix<Real, 6, 1>;
+using Mat6 = Eigen::Matrix<Real, 6, 6>;
+using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
+
+// Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
+struct Transform {
+  Mat3 E;  // rotates parent coordinates into child coordinates
+  Vec3 r;  // origin of the child frame in parent coordinates
+
+  template <class M>
+  void times(const M& m, M& result) const {
+    for (int k = 0; k < M::ColsAtCompileTime; ++k) {
+      const Vec3 angular = m.col(k).template head<3>();
+      const Vec3 linear = m.col(k).template tail<3>();
+      result.col(k).template head<3>().noalias() = E * angular;
+      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
+    }
+  }
+
+  // X^T m: takes a wrench on the child to the same wrench on the parent.
+  Columns6 transposed_times(const Columns6& m) const {
+    Columns6 result;
+    for (int k = 0; k < kColumns; ++k) {
+      const Vec3 force = E.transpose() * m.col(k).template tail<3>();
+      result.col(k).template head<3>() =
+          E.transpose() * m.col(k).template head<3>() + r.cross(force);
+      result.col(k).template tail<3>() = force;
+    }
+    return result;
+  }
+};
+
+ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
+  Mat6 result;
+  X.times(m, result);
+  return result;
+}
+
+ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
+  Mat6 transposed, result;
+  transposed.noalias() = m.transpose();
+  X.times(transposed, result);
+  return result;
+}
+
+// m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
+ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
+  Mat6 result = times_transposed(X, m);
+  result.transposeInPlace();
+  return result;
+}
+
+template <int columns>
+Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
+                                          const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
+  X.times(m, result);
+  return result;
+}
+
+// Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
+// quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
+[[maybe_unused]] Real conjugate_rotation(const Number* quaternion, Mat3& E) {
+  const Real x = Real(quaternion[0]), y = Real(quaternion[1]);
+  const Real z = Real(quaternion[2]), w = Real(quaternion[3]);
+  const Real squared = x * x + y * y + z * z + w * w;
+  const Real s = 2 / squared;
+  E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
+      s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w),   //
+      s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y);
+  return squared;
+}
+
+// b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
+ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
+  using Constant3 = Eigen::Map<const Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>>;
+  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 c(Real(link.com[0]), Real(link.com[1]), Real(link.com[2]));
+  const Vec3 momentum = Constant3(link.tensor).cast<Real>() * omega;
+  const Vec3 alpha = Constant3(link.tensor_inverse).cast<Real>() * momentum.cross(omega);
+  b.setZero();
+  b.col(0).template head<3>() = alpha;
+  b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
+}
+
+// Joint kinds in their canonical frames: the rows of a spatial vector that a joint frees (R, S) and
+// those it constrains (N). Both are selections, so N and R cost nothing and round nothing.
+template <int... Rows>
+struct Selection {
+  static constexpr int count = sizeof...(Rows);
+  static constexpr std::array<int, sizeof...(Rows)> row{Rows...};
+};
+
+struct Revolute {
+  using Free = Selection<2>;
+  using Constrained = Selection<0, 1, 3, 4, 5>;
+};
+struct Prismatic {
+  using Free = Selection<5>;
+  using Constrained = Selection<0, 1, 2, 3, 4>;
+};
+struct Spherical {
+  using Free = Selection<0, 1, 2>;
+  using Constrained = Selection<3, 4, 5>;
+};
+struct Planar {
+  using Free = Selection<3, 4, 2>;
+  using Constrained = Selection<0, 1, 5>;
+};
+struct Floating {
+  using Free = Selection<3, 4, 5, 0, 1, 2>;
+  using Constrained = Selection<>;
+};
+
+template <class Kind>
+[[maybe_unused]] constexpr int kFree = Kind::Free::count;
+template <class Kind>
+[[maybe_unused]] constexpr int kConstrained = Kind::Constrained::count;
+
+// S qd, the velocity across a joint.
+template <class Kind>
+Vec6 joint_velocity(const Number* qd) {
+  Vec6 result = Vec6::Zero();
+  for (int k = 0; k < kFree<Kind>; ++k) result[Kind::Free::row[k]] = Real(qd[k]);
+  return result;
+}
+
+// c_i = v_i x S qd, the part of the acceleration across a joint that qdd has no say in.
+template <class Kind>
+Columns6 velocity_product(const Vec6& velocity, const Number* qd) {
+  const Vec6 motion = joint_velocity<Kind>(qd);
+  Columns6 result = Columns6::Zero();
+  result.col(0).template head<3>() = velocity.head<3>().cross(motion.head<3>());
+  result.col(0).template tail<3>() =
+      velocity.head<3>().cross(motion.tail<3>()) + velocity.tail<3>().cross(motion.head<3>());
+  return result;
+}
+
+// What disassembly needs of a joint i that was assembled.
+template <class Kind>
+struct Joined {
+  static constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  std::array<std::array<Real, m>, m> L;         // Cholesky factor of V_i^-1; its diagonal inverted
+  std::array<std::array<Real, m>, n> RPN;       // R_i (Phi_Ai + Phi_Bi) N_i^T
+  std::array<std::array<Real, kColumns>, m> z;  // L^-1 N_i beta_i
+  std::array<std::array<Real, kColumns>, n> R_beta;  // R_i beta_i
+  std::array<std::array<Real, kColumns>, n> tau;
+};
+
+// How a joint i and a handle j of one chain feel each other: Z = L^-1 N_i Phi_ij, Y = R_i Phi_ij.
+template <class Kind>
+struct Coupled {
+  std::array<std::array<Real, 6>, kConstrained<Kind>> Z;
+  std::array<std::array<Real, 6>, kFree<Kind>> Y;
+};
+
+// x <- L^-1 x, row by row.
+template <std::size_t m, std::size_t k>
+void forward_substitute(const std::array<std::array<Real, m>, m>& L,
+                        std::array<std::array<Real, k>, m>& x) {
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t c = 0; c < k; ++c) x[i][c] -= L[i][j] * x[j][c];
+    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
+  }
+}
+
+// x <- L^-T x.
+template <std::size_t m, std::size_t k>
+void backward_substitute(const std::array<std::array<Real, m>, m>& L,
+                         std::array<std::array<Real, k>, m>& x) {
+  for (std::size_t i = m; i-- > 0;) {
+    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t c = 0; c < k; ++c) x[j][c] -= L[i][j] * x[i][c];
+  }
+}
+
+// Cholesky's factorization in place, the inverse of the diagonal in its place. False where a pivot
+// has lost every digit, or was none to begin with.
+template <std::size_t m>
+bool factorize(std::array<std::array<Real, m>, m>& L) {
+  bool good = true;
+  for (std::size_t j = 0; j < m; ++j) {
+    Real pivot = L[j][j];
+    const Real least = 8 * std::numeric_limits<Real>::epsilon() * pivot;
+    for (std::size_t k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
+    good = good && pivot > least && pivot <= std::numeric_limits<Real>::max();
+    const Real inverse = 1 / std::sqrt(pivot);
+    L[j][j] = inverse;
+    for (std::size_t i = j + 1; i < m; ++i) {
+      for (std::size_t k = 0; k < j; ++k) L[i][j] -= L[i][k] * L[j][k];
+      L[i][j] *= inverse;
+    }
+  }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
+  return good;
+}
+
+// V_i and beta_i of Eq. (3)-(7): Phi_A and Phi_B are those of the joint's two sides in its frame,
+// b_A, b_B and c the accelerations there. Returns false where the factorization fails.
+template <class Kind>
+ADAGEN_NOINLINE bool join(Joined<Kind>& i, const Mat6& Phi_A, const Mat6& Phi_B,
+                          const Columns6& b_A, const Columns6& b_B, const Columns6& c) {
+  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  constexpr auto& free = Kind::Free::row;
+  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
+  const Mat6 Phi = Phi_A + Phi_B;
+  Columns6 beta = b_A - b_B + c;
+  for (int k = 0; k < n; ++k)
+    for (int column = 0; column < kColumns; ++column)
+      beta.col(column) -= Phi.col(free[k]) * i.tau[k][column];
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column < kColumns; ++column)
+      i.R_beta[row][column] = beta(free[row], column);
+    for (int k = 0; k < m; ++k) i.RPN[row][k] = Phi(free[row], constrained[k]);
+  }
+  if constexpr (m > 0) {
+    for (int row = 0; row < m; ++row) {
+      for (int k = 0; k <= row; ++k) i.L[row][k] = Phi(constrained[row], constrained[k]);
+      for (int column = 0; column < kColumns; ++column)
+        i.z[row][column] = beta(constrained[row], column);
+    }
+    const bool good = factorize(i.L);
+    forward_substitute(i.L, i.z);
+    return good;
+  }
+  return true;
+}
+
+// Z and Y of a handle j, Phi_ij being given with the joint's frame on its left.
+template <class Kind>
+ADAGEN_NOINLINE void couple(const Joined<Kind>& i, const Mat6& Phi_ij, Coupled<Kind>& j) {
+  for (int row = 0; row < kFree<Kind>; ++row)
+    for (int k = 0; k < 6; ++k) j.Y[row][k] = Phi_ij(Kind::Free::row[row], k);
+  if constexpr (kConstrained<Kind> > 0) {
+    for (int row = 0; row < kConstrained<Kind>; ++row)
+      for (int k = 0; k < 6; ++k) j.Z[row][k] = Phi_ij(Kind::Constrained::row[row], k);
+    forward_substitute(i.L, j.Z);
+  }
+}
+
+// Phi_Aji W_i Phi_Aik = Z_j^T Z_k: what Eq. (3) and (4) subtract and Eq. (5) is.
+template <class Kind>
+ADAGEN_NOINLINE Mat6 product([[maybe_unused]] const Coupled<Kind>& j,
+                             [[maybe_unused]] const Coupled<Kind>& k) {
+  Mat6 result = Mat6::Zero();
+  if constexpr (kConstrained<Kind> > 0) {
+    for (int row = 0; row < kConstrained<Kind>; ++row) {
+      const Vec6 left = Eigen::Map<const Vec6>(j.Z[row].data());
+      const Vec6 right = Eigen::Map<const Vec6>(k.Z[row].data());
+      result.noalias() += left * right.transpose();
+    }
+  }
+  return result;
+}
+
+// Phi_ji gamma_i = Z^T z + Y^T tau: the change of b_j in Eq. (6) and (7).
+template <class Kind>
+Columns6 bias_change(const Joined<Kind>& i, const Coupled<Kind>& j) {
+  Columns6 result = Columns6::Zero();
+  for (int column = 0; column < kColumns; ++column) {
+    for (int row = 0; row < kConstrained<Kind>; ++row)
+      result.col(column) += Eigen::Map<const Vec6>(j.Z[row].data()) * i.z[row][column];
+    for (int row = 0; row < kFree<Kind>; ++row)
+      result.col(column) += Eigen::Map<const Vec6>(j.Y[row].data()) * i.tau[row][column];
+  }
+  return result;
+}
+
+// Disassembly of a joint: collects what the outer forces do to it, then gives its acceleration and
+// its force.
+template <class Kind>
+class Release {
+ public:
+  explicit Release(const Joined<Kind>& i) : i_(i), z_(i.z), qdd_(i.R_beta) {
+    for (auto& row : qdd_)
+      for (Real& x : row) x = -x;
+  }
+
+  void feel_A(const Coupled<Kind>& j, const Columns6& f) { feel(j, f, Real(1)); }
+  void feel_B(const Coupled<Kind>& k, const Columns6& f) { feel(k, f, Real(-1)); }
+
+  // f_i, Eq. (10); on the way n_i, Eq. (8), and qdd_i, Eq. (9).
+  Columns6 force() {
+    if constexpr (kConstrained<Kind> > 0) backward_substitute(i_.L, z_);
+    Columns6 f;
+    for (int column = 0; column < kColumns; ++column) {
+      for (int k = 0; k < kConstrained<Kind>; ++k)
+        f(Kind::Constrained::row[k], column) = z_[k][column];
+      for (int k = 0; k < kFree<Kind>; ++k) {
+        f(Kind::Free::row[k], column) = i_.tau[k][column];
+        for (int l = 0; l < kConstrained<Kind>; ++l)
+          qdd_[k][column] += i_.RPN[k][l] * z_[l][column];
+      }
+    }
+    return f;
+  }
+
+  const std::array<std::array<Real, kColumns>, kFree<Kind>>& qdd() const { return qdd_; }
+
+ private:
+  void feel(const Coupled<Kind>& j, const Columns6& f, Real sign) {
+    for (int column = 0; column < kColumns; ++column) {
+      const Vec6 signed_f = sign * f.col(column);
+      for (int row = 0; row < kConstrained<Kind>; ++row)
+        z_[row][column] += Eigen::Map<const Vec6>(j.Z[row].data()).dot(signed_f);
+      for (int row = 0; row < kFree<Kind>; ++row)
+        qdd_[row][column] -= Eigen::Map<const Vec6>(j.Y[row].data()).dot(signed_f);
+    }
+  }
+
+  const Joined<Kind>& i_;
+  std::array<std::array<Real, kColumns>, kConstrained<Kind>> z_;
+  std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
+};
+
+constexpr std::array<MessageInfo, 8> kMessages{ {
+    {2, 1, 42},  // 0: assembled: chain of "joint14"
+    {1, 0, 42},  // 1: assembled: chain of "joint12"
+    {0, 1, 6},  // 2: forces on: chain of "joint12"
+    {1, 2, 6},  // 3: forces on: chain of "joint14"
+    {0, 1, 28},  // 4: state
+    {1, 0, 4},  // 5: accelerations
+    {0, 2, 36},  // 6: state
+    {2, 0, 4},  // 7: accelerations
 } };
 
 // What a process does in an evaluation as the others see it: the messages that it sends and
@@ -1058,13 +1393,68 @@ struct LinkRole {
   bool parts;     // paths part at it outwards
 };
 constexpr LinkRole kRoles[3][kLinkCount]{
-    {{1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
-    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
 };
 
 // What is kept where segments meet, with the joint that it belongs to.
+struct Joint_joint04 {
+  Mat6 Phi_rod01;
+  Columns6 b_rod01;
+  Mat6 Phi_rod02;
+  Columns6 b_rod02;
+  Mat6 Phi_rod03;
+  Columns6 b_rod03;
+  Mat6 Phi_rod04;
+  Columns6 b_rod04;
+  Mat6 Phi_rod05;
+  Columns6 b_rod05;
+  Mat6 Phi_rod06;
+  Columns6 b_rod06;
+  Mat6 Phi_rod07;
+  Columns6 b_rod07;
+  Columns6 F_on_rod07;
+};
+struct Joint_joint08 {
+  Transform X, Y;  // to the joint's frame, about its two links' origins
+  Joined<Revolute> joined;
+};
+struct Joint_joint10 {
+  Mat6 Phi_rod08;
+  Columns6 b_rod08;
+  Mat6 Phi_rod09;
+  Mat6 Phi_rod08_rod09;
+  Columns6 b_rod09;
+  Mat6 Phi_rod10;
+  Mat6 Phi_rod08_rod10;
+  Columns6 b_rod10;
+  Mat6 Phi_rod11;
+  Mat6 Phi_rod08_rod11;
+  Columns6 b_rod11;
+  Columns6 F_on_rod11;
+};
+struct Joint_joint12 {
+  Mat6 Phi_rod08;
+  Columns6 b_rod08;
+  Transform X, Y;  // to the joint's frame, about its two links' origins
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod08;
+  Columns6 F_on_rod08;
+};
+struct Joint_joint14 {
+  Mat6 Phi_rod12;
+  Columns6 b_rod12;
+  Columns6 F_on_rod12;
+};
 struct Cuts {
+  Joint_joint04 j_joint04;
+  Joint_joint08 j_joint08;
+  Joint_joint10 j_joint10;
+  Joint_joint12 j_joint12;
+  Joint_joint14 j_joint14;
+  std::array<Columns6, kLinkCount> loads;  // wrenches on links, from handle forces
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
 // The memory of a process. What is set up for many links at once lies in blocks, side by side.
@@ -2052,47 +2442,490 @@ void free_acceleration(Workspace& w) {
 }
 
 
+// Nothing on the ground moves beyond its Frame, and the ground does not yield.
+const Mat6 kZero = Mat6::Zero();
+const Columns6 kGround = Columns6::Zero();
+
+// Mobility: what a segment shows at its handles, and what forces there do inside it. Phi and b are
+// in the axes of the base about the handles' origins; b are accelerations beyond those of a Frame.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+
+ADAGEN_INLINE Motion<Value> motion_of(const Columns6& a) {
+  return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
+}
+ADAGEN_INLINE Columns6 columns_of(const Motion<Value>& a) {
+  Columns6 result;
+  result << a.angular.x, a.angular.y, a.angular.z, a.linear.x, a.linear.y, a.linear.z;
+  return result;
+}
+
+inline Mat6 inertia_of(const Body<Value>& X) {
+  Mat6 I;
+  I << X.A.xx, X.A.xy, X.A.xz, X.B.x.x, X.B.x.y, X.B.x.z,  //
+      X.A.xy, X.A.yy, X.A.yz, X.B.y.x, X.B.y.y, X.B.y.z,   //
+      X.A.xz, X.A.yz, X.A.zz, X.B.z.x, X.B.z.y, X.B.z.z,   //
+      X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx, X.C.xy, X.C.xz,   //
+      X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy, X.C.yz,   //
+      X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz;
+  return I;
+}
+inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
+
+// Phi = (I^A)^-1 and b = -Phi p^A of a segment's root, by Cholesky's factorization.
+[[maybe_unused]] inline bool invert(const Body<Value>& X, Mat6& Phi, Columns6& b) {
+  const Mat6 I = inertia_of(X);
+  std::array<std::array<Real, 6>, 6> L, x{};
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
+    x[i][i] = 1;
+  }
+  const bool good = factorize(L);
+  forward_substitute(L, x);
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, i, 6) {
+      Real sum = 0;
+      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
+      Phi(i, k) = Phi(k, i) = sum;
+    }
+  b.noalias() = -Phi * force_of(X);
+  return good;
+}
+
+template <int p, int link>
+void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
+  if (!invert(whole<p>(w, link), Phi, b)) fail(w, kFactorization, link - 1);
+}
+
+// Six columns of motions of a link, side by side: L times them are the far link's.
+template <bool reversed>
+ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value> axis = axis_at(w.of(j, kAxes));
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      if constexpr (!reversed) carry(a, memory.r);
+      const Vector<Lanes> v = a.linear;
+      a.angular = {-(e[0] * v.x + e[1] * v.y + e[2] * v.z), -(e[3] * v.x + e[4] * v.y + e[5] * v.z),
+                   -(e[6] * v.x + e[7] * v.y + e[8] * v.z)};
+      if constexpr (reversed) carry(a, -memory.r);
+    }
+    return;
+  }
+  const Lanes x =
+      -((e[0] * a.angular.x + e[1] * a.angular.y) + (e[2] * a.angular.z + e[3] * a.linear.x) +
+        (e[4] * a.linear.y + e[5] * a.linear.z));
+  const Vector<Lanes> moved{axis.x * x, axis.y * x, axis.z * x};
+  if constexpr (!reversed) carry(a, memory.r);
+  if (kind == JointKind::kPrismatic)
+    a.linear += moved;
+  else
+    a.angular += moved;
+  if constexpr (reversed) carry(a, -memory.r);
+}
+
+ADAGEN_INLINE Motion<Lanes> rows_of(const Mat6& transposed) {
+  const auto row = [&transposed](int k) {
+    Lanes result{};
+    std::memcpy(&result, transposed.data() + 6 * k, 6 * sizeof(Real));
+    return result;
+  };
+  return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}};
+}
+ADAGEN_INLINE Mat6 from_rows(const Motion<Lanes>& a) {  // transposed
+  Mat6 result;
+  const Lanes* rows[6] = {&a.angular.x, &a.angular.y, &a.angular.z,
+                          &a.linear.x,  &a.linear.y,  &a.linear.z};
+  for (int k = 0; k < 6; ++k) std::memcpy(result.data() + 6 * k, rows[k], 6 * sizeof(Real));
+  return result;
+}
+
+// L m, m being told with the near link in its rows.
+template <bool reversed>
+Mat6 passed(Workspace& w, int j, const Mat6& m) {
+  Motion<Lanes> rows = rows_of(m.transpose());
+  pass<reversed>(w, j, rows);
+  return from_rows(rows).transpose();
+}
+
+// S D^-1 S^T at the far link's origin.
+template <bool reversed>
+Mat6 own_mobility(Workspace& w, int j) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  Mat6 result = Mat6::Zero();
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      for (int k = 0; k < 3; ++k) {
+        const Vector<Value> unit{Value(k == 0), Value(k == 1), Value(k == 2)};
+        const Vector<Value> x = solve_rotations(memory.e + 12, unit);
+        result(0, k) = x.x, result(1, k) = x.y, result(2, k) = x.z;
+      }
+    }
+    if constexpr (reversed) {
+      Mat6 shifted = Mat6::Identity();
+      const Vector<Value> r = -memory.r;  // linear += angular x r
+      shifted(3, 1) = r.z, shifted(3, 2) = -r.y, shifted(4, 0) = -r.z;
+      shifted(4, 2) = r.x, shifted(5, 0) = r.y, shifted(5, 1) = -r.x;
+      result = shifted * result * shifted.transpose();
+    }
+    return result;
+  }
+  Motion<Value> S{};
+  (kind == JointKind::kPrismatic ? S.linear : S.angular) = axis_at(w.of(j, kAxes));
+  if constexpr (reversed) carry(S, -memory.r);
+  const Columns6 s = columns_of(S);
+  return s * memory.e[7] * s.transpose();
+}
+
+// Omega and b outwards across a joint: L Omega L^T + S D^-1 S^T. Nothing is subtracted.
+template <bool reversed>
+void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias, Mat6& far,
+               Columns6& far_bias) {
+  const Mat6 half = passed<reversed>(w, j, near);
+  far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
+  Motion<Value> a = motion_of(near_bias);
+  move<reversed>(w, single(j), a);
+  far_bias = columns_of(a);
+}
+
+// A wrench on the far link: the joint feels S^T of it, the near link L^T.
+template <bool reversed>
+void deliver(Workspace& w, int j, const Columns6& load, Columns6& handed) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  Value* const e = memory.e;
+  Vector<Value> n{load[0], load[1], load[2]}, f{load[3], load[4], load[5]};
+  if constexpr (reversed) n += cross(f, memory.r);
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      const Vector<Value> y = solve_rotations(e + 12, n);
+      e[9] += y.x, e[10] += y.y, e[11] += y.z;
+      const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+      f += -transposed_times(K, n);
+      n = Vector<Value>{};
+      if constexpr (!reversed) n += cross(memory.r, f);
+    }
+  } else {
+    const Value x = dot(axis_at(w.of(j, kAxes)), kind == JointKind::kPrismatic ? f : n);
+    e[6] += x * e[7];
+    if constexpr (!reversed) n += cross(memory.r, f);
+    n += -(Vector<Value>{e[0], e[1], e[2]} * x);
+    f += -(Vector<Value>{e[3], e[4], e[5]} * x);
+  }
+  handed += columns_of({n, f});
+}
+
+// A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
+template <int link>
+void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  const Body<Value>& X = w.bodies[link];
+  const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
+  w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
+}
+
+// The force that what was left at a link needs to move as the link does.
+template <int link>
+Columns6 force_on(Workspace& w) {
+  const Body<Value>& X = w.bodies[link];
+  return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
+}
+
+// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to
+// a singular matrix for that, angular and linear ones beside the largest of their kind.
+template <int link>
+void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
+  std::array<std::array<Real, 6>, 6> L, x{};
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = Phi(i, k);
+    x[i][i] = 1;
+  }
+  bool good = factorize(L);  // leaves inverse roots of the pivots on the diagonal
+  const Real most[2] = {Phi.diagonal().template head<3>().maxCoeff(),
+                        Phi.diagonal().template tail<3>().maxCoeff()};
+  ADAGEN_FOR (i, 0, 6) good = good && L[i][i] * L[i][i] * kLeastPivot * most[i / 3] < 1;
+  if (!good) return fail(w, kSingularPose, link - 1);
+  forward_substitute(L, x);
+  const auto entry = [&x](int i, int k) {
+    Real sum = 0;
+    ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
+    return sum;
+  };
+  Body<Value>& X = w.bodies[link];
+  X.A = {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+  X.B = {{entry(0, 3), entry(0, 4), entry(0, 5)},
+         {entry(1, 3), entry(1, 4), entry(1, 5)},
+         {entry(2, 3), entry(2, 4), entry(2, 5)}};
+  X.C = {entry(3, 3), entry(3, 4), entry(3, 5), entry(4, 4), entry(4, 5), entry(5, 5)};
+  const Columns6 p = -(inertia_of(X) * b);
+  X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
+}
+
+// --- joins: adapters to the joints' own frames ---------------------------------------------------
+
+// From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
+[[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  X.E << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
+  Y.E = X.E;
+  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  X.r << r.x, r.y, r.z;
+  Y.r.setZero();
+}
+
+template <std::size_t n>
+void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
+  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
+}
+
+template <std::size_t n>
+void store_acceleration(Workspace& w, int, int v,
+                        const std::array<std::array<Real, kColumns>, n>& qdd) {
+  for (std::size_t k = 0; k < n; ++k) w.answer[static_cast<std::size_t>(v) + k] = qdd[k][0];
+}
+
+// What goes into a message, and out of one.
+template <class M>
+Number* put(Number* to, const M& m) {
+  Eigen::Map<Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>>{to} =
+      m.template cast<Number>();
+  return to + M::SizeAtCompileTime;
+}
+
+template <class M>
+const Number* get(const Number* from, M& m) {
+  using Content = Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>;
+  m = Eigen::Map<const Content>(from).template cast<Real>();
+  return from + M::SizeAtCompileTime;
+}
+
+template <std::size_t n>
+Number* put(Number* to, const std::array<Real, n>& x) {
+  return std::copy(x.begin(), x.end(), to);
+}
+
+template <std::size_t n>
+const Number* get(const Number* from, std::array<Real, n>& x) {
+  std::transform(from, from + n, x.begin(), [](Number value) { return Real(value); });
+  return from + n;
+}
+
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 16 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...
+// Process 0: 8 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 8, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 8, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 8, &JointConstants::v, kNotFinite);
+  stamp(0);
+  std::copy_n(w.q + 0, 8, w.angle.data() + 0);
+  turn<block(0), block(7) + 1>(w);
+  outward<0, 7>(w);  // "joint01" .. "joint08"
+  stamp(1);
+  set_up_links<block(0), block(6) + 1>(w);
+  inward<0, 0, 6, true>(w);  // "joint01" .. "joint07"
+  propagate<false>(w, 0, kZero, kGround, w.j_joint04.Phi_rod01, w.j_joint04.b_rod01);
+  propagate<false>(w, 1, w.j_joint04.Phi_rod01, w.j_joint04.b_rod01, w.j_joint04.Phi_rod02, w.j_joint04.b_rod02);
+  propagate<false>(w, 2, w.j_joint04.Phi_rod02, w.j_joint04.b_rod02, w.j_joint04.Phi_rod03, w.j_joint04.b_rod03);
+  propagate<false>(w, 3, w.j_joint04.Phi_rod03, w.j_joint04.b_rod03, w.j_joint04.Phi_rod04, w.j_joint04.b_rod04);
+  propagate<false>(w, 4, w.j_joint04.Phi_rod04, w.j_joint04.b_rod04, w.j_joint04.Phi_rod05, w.j_joint04.b_rod05);
+  propagate<false>(w, 5, w.j_joint04.Phi_rod05, w.j_joint04.b_rod05, w.j_joint04.Phi_rod06, w.j_joint04.b_rod06);
+  propagate<false>(w, 6, w.j_joint04.Phi_rod06, w.j_joint04.b_rod06, w.j_joint04.Phi_rod07, w.j_joint04.b_rod07);
+  stamp(2);
+  {  // from process 1: assembled: chain of "joint12"
+    const Real* from = channel.receive(1, w.status);
+    from = get(from, w.j_joint12.Phi_rod08);
+    from = get(from, w.j_joint12.b_rod08);
+  }
+  stamp(3);
+  {
+    auto& i = w.j_joint08;
+    set_transforms(w, 7, i.X, i.Y);
+    load_torque(w, 7, 7, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_joint04.Phi_rod07;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_joint12.Phi_rod08, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_joint04.b_rod07, i.Y * w.j_joint12.b_rod08, c))
+      fail(w, kFactorization, 7);
+  }
+  stamp(4);
+  {
+    auto& i = w.j_joint08;
+    Release<Revolute> release(i.joined);
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    store_acceleration(w, 7, 7, release.qdd());  // Eq. (9)
+    w.j_joint04.F_on_rod07 = -i.X.transposed_times(f);
+    w.j_joint12.F_on_rod08 = i.Y.transposed_times(f);
+  }
+  stamp(5);
+  {  // to process 1: forces on: chain of "joint12"
+    Real* to = channel.outgoing(2, w.status);
+    to = put(to, w.j_joint12.F_on_rod08);
+    channel.send(2, w.status);
+  }
+  stamp(6);
+  w.loads[1] = Columns6::Zero();
+  w.loads[2] = Columns6::Zero();
+  w.loads[3] = Columns6::Zero();
+  w.loads[4] = Columns6::Zero();
+  w.loads[5] = Columns6::Zero();
+  w.loads[6] = Columns6::Zero();
+  w.loads[7] = w.j_joint04.F_on_rod07;
+  deliver<false>(w, 6, w.loads[7], w.loads[6]);
+  deliver<false>(w, 5, w.loads[6], w.loads[5]);
+  deliver<false>(w, 4, w.loads[5], w.loads[4]);
+  deliver<false>(w, 3, w.loads[4], w.loads[3]);
+  deliver<false>(w, 2, w.loads[3], w.loads[2]);
+  deliver<false>(w, 1, w.loads[2], w.loads[1]);
+  deliver<false>(w, 0, w.loads[1], w.loads[0]);
+  accelerate<0, 0, 6>(w);  // "joint01" .. "joint07"
+  stamp(7);
+  require_finite(w, w.answer.data(), 0, 8, &JointConstants::v, kOverflow);
+  give(w, 0, 8);
+}
+
+// Process 1: 4 of 16 joints: "joint09", "joint10", "joint11", "joint12"; kinematics of 8 more on the way to the ground
+void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 12, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 12, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 8, 4, &JointConstants::v, kNotFinite);
+  stamp(0);
+  std::copy_n(w.q + 0, 12, w.angle.data() + 0);
+  turn<block(0), block(11) + 1>(w);
+  pass_outward<0, 7>(w);  // "joint01" .. "joint08"
+  outward<8, 11>(w);  // "joint09" .. "joint12"
+  stamp(1);
+  set_up_links<block(7), block(10) + 1>(w);
+  inward<1, 8, 10, true>(w);  // "joint09" .. "joint11"
+  invert_root<1, 8>(w, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08);
+  propagate<false>(w, 8, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08, w.j_joint10.Phi_rod09, w.j_joint10.b_rod09);
+  w.j_joint10.Phi_rod08_rod09 = passed<false>(w, 8, w.j_joint10.Phi_rod08).transpose();  // with link "rod08"
+  propagate<false>(w, 9, w.j_joint10.Phi_rod09, w.j_joint10.b_rod09, w.j_joint10.Phi_rod10, w.j_joint10.b_rod10);
+  w.j_joint10.Phi_rod08_rod10 = passed<false>(w, 9, w.j_joint10.Phi_rod08_rod09.transpose()).transpose();  // with link "rod08"
+  propagate<false>(w, 10, w.j_joint10.Phi_rod10, w.j_joint10.b_rod10, w.j_joint10.Phi_rod11, w.j_joint10.b_rod11);
+  w.j_joint10.Phi_rod08_rod11 = passed<false>(w, 10, w.j_joint10.Phi_rod08_rod10.transpose()).transpose();  // with link "rod08"
+  stamp(2);
+  {  // from process 2: assembled: chain of "joint14"
+    const Real* from = channel.receive(0, w.status);
+    from = get(from, w.j_joint14.Phi_rod12);
+    from = get(from, w.j_joint14.b_rod12);
+  }
+  stamp(3);
+  {
+    auto& i = w.j_joint12;
+    set_transforms(w, 11, i.X, i.Y);
+    load_torque(w, 11, 11, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_joint10.Phi_rod11;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_joint14.Phi_rod12, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_joint10.b_rod11, i.Y * w.j_joint14.b_rod12, c))
+      fail(w, kFactorization, 11);
+    couple(i.joined, times_transposed(i.X, w.j_joint10.Phi_rod08_rod11), i.at_rod08);
+    i.Phi_rod08 = w.j_joint10.Phi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (3)
+    i.b_rod08 = w.j_joint10.b_rod08 - bias_change(i.joined, i.at_rod08);  // Eq. (6)
+  }
+  stamp(4);
+  {  // to process 0: assembled: chain of "joint12"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.j_joint12.Phi_rod08);
+    to = put(to, w.j_joint12.b_rod08);
+    channel.send(1, w.status);
+  }
+  stamp(5);
+  {  // from process 0: forces on: chain of "joint12"
+    const Real* from = channel.receive(2, w.status);
+    from = get(from, w.j_joint12.F_on_rod08);
+  }
+  stamp(6);
+  {
+    auto& i = w.j_joint12;
+    Release<Revolute> release(i.joined);
+    release.feel_A(i.at_rod08, w.j_joint12.F_on_rod08);
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    store_acceleration(w, 11, 11, release.qdd());  // Eq. (9)
+    w.j_joint10.F_on_rod11 = -i.X.transposed_times(f);
+    w.j_joint14.F_on_rod12 = i.Y.transposed_times(f);
+  }
+  stamp(7);
+  {  // to process 2: forces on: chain of "joint14"
+    Real* to = channel.outgoing(3, w.status);
+    to = put(to, w.j_joint14.F_on_rod12);
+    channel.send(3, w.status);
+  }
+  stamp(8);
+  w.loads[8] = w.j_joint12.F_on_rod08;
+  w.loads[9] = Columns6::Zero();
+  w.loads[10] = Columns6::Zero();
+  w.loads[11] = w.j_joint10.F_on_rod11;
+  deliver<false>(w, 10, w.loads[11], w.loads[10]);
+  deliver<false>(w, 9, w.loads[10], w.loads[9]);
+  deliver<false>(w, 8, w.loads[9], w.loads[8]);
+  w.motions[8] = motion_of(w.j_joint10.b_rod08 + w.j_joint10.Phi_rod08 * w.loads[8]);
+  accelerate<1, 8, 10>(w);  // "joint09" .. "joint11"
+  stamp(9);
+  require_finite(w, w.answer.data(), 8, 4, &JointConstants::v, kOverflow);
+  give(w, 8, 4);
+}
+
+// Process 2: 4 of 16 joints: "joint13", "joint14", "joint15", "joint16"; kinematics of 12 more on the way to the ground
+void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 16, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 16, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 0, 16, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 12, 4, &JointConstants::v, kNotFinite);
   stamp(0);
   std::copy_n(w.q + 0, 16, w.angle.data() + 0);
   turn<block(0), block(15) + 1>(w);
-  outward<0, 15>(w);  // "joint01" .. "joint16"
+  pass_outward<0, 11>(w);  // "joint01" .. "joint12"
+  outward<12, 15>(w);  // "joint13" .. "joint16"
   stamp(1);
-  set_up_links<block(0), block(15) + 1>(w);
-  inward<0, 0, 15, true>(w);  // "joint01" .. "joint16"
+  set_up_links<block(11), block(15) + 1>(w);
+  inward<2, 12, 15, true>(w);  // "joint13" .. "joint16"
+  invert_root<2, 12>(w, w.j_joint14.Phi_rod12, w.j_joint14.b_rod12);
   stamp(2);
-  accelerate<0, 0, 15>(w);  // "joint01" .. "joint16"
+  {  // to process 1: assembled: chain of "joint14"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.j_joint14.Phi_rod12);
+    to = put(to, w.j_joint14.b_rod12);
+    channel.send(0, w.status);
+  }
   stamp(3);
-  require_finite(w, w.answer.data(), 0, 16, &JointConstants::v, kOverflow);
-  give(w, 0, 16);
-}
-
-// Process 1: has nothing to do
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-}
-
-// Process 2: has nothing to do
-void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  {  // from process 1: forces on: chain of "joint14"
+    const Real* from = channel.receive(3, w.status);
+    from = get(from, w.j_joint14.F_on_rod12);
+  }
+  stamp(4);
+  w.loads[12] = w.j_joint14.F_on_rod12;
+  w.motions[12] = motion_of(w.j_joint14.b_rod12 + w.j_joint14.Phi_rod12 * w.loads[12]);
+  accelerate<2, 12, 15>(w);  // "joint13" .. "joint16"
+  stamp(5);
+  require_finite(w, w.answer.data(), 12, 4, &JointConstants::v, kOverflow);
+  give(w, 12, 4);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<int, 16> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr std::array<int, 16> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr std::array<int, 16> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr std::array<int, 16> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+constexpr std::array<int, 8> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7};
+constexpr std::array<int, 8> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7};
+constexpr std::array<int, 8> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7};
+constexpr std::array<int, 8> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7};
+constexpr std::array<int, 12> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+constexpr std::array<int, 12> kReadV_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+constexpr std::array<int, 4> kOwn_1{8, 9, 10, 11};
+constexpr std::array<int, 4> kTorque_1{8, 9, 10, 11};
+constexpr std::array<int, 16> kReadQ_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+constexpr std::array<int, 16> kReadV_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+constexpr std::array<int, 4> kOwn_2{12, 13, 14, 15};
+constexpr std::array<int, 4> kTorque_2{12, 13, 14, 15};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {16, kReadQ_0.data(), 16, kReadV_0.data(), 16, kOwn_0.data(), 16, kTorque_0.data()},
-    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
-    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
+    {8, kReadQ_0.data(), 8, kReadV_0.data(), 8, kOwn_0.data(), 8, kTorque_0.data()},
+    {12, kReadQ_1.data(), 12, kReadV_1.data(), 4, kOwn_1.data(), 4, kTorque_1.data()},
+    {16, kReadQ_2.data(), 16, kReadV_2.data(), 4, kOwn_2.data(), 4, kTorque_2.data()},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -3533,13 +4366,35 @@ class Watch {
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 3> kStages_0{ {
-    {"kinematics", 15, -1},
-    {"assembly", 0, -1},
-    {"disassembly", 0, -1},
+constexpr std::array<Stage, 7> kStages_0{ {
+    {"kinematics", 7, -1},
+    {"assembly", 6, -1},
+    {"receive", -1, 1},
+    {"assembly", 7, -1},
+    {"disassembly", 7, -1},
+    {"send", -1, 2},
+    {"disassembly", 6, -1},
 } };
-constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), nullptr, nullptr};
-constexpr std::array<int, kProcesses> kStageCount{3, 0, 0};
+constexpr std::array<Stage, 9> kStages_1{ {
+    {"kinematics", 11, -1},
+    {"assembly", 10, -1},
+    {"receive", -1, 0},
+    {"assembly", 11, -1},
+    {"send", -1, 1},
+    {"receive", -1, 2},
+    {"disassembly", 11, -1},
+    {"send", -1, 3},
+    {"disassembly", 10, -1},
+} };
+constexpr std::array<Stage, 5> kStages_2{ {
+    {"kinematics", 15, -1},
+    {"assembly", 12, -1},
+    {"send", -1, 0},
+    {"receive", -1, 3},
+    {"disassembly", 12, -1},
+} };
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data(), kStages_2.data()};
+constexpr std::array<int, kProcesses> kStageCount{7, 9, 5};
 
 struct Statistics {
   double median = 0, least = 0, percentile99 = 0;

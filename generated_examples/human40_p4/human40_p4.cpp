@@ -2,7 +2,7 @@
 //
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  root@0-3(|left_hip(right_hip(spine(|left_shoulder(neck(right_shoulder(|right_elbow(|right_wrist))|) | left_elbow(|left_wrist))) | right_knee(|right_ankle)) | left_knee(|left_ankle)))
+// schedule  spine@0-3(left_hip@0-1(right_hip@0(root | right_knee(|right_ankle)) | left_knee@1(|left_ankle)) | left_shoulder@2-3(right_shoulder@2(neck | right_elbow(|right_wrist)) | left_elbow@3(|left_wrist)))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -113,7 +113,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr int kPlanMessages = 0;
+[[maybe_unused]] constexpr int kPlanMessages = 6;
 constexpr std::size_t kCacheLine = 64;
 constexpr bool kFloatingBase = false;
 constexpr double kTolerance = 1e-09;
@@ -653,13 +653,350 @@ ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<
   return squared;
 }
 
-constexpr std::array<MessageInfo, 6> kMessages{ {
-    {0, 1, 0},  // 0: state
-    {1, 0, 0},  // 1: accelerations
-    {0, 2, 0},  // 2: state
-    {2, 0, 0},  // 3: accelerations
-    {0, 3, 0},  // 4: state
-    {3, 0, 0},  // 5: accelerations
+// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
+// the motion itself, and one for each slaved joint's coupling torque.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+using Mat3 = Eigen::Matrix<Real, 3, 3>;
+using Vec6 = Eigen::Matrix<Real, 6, 1>;
+using Mat6 = Eigen::Matrix<Real, 6, 6>;
+using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
+
+// Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
+struct Transform {
+  Mat3 E;  // rotates parent coordinates into child coordinates
+  Vec3 r;  // origin of the child frame in parent coordinates
+
+  template <class M>
+  void times(const M& m, M& result) const {
+    for (int k = 0; k < M::ColsAtCompileTime; ++k) {
+      const Vec3 angular = m.col(k).template head<3>();
+      const Vec3 linear = m.col(k).template tail<3>();
+      result.col(k).template head<3>().noalias() = E * angular;
+      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
+    }
+  }
+
+  // X^T m: takes a wrench on the child to the same wrench on the parent.
+  Columns6 transposed_times(const Columns6& m) const {
+    Columns6 result;
+    for (int k = 0; k < kColumns; ++k) {
+      const Vec3 force = E.transpose() * m.col(k).template tail<3>();
+      result.col(k).template head<3>() =
+          E.transpose() * m.col(k).template head<3>() + r.cross(force);
+      result.col(k).template tail<3>() = force;
+    }
+    return result;
+  }
+};
+
+ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
+  Mat6 result;
+  X.times(m, result);
+  return result;
+}
+
+ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
+  Mat6 transposed, result;
+  transposed.noalias() = m.transpose();
+  X.times(transposed, result);
+  return result;
+}
+
+// m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
+ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
+  Mat6 result = times_transposed(X, m);
+  result.transposeInPlace();
+  return result;
+}
+
+template <int columns>
+Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
+                                          const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
+  X.times(m, result);
+  return result;
+}
+
+// Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
+// quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
+[[maybe_unused]] Real conjugate_rotation(const Number* quaternion, Mat3& E) {
+  const Real x = Real(quaternion[0]), y = Real(quaternion[1]);
+  const Real z = Real(quaternion[2]), w = Real(quaternion[3]);
+  const Real squared = x * x + y * y + z * z + w * w;
+  const Real s = 2 / squared;
+  E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
+      s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w),   //
+      s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y);
+  return squared;
+}
+
+// b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
+ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
+  using Constant3 = Eigen::Map<const Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>>;
+  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 c(Real(link.com[0]), Real(link.com[1]), Real(link.com[2]));
+  const Vec3 momentum = Constant3(link.tensor).cast<Real>() * omega;
+  const Vec3 alpha = Constant3(link.tensor_inverse).cast<Real>() * momentum.cross(omega);
+  b.setZero();
+  b.col(0).template head<3>() = alpha;
+  b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
+}
+
+// Joint kinds in their canonical frames: the rows of a spatial vector that a joint frees (R, S) and
+// those it constrains (N). Both are selections, so N and R cost nothing and round nothing.
+template <int... Rows>
+struct Selection {
+  static constexpr int count = sizeof...(Rows);
+  static constexpr std::array<int, sizeof...(Rows)> row{Rows...};
+};
+
+struct Revolute {
+  using Free = Selection<2>;
+  using Constrained = Selection<0, 1, 3, 4, 5>;
+};
+struct Prismatic {
+  using Free = Selection<5>;
+  using Constrained = Selection<0, 1, 2, 3, 4>;
+};
+struct Spherical {
+  using Free = Selection<0, 1, 2>;
+  using Constrained = Selection<3, 4, 5>;
+};
+struct Planar {
+  using Free = Selection<3, 4, 2>;
+  using Constrained = Selection<0, 1, 5>;
+};
+struct Floating {
+  using Free = Selection<3, 4, 5, 0, 1, 2>;
+  using Constrained = Selection<>;
+};
+
+template <class Kind>
+[[maybe_unused]] constexpr int kFree = Kind::Free::count;
+template <class Kind>
+[[maybe_unused]] constexpr int kConstrained = Kind::Constrained::count;
+
+// S qd, the velocity across a joint.
+template <class Kind>
+Vec6 joint_velocity(const Number* qd) {
+  Vec6 result = Vec6::Zero();
+  for (int k = 0; k < kFree<Kind>; ++k) result[Kind::Free::row[k]] = Real(qd[k]);
+  return result;
+}
+
+// c_i = v_i x S qd, the part of the acceleration across a joint that qdd has no say in.
+template <class Kind>
+Columns6 velocity_product(const Vec6& velocity, const Number* qd) {
+  const Vec6 motion = joint_velocity<Kind>(qd);
+  Columns6 result = Columns6::Zero();
+  result.col(0).template head<3>() = velocity.head<3>().cross(motion.head<3>());
+  result.col(0).template tail<3>() =
+      velocity.head<3>().cross(motion.tail<3>()) + velocity.tail<3>().cross(motion.head<3>());
+  return result;
+}
+
+// What disassembly needs of a joint i that was assembled.
+template <class Kind>
+struct Joined {
+  static constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  std::array<std::array<Real, m>, m> L;         // Cholesky factor of V_i^-1; its diagonal inverted
+  std::array<std::array<Real, m>, n> RPN;       // R_i (Phi_Ai + Phi_Bi) N_i^T
+  std::array<std::array<Real, kColumns>, m> z;  // L^-1 N_i beta_i
+  std::array<std::array<Real, kColumns>, n> R_beta;  // R_i beta_i
+  std::array<std::array<Real, kColumns>, n> tau;
+};
+
+// How a joint i and a handle j of one chain feel each other: Z = L^-1 N_i Phi_ij, Y = R_i Phi_ij.
+template <class Kind>
+struct Coupled {
+  std::array<std::array<Real, 6>, kConstrained<Kind>> Z;
+  std::array<std::array<Real, 6>, kFree<Kind>> Y;
+};
+
+// x <- L^-1 x, row by row.
+template <std::size_t m, std::size_t k>
+void forward_substitute(const std::array<std::array<Real, m>, m>& L,
+                        std::array<std::array<Real, k>, m>& x) {
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t c = 0; c < k; ++c) x[i][c] -= L[i][j] * x[j][c];
+    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
+  }
+}
+
+// x <- L^-T x.
+template <std::size_t m, std::size_t k>
+void backward_substitute(const std::array<std::array<Real, m>, m>& L,
+                         std::array<std::array<Real, k>, m>& x) {
+  for (std::size_t i = m; i-- > 0;) {
+    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t c = 0; c < k; ++c) x[j][c] -= L[i][j] * x[i][c];
+  }
+}
+
+// Cholesky's factorization in place, the inverse of the diagonal in its place. False where a pivot
+// has lost every digit, or was none to begin with.
+template <std::size_t m>
+bool factorize(std::array<std::array<Real, m>, m>& L) {
+  bool good = true;
+  for (std::size_t j = 0; j < m; ++j) {
+    Real pivot = L[j][j];
+    const Real least = 8 * std::numeric_limits<Real>::epsilon() * pivot;
+    for (std::size_t k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
+    good = good && pivot > least && pivot <= std::numeric_limits<Real>::max();
+    const Real inverse = 1 / std::sqrt(pivot);
+    L[j][j] = inverse;
+    for (std::size_t i = j + 1; i < m; ++i) {
+      for (std::size_t k = 0; k < j; ++k) L[i][j] -= L[i][k] * L[j][k];
+      L[i][j] *= inverse;
+    }
+  }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
+  return good;
+}
+
+// V_i and beta_i of Eq. (3)-(7): Phi_A and Phi_B are those of the joint's two sides in its frame,
+// b_A, b_B and c the accelerations there. Returns false where the factorization fails.
+template <class Kind>
+ADAGEN_NOINLINE bool join(Joined<Kind>& i, const Mat6& Phi_A, const Mat6& Phi_B,
+                          const Columns6& b_A, const Columns6& b_B, const Columns6& c) {
+  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  constexpr auto& free = Kind::Free::row;
+  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
+  const Mat6 Phi = Phi_A + Phi_B;
+  Columns6 beta = b_A - b_B + c;
+  for (int k = 0; k < n; ++k)
+    for (int column = 0; column < kColumns; ++column)
+      beta.col(column) -= Phi.col(free[k]) * i.tau[k][column];
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column < kColumns; ++column)
+      i.R_beta[row][column] = beta(free[row], column);
+    for (int k = 0; k < m; ++k) i.RPN[row][k] = Phi(free[row], constrained[k]);
+  }
+  if constexpr (m > 0) {
+    for (int row = 0; row < m; ++row) {
+      for (int k = 0; k <= row; ++k) i.L[row][k] = Phi(constrained[row], constrained[k]);
+      for (int column = 0; column < kColumns; ++column)
+        i.z[row][column] = beta(constrained[row], column);
+    }
+    const bool good = factorize(i.L);
+    forward_substitute(i.L, i.z);
+    return good;
+  }
+  return true;
+}
+
+// Z and Y of a handle j, Phi_ij being given with the joint's frame on its left.
+template <class Kind>
+ADAGEN_NOINLINE void couple(const Joined<Kind>& i, const Mat6& Phi_ij, Coupled<Kind>& j) {
+  for (int row = 0; row < kFree<Kind>; ++row)
+    for (int k = 0; k < 6; ++k) j.Y[row][k] = Phi_ij(Kind::Free::row[row], k);
+  if constexpr (kConstrained<Kind> > 0) {
+    for (int row = 0; row < kConstrained<Kind>; ++row)
+      for (int k = 0; k < 6; ++k) j.Z[row][k] = Phi_ij(Kind::Constrained::row[row], k);
+    forward_substitute(i.L, j.Z);
+  }
+}
+
+// Phi_Aji W_i Phi_Aik = Z_j^T Z_k: what Eq. (3) and (4) subtract and Eq. (5) is.
+template <class Kind>
+ADAGEN_NOINLINE Mat6 product([[maybe_unused]] const Coupled<Kind>& j,
+                             [[maybe_unused]] const Coupled<Kind>& k) {
+  Mat6 result = Mat6::Zero();
+  if constexpr (kConstrained<Kind> > 0) {
+    for (int row = 0; row < kConstrained<Kind>; ++row) {
+      const Vec6 left = Eigen::Map<const Vec6>(j.Z[row].data());
+      const Vec6 right = Eigen::Map<const Vec6>(k.Z[row].data());
+      result.noalias() += left * right.transpose();
+    }
+  }
+  return result;
+}
+
+// Phi_ji gamma_i = Z^T z + Y^T tau: the change of b_j in Eq. (6) and (7).
+template <class Kind>
+Columns6 bias_change(const Joined<Kind>& i, const Coupled<Kind>& j) {
+  Columns6 result = Columns6::Zero();
+  for (int column = 0; column < kColumns; ++column) {
+    for (int row = 0; row < kConstrained<Kind>; ++row)
+      result.col(column) += Eigen::Map<const Vec6>(j.Z[row].data()) * i.z[row][column];
+    for (int row = 0; row < kFree<Kind>; ++row)
+      result.col(column) += Eigen::Map<const Vec6>(j.Y[row].data()) * i.tau[row][column];
+  }
+  return result;
+}
+
+// Disassembly of a joint: collects what the outer forces do to it, then gives its acceleration and
+// its force.
+template <class Kind>
+class Release {
+ public:
+  explicit Release(const Joined<Kind>& i) : i_(i), z_(i.z), qdd_(i.R_beta) {
+    for (auto& row : qdd_)
+      for (Real& x : row) x = -x;
+  }
+
+  void feel_A(const Coupled<Kind>& j, const Columns6& f) { feel(j, f, Real(1)); }
+  void feel_B(const Coupled<Kind>& k, const Columns6& f) { feel(k, f, Real(-1)); }
+
+  // f_i, Eq. (10); on the way n_i, Eq. (8), and qdd_i, Eq. (9).
+  Columns6 force() {
+    if constexpr (kConstrained<Kind> > 0) backward_substitute(i_.L, z_);
+    Columns6 f;
+    for (int column = 0; column < kColumns; ++column) {
+      for (int k = 0; k < kConstrained<Kind>; ++k)
+        f(Kind::Constrained::row[k], column) = z_[k][column];
+      for (int k = 0; k < kFree<Kind>; ++k) {
+        f(Kind::Free::row[k], column) = i_.tau[k][column];
+        for (int l = 0; l < kConstrained<Kind>; ++l)
+          qdd_[k][column] += i_.RPN[k][l] * z_[l][column];
+      }
+    }
+    return f;
+  }
+
+  const std::array<std::array<Real, kColumns>, kFree<Kind>>& qdd() const { return qdd_; }
+
+ private:
+  void feel(const Coupled<Kind>& j, const Columns6& f, Real sign) {
+    for (int column = 0; column < kColumns; ++column) {
+      const Vec6 signed_f = sign * f.col(column);
+      for (int row = 0; row < kConstrained<Kind>; ++row)
+        z_[row][column] += Eigen::Map<const Vec6>(j.Z[row].data()).dot(signed_f);
+      for (int row = 0; row < kFree<Kind>; ++row)
+        qdd_[row][column] -= Eigen::Map<const Vec6>(j.Y[row].data()).dot(signed_f);
+    }
+  }
+
+  const Joined<Kind>& i_;
+  std::array<std::array<Real, kColumns>, kConstrained<Kind>> z_;
+  std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
+};
+
+constexpr std::array<MessageInfo, 12> kMessages{ {
+    {1, 0, 42},  // 0: assembled: chain of "left_knee"
+    {3, 2, 42},  // 1: assembled: chain of "left_elbow"
+    {2, 0, 42},  // 2: assembled: chain of "left_shoulder"
+    {0, 2, 6},  // 3: forces on: chain of "left_shoulder"
+    {0, 1, 6},  // 4: forces on: chain of "left_knee"
+    {2, 3, 6},  // 5: forces on: chain of "left_elbow"
+    {0, 1, 33},  // 6: state
+    {1, 0, 4},  // 7: accelerations
+    {0, 2, 63},  // 8: state
+    {2, 0, 13},  // 9: accelerations
+    {0, 3, 40},  // 10: state
+    {3, 0, 4},  // 11: accelerations
 } };
 
 // What a process does in an evaluation as the others see it: the messages that it sends and
@@ -1041,9 +1378,9 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 } };
 
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns.
-constexpr int kSlotCount = 16;
-constexpr bool kAbreast = true;  // whether there are such
-constexpr int kSlots[kJointCount]{ 12, 0, 4, 8, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11 };
+constexpr int kSlotCount = 15;
+constexpr bool kAbreast = false;  // whether there are such
+constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 };
 
 // What a process does at a link.
 struct LinkRole {
@@ -1052,14 +1389,63 @@ struct LinkRole {
   bool parts;     // paths part at it outwards
 };
 constexpr LinkRole kRoles[4][kLinkCount]{
-    {{0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
-    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
+    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
 };
 
 // What is kept where segments meet, with the joint that it belongs to.
+struct Joint_left_hip {
+  Mat6 Phi_pelvis;
+  Columns6 b_pelvis;
+  Transform X, Y;  // to the joint's frame, about its two links' origins
+  Joined<Spherical> joined;
+  Coupled<Spherical> at_pelvis;
+  Columns6 F_on_pelvis;
+};
+struct Joint_left_knee {
+  Mat6 Phi_left_thigh;
+  Columns6 b_left_thigh;
+  Columns6 F_on_left_thigh;
+};
+struct Joint_right_hip {
+  Mat6 Phi_pelvis;
+  Columns6 b_pelvis;
+  Columns6 F_on_pelvis;
+};
+struct Joint_spine {
+  Transform X, Y;  // to the joint's frame, about its two links' origins
+  Joined<Spherical> joined;
+};
+struct Joint_left_shoulder {
+  Mat6 Phi_trunk;
+  Columns6 b_trunk;
+  Transform X, Y;  // to the joint's frame, about its two links' origins
+  Joined<Spherical> joined;
+  Coupled<Spherical> at_trunk;
+  Columns6 F_on_trunk;
+};
+struct Joint_left_elbow {
+  Mat6 Phi_left_upper_arm;
+  Columns6 b_left_upper_arm;
+  Columns6 F_on_left_upper_arm;
+};
+struct Joint_right_shoulder {
+  Mat6 Phi_trunk;
+  Columns6 b_trunk;
+  Columns6 F_on_trunk;
+};
 struct Cuts {
+  Joint_left_hip j_left_hip;
+  Joint_left_knee j_left_knee;
+  Joint_right_hip j_right_hip;
+  Joint_spine j_spine;
+  Joint_left_shoulder j_left_shoulder;
+  Joint_left_elbow j_left_elbow;
+  Joint_right_shoulder j_right_shoulder;
+  std::array<Columns6, kLinkCount> loads;  // wrenches on links, from handle forces
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
 // The memory of a process. What is set up for many links at once lies in blocks, side by side.
@@ -2046,210 +2432,578 @@ void free_acceleration(Workspace& w) {
   as_joint_acceleration<j>(w);
 }
 
-// Limbs side by side: joints of as many limbs as there are lanes are treated together, from the
-// limbs' first joints outwards or back.
-template <int count, int rows>
-struct Limbs {
-  int slot;                 // of the first joint of the first limb
-  int joints[rows][count];  // all limbs' k-th joints, which are of one kind
 
-  using T = std::conditional_t<count == 2, Two, Four>;
-  static constexpr int kRows = rows;
-  constexpr Joints<T> at(int k) const {
-    Joints<T> result{slot + count * k, {}};
-    for (int lane = 0; lane < count; ++lane) result.joint[lane] = joints[k][lane];
+// Nothing on the ground moves beyond its Frame, and the ground does not yield.
+const Mat6 kZero = Mat6::Zero();
+const Columns6 kGround = Columns6::Zero();
+
+// Mobility: what a segment shows at its handles, and what forces there do inside it. Phi and b are
+// in the axes of the base about the handles' origins; b are accelerations beyond those of a Frame.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+
+ADAGEN_INLINE Motion<Value> motion_of(const Columns6& a) {
+  return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
+}
+ADAGEN_INLINE Columns6 columns_of(const Motion<Value>& a) {
+  Columns6 result;
+  result << a.angular.x, a.angular.y, a.angular.z, a.linear.x, a.linear.y, a.linear.z;
+  return result;
+}
+
+inline Mat6 inertia_of(const Body<Value>& X) {
+  Mat6 I;
+  I << X.A.xx, X.A.xy, X.A.xz, X.B.x.x, X.B.x.y, X.B.x.z,  //
+      X.A.xy, X.A.yy, X.A.yz, X.B.y.x, X.B.y.y, X.B.y.z,   //
+      X.A.xz, X.A.yz, X.A.zz, X.B.z.x, X.B.z.y, X.B.z.z,   //
+      X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx, X.C.xy, X.C.xz,   //
+      X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy, X.C.yz,   //
+      X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz;
+  return I;
+}
+inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
+
+// Phi = (I^A)^-1 and b = -Phi p^A of a segment's root, by Cholesky's factorization.
+[[maybe_unused]] inline bool invert(const Body<Value>& X, Mat6& Phi, Columns6& b) {
+  const Mat6 I = inertia_of(X);
+  std::array<std::array<Real, 6>, 6> L, x{};
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
+    x[i][i] = 1;
+  }
+  const bool good = factorize(L);
+  forward_substitute(L, x);
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, i, 6) {
+      Real sum = 0;
+      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
+      Phi(i, k) = Phi(k, i) = sum;
+    }
+  b.noalias() = -Phi * force_of(X);
+  return good;
+}
+
+template <int p, int link>
+void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
+  if (!invert(whole<p>(w, link), Phi, b)) fail(w, kFactorization, link - 1);
+}
+
+// Six columns of motions of a link, side by side: L times them are the far link's.
+template <bool reversed>
+ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value> axis = axis_at(w.of(j, kAxes));
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      if constexpr (!reversed) carry(a, memory.r);
+      const Vector<Lanes> v = a.linear;
+      a.angular = {-(e[0] * v.x + e[1] * v.y + e[2] * v.z), -(e[3] * v.x + e[4] * v.y + e[5] * v.z),
+                   -(e[6] * v.x + e[7] * v.y + e[8] * v.z)};
+      if constexpr (reversed) carry(a, -memory.r);
+    }
+    return;
+  }
+  const Lanes x =
+      -((e[0] * a.angular.x + e[1] * a.angular.y) + (e[2] * a.angular.z + e[3] * a.linear.x) +
+        (e[4] * a.linear.y + e[5] * a.linear.z));
+  const Vector<Lanes> moved{axis.x * x, axis.y * x, axis.z * x};
+  if constexpr (!reversed) carry(a, memory.r);
+  if (kind == JointKind::kPrismatic)
+    a.linear += moved;
+  else
+    a.angular += moved;
+  if constexpr (reversed) carry(a, -memory.r);
+}
+
+ADAGEN_INLINE Motion<Lanes> rows_of(const Mat6& transposed) {
+  const auto row = [&transposed](int k) {
+    Lanes result{};
+    std::memcpy(&result, transposed.data() + 6 * k, 6 * sizeof(Real));
+    return result;
+  };
+  return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}};
+}
+ADAGEN_INLINE Mat6 from_rows(const Motion<Lanes>& a) {  // transposed
+  Mat6 result;
+  const Lanes* rows[6] = {&a.angular.x, &a.angular.y, &a.angular.z,
+                          &a.linear.x,  &a.linear.y,  &a.linear.z};
+  for (int k = 0; k < 6; ++k) std::memcpy(result.data() + 6 * k, rows[k], 6 * sizeof(Real));
+  return result;
+}
+
+// L m, m being told with the near link in its rows.
+template <bool reversed>
+Mat6 passed(Workspace& w, int j, const Mat6& m) {
+  Motion<Lanes> rows = rows_of(m.transpose());
+  pass<reversed>(w, j, rows);
+  return from_rows(rows).transpose();
+}
+
+// S D^-1 S^T at the far link's origin.
+template <bool reversed>
+Mat6 own_mobility(Workspace& w, int j) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  Mat6 result = Mat6::Zero();
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      for (int k = 0; k < 3; ++k) {
+        const Vector<Value> unit{Value(k == 0), Value(k == 1), Value(k == 2)};
+        const Vector<Value> x = solve_rotations(memory.e + 12, unit);
+        result(0, k) = x.x, result(1, k) = x.y, result(2, k) = x.z;
+      }
+    }
+    if constexpr (reversed) {
+      Mat6 shifted = Mat6::Identity();
+      const Vector<Value> r = -memory.r;  // linear += angular x r
+      shifted(3, 1) = r.z, shifted(3, 2) = -r.y, shifted(4, 0) = -r.z;
+      shifted(4, 2) = r.x, shifted(5, 0) = r.y, shifted(5, 1) = -r.x;
+      result = shifted * result * shifted.transpose();
+    }
     return result;
   }
-  // The link that a limb hangs on.
-  constexpr int near(int lane) const {
-    return kJoints[static_cast<std::size_t>(joints[0][lane])].parent;
-  }
-};
-
-constexpr int kMostNumbers = 27;  // of what is taken apart or made one: a Body
-
-// One lane of what consists of numbers alone, and all lanes made one.
-template <class T, template <class> class S, std::size_t... k>
-ADAGEN_INLINE S<Value> lane_of(const S<T>& all, int lane, std::index_sequence<k...>) {
-  T numbers[sizeof...(k)];
-  std::memcpy(numbers, &all, sizeof all);
-  const Value own[]{numbers[k][lane]...};
-  S<Value> result;
-  std::memcpy(&result, own, sizeof result);
-  return result;
-}
-template <class T, template <class> class S>
-ADAGEN_INLINE S<Value> lane(const S<T>& all, int lane) {
-  return lane_of(all, lane, std::make_index_sequence<sizeof all / sizeof(T)>{});
-}
-template <class T, std::size_t... lane>
-ADAGEN_INLINE T lanes_of(const Value (&numbers)[kWidth<T>][kMostNumbers], std::size_t k,
-                         std::index_sequence<lane...>) {
-  return T{numbers[lane][k]...};
-}
-template <class T, template <class> class S, std::size_t... k>
-ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>],
-                                std::index_sequence<k...>) {
-  Value own[kWidth<T>][kMostNumbers];
-  ADAGEN_FOR (lane, 0, kWidth<T>) std::memcpy(own[lane], sides[lane], sizeof *sides[lane]);
-  const T numbers[]{lanes_of<T>(own, k, std::make_index_sequence<kWidth<T>>{})...};
-  S<T> result;
-  std::memcpy(&result, numbers, sizeof result);
-  return result;
-}
-template <class T, template <class> class S>
-ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>]) {
-  return side_by_side<T, S>(sides, std::make_index_sequence<sizeof(S<T>) / sizeof(T)>{});
+  Motion<Value> S{};
+  (kind == JointKind::kPrismatic ? S.linear : S.angular) = axis_at(w.of(j, kAxes));
+  if constexpr (reversed) carry(S, -memory.r);
+  const Columns6 s = columns_of(S);
+  return s * memory.e[7] * s.transpose();
 }
 
-template <const auto& limbs>
-void outward_abreast(Workspace& w) {
-  using T = typename std::decay_t<decltype(limbs)>::T;
-  Frame<Value> frames[kWidth<T>];
-  const Frame<Value>* sides[kWidth<T>];
-  ADAGEN_FOR (lane, 0, kWidth<T>) {
-    const int near = limbs.near(lane);
-    frames[lane] = near == 0 ? ground() : frame_of(w, near == 0 ? 0 : near - 1);
-    sides[lane] = &frames[lane];
-  }
-  Frame<T> at = side_by_side<T, Frame>(sides);
-  for (int k = 0; k < limbs.kRows; ++k) step_outward<true>(w, limbs.at(k), at);
+// Omega and b outwards across a joint: L Omega L^T + S D^-1 S^T. Nothing is subtracted.
+template <bool reversed>
+void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias, Mat6& far,
+               Columns6& far_bias) {
+  const Mat6 half = passed<reversed>(w, j, near);
+  far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
+  Motion<Value> a = motion_of(near_bias);
+  move<reversed>(w, single(j), a);
+  far_bias = columns_of(a);
 }
 
-// Adds to bodies what the sweep finds at the links beyond a row of joints.
-template <int p, class T>
-ADAGEN_INLINE void meet_abreast(Workspace& w, const Joints<T>& joints, Body<T>& X) {
-  const Body<Value> none{};
-  const Body<Value>* sides[kWidth<T>];
-  bool any = false;
-  ADAGEN_FOR (lane, 0, kWidth<T>) {
-    const std::size_t link = static_cast<std::size_t>(joints.joint[lane] + 1);
-    const bool gathers = kRoles[p][link].gathers;
-    any |= gathers;
-    sides[lane] = gathers ? &w.bodies[link] : &none;
-  }
-  if (any) X += side_by_side<T, Body>(sides);
-  add_bare_link(w, joints, X);
-}
-
-// Whether nothing but the links themselves is found between the limbs' joints.
-template <int p, class L>
-constexpr bool bare_rows(const L& limbs) {
-  for (int k = 0; k + 1 < L::kRows; ++k)
-    for (const int joint : limbs.at(k).joint)
-      if (kRoles[p][static_cast<std::size_t>(joint + 1)].gathers) return false;
-  return true;
-}
-
-// What hangs on the links that the limbs hang on.
-template <int p, const auto& limbs>
-auto inward_abreast(Workspace& w) {
-  using T = typename std::decay_t<decltype(limbs)>::T;
-  Body<T> X{};
-  constexpr bool quick = bare_rows<p>(limbs);
-  if constexpr (quick) meet_abreast<p>(w, limbs.at(limbs.kRows - 1), X);
-  for (int k = limbs.kRows - 1; k >= 0; --k) {
-    if constexpr (!quick) meet_abreast<p>(w, limbs.at(k), X);
-    step_inward<false>(w, limbs.at(k), X, [&](Body<T>& near) {
-      if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
-    });
-  }
-  return X;
-}
-
-template <int p, const auto& limbs>
-void accelerate_abreast(Workspace& w) {
-  using T = typename std::decay_t<decltype(limbs)>::T;
-  const Motion<Value>* sides[kWidth<T>];
-  ADAGEN_FOR (lane, 0, kWidth<T>)
-    sides[lane] = &w.motions[static_cast<std::size_t>(limbs.near(lane))];
-  Motion<T> a = side_by_side<T, Motion>(sides);
-  for (int k = 0; k < limbs.kRows; ++k) {
-    const Joints<T> joints = limbs.at(k);
-    move<false>(w, joints, a);
-    ADAGEN_FOR (side, 0, kWidth<T>) {
-      const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
-      if (kRoles[p][link].parts) w.motions[link] = lane(a, side);
+// A wrench on the far link: the joint feels S^T of it, the near link L^T.
+template <bool reversed>
+void deliver(Workspace& w, int j, const Columns6& load, Columns6& handed) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  Value* const e = memory.e;
+  Vector<Value> n{load[0], load[1], load[2]}, f{load[3], load[4], load[5]};
+  if constexpr (reversed) n += cross(f, memory.r);
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      const Vector<Value> y = solve_rotations(e + 12, n);
+      e[9] += y.x, e[10] += y.y, e[11] += y.z;
+      const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+      f += -transposed_times(K, n);
+      n = Vector<Value>{};
+      if constexpr (!reversed) n += cross(memory.r, f);
     }
+  } else {
+    const Value x = dot(axis_at(w.of(j, kAxes)), kind == JointKind::kPrismatic ? f : n);
+    e[6] += x * e[7];
+    if constexpr (!reversed) n += cross(memory.r, f);
+    n += -(Vector<Value>{e[0], e[1], e[2]} * x);
+    f += -(Vector<Value>{e[3], e[4], e[5]} * x);
   }
+  handed += columns_of({n, f});
 }
 
-// "left_hip" .. "left_ankle", "right_hip" .. "right_ankle", "left_shoulder" .. "left_wrist", "right_shoulder" .. "right_wrist"
-constexpr Limbs<4, 3> kLimbs0{0, {{1, 4, 8, 12}, {2, 5, 9, 13}, {3, 6, 10, 14}}};
+// A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
+template <int link>
+void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  const Body<Value>& X = w.bodies[link];
+  const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
+  w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
+}
 
+// The force that what was left at a link needs to move as the link does.
+template <int link>
+Columns6 force_on(Workspace& w) {
+  const Body<Value>& X = w.bodies[link];
+  return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
+}
+
+// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to
+// a singular matrix for that, angular and linear ones beside the largest of their kind.
+template <int link>
+void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
+  std::array<std::array<Real, 6>, 6> L, x{};
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = Phi(i, k);
+    x[i][i] = 1;
+  }
+  bool good = factorize(L);  // leaves inverse roots of the pivots on the diagonal
+  const Real most[2] = {Phi.diagonal().template head<3>().maxCoeff(),
+                        Phi.diagonal().template tail<3>().maxCoeff()};
+  ADAGEN_FOR (i, 0, 6) good = good && L[i][i] * L[i][i] * kLeastPivot * most[i / 3] < 1;
+  if (!good) return fail(w, kSingularPose, link - 1);
+  forward_substitute(L, x);
+  const auto entry = [&x](int i, int k) {
+    Real sum = 0;
+    ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
+    return sum;
+  };
+  Body<Value>& X = w.bodies[link];
+  X.A = {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+  X.B = {{entry(0, 3), entry(0, 4), entry(0, 5)},
+         {entry(1, 3), entry(1, 4), entry(1, 5)},
+         {entry(2, 3), entry(2, 4), entry(2, 5)}};
+  X.C = {entry(3, 3), entry(3, 4), entry(3, 5), entry(4, 4), entry(4, 5), entry(5, 5)};
+  const Columns6 p = -(inertia_of(X) * b);
+  X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
+}
+
+// --- joins: adapters to the joints' own frames ---------------------------------------------------
+
+// From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
+[[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  X.E << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
+  Y.E = X.E;
+  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  X.r << r.x, r.y, r.z;
+  Y.r.setZero();
+}
+
+template <std::size_t n>
+void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
+  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
+}
+
+template <std::size_t n>
+void store_acceleration(Workspace& w, int, int v,
+                        const std::array<std::array<Real, kColumns>, n>& qdd) {
+  for (std::size_t k = 0; k < n; ++k) w.answer[static_cast<std::size_t>(v) + k] = qdd[k][0];
+}
+
+// What goes into a message, and out of one.
+template <class M>
+Number* put(Number* to, const M& m) {
+  Eigen::Map<Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>>{to} =
+      m.template cast<Number>();
+  return to + M::SizeAtCompileTime;
+}
+
+template <class M>
+const Number* get(const Number* from, M& m) {
+  using Content = Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>;
+  m = Eigen::Map<const Content>(from).template cast<Real>();
+  return from + M::SizeAtCompileTime;
+}
+
+template <std::size_t n>
+Number* put(Number* to, const std::array<Real, n>& x) {
+  return std::copy(x.begin(), x.end(), to);
+}
+
+template <std::size_t n>
+const Number* get(const Number* from, std::array<Real, n>& x) {
+  std::transform(from, from + n, x.begin(), [](Number value) { return Real(value); });
+  return from + n;
+}
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 15 of 15 joints: "root", "left_hip", "left_knee", "left_ankle", "right_hip", "right_knee", ...
+// Process 0: 6 of 15 joints: "root", "left_hip", "right_hip", "right_knee", "right_ankle", "spine"
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 51, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 40, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 0, 40, &JointConstants::v, kNotFinite);
+  require_finite(w, w.q, 0, 11, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 16, 13, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 9, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 13, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 9, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 13, 10, &JointConstants::v, kNotFinite);
   stamp(0);
-  take_angles<0, 14>(w);
-  turn<block(4), block(7) + 1>(w);
+  std::copy_n(w.q + 20, 1, w.angle.data() + 5);
+  turn<block(5), block(5) + 1>(w);
   orient<1>(w);
-  orient<3>(w);
   orient<4>(w);
   orient<6>(w);
   orient<7>(w);
+  free_base_frame<0>(w);
+  outward<1, 1>(w);  // "left_hip"
+  outward<4, 6>(w);  // "right_hip" .. "right_ankle"
+  outward<7, 7>(w);  // "spine"
+  stamp(1);
+  set_up_links<block(0), block(6) + 1>(w);
+  free_base<0, true>(w);
+  inward<0, 4, 6, false>(w);  // "right_hip" .. "right_ankle"
+  invert_root<0, 1>(w, w.j_right_hip.Phi_pelvis, w.j_right_hip.b_pelvis);
+  stamp(2);
+  {  // from process 1: assembled: chain of "left_knee"
+    const Real* from = channel.receive(0, w.status);
+    from = get(from, w.j_left_knee.Phi_left_thigh);
+    from = get(from, w.j_left_knee.b_left_thigh);
+  }
+  stamp(3);
+  {
+    auto& i = w.j_left_hip;
+    set_transforms(w, 1, i.X, i.Y);
+    load_torque(w, 1, 6, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_right_hip.Phi_pelvis;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_left_knee.Phi_left_thigh, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_right_hip.b_pelvis, i.Y * w.j_left_knee.b_left_thigh, c))
+      fail(w, kFactorization, 1);
+    couple(i.joined, X_Phi_A, i.at_pelvis);
+    i.Phi_pelvis = w.j_right_hip.Phi_pelvis - product(i.at_pelvis, i.at_pelvis);  // Eq. (3)
+    i.b_pelvis = w.j_right_hip.b_pelvis - bias_change(i.joined, i.at_pelvis);  // Eq. (6)
+  }
+  stamp(4);
+  {  // from process 2: assembled: chain of "left_shoulder"
+    const Real* from = channel.receive(2, w.status);
+    from = get(from, w.j_left_shoulder.Phi_trunk);
+    from = get(from, w.j_left_shoulder.b_trunk);
+  }
+  stamp(5);
+  {
+    auto& i = w.j_spine;
+    set_transforms(w, 7, i.X, i.Y);
+    load_torque(w, 7, 20, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_left_hip.Phi_pelvis;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_left_shoulder.Phi_trunk, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_left_hip.b_pelvis, i.Y * w.j_left_shoulder.b_trunk, c))
+      fail(w, kFactorization, 7);
+  }
+  stamp(6);
+  {
+    auto& i = w.j_spine;
+    Release<Spherical> release(i.joined);
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    store_acceleration(w, 7, 20, release.qdd());  // Eq. (9)
+    w.j_left_hip.F_on_pelvis = -i.X.transposed_times(f);
+    w.j_left_shoulder.F_on_trunk = i.Y.transposed_times(f);
+  }
+  stamp(7);
+  {  // to process 2: forces on: chain of "left_shoulder"
+    Real* to = channel.outgoing(3, w.status);
+    to = put(to, w.j_left_shoulder.F_on_trunk);
+    channel.send(3, w.status);
+  }
+  stamp(8);
+  {
+    auto& i = w.j_left_hip;
+    Release<Spherical> release(i.joined);
+    release.feel_A(i.at_pelvis, w.j_left_hip.F_on_pelvis);
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    store_acceleration(w, 1, 6, release.qdd());  // Eq. (9)
+    w.j_right_hip.F_on_pelvis = w.j_left_hip.F_on_pelvis - i.X.transposed_times(f);
+    w.j_left_knee.F_on_left_thigh = i.Y.transposed_times(f);
+  }
+  stamp(9);
+  {  // to process 1: forces on: chain of "left_knee"
+    Real* to = channel.outgoing(4, w.status);
+    to = put(to, w.j_left_knee.F_on_left_thigh);
+    channel.send(4, w.status);
+  }
+  stamp(10);
+  w.loads[1] = w.j_right_hip.F_on_pelvis;
+  w.motions[1] = motion_of(w.j_right_hip.b_pelvis + w.j_right_hip.Phi_pelvis * w.loads[1]);
+  accelerate<0, 4, 6>(w);  // "right_hip" .. "right_ankle"
+  free_acceleration<0>(w);
+  stamp(11);
+  require_finite(w, w.answer.data(), 0, 9, &JointConstants::v, kOverflow);
+  require_finite(w, w.answer.data(), 13, 10, &JointConstants::v, kOverflow);
+  give(w, 0, 9);
+  give(w, 13, 10);
+}
+
+// Process 1: 2 of 15 joints: "left_knee", "left_ankle"; kinematics of 2 more on the way to the ground
+void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 16, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 13, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 9, 4, &JointConstants::v, kNotFinite);
+  stamp(0);
+  std::copy_n(w.q + 11, 1, w.angle.data() + 2);
+  turn<block(2), block(2) + 1>(w);
+  orient<1>(w);
+  orient<3>(w);
+  free_base_frame<0>(w);
+  pass_outward<1, 1>(w);  // "left_hip"
+  outward<2, 3>(w);  // "left_knee" .. "left_ankle"
+  stamp(1);
+  set_up_links<block(1), block(3) + 1>(w);
+  inward<1, 2, 3, true>(w);  // "left_knee" .. "left_ankle"
+  invert_root<1, 2>(w, w.j_left_knee.Phi_left_thigh, w.j_left_knee.b_left_thigh);
+  stamp(2);
+  {  // to process 0: assembled: chain of "left_knee"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.j_left_knee.Phi_left_thigh);
+    to = put(to, w.j_left_knee.b_left_thigh);
+    channel.send(0, w.status);
+  }
+  stamp(3);
+  {  // from process 0: forces on: chain of "left_knee"
+    const Real* from = channel.receive(4, w.status);
+    from = get(from, w.j_left_knee.F_on_left_thigh);
+  }
+  stamp(4);
+  w.loads[2] = w.j_left_knee.F_on_left_thigh;
+  w.motions[2] = motion_of(w.j_left_knee.b_left_thigh + w.j_left_knee.Phi_left_thigh * w.loads[2]);
+  accelerate<1, 2, 3>(w);  // "left_knee" .. "left_ankle"
+  stamp(5);
+  require_finite(w, w.answer.data(), 9, 4, &JointConstants::v, kOverflow);
+  give(w, 9, 4);
+}
+
+// Process 2: 5 of 15 joints: "left_shoulder", "neck", "right_shoulder", "right_elbow", "right_wrist"; kinematics of 2 more on the way to the ground
+void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 25, 8, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 38, 13, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 20, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 30, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 23, 3, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 30, 10, &JointConstants::v, kNotFinite);
+  stamp(0);
+  std::copy_n(w.q + 46, 1, w.angle.data() + 13);
+  turn<block(13), block(13) + 1>(w);
+  orient<7>(w);
   orient<8>(w);
-  orient<10>(w);
   orient<11>(w);
   orient<12>(w);
   orient<14>(w);
   free_base_frame<0>(w);
-  outward<7, 7>(w);  // "spine"
-  outward_abreast<kLimbs0>(w);
+  pass_outward<7, 7>(w);  // "spine"
+  outward<8, 8>(w);  // "left_shoulder"
   outward<11, 11>(w);  // "neck"
+  outward<12, 14>(w);  // "right_shoulder" .. "right_wrist"
   stamp(1);
-  set_up_links<block(0), block(14) + 1>(w);
-  free_base<0, true>(w);
-  {
-    const auto X = inward_abreast<0, kLimbs0>(w);
-    leave<false>(w, 1, lane(X, 0));
-    leave<false>(w, 1, lane(X, 1));
-    leave<true>(w, 8, lane(X, 2));
-    leave<false>(w, 8, lane(X, 3));
-  }
-  inward<0, 11, 11, false>(w);  // "neck"
-  inward<0, 7, 7, false>(w);  // "spine"
-  solve_root<0, 1>(w);
+  set_up_links<block(7), block(14) + 1>(w);
+  inward<2, 12, 14, true>(w);  // "right_shoulder" .. "right_wrist"
+  inward<2, 11, 11, false>(w);  // "neck"
+  invert_root<2, 8>(w, w.j_right_shoulder.Phi_trunk, w.j_right_shoulder.b_trunk);
   stamp(2);
-  accelerate<0, 7, 7>(w);  // "spine"
-  accelerate_abreast<0, kLimbs0>(w);
-  accelerate<0, 11, 11>(w);  // "neck"
-  free_acceleration<0>(w);
+  {  // from process 3: assembled: chain of "left_elbow"
+    const Real* from = channel.receive(1, w.status);
+    from = get(from, w.j_left_elbow.Phi_left_upper_arm);
+    from = get(from, w.j_left_elbow.b_left_upper_arm);
+  }
   stamp(3);
-  require_finite(w, w.answer.data(), 0, 40, &JointConstants::v, kOverflow);
-  give(w, 0, 40);
+  {
+    auto& i = w.j_left_shoulder;
+    set_transforms(w, 8, i.X, i.Y);
+    load_torque(w, 8, 23, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_right_shoulder.Phi_trunk;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_left_elbow.Phi_left_upper_arm, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_right_shoulder.b_trunk, i.Y * w.j_left_elbow.b_left_upper_arm, c))
+      fail(w, kFactorization, 8);
+    couple(i.joined, X_Phi_A, i.at_trunk);
+    i.Phi_trunk = w.j_right_shoulder.Phi_trunk - product(i.at_trunk, i.at_trunk);  // Eq. (3)
+    i.b_trunk = w.j_right_shoulder.b_trunk - bias_change(i.joined, i.at_trunk);  // Eq. (6)
+  }
+  stamp(4);
+  {  // to process 0: assembled: chain of "left_shoulder"
+    Real* to = channel.outgoing(2, w.status);
+    to = put(to, w.j_left_shoulder.Phi_trunk);
+    to = put(to, w.j_left_shoulder.b_trunk);
+    channel.send(2, w.status);
+  }
+  stamp(5);
+  {  // from process 0: forces on: chain of "left_shoulder"
+    const Real* from = channel.receive(3, w.status);
+    from = get(from, w.j_left_shoulder.F_on_trunk);
+  }
+  stamp(6);
+  {
+    auto& i = w.j_left_shoulder;
+    Release<Spherical> release(i.joined);
+    release.feel_A(i.at_trunk, w.j_left_shoulder.F_on_trunk);
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    store_acceleration(w, 8, 23, release.qdd());  // Eq. (9)
+    w.j_right_shoulder.F_on_trunk = w.j_left_shoulder.F_on_trunk - i.X.transposed_times(f);
+    w.j_left_elbow.F_on_left_upper_arm = i.Y.transposed_times(f);
+  }
+  stamp(7);
+  {  // to process 3: forces on: chain of "left_elbow"
+    Real* to = channel.outgoing(5, w.status);
+    to = put(to, w.j_left_elbow.F_on_left_upper_arm);
+    channel.send(5, w.status);
+  }
+  stamp(8);
+  w.loads[8] = w.j_right_shoulder.F_on_trunk;
+  w.motions[8] = motion_of(w.j_right_shoulder.b_trunk + w.j_right_shoulder.Phi_trunk * w.loads[8]);
+  accelerate<2, 11, 11>(w);  // "neck"
+  accelerate<2, 12, 14>(w);  // "right_shoulder" .. "right_wrist"
+  stamp(9);
+  require_finite(w, w.answer.data(), 23, 3, &JointConstants::v, kOverflow);
+  require_finite(w, w.answer.data(), 30, 10, &JointConstants::v, kOverflow);
+  give(w, 23, 3);
+  give(w, 30, 10);
 }
 
-// Process 1: has nothing to do
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-}
-
-// Process 2: has nothing to do
-void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-}
-
-// Process 3: has nothing to do
+// Process 3: 2 of 15 joints: "left_elbow", "left_wrist"; kinematics of 3 more on the way to the ground
 void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 25, 13, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 20, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 26, 4, &JointConstants::v, kNotFinite);
+  stamp(0);
+  std::copy_n(w.q + 33, 1, w.angle.data() + 9);
+  turn<block(9), block(9) + 1>(w);
+  orient<7>(w);
+  orient<8>(w);
+  orient<10>(w);
+  free_base_frame<0>(w);
+  pass_outward<7, 8>(w);  // "spine" .. "left_shoulder"
+  outward<9, 10>(w);  // "left_elbow" .. "left_wrist"
+  stamp(1);
+  set_up_links<block(8), block(10) + 1>(w);
+  inward<3, 9, 10, true>(w);  // "left_elbow" .. "left_wrist"
+  invert_root<3, 9>(w, w.j_left_elbow.Phi_left_upper_arm, w.j_left_elbow.b_left_upper_arm);
+  stamp(2);
+  {  // to process 2: assembled: chain of "left_elbow"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.j_left_elbow.Phi_left_upper_arm);
+    to = put(to, w.j_left_elbow.b_left_upper_arm);
+    channel.send(1, w.status);
+  }
+  stamp(3);
+  {  // from process 2: forces on: chain of "left_elbow"
+    const Real* from = channel.receive(5, w.status);
+    from = get(from, w.j_left_elbow.F_on_left_upper_arm);
+  }
+  stamp(4);
+  w.loads[9] = w.j_left_elbow.F_on_left_upper_arm;
+  w.motions[9] = motion_of(w.j_left_elbow.b_left_upper_arm + w.j_left_elbow.Phi_left_upper_arm * w.loads[9]);
+  accelerate<3, 9, 10>(w);  // "left_elbow" .. "left_wrist"
+  stamp(5);
+  require_finite(w, w.answer.data(), 26, 4, &JointConstants::v, kOverflow);
+  give(w, 26, 4);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<int, 51> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50};
-constexpr std::array<int, 40> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
-constexpr std::array<int, 40> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
-constexpr std::array<int, 40> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 24> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28};
+constexpr std::array<int, 19> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
+constexpr std::array<int, 19> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
+constexpr std::array<int, 19> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22};
+constexpr std::array<int, 16> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+constexpr std::array<int, 13> kReadV_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+constexpr std::array<int, 4> kOwn_1{9, 10, 11, 12};
+constexpr std::array<int, 4> kTorque_1{9, 10, 11, 12};
+constexpr std::array<int, 28> kReadQ_2{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 29, 30, 31, 32, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50};
+constexpr std::array<int, 22> kReadV_2{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 13> kOwn_2{23, 24, 25, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 13> kTorque_2{23, 24, 25, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39};
+constexpr std::array<int, 20> kReadQ_3{0, 1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37};
+constexpr std::array<int, 16> kReadV_3{0, 1, 2, 3, 4, 5, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
+constexpr std::array<int, 4> kOwn_3{26, 27, 28, 29};
+constexpr std::array<int, 4> kTorque_3{26, 27, 28, 29};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {51, kReadQ_0.data(), 40, kReadV_0.data(), 40, kOwn_0.data(), 40, kTorque_0.data()},
-    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
-    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
-    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
+    {24, kReadQ_0.data(), 19, kReadV_0.data(), 19, kOwn_0.data(), 19, kTorque_0.data()},
+    {16, kReadQ_1.data(), 13, kReadV_1.data(), 4, kOwn_1.data(), 4, kTorque_1.data()},
+    {28, kReadQ_2.data(), 22, kReadV_2.data(), 13, kOwn_2.data(), 13, kTorque_2.data()},
+    {20, kReadQ_3.data(), 16, kReadV_3.data(), 4, kOwn_3.data(), 4, kTorque_3.data()},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -3690,13 +4444,46 @@ class Watch {
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 3> kStages_0{ {
-    {"kinematics", 14, -1},
+constexpr std::array<Stage, 11> kStages_0{ {
+    {"kinematics", 7, -1},
+    {"assembly", 4, -1},
+    {"receive", -1, 0},
     {"assembly", 1, -1},
+    {"receive", -1, 2},
+    {"assembly", 7, -1},
+    {"disassembly", 7, -1},
+    {"send", -1, 3},
     {"disassembly", 1, -1},
+    {"send", -1, 4},
+    {"disassembly", 4, -1},
 } };
-constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), nullptr, nullptr, nullptr};
-constexpr std::array<int, kProcesses> kStageCount{3, 0, 0, 0};
+constexpr std::array<Stage, 5> kStages_1{ {
+    {"kinematics", 3, -1},
+    {"assembly", 2, -1},
+    {"send", -1, 0},
+    {"receive", -1, 4},
+    {"disassembly", 2, -1},
+} };
+constexpr std::array<Stage, 9> kStages_2{ {
+    {"kinematics", 14, -1},
+    {"assembly", 11, -1},
+    {"receive", -1, 1},
+    {"assembly", 8, -1},
+    {"send", -1, 2},
+    {"receive", -1, 3},
+    {"disassembly", 8, -1},
+    {"send", -1, 5},
+    {"disassembly", 11, -1},
+} };
+constexpr std::array<Stage, 5> kStages_3{ {
+    {"kinematics", 10, -1},
+    {"assembly", 9, -1},
+    {"send", -1, 1},
+    {"receive", -1, 5},
+    {"disassembly", 9, -1},
+} };
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data(), kStages_2.data(), kStages_3.data()};
+constexpr std::array<int, kProcesses> kStageCount{11, 5, 9, 5};
 
 struct Statistics {
   double median = 0, least = 0, percentile99 = 0;

@@ -19,8 +19,8 @@ SPOILT = {
     ),
     "a torque is taken for its opposite": (
         "arm7_p1",
-        r"tau\[k\]\[0\] = w\.tau\[v",
-        "tau[k][0] = -w.tau[v",
+        r"tau\[k\]\[0\] = Real\(w\.tau\[v",
+        "tau[k][0] = -Real(w.tau[v",
     ),
     "a velocity product is left out": (
         "arm7_p1",

@@ -14,6 +14,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from adagen.emit import emit, stem_of, templates_folder
+from adagen.schedule import load_profile
 from tests.emitted import QUICK, Builder, Solver, cores, plan_of
 from tests.models import serial_chain
 
@@ -161,4 +162,9 @@ def test_the_source_holds_what_messages_are_taken_to_cost() -> None:
     (source,) = (text[name] for name in text if name.endswith(".cpp"))
     lines = source.splitlines()
     (window,) = (b for a, b in pairwise(lines) if a == "// As the cost profile default has them.")
-    assert window == "constexpr Hop kWindowHop{0, 58.7, 0.934};"
+    costs = load_profile("default").steps
+    assert costs is not None
+    told = ", ".join(
+        f"{1e3 * x:g}" for x in (costs.window.send, costs.window.latency, costs.window.number)
+    )
+    assert window == f"constexpr Hop kWindowHop{{{told}}};"

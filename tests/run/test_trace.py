@@ -15,7 +15,7 @@ from adagen.errors import InputError
 from adagen.plan import Plan, make_plan
 from adagen.plan.stages import stages
 from adagen.predict import predict
-from adagen.schedule import Topology, find_schedule, load_profile
+from adagen.schedule import Topology, load_profile, named_schedule
 from adagen.schedule.draw_trace import machine_svg
 from adagen.schedule.trace import read_trace
 from tests.emitted import Builder, Solver
@@ -26,7 +26,9 @@ NAMES = [joint.name for joint in MODEL.joints]
 
 
 def human_plan(processes: int, form: str = "segment") -> Plan:
-    schedule = find_schedule(Topology.of(MODEL), processes, profile=load_profile("default"))
+    schedule = named_schedule(
+        "balanced", Topology.of(MODEL), processes, profile=load_profile("default")
+    )
     return make_plan(MODEL, schedule, form=form)
 
 

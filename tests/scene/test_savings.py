@@ -13,7 +13,7 @@ from adagen.plan.operations import operations
 from adagen.plan.steps import Join
 from adagen.plan.types import Plan
 from adagen.scene import apply_scene, read_scene
-from adagen.schedule import Topology, find_schedule, load_profile
+from adagen.schedule import Topology, find_schedule, load_profile, named_schedule
 from adagen.urdf import read_robot
 from tests.models import binary, serial_chain
 from tests.scene.texts import reduced
@@ -71,7 +71,9 @@ def test_operations_grow_with_the_chain_not_faster() -> None:
 def test_every_step_of_a_plan_is_counted() -> None:
     """Two processes and the paper's form need more arithmetic than the serial algorithm."""
     model = serial_chain(60)
-    one, two = operations(plan_of(model, 1)), operations(plan_of(model, 2))
+    topology, profile = Topology.of(model), load_profile("default")
+    halves = make_plan(model, named_schedule("balanced", topology, 2, profile=profile))
+    one, two = operations(plan_of(model, 1)), operations(halves)
     paper = plan_of(model, 1, "ada")
     assert one < two < operations(paper)
     assert any(isinstance(step, Join) for step in paper.processes[0].steps)
