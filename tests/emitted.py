@@ -24,7 +24,7 @@ from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.reference import exact_forward_dynamics
 from adagen.run import Completed, launch
-from adagen.schedule import Topology, find_schedule, load_profile
+from adagen.schedule import Topology, find_schedule, load_profile, named_schedule
 from adagen.states import States, read_result, write_states
 
 Array = NDArray[np.float64]
@@ -112,9 +112,12 @@ def _locked(path: Path) -> Iterator[None]:
 
 
 def plan_of(model: Model, processes: int, **options: Any) -> Plan:
-    """Return the plan that the command line makes of a robot."""
-    profile = load_profile("default")
-    schedule = find_schedule(Topology.of(model), processes, profile=profile)
+    """Return a plan that gives every process its part, whether that pays or not."""
+    profile, topology = load_profile("default"), Topology.of(model)
+    if processes == 1:
+        schedule = find_schedule(topology, 1, profile=profile)
+    else:
+        schedule = named_schedule("balanced", topology, processes, profile=profile)
     return make_plan(model, schedule, **options)
 
 
