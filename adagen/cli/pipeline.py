@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from adagen.model import Model
     from adagen.plan import Plan
     from adagen.schedule import CostProfile, Schedule, Topology
-    from adagen.schedule.timeline import MachineTimeline
 
 
 @dataclass(frozen=True)
@@ -269,22 +268,6 @@ def _warn_of_lost_digits(plan: Plan, file: str) -> None:
             f'link at joint "{plan.joints[growth.joint].name}" is much lighter than its neighbours;'
             " form segment keeps more digits"
         )
-
-
-def prediction(schedule: Schedule, line: MachineTimeline | None) -> str:
-    """Return in a few words what a schedule is predicted to cost.
-
-    Args:
-        schedule: the schedule.
-        line: how it is predicted to go on a machine, where the profile tells that.
-    """
-    if line is not None and line.straight:
-        return f"{line.makespan:.2f} us predicted ({schedule.profile} profile, shape unrolled)"
-    if schedule.verdict == "optimal":
-        proof = "optimal"
-    else:
-        proof = f"not proven optimal: at most {schedule.gap:.1%} above it"
-    return f"{schedule.makespan:.2f} us predicted ({schedule.profile} profile, {proof})"
 
 
 def source_hash(path: Path) -> str:

@@ -98,6 +98,28 @@ def timeline_of(plan: Plan, options: argparse.Namespace) -> MachineTimeline | No
     return predict(plan, profile, priced_shape(options))
 
 
+def prediction(schedule: Schedule, line: MachineTimeline | None) -> str:
+    """Return in a few words what a schedule is predicted to cost.
+
+    Args:
+        schedule: the schedule.
+        line: how it is predicted to go on a machine, where the profile tells that; the search
+            prices one step after the other, and neither straight lines nor limbs side by side.
+    """
+    if line is not None and line.straight:
+        return f"{line.makespan:.2f} us predicted ({schedule.profile} profile, shape unrolled)"
+    if schedule.verdict == "optimal":
+        proof = "optimal"
+    else:
+        proof = f"not proven optimal: at most {schedule.gap:.1%} above it"
+    proof = f"({schedule.profile} profile, {proof})"
+    searched = f"{schedule.makespan:.2f} us"
+    told = searched if line is None else f"{line.makespan:.2f} us"
+    if told == searched:
+        return f"{told} predicted {proof}"
+    return f"{told} predicted; the search priced it at {searched} {proof}"
+
+
 def predicted_accuracy(
     model: Model, schedule: Schedule, options: argparse.Namespace
 ) -> Digits | None:

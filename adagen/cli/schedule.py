@@ -9,7 +9,13 @@ from typing import TYPE_CHECKING
 from adagen.cli.console import Stages, note
 from adagen.cli.options import add_model, add_schedule, check_search
 from adagen.cli.parser import make_parser, parse
-from adagen.cli.predicted import accuracy_line, predicted_accuracy, timeline, with_accuracy
+from adagen.cli.predicted import (
+    accuracy_line,
+    predicted_accuracy,
+    prediction,
+    timeline,
+    with_accuracy,
+)
 
 if TYPE_CHECKING:
     import argparse
@@ -69,7 +75,6 @@ def run(argv: Sequence[str]) -> int:
 
 def _show(model: Model, schedule: Schedule, options: argparse.Namespace) -> None:
     """Print the tree, what each process does, and what is predicted, for people."""
-    from adagen.cli.pipeline import prediction
     from adagen.schedule import Topology, schedule_tree
 
     print(schedule_tree(schedule, Topology.of(model)))
@@ -116,10 +121,11 @@ def _show_machine(schedule: Schedule, line: MachineTimeline, form: str) -> None:
     console.print(table)
     if line.straight:
         return
-    above = line.makespan / schedule.lower_bound - 1
     proof = ""
     by_steps = schedule.split == "always" and schedule.strategy not in ("astar", "paper")
-    if form == "segment" and by_steps:
+    # What is proven is of one step after the other; limbs side by side can be faster than that.
+    if form == "segment" and by_steps and line.makespan >= schedule.lower_bound:
+        above = line.makespan / schedule.lower_bound - 1
         proof = f", at most {above:.1%} above what is proven to be the least"
     said = f"{line.makespan:.2f} us step by step, waiting and messages included{proof}"
     console.print(said, soft_wrap=True)

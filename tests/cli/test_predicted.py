@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -106,3 +107,21 @@ def test_stored_profiles_are_found_by_name(
     for name, status in (("machine", 0), ("default", 0), ("other", 2)):
         assert main(["schedule", str(arm), "--procs", "1", "--profile", name]) == status
     assert "one of default, paper, machine;" in capsys.readouterr().err
+
+
+def test_the_same_time_is_told_everywhere(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Also where limbs are side by side, which is faster than what the search prices."""
+    robot = Path(__file__).resolve().parents[2] / "generated_examples/models/humanoid.urdf"
+    scene = tmp_path / "planar.toml"
+    scene.write_text('base = { kind = "planar" }\n')
+    words = [str(robot), "--procs", "2", "--scene", str(scene)]
+    assert main(["schedule", *words]) == 0
+    stdout, stderr = capsys.readouterr()
+    (told,) = re.findall(r"processes do not pay: predicted (\S+) us", stderr)
+    assert f"{told} us step by step" in stdout
+    assert f"{told} us predicted; the search priced it at" in stdout
+    assert "at most -" not in stdout
+    assert main([*words, "--out", str(tmp_path / "o")]) == 0
+    assert f"{told} us predicted" in capsys.readouterr().err
