@@ -12,15 +12,12 @@ from __future__ import annotations
 import argparse
 import platform
 import sys
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.build import build_executable, find_toolchain
-from adagen.emit import emit, stem_of
 from adagen.errors import AdagenError
 from adagen.model import Model
 from adagen.plan import make_plan
@@ -32,11 +29,11 @@ from adagen.reference import (
     joint_space_inertia,
     residual,
 )
-from adagen.run import launch
 from adagen.schedule import Topology, find_schedule, load_profile
-from adagen.states import States, random_states, read_result, write_states
+from adagen.states import States, random_states
 from adagen.urdf import read_robot
 from benchmarks.page import write_between_marks
+from benchmarks.solvers import answers
 
 Array = NDArray[np.float64]
 ROOT = Path(__file__).resolve().parents[1]
@@ -51,17 +48,7 @@ def emitted(model: Model, form: str, scalar: str, processes: int, states: States
         cuttable=cuttable_joints(model, scalar) if form == "segment" else None,
     )
     plan = make_plan(model, schedule, form=form, scalar=scalar)
-    stem = stem_of(plan)
-    toolchain = find_toolchain()
-    program = build_executable(emit(plan)[f"{stem}.cpp"], stem, toolchain)
-    with tempfile.TemporaryDirectory() as folder:
-        given, found = Path(folder, "states.json"), Path(folder, "result.json")
-        write_states(states, model, given)
-        words = ["--states", str(given), "--result", str(found)]
-        ran = launch(program, processes, words, toolchain, timeout=120)
-        if ran.status != 0:
-            raise RuntimeError(ran.stderr.strip())
-        return read_result(found, model)
+    return answers(plan, model, states).qdd
 
 
 def errors(model: Model, states: States, truth: Array, found: Array) -> tuple[float, float]:

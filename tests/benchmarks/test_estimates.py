@@ -1,0 +1,81 @@
+"""Error estimates beside true errors: what counts, and what a record looks like."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.reference import exact_forward_dynamics
+from adagen.states import random_states, write_result, write_states
+from adagen.urdf import read_robot
+from benchmarks.estimates import main, subjects
+from benchmarks.estimates_report import Row, judged, report, within
+from tests.cli.test_generate import write_arm
+
+
+def test_within_is_a_factor_three_either_way() -> None:
+    assert within(1.0, 2.9) and within(2.9, 1.0) and within(0.0, 0.0)
+    assert not within(1.0, 3.1) and not within(3.1, 1.0)
+    assert not within(0.0, 1e-16) and not within(1e-16, 0.0)
+
+
+def row(form: str, said: list[float], true: list[float], own: list[float | None]) -> Row:
+    return {"key": ["arm fixed", form, "double", 1], "said": said, "true": true, "own": own}
+
+
+def test_what_rounded_constants_explain_is_told_apart() -> None:
+    rows: list[Row] = [
+        row("ada", [1e-13, 1e-16, 1e-13], [2e-13, 9e-16, 9e-13], [None, 2e-16, 8e-13]),
+        {"key": ["leg fixed", "ada", "double", 1], "refused": "error: no: not here; or there"},
+    ]
+    assert judged(rows[0]) == ["file", "own", "beyond"]
+    text = report(rows)
+    assert "| ada, double, 1 | 2 | 1 | 3 | 1 | 1 | 1 |" in text
+    assert "| arm fixed | ada, double, 1 | 2 | 1.0e-13 | 9.0e-13 | 8.0e-13 |" in text
+    assert "| ada, double, 1 | no: not here | leg fixed |" in text
+
+
+@pytest.fixture
+def arm(tmp_path: Path) -> Path:
+    """A robot with true answers beside it."""
+    model = read_robot(write_arm(tmp_path / "arm.urdf")).model
+    states = random_states(model, 2, seed=1)
+    each = zip(states.q, states.v, states.tau, strict=True)
+    truth = np.array([exact_forward_dynamics(model, *state).value for state in each])
+    write_states(states, model, tmp_path / "states.json")
+    write_result(tmp_path / "truth.json", model, truth)
+    joints = json.loads((tmp_path / "states.json").read_text())["joints"]
+    for name, answers in json.loads((tmp_path / "truth.json").read_text())["joints"].items():
+        joints[name] |= answers
+    modes = {"fixed": {"status": "ok", "joints": joints}, "floating": {"status": "singular"}}
+    (tmp_path / "arm.json").write_text(json.dumps({"modes": modes}))
+    return tmp_path / "arm.json"
+
+
+def test_an_error_is_that_against_the_file(arm: Path) -> None:
+    (subject,) = subjects(arm)
+    assert subject.name == "arm fixed"
+    assert subject.error(1, subject.truth[1]) == 0
+    assert subject.error(1, 1.5 * subject.truth[1]) == pytest.approx(0.5)
+    assert subject.own_error(1, 1.5 * subject.truth[1]) == pytest.approx(0.5)
+    assert subject.own_error(1, subject.truth[1]) < 1e-15
+
+
+@pytest.mark.slow
+def test_a_record_is_added_to_and_told(
+    arm: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("CXXFLAGS", "-O1")
+    record = arm.with_suffix(".jsonl")
+    words = ["measure", str(record), str(arm), "--procs", "1", "--forms", "ada"]
+    assert main([*words, "--scalars", "double"]) == 0
+    assert main(words) == 0
+    assert len(record.read_text().splitlines()) == 2
+    capsys.readouterr()
+    assert main(["report", str(record)]) == 0
+    text = capsys.readouterr().out
+    assert "| ada, double, 1 | 1 | 0 | 2 |" in text
+    assert "| ada, mixed, 1 | 1 | 0 | 2 | 2 | 0 | 0 |" in text
