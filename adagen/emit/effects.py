@@ -6,6 +6,9 @@ one with a rotor: the rotor's inertia gives way in place of the joint.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from adagen.emit.names import quoted
 from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.types import PlanJoint
@@ -71,11 +74,13 @@ def _stretch(words: Words, joint: PlanJoint) -> str:
     return words.printer.linear([(multiplier, f"w.q[{q}]")], offset - joint.rest)
 
 
-def prescribe(words: Words, j: int, c: str) -> list[str]:
-    """The lines that add S qdd to c where qdd is prescribed."""
+def prescribe(words: Words, j: int, c: str, *, turned: bool = False) -> list[str]:
+    """The lines that add S qdd to c where qdd is prescribed; ``turned``: see ``joins.assembly``."""
     joint = words.plan.joints[j]
     if not joint.prescribed:
         return []
+    if turned:
+        return [f"{c} += i.Y * columns_of(prescribed_motion(w, {j}));"]
     return [
         f"require_finite(w, w.tau + {joint.v}, {words.kind(j).nv}, {j});",
         f"prescribe<{words.type_of(j)}>(w.tau + {joint.v}, {c});",
@@ -98,6 +103,15 @@ def pushes(words: Words, link: int, line: str) -> list[str]:
         line.format(f"outer_force(w, {k}, {start + 6 * k}, {link - 1})")
         for k, wrench in enumerate(plan.wrenches)
         if wrench.link == link
+    ]
+
+
+def push_calls(words: Words, links: Sequence[int]) -> list[str]:
+    """The calls by which shape kernels lets the outer forces on some links act."""
+    return [
+        f"push<{k}>(w);  // on link {quoted(wrench.name)}"
+        for k, wrench in enumerate(words.plan.wrenches)
+        if wrench.link in links
     ]
 
 

@@ -6,9 +6,10 @@ from collections.abc import Iterable, Sequence
 from itertools import groupby
 
 from adagen.emit import mobility
+from adagen.emit.effects import push_calls
 from adagen.emit.layout import Layout
 from adagen.emit.processes import describe_message
-from adagen.emit.runs import Run, ends_of_run, parts_of, runs, spans, swept
+from adagen.emit.runs import Run, ends_of_run, parts_of, runs, spans, sweep_of, swept
 from adagen.emit.stages import stamped_groups
 from adagen.emit.words import Words
 from adagen.plan.abreast import Limbs, ends_of, inward_order, outward_order, placed_links
@@ -180,6 +181,7 @@ class KernelLines:
     def _StartLink(self, steps: list[StartLink]) -> list[str]:  # noqa: N802
         links = [step.link for step in steps]
         lines = [f"set_up_links<{a}, {b}>(w);" for a, b in self._blocks(link - 1 for link in links)]
+        lines += push_calls(self.words, links)
         for link in [link for link in links if link in self.placed]:
             starts = self._starts(link)
             lines.append(f"place<{link}, {starts}>(w);  // {self.words.quoted_link(link)} itself")
@@ -248,10 +250,10 @@ class KernelLines:
                 continue
             for run in swept(self.joints, [by_joint[j] for j in part]):
                 near = ends_of_run(self.joints, run)[0]
+                if near == 0 and self.joints[run.first].prescribed:
+                    continue  # the ground moves as it does, and so does what it carries
                 self.gathers.add(near)
-                starts = self._starts(near)
-                verb = "inward_reversed" if run.reversed else "inward"
-                call = f"{verb}<{self.p}, {run.first}, {run.last}, {starts}>(w);"
+                call = sweep_of(self.joints, run, "inward", self.p, self._starts(near))
                 lines.append(call + self._names(run))
         return lines
 
@@ -281,8 +283,7 @@ class KernelLines:
                 continue
             for run in swept(self.joints, [by_joint[j] for j in part]):
                 self.parts.add(ends_of_run(self.joints, run)[0])
-                verb = "accelerate_reversed" if run.reversed else "accelerate"
-                call = f"{verb}<{self.p}, {run.first}, {run.last}>(w);"
+                call = sweep_of(self.joints, run, "accelerate", self.p)
                 lines.append(call + self._names(run))
         return lines
 

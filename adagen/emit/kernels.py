@@ -59,7 +59,7 @@ def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted in this shape; None where it can."""
     if plan.form != "segment":
         return f"it is for form segment, not {plan.form}"
-    if (reason := why_not_gather(plan.joints, plan.wrenches)) is not None:
+    if (reason := why_not_gather(plan.joints)) is not None:
         return reason
     for process in plan.processes:
         for step in mobility.all_steps(process):
@@ -79,7 +79,7 @@ def values(words: Words) -> dict[str, object]:
     ]
     lines = [writer.all_lines() for writer in writers]
     return {
-        "runtime": [*RUNTIME, *(mobility.RUNTIME if cuts else ())],
+        "runtime": [*RUNTIME, *(mobility.runtime(plan) if cuts else ())],
         "cuts": cuts,
         "cut_joints": [
             {"type": f"Joint_{words.joints[j]}", "id": f"j_{words.joints[j]}", "members": lines}

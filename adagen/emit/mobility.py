@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections import defaultdict
 from dataclasses import replace
 
-from adagen.emit import joins
+from adagen.emit import effects, joins
 from adagen.emit.words import Words
 from adagen.plan import Plan
+from adagen.plan.edges import is_free_base
 from adagen.plan.steps import (
     AccelerateRoot,
     Deliver,
@@ -44,12 +45,17 @@ STEPS = (
     | HoldMobility
 )
 
-RUNTIME = ("spatial.hpp", "joins.hpp")
-
 
 def has_cuts(plan: Plan) -> bool:
     """Return whether processes of a plan show mobilities to each other."""
     return any(isinstance(step, STEPS) for process in plan.processes for step in process.steps)
+
+
+def runtime(plan: Plan) -> list[str]:
+    """Return the parts of the runtime that joins need."""
+    joined = {s.joint for p in plan.processes for s in all_steps(p) if isinstance(s, Join)}
+    held = any(plan.joints[j].prescribed or plan.joints[j].rotor_inertia for j in joined)
+    return ["spatial.hpp", "joins.hpp", *["effects.hpp"] * held]
 
 
 def all_steps(process: Process) -> tuple[Step, ...]:
@@ -65,7 +71,7 @@ def why_not(plan: Plan) -> str | None:
                 return f'several joints up to "{plan.joints[step.joint].name}" are joined as one'
             if isinstance(step, Propagate):
                 joint = plan.joints[step.joint]
-                if joint.kind in ("planar", "floating"):
+                if joint.kind in ("planar", "floating") and not joint.prescribed:
                     return f'mobility would pass joint "{joint.name}", which is {joint.kind}'
     return None
 
@@ -83,10 +89,13 @@ def members(words: Words) -> dict[int, list[str]]:
                 assert bias.joint is not None
                 lines[bias.joint][f"Columns6 b_{words.links[bias.handle]};"] = None
             if isinstance(step, Join):
-                kind = words.type_of(step.joint)
+                kind = effects.joined_type(words, step.joint)
                 own = lines[step.joint]
                 own["Transform X, Y;  // to the joint's frame, about its two links' origins"] = None
                 own[f"Joined<{kind}> joined;"] = None
+                if words.plan.joints[step.joint].rotor_inertia:
+                    torque = effects.freedoms_type(words, step.joint)
+                    own[f"{torque} tau;  // drives rotor and joint"] = None
                 for coupling in step.couplings:
                     own[f"Coupled<{kind}> at_{words.links[coupling.handle]};"] = None
             if isinstance(step, Disassemble):
@@ -117,7 +126,7 @@ def lines_of(words: Words, p: int, step: Step) -> list[str]:
             join = _join_of(words.plan, step.joint)
             lines = joins.disassembly(words, join, step, turned=True)
             joint = words.plan.joints[step.joint]
-            if joint.kind == "floating" and joint.parent == 0:
+            if is_free_base(joint):
                 lines.append(f"as_joint_acceleration<{step.joint}>(w);")
             return _scoped(lines)
         case Load():
@@ -131,7 +140,7 @@ def lines_of(words: Words, p: int, step: Step) -> list[str]:
             return [f"hold<{step.link}>(w, {phi}, {b});"]
         case Deliver():
             near, far = _ends(words.plan, step)
-            call = f"deliver<{_flag(step.reversed)}>(w, {step.joint}, w.loads[{far}]"
+            call = f"{_of(words, step, 'deliver')}(w, {step.joint}, w.loads[{far}]"
             return [f"{call}, w.loads[{near}]);"]
         case AccelerateRoot():
             b, phi = words.bias(step.bias), words.block(step.block)
@@ -147,8 +156,10 @@ def _scoped(lines: list[str]) -> list[str]:
     return ["{", *(f"  {line}" for line in lines), "}"]
 
 
-def _flag(value: bool) -> str:
-    return "true" if value else "false"
+def _of(words: Words, step: Propagate | Deliver, verb: str) -> str:
+    """The function that takes something across a joint."""
+    prescribed = "_prescribed" if words.plan.joints[step.joint].prescribed else ""
+    return f"{verb}{prescribed}<{'true' if step.reversed else 'false'}>"
 
 
 def _ends(plan: Plan, step: Deliver) -> tuple[int, int]:
@@ -162,18 +173,19 @@ def _join_of(plan: Plan, joint: int) -> Join:
 
 
 def _propagate(words: Words, step: Propagate) -> list[str]:
-    flag = _flag(step.reversed)
     near = "kZero" if step.near is None else words.block(step.near)
     near_bias = "kGround" if step.near_bias is None else words.bias(step.near_bias)
     far = f"{words.block(step.block)}, {words.bias(step.bias)}"
-    lines = [f"propagate<{flag}>(w, {step.joint}, {near}, {near_bias}, {far});"]
+    call = _of(words, step, "propagate")
+    lines = [f"{call}(w, {step.joint}, {near}, {near_bias}, {far});"]
+    passed = _of(words, step, "passed")
     for spread in step.spreads:
         source = words.block(spread.source)
         source += ".transpose()" if spread.source_transposed else ""
         target = ".transpose()" if spread.target_transposed else ""
         handle = words.quoted_link(spread.handle)
         lines.append(
-            f"{words.block(spread.target)} = passed<{flag}>(w, {step.joint}, {source}){target};"
+            f"{words.block(spread.target)} = {passed}(w, {step.joint}, {source}){target};"
             f"  // with link {handle}"
         )
     return lines

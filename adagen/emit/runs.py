@@ -32,11 +32,14 @@ def runs(joints: Sequence[PlanJoint], order: Iterable[int]) -> list[Run]:
 
 
 def swept(joints: Sequence[PlanJoint], steps: Sequence[Articulate | Accelerate]) -> list[Run]:
-    """Return the runs of a sweep, in its order; a sweep is either inwards or outwards."""
+    """Return the runs of a sweep, in its order; a sweep is either inwards or outwards.
+
+    A joint of prescribed motion is a run by itself.
+    """
     found: list[Run] = []
     for step in steps:
         j = step.joint
-        if found and found[-1].reversed == step.reversed:
+        if found and found[-1].reversed == step.reversed and not _alone(joints, found[-1], j):
             first, last = found[-1].first, found[-1].last
             if j == last + 1 and joints[j].parent == j:
                 found[-1] = Run(first, j, step.reversed)
@@ -48,10 +51,23 @@ def swept(joints: Sequence[PlanJoint], steps: Sequence[Articulate | Accelerate])
     return found
 
 
+def _alone(joints: Sequence[PlanJoint], run: Run, joint: int) -> bool:
+    """Whether a joint cannot be passed in a loop with a run."""
+    return joints[joint].prescribed or joints[run.first].prescribed
+
+
 def ends_of_run(joints: Sequence[PlanJoint], run: Run) -> tuple[int, int]:
     """The near and the far link of a run."""
     parent, child = joints[run.first].parent, run.last + 1
     return (child, parent) if run.reversed else (parent, child)
+
+
+def sweep_of(joints: Sequence[PlanJoint], run: Run, verb: str, process: int, *more: str) -> str:
+    """Return the call by which a process sweeps a run; ``more`` arguments follow the run's ends."""
+    prescribed = joints[run.first].prescribed
+    name = f"{verb}{'_prescribed' * prescribed}{'_reversed' * run.reversed}"
+    ends = (run.first,) if prescribed else (run.first, run.last)
+    return f"{name}<{', '.join(map(str, (process, *ends, *more)))}>(w);"
 
 
 def parts_of(units: Iterable[Unit]) -> Iterable[Limbs | list[int]]:

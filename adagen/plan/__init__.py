@@ -94,7 +94,7 @@ def make_plan(
 
 def can_gather(model: Model) -> bool:
     """Return whether processes may meet by gathering."""
-    return why_not_gather(joints_of(model), wrenches_of(model)) is None
+    return why_not_gather(joints_of(model)) is None
 
 
 def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto") -> AdaPlanner:
@@ -111,7 +111,7 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
     if clusters:
         return ClusterPlanner(joints, schedule, runs, clusters)
     if form == "segment" and (schedule.meeting if meeting == "auto" else meeting) == "gather":
-        if (reason := why_not_gather(joints, wrenches_of(model))) is not None:
+        if (reason := why_not_gather(joints)) is not None:
             raise UsageError(f"processes cannot gather: {reason}")
         return GatherPlanner(joints, schedule)
     return FORMS[form](joints, schedule, runs)

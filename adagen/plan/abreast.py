@@ -14,7 +14,14 @@ from itertools import groupby
 from typing import TypeVar
 
 from adagen.plan.stages import stages
-from adagen.plan.steps import Accelerate, Articulate, HoldMobility, Kinematics, StartLink
+from adagen.plan.steps import (
+    Accelerate,
+    Articulate,
+    HoldMobility,
+    Kinematics,
+    SolveMobility,
+    StartLink,
+)
 from adagen.plan.types import Plan, PlanJoint, Process
 
 KINDS = frozenset({"revolute", "prismatic", "spherical"})
@@ -83,7 +90,7 @@ def placed_links(plan: Plan) -> set[int]:
     """
     gathered = {link for message in plan.messages for link in message.inertias}
     steps = (step for process in plan.processes for step in process.steps)
-    return gathered | {step.link for step in steps if isinstance(step, HoldMobility)}
+    return gathered | {s.link for s in steps if isinstance(s, HoldMobility | SolveMobility)}
 
 
 def limbs_abreast(plan: Plan, process: Process) -> list[Limbs]:
@@ -255,7 +262,8 @@ def _ready(unit: Unit, open_: Counter[int], links: Mapping[int, tuple[int, int]]
 def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
     """Joints that may be taken side by side, with the stretches in which they are passed.
 
-    They are the process's own, passed once, away from the sweep's root, and their links are bare.
+    They are the process's own, passed once, away from the sweep's root, their links are bare, and
+    their motion is not prescribed.
     """
     sweeps = [
         _stretch_of(process, Kinematics),
@@ -269,6 +277,7 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
         j: tuple(sweep[j] for sweep in sweeps)
         for j in process.owns
         if plan.joints[j].kind in KINDS
+        and not plan.joints[j].prescribed
         and j + 1 in bare
         and j not in turned
         and all(j in sweep for sweep in sweeps)

@@ -44,25 +44,21 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
-from adagen.plan.types import Message, PlanJoint, PlanWrench, Process
+from adagen.plan.types import Message, PlanJoint, Process
 from adagen.schedule import postorder
 
 SMALL_CORE = 8
 """A core is small with at most one joint in so many."""
 
 
-def why_not_gather(joints: Sequence[PlanJoint], wrenches: Sequence[PlanWrench]) -> str | None:
+def why_not_gather(joints: Sequence[PlanJoint]) -> str | None:
     """Return why processes of a robot cannot gather, None where they can.
 
     What gathers is emitted in shape kernels, which does not know everything.
     """
-    if wrenches:
-        return f'an outer force acts on link "{wrenches[0].name}"'
     for joint in joints:
         if joint.mimic is not None:
             return f'joint "{joint.name}" is slaved to another'
-        if joint.prescribed:
-            return f'the motion of joint "{joint.name}" is prescribed'
         own = joint.damping or joint.friction or joint.stiffness or joint.rotor_inertia
         if own and KINDS[joint.kind].nv > 1:
             return f'joint "{joint.name}" has several freedoms and effects of its own'

@@ -179,7 +179,7 @@ def _hold(root: int, joints: Sequence[PlanJoint]) -> int:
         link = joints[link - 1].parent
     freedoms = 0
     for joint in reversed(way[1:]):
-        freedoms += KINDS[joints[joint].kind].nv
+        freedoms += 0 if joints[joint].prescribed else KINDS[joints[joint].kind].nv
         if freedoms >= HELD_FREEDOMS:
             return joint + 1
     return 0

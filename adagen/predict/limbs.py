@@ -16,7 +16,7 @@ from adagen.emit.shapes import SHAPES
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.constants import joints_of
-from adagen.plan.edges import joints_at
+from adagen.plan.edges import is_free_base, joints_at
 from adagen.plan.gather import SMALL_CORE
 from adagen.plan.gather_trees import HELD_FREEDOMS
 from adagen.plan.steps import Accelerate, Articulate, Kinematics, StartLink
@@ -120,7 +120,7 @@ class _Limbs:
         ]
         self.rate = sum(costs.speed(p) for p in range(processes))
         self.bases = [j for j, joint in enumerate(self.joints) if joint.parent == 0]
-        self.floats = len(self.bases) == 1 and self.joints[self.bases[0]].kind == "floating"
+        self.floats = len(self.bases) == 1 and is_free_base(self.joints[self.bases[0]])
         self.at = joints_at(
             self.joints,
             (j for j in range(len(self.joints)) if not (self.floats and j in self.bases)),

@@ -1966,7 +1966,7 @@ class Handout {
   }
 
  private:
-  static constexpr int kNumbers = kNq + 2 * kNv;               // of a state
+  static constexpr int kNumbers = kNq + kNv + kNtau;           // of a state
   static constexpr int kStates = 0, kSolved = 1, kFailed = 2;  // what a message is
   // States of a piece, at most: about 64 kB, which is on its way for less time than it takes.
   static constexpr int kMost =
@@ -2013,8 +2013,8 @@ class Handout {
                    int& status) {
     const long row = first;
     const std::array<const Number*, 3> from{batch.q + row * kNq, batch.v + row * kNv,
-                                            batch.tau + row * kNv};
-    const std::array<int, 3> lengths{count * kNq, count * kNv, count * kNv};
+                                            batch.tau + row * kNtau};
+    const std::array<int, 3> lengths{count * kNq, count * kNv, count * kNtau};
     std::array<MPI_Aint, 3> places;
     for (std::size_t k = 0; k < 3; ++k) MPI_Get_address(from[k], &places[k]);
     MPI_Datatype rows;
@@ -2030,7 +2030,7 @@ class Handout {
   template <class Solve>
   static bool solve_in_place(const Batch& batch, int first, int count, Solve solve) {
     const long row = first;
-    return solve(count, batch.q + row * kNq, batch.v + row * kNv, batch.tau + row * kNv,
+    return solve(count, batch.q + row * kNq, batch.v + row * kNv, batch.tau + row * kNtau,
                  batch.qdd + row * kNv);
   }
 
@@ -2112,14 +2112,15 @@ class Solver {
       const long row = first;
       spread(states, q + row * kNq, kNq, q_.data());
       spread(states, v + row * kNv, kNv, v_.data());
-      spread(states, tau + row * kNv, kNv, tau_.data());
+      spread(states, tau + row * kNtau, kNtau, tau_.data());
       if (run() == kFine) {
         for (int s = 0; s < states; ++s) take(s, qdd + (row + s) * kNv);
         continue;
       }
       good = false;
       const auto all_q = q_;
-      const auto all_v = v_, all_tau = tau_;
+      const auto all_v = v_;
+      const auto all_tau = tau_;
       for (int s = 0; s < states; ++s) {
         everywhere(q_, all_q, s), everywhere(v_, all_v, s), everywhere(tau_, all_tau, s);
         if (run() == kFine)
@@ -2140,7 +2141,7 @@ class Solver {
       if (qdd[row * kNv] == qdd[row * kNv]) continue;
       spread(1, q + row * kNq, kNq, q_.data());
       spread(1, v + row * kNv, kNv, v_.data());
-      spread(1, tau + row * kNv, kNv, tau_.data());
+      spread(1, tau + row * kNtau, kNtau, tau_.data());
       failures_.push_back({s, run()});
     }
     text = in_words(failures_.front());
@@ -2182,7 +2183,8 @@ class Solver {
   }
 
   std::array<Value, kNq> q_{};
-  std::array<Value, kNv> v_{}, tau_{}, qdd_{};
+  std::array<Value, kNv> v_{}, qdd_{};
+  std::array<Value, kNtau> tau_{};
   std::vector<FailedState> failures_;
   Handout handout_;
 };

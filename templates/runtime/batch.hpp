@@ -67,14 +67,15 @@ class Solver {
       const long row = first;
       spread(states, q + row * kNq, kNq, q_.data());
       spread(states, v + row * kNv, kNv, v_.data());
-      spread(states, tau + row * kNv, kNv, tau_.data());
+      spread(states, tau + row * kNtau, kNtau, tau_.data());
       if (run() == kFine) {
         for (int s = 0; s < states; ++s) take(s, qdd + (row + s) * kNv);
         continue;
       }
       good = false;
       const auto all_q = q_;
-      const auto all_v = v_, all_tau = tau_;
+      const auto all_v = v_;
+      const auto all_tau = tau_;
       for (int s = 0; s < states; ++s) {
         everywhere(q_, all_q, s), everywhere(v_, all_v, s), everywhere(tau_, all_tau, s);
         if (run() == kFine)
@@ -95,7 +96,7 @@ class Solver {
       if (qdd[row * kNv] == qdd[row * kNv]) continue;
       spread(1, q + row * kNq, kNq, q_.data());
       spread(1, v + row * kNv, kNv, v_.data());
-      spread(1, tau + row * kNv, kNv, tau_.data());
+      spread(1, tau + row * kNtau, kNtau, tau_.data());
       failures_.push_back({s, run()});
     }
     text = in_words(failures_.front());
@@ -137,7 +138,8 @@ class Solver {
   }
 
   std::array<Value, kNq> q_{};
-  std::array<Value, kNv> v_{}, tau_{}, qdd_{};
+  std::array<Value, kNv> v_{}, qdd_{};
+  std::array<Value, kNtau> tau_{};
   std::vector<FailedState> failures_;
   Handout handout_;
 };

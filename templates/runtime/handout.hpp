@@ -80,7 +80,7 @@ class Handout {
   }
 
  private:
-  static constexpr int kNumbers = kNq + 2 * kNv;               // of a state
+  static constexpr int kNumbers = kNq + kNv + kNtau;           // of a state
   static constexpr int kStates = 0, kSolved = 1, kFailed = 2;  // what a message is
   // States of a piece, at most: about 64 kB, which is on its way for less time than it takes.
   static constexpr int kMost =
@@ -127,8 +127,8 @@ class Handout {
                    int& status) {
     const long row = first;
     const std::array<const Number*, 3> from{batch.q + row * kNq, batch.v + row * kNv,
-                                            batch.tau + row * kNv};
-    const std::array<int, 3> lengths{count * kNq, count * kNv, count * kNv};
+                                            batch.tau + row * kNtau};
+    const std::array<int, 3> lengths{count * kNq, count * kNv, count * kNtau};
     std::array<MPI_Aint, 3> places;
     for (std::size_t k = 0; k < 3; ++k) MPI_Get_address(from[k], &places[k]);
     MPI_Datatype rows;
@@ -144,7 +144,7 @@ class Handout {
   template <class Solve>
   static bool solve_in_place(const Batch& batch, int first, int count, Solve solve) {
     const long row = first;
-    return solve(count, batch.q + row * kNq, batch.v + row * kNv, batch.tau + row * kNv,
+    return solve(count, batch.q + row * kNq, batch.v + row * kNv, batch.tau + row * kNtau,
                  batch.qdd + row * kNv);
   }
 

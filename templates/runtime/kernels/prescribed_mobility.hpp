@@ -1,0 +1,28 @@
+// Mobility across joints of prescribed motion: L only tells it at another point.
+
+template <bool reversed>
+Mat6 passed_prescribed(Workspace& w, int j, const Mat6& m) {
+  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  Motion<Lanes> rows = rows_of(m.transpose());
+  carry(rows, reversed ? -r : r);
+  return from_rows(rows).transpose();
+}
+
+template <bool reversed>
+void propagate_prescribed(Workspace& w, int j, const Mat6& near, const Columns6& near_bias,
+                          Mat6& far, Columns6& far_bias) {
+  const Mat6 half = passed_prescribed<reversed>(w, j, near);
+  far = passed_prescribed<reversed>(w, j, half.transpose());
+  Motion<Value> a = motion_of(near_bias);
+  move_prescribed<reversed>(w, j, a);
+  far_bias = columns_of(a);
+}
+
+template <bool reversed>
+void deliver_prescribed(Workspace& w, int j, const Columns6& load, Columns6& handed) {
+  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  Vector<Value> n{load[0], load[1], load[2]};
+  const Vector<Value> f{load[3], load[4], load[5]};
+  n += reversed ? cross(f, r) : cross(r, f);
+  handed += columns_of({n, f});
+}

@@ -1,0 +1,197 @@
+"""Shape kernels with outer forces, joints of prescribed motion and rotors at cuts."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.emit import emit
+from adagen.emit.shapes import chosen_shape
+from adagen.model import Model, Passive
+from adagen.plan import Plan, make_plan
+from adagen.plan.abreast import limbs_abreast, placed_links
+from adagen.plan.interpret import interpret
+from adagen.plan.steps import Disassemble, HoldMobility, Propagate, SolveMobility
+from adagen.predict import best_schedule, predict
+from adagen.schedule import Topology, load_profile, named_schedule
+from adagen.states import random_states, write_states
+from tests.emitted import Builder, Solver, forward_error, truth_of
+from tests.models import human_figure, random_tree, serial_chain
+from tests.scene.effects import with_effects, with_wrenches
+from tests.scene.held import held, rows
+from tests.schedules import random_schedule
+
+PROFILE = load_profile("default")
+LIMIT = {"double": 1e-9, "float": 1e-3}
+NUMBER = {"double": np.float64, "float": np.float32}
+
+
+def figure(*names: str) -> Model:
+    """The human figure, pushed at three links, with the motion of some joints prescribed."""
+    model = with_wrenches(human_figure(), np.random.default_rng(3), 3)
+    return held(model, [j for j, joint in enumerate(model.joints) if joint.name in names])
+
+
+def balanced(model: Model, processes: int, meeting: str, scalar: str = "double") -> Plan:
+    schedule = named_schedule("balanced", Topology.of(model), processes, profile=PROFILE)
+    return make_plan(model, schedule, meeting=meeting, scalar=scalar)
+
+
+def require_right(plan: Plan, model: Model, builder: Builder, folder: Path) -> Solver:
+    """Build the plan, run it with its own check, compare with the truth and with what was given."""
+    states = random_states(model, 3, seed=3)
+    solver = builder.solver(plan, ("-O0",), name="effects", shape="kernels")
+    found = solver.solve(model, states, folder, "--check")
+    given = rows(model, [j for j, joint in enumerate(model.joints) if joint.prescribed])
+    number = NUMBER[plan.scalar]
+    assert np.array_equal(found[:, given].astype(number), states.tau[:, given].astype(number))
+    assert forward_error(found, truth_of(model, states)) < LIMIT[plan.scalar]
+    return solver
+
+
+def text_of(plan: Plan) -> str:
+    return next(text for name, text in emit(plan).items() if name.endswith(".cpp"))
+
+
+def test_limbs_are_taken_side_by_side_up_to_joints_of_prescribed_motion(
+    builder: Builder, tmp_path: Path
+) -> None:
+    model = figure("left_knee", "right_elbow", "neck")
+    plan = make_plan(model, best_schedule(model, 1, PROFILE))
+    assert chosen_shape(plan) == "kernels"
+    abreast = {j for limbs in limbs_abreast(plan, plan.processes[0]) for j in limbs.members()}
+    assert abreast
+    assert not any(plan.joints[j].prescribed for j in abreast)
+    require_right(plan, model, builder, tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("processes", "meeting", "scalar"),
+    [
+        (2, "join", "double"),
+        pytest.param(3, "join", "double", marks=pytest.mark.slow),
+        pytest.param(2, "gather", "double", marks=pytest.mark.slow),
+        (4, "gather", "float"),
+    ],
+)
+def test_processes_share_such_robots(
+    processes: int, meeting: str, scalar: str, builder: Builder, tmp_path: Path
+) -> None:
+    model = figure("left_knee", "waist", "__base__" if processes == 2 else "right_hip")
+    plan = balanced(model, processes, meeting, scalar)
+    assert chosen_shape(plan) == "kernels"
+    assert predict(plan, PROFILE).makespan > 0
+    solver = require_right(plan, model, builder, tmp_path)
+    if scalar == "float":
+        states, given = random_states(model, 1, seed=1), tmp_path / "infinite.json"
+        states.tau[0, model.nv] = 1e300
+        write_states(states, model, given)
+        done = solver.run("--states", given)
+        name = model.joints[model.wrenches[0].link - 1].name
+        assert (done.status, f'joint "{name}"' in done.stderr) == (1, True)
+
+
+def test_what_is_joined_may_be_prescribed_or_have_a_rotor(builder: Builder, tmp_path: Path) -> None:
+    """And so may the joints that mobility passes on its way from a cut."""
+    model = with_wrenches(serial_chain(14, axes="xyz"), np.random.default_rng(2))
+    plan = balanced(model, 3, "join")
+    steps = [step for process in plan.processes for step in process.steps]
+    first, *others = [step.joint for step in steps if isinstance(step, Disassemble)]
+    passed = [step.joint for step in steps if isinstance(step, Propagate)]
+    model = held(model, [first, passed[0], passed[-1]])
+    joints = list(model.joints)
+    for j in others:
+        joints[j] = replace(joints[j], passive=Passive(rotor_inertia=0.3, damping=0.1))
+    model = replace(model, joints=tuple(joints))
+    assert others
+    plan = balanced(model, 3, "join")
+    assert chosen_shape(plan) == "kernels"
+    require_right(plan, model, builder, tmp_path)
+
+
+def grounded() -> tuple[Model, Plan]:
+    chain = with_wrenches(serial_chain(28, axes="xyz"), np.random.default_rng(4))
+    model = held(chain, [1, 4])
+    return model, balanced(model, 2, "gather")
+
+
+def test_the_ground_is_held_by_joints_that_move_freely() -> None:
+    """Joints of prescribed motion give way to nothing: a mobility needs others to be regular."""
+    model, plan = grounded()
+    steps = [step for process in plan.processes for step in process.steps]
+    assert [step.link for step in steps if isinstance(step, HoldMobility)] == [10]
+    states = random_states(model, 2, seed=1)
+    state = zip(states.q, states.v, states.tau, strict=True)
+    found = np.array([interpret(plan, *row) for row in state])
+    assert forward_error(found, truth_of(model, states)) < 1e-9
+
+
+@pytest.mark.slow
+def test_the_ground_is_held_in_emitted_code_too(builder: Builder, tmp_path: Path) -> None:
+    model, plan = grounded()
+    require_right(plan, model, builder, tmp_path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("processes", "meeting"), [(1, "join"), (2, "join"), (3, "gather")])
+def test_trees_of_all_kinds_are_solved(
+    processes: int, meeting: str, builder: Builder, tmp_path: Path
+) -> None:
+    rng = np.random.default_rng(1)
+    model = random_tree(rng, 10, branching=0.5, floating=True)
+    model = with_wrenches(with_effects(model, rng, "p"), rng, 3)
+    plan = make_plan(model, random_schedule(model, processes, rng), meeting=meeting)
+    require_right(plan, model, builder, tmp_path)
+
+
+def alone() -> tuple[Model, Plan]:
+    """A process alone, and the ground beyond the root."""
+    rng = np.random.default_rng(25)
+    model = random_tree(rng, 10, branching=0.3)
+    return model, make_plan(model, random_schedule(model, 3, rng), meeting="gather")
+
+
+def test_a_root_that_is_swept_to_twice_is_put_down_before() -> None:
+    """Else what the sweep finds there includes what an earlier evaluation left."""
+    _, plan = alone()
+    solved = [s.link for p in plan.processes for s in p.steps if isinstance(s, SolveMobility)]
+    assert len(solved) == 1
+    assert not plan.messages
+    assert placed_links(plan) == set(solved)
+
+
+@pytest.mark.slow
+def test_earlier_evaluations_leave_nothing_at_such_a_root(builder: Builder, tmp_path: Path) -> None:
+    model, plan = alone()
+    require_right(plan, model, builder, tmp_path)
+
+
+def test_batches_have_outer_forces_and_prescribed_motions(builder: Builder, tmp_path: Path) -> None:
+    model = figure("left_knee", "waist", "__base__")
+    plan = make_plan(model, best_schedule(model, 1, PROFILE))
+    text = emit(plan, name="effects", shape="kernels", batch=2)["effects_p2.cpp"]
+    solver = Solver(builder.compile(text, "effects_p2", ("-O0",)), 2, builder.toolchain)
+    states = random_states(model, 21, seed=6)
+    found = solver.solve(model, states, tmp_path, "--check")
+    assert forward_error(found, truth_of(model, states)) < 1e-9
+
+
+def test_robots_without_such_inputs_have_none_of_it_in_their_code() -> None:
+    for meeting in ("join", "gather"):
+        text = text_of(balanced(human_figure(), 2, meeting))
+        for word in ("prescribed_motion", "void push(Workspace", "struct Held"):
+            assert word not in text
+
+
+def test_outer_forces_act_once_each_and_at_their_links_alone() -> None:
+    model = figure()
+    calls = [
+        line.strip()
+        for line in text_of(balanced(model, 2, "gather")).splitlines()
+        if line.startswith("  push<")
+    ]
+    wanted = [f'push<{k}>(w);  // on link "{w.frame.name}"' for k, w in enumerate(model.wrenches)]
+    assert sorted(calls) == wanted
