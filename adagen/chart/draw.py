@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import textwrap
 from collections.abc import Sequence
 from pathlib import Path
@@ -22,6 +23,7 @@ COLOURS = {
 _PEER_COLOURS = ("#009e73", "#56b4e9", "#e69f00", "#b09000")
 _MARKERS = ("o", "^", "D", "v", "P")  # by steps of refinement
 _FACES = {"float": ("white", "hollow"), "mixed": ("0.8", "grey inside")}
+_CLOSE = 0.05  # of an axis: two numbers so near each other cannot be told apart
 _LEAST = 1e-17  # errors below are drawn here
 _LINES = 11  # below the panels; the data has them all
 _TITLE, _PANELS, _GAP, _LINE, _LEGEND = 0.6, 5.2, 0.55, 0.155, 0.3  # heights in inches
@@ -102,7 +104,7 @@ def work_precision(chart: Chart) -> Any:
         words_axes.axis("off")
         words_axes.text(0, 1, text, fontsize=8, va="top", transform=words_axes.transAxes)
     figure.legend(
-        handles=_handles(chart, colours), loc="lower center", ncols=9, fontsize=8, frameon=False
+        handles=_handles(chart, colours), loc="lower center", ncols=6, fontsize=8, frameon=False
     )
     return figure
 
@@ -120,7 +122,8 @@ def _panel(axes: Any, chart: Chart, what: str, colours: dict[str, str]) -> None:
     times = [p.time_ns for p in chart.points if p.time_ns is not None] or [1e3]
     right = max(times) * 2.2  # where points without a time go
     values = [_height(p, what) for p in chart.points if not p.failed]
-    top = max([*values, 1e-6]) * 1e4
+    failed = any(p.failed for p in chart.points)
+    top = max([*values, 1e-6]) * (1e4 if failed else 4)  # where points without an answer go
     least = min([*values, 1e-16])
     axes.set(xscale="log", yscale="log", ylim=(least / 300, top * 6), xlabel="ns per evaluation")
     untimed = any(p.time_ns is None for p in chart.points)
@@ -134,7 +137,7 @@ def _panel(axes: Any, chart: Chart, what: str, colours: dict[str, str]) -> None:
         x = right if point.time_ns is None else point.time_ns
         y = top if point.failed else _height(point, what)
         _mark(axes, point, x, y, colours[point.algorithm])
-    if any(p.failed for p in chart.points):
+    if failed:
         axes.axhline(top / 4, color="black", lw=0.6, ls=":")
         axes.text(0.01, top * 1.3, "no answer", fontsize=7, va="center",
                   transform=axes.get_yaxis_transform())  # fmt: skip
@@ -190,12 +193,30 @@ def _on_front(chart: Chart) -> list[Point]:
 def _staircase(axes: Any, chart: Chart) -> None:
     """Join the points that nothing beats by a staircase, numbered as in the list below."""
     on = _on_front(chart)
-    xs, ys = [p.time_ns for p in on], [_height(p, "error") for p in on]
+    xs = [p.time_ns for p in on if p.time_ns is not None]  # all of them have one
+    ys = [_height(p, "error") for p in on]
     axes.step(xs, ys, where="post", color="black", lw=1.1, alpha=0.6, zorder=0)
-    for k, (x, y) in enumerate(zip(xs, ys, strict=True), start=1):
-        offset = (-4, -14 if k % 2 else -22)
-        axes.annotate(f"{k}", (x, y), fontsize=8, weight="bold", xytext=offset,
+    for first, last in _close_together(axes, xs, ys):
+        text = f"{first + 1}" if first == last else f"{first + 1}-{last + 1}"
+        axes.annotate(text, (xs[first], ys[last]), fontsize=8, weight="bold", xytext=(-4, -16),
                       textcoords="offset points")  # fmt: skip
+
+
+def _close_together(axes: Any, xs: Sequence[float], ys: Sequence[float]) -> list[tuple[int, int]]:
+    """Return the first and the last of each run of points that one number must stand for."""
+    spans = [abs(math.log10(high / low)) for low, high in (axes.get_xlim(), axes.get_ylim())]
+    runs: list[tuple[int, int]] = []
+    for k, point in enumerate(zip(xs, ys, strict=True)):
+        first = runs[-1][0] if runs else 0
+        apart = [
+            abs(math.log10(a / b)) / span
+            for a, b, span in zip(point, (xs[first], ys[first]), spans, strict=True)
+        ]
+        if runs and max(apart) < _CLOSE:
+            runs[-1] = first, k
+        else:
+            runs.append((k, k))
+    return runs
 
 
 def _pareto(chart: Chart) -> str:
@@ -205,7 +226,7 @@ def _pareto(chart: Chart) -> str:
         ratio = "" if point.ratio is None else f", {point.ratio:.2f}x"
         error = f"{_height(point, 'error'):.1e}"
         lines.append(f"{k}  {point.label}: {point.time_ns:.0f} ns{ratio}, {error}")
-    return "\n".join(lines[:_LINES]) if len(lines) > 1 else ""
+    return _shortened(lines) if len(lines) > 1 else ""
 
 
 def _failures(chart: Chart) -> str:
@@ -218,7 +239,14 @@ def _failures(chart: Chart) -> str:
     for why, names in reasons.items():
         more = f" and {len(names) - 1} more" if len(names) > 1 else ""
         lines += textwrap.wrap(f"{names[0]}{more}: {why}", 78, subsequent_indent="   ")
-    return "\n".join(lines[:_LINES])
+    return _shortened(lines)
+
+
+def _shortened(lines: list[str]) -> str:
+    """Return as many lines as there is room for."""
+    if len(lines) > _LINES:
+        lines = [*lines[: _LINES - 1], "... (all of them are in the data)"]
+    return "\n".join(lines)
 
 
 def _handles(chart: Chart, colours: dict[str, str]) -> list[Any]:

@@ -126,6 +126,23 @@ class TestPictures:
         ):  # fmt: skip
             assert f"<!-- {words}" in text or words in text
 
+    def test_numbers_of_the_front_do_not_cover_each_other(self) -> None:
+        (first, *_) = some_chart().points
+        front = [
+            replace(first, label=f"v{k}", time_ns=time, error=error, front=True)
+            for k, (time, error) in enumerate(
+                [(200, 1e-6), (1400, 3.2e-15), (1401, 3.1e-15), (1450, 3e-15), (9000, 1e-16)]
+                + [(9000 * 2**k, 10 ** (-17 - k)) for k in range(8)]
+            )
+        ]
+        figure = work_precision(replace(some_chart(), points=tuple(front)))
+        said = [text.get_text() for text in figure.axes[0].texts]
+        assert "1" in said and "2-4" in said and "5" in said
+        assert not {"2", "3", "4"} & set(said)
+        words = [text.get_text() for axes in figure.axes for text in axes.texts]
+        (listed,) = [text for text in words if text.startswith("Pareto front")]
+        assert listed.endswith("in the data)") and "v8" in listed and "v9" not in listed
+
     def test_a_chart_of_failures_alone_is_a_picture_too(self, tmp_path: Path) -> None:
         chart = some_chart()
         save(work_precision(replace(chart, points=chart.points[-1:])), tmp_path / "c")
