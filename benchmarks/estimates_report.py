@@ -7,12 +7,17 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 FACTOR = 3.0
+ROUNDING = 2.0**-53
 Row = dict[str, Any]
 
 
 def within(said: float, true: float) -> bool:
-    """Return whether an estimate is within a factor 3 of an error."""
-    return said == true or true < FACTOR * said < FACTOR * FACTOR * true
+    """Return whether an estimate is within a factor 3 of an error.
+
+    What is below the rounding of a double is taken for that.
+    """
+    said, true = max(said, ROUNDING), max(true, ROUNDING)
+    return true < FACTOR * said < FACTOR * FACTOR * true
 
 
 def judged(row: Row) -> list[str]:

@@ -196,7 +196,7 @@ def refinement_messages(words: Words) -> list[dict[str, object]]:
         for exchange in exchanges(plan)
     ]
     sharing = _sharing(plan)
-    rows += [{"source": p, "target": 0, "size": 2, "comment": "energies"} for p in sharing]
+    rows += [{"source": p, "target": 0, "size": 3, "comment": "energies"} for p in sharing]
     return rows + [
-        {"source": 0, "target": p, "size": 1, "comment": "size of the correction"} for p in sharing
+        {"source": 0, "target": p, "size": 2, "comment": "size of the correction"} for p in sharing
     ]

@@ -1086,8 +1086,10 @@ class Refinement {
   std::array<Number, kNv> step{};                              // accelerations of the last step
   std::array<Vec6, kLinkCount> rho;
   std::array<Wide, kNv> qdd{};
-  Wide step_energy = 0, energy = 0;  // this process's shares of e^T H e and t^T H t
+  // Its process's shares of e^T H e, t^T H t, and the same of all that holds links in free fall.
+  Wide step_energy = 0, energy = 0, whole_energy = 0;
   std::array<double, kRefine> corrections{};
+  double rounding = 0;  // the last correction, relative to the larger of these
 
   void begin(const RefinedProcess& own, const Number* q, const Number* v) {
     qdd.fill(0);
@@ -1133,7 +1135,7 @@ class Refinement {
     }
   }
 
-  // What the answer and its last step weigh.
+  // What the answer and its last step weigh, and all accelerations relative to free fall.
   void weigh(const RefinedProcess& own) {
     const Wide6 still = Wide6::Zero();
     for (const int j : own.path) {
@@ -1143,11 +1145,12 @@ class Refinement {
       i.stepped =
           carried(i, parent > 0 ? joints_[parent - 1].stepped : still) + along(j, step.data());
     }
-    energy = step_energy = 0;
+    energy = step_energy = whole_energy = 0;
     for (const int link : own.links) {
       const WideJoint& i = joints_[link - 1];
       energy += i.moved.dot(times_inertia(link, i.moved));
       step_energy += i.stepped.dot(times_inertia(link, i.stepped));
+      whole_energy += i.a.dot(times_inertia(link, i.a));
     }
   }
 
@@ -1287,16 +1290,6 @@ void along(const std::array<std::array<Real, kColumns>, kFree<Kind>>& tau, Colum
     for (int c = 0; c < kColumns; ++c) f(Kind::Free::row[k], c) = tau[k][c];
 }
 
-// What a joint's far link feels through it: I^A a + p^A, handle forces not counted.
-template <class Body>
-Columns6 effort(const Body& IA, const Columns6& a, const Columns6& pA) {
-  Columns6 f = pA;
-  for (int c = 0; c < kColumns; ++c)
-    for (int row = 0; row < 6; ++row)
-      for (int k = 0; k < 6; ++k) f(row, c) += IA(row, k) * a(k, c);
-  return f;
-}
-
 // The right-hand side that a residual makes: the others, of coupling torques, stay as they are.
 [[maybe_unused]] inline Columns6 first_column(const Vec6& x) {
   Columns6 result = Columns6::Zero();
@@ -1318,6 +1311,16 @@ void rejoin(Joined<Kind>& i, const Columns6& b_A, const Columns6& b_B) {
     for (int k = 0; k < row; ++k) x -= i.L[row][k] * i.z[k][0];
     i.z[row][0] = x * i.L[row][row];
   }
+}
+
+// What a joint's far link feels through it: I^A a + p^A, handle forces not counted.
+template <class Body>
+Columns6 effort(const Body& IA, const Columns6& a, const Columns6& pA) {
+  Columns6 f = pA;
+  for (int c = 0; c < kColumns; ++c)
+    for (int row = 0; row < 6; ++row)
+      for (int k = 0; k < 6; ++k) f(row, c) += IA(row, k) * a(k, c);
+  return f;
 }
 
 // A joint that has been articulated, for another p^A on its far side, no torque of its own and no
@@ -1347,8 +1350,8 @@ constexpr std::array<MessageInfo, 7> kMessages{ {
     {0, 1, 22},  // 2: state
     {1, 0, 4},  // 3: accelerations
     {0, 1, 11},  // 4: step of refinement
-    {1, 0, 2},  // 5: energies
-    {0, 1, 1},  // 6: size of the correction
+    {1, 0, 3},  // 5: energies
+    {0, 1, 2},  // 6: size of the correction
 } };
 
 // What a process does in an evaluation as the others see it: the messages that it sends and
@@ -2667,30 +2670,39 @@ inline void collect_forces(Workspace& w, const RefinedProcess& own) {
   }
 }
 
+// One energy beside another.
+inline double ratio(Number part, Number whole) {
+  if (whole > 0) return std::sqrt(double(part) / double(whole));
+  return part > 0 ? std::numeric_limits<double>::infinity() : 0;
+}
+
 // Shares of the energies to process 0, and what they come to back to all.
 inline double share_size(Workspace& w, Channel& channel) {
-  Number e = static_cast<Number>(w.refinement.step_energy);
-  Number t = static_cast<Number>(w.refinement.energy);
+  Refinement& r = w.refinement;
+  Number e = static_cast<Number>(r.step_energy), t = static_cast<Number>(r.energy),
+         s = static_cast<Number>(r.whole_energy);
   int message = kFirstShare;
   for (const int p : kSharing) {
     if (channel.rank() == 0) {
       const Number* from = channel.receive(message, w.status);
-      e += from[0], t += from[1];
+      e += from[0], t += from[1], s += from[2];
     } else if (channel.rank() == p) {
       Number* to = channel.outgoing(message, w.status);
-      to[0] = e, to[1] = t;
+      to[0] = e, to[1] = t, to[2] = s;
       channel.send(message, w.status);
     }
     ++message;
   }
-  double size = std::sqrt(double(e) / double(t));
-  if (!(t > 0)) size = e > 0 ? std::numeric_limits<double>::infinity() : 0;
+  double size = ratio(e, t);
+  r.rounding = ratio(e, std::max(t, s));
   for (const int p : kSharing) {
     if (channel.rank() == 0) {
-      *channel.outgoing(message, w.status) = static_cast<Number>(size);
+      Number* to = channel.outgoing(message, w.status);
+      to[0] = static_cast<Number>(size), to[1] = static_cast<Number>(r.rounding);
       channel.send(message, w.status);
     } else if (channel.rank() == p) {
-      size = double(*channel.receive(message, w.status));
+      const Number* from = channel.receive(message, w.status);
+      size = double(from[0]), r.rounding = double(from[1]);
     }
     ++message;
   }
@@ -2700,17 +2712,19 @@ inline double share_size(Workspace& w, Channel& channel) {
 constexpr bool kMixed = !std::is_same_v<Real, Number>;
 // Corrections of this size need not fall further: residuals in Number are rounded, too, where it is
 // no narrower than they are. What that leaves in a mixed solver is far smaller (2e-14 on chains of
-// 200), and what is passed below this is right to kTolerance all the same.
+// 200), and what is passed below this is right to kTolerance all the same. Where hardly anything
+// accelerates, the answer is a small difference of what holds it, which sets the size of rounding.
 constexpr double kSettled = kMixed ? 1e-10 : 16 * double(std::numeric_limits<Number>::epsilon());
 
-// A correction must be smaller than the one before (the first, than the answer), down to rounding.
-// A mixed solver owes the digits of a double: the last correction, made smaller by as much as it
-// was itself smaller than the one before, is the error that remains.
+// A correction must be smaller than the one before (the first, than all that accelerates), down to
+// rounding. A mixed solver owes the digits of a double: the last correction, made smaller by as
+// much as it was itself smaller than the one before, is the error that remains.
 inline void require_convergence(Workspace& w, int k) {
-  const double size = w.refinement.corrections[k],
-               before = k > 0 ? w.refinement.corrections[k - 1] : 1;
-  if (!(size < kSettled || size < before / 2)) fail(w, kNotRefined, 0);
-  if (kMixed && k == kRefine - 1 && !(size < kSettled || size * size / before < kTolerance))
+  const Refinement& r = w.refinement;
+  const double size = r.corrections[k], before = k > 0 ? r.corrections[k - 1] : 1;
+  const bool settled = r.rounding < kSettled;
+  if (!(settled || (k > 0 ? size < before / 2 : r.rounding < 0.5))) fail(w, kNotRefined, 0);
+  if (kMixed && k == kRefine - 1 && !(settled || size * size / before < kTolerance))
     fail(w, kTooFewSteps, 0);
 }
 

@@ -65,8 +65,10 @@ class Refinement {
   std::array<Number, kNv> step{};                              // accelerations of the last step
   std::array<Vec6, kLinkCount> rho;
   std::array<Wide, kNv> qdd{};
-  Wide step_energy = 0, energy = 0;  // this process's shares of e^T H e and t^T H t
+  // Its process's shares of e^T H e, t^T H t, and the same of all that holds links in free fall.
+  Wide step_energy = 0, energy = 0, whole_energy = 0;
   std::array<double, kRefine> corrections{};
+  double rounding = 0;  // the last correction, relative to the larger of these
 
   void begin(const RefinedProcess& own, const Number* q, const Number* v) {
     qdd.fill(0);
@@ -112,7 +114,7 @@ class Refinement {
     }
   }
 
-  // What the answer and its last step weigh.
+  // What the answer and its last step weigh, and all accelerations relative to free fall.
   void weigh(const RefinedProcess& own) {
     const Wide6 still = Wide6::Zero();
     for (const int j : own.path) {
@@ -122,11 +124,12 @@ class Refinement {
       i.stepped =
           carried(i, parent > 0 ? joints_[parent - 1].stepped : still) + along(j, step.data());
     }
-    energy = step_energy = 0;
+    energy = step_energy = whole_energy = 0;
     for (const int link : own.links) {
       const WideJoint& i = joints_[link - 1];
       energy += i.moved.dot(times_inertia(link, i.moved));
       step_energy += i.stepped.dot(times_inertia(link, i.stepped));
+      whole_energy += i.a.dot(times_inertia(link, i.a));
     }
   }
 
@@ -264,16 +267,6 @@ template <class Kind>
 void along(const std::array<std::array<Real, kColumns>, kFree<Kind>>& tau, Columns6& f) {
   for (int k = 0; k < kFree<Kind>; ++k)
     for (int c = 0; c < kColumns; ++c) f(Kind::Free::row[k], c) = tau[k][c];
-}
-
-// What a joint's far link feels through it: I^A a + p^A, handle forces not counted.
-template <class Body>
-Columns6 effort(const Body& IA, const Columns6& a, const Columns6& pA) {
-  Columns6 f = pA;
-  for (int c = 0; c < kColumns; ++c)
-    for (int row = 0; row < 6; ++row)
-      for (int k = 0; k < 6; ++k) f(row, c) += IA(row, k) * a(k, c);
-  return f;
 }
 
 // The right-hand side that a residual makes: the others, of coupling torques, stay as they are.

@@ -1,3 +1,13 @@
+// What a joint's far link feels through it: I^A a + p^A, handle forces not counted.
+template <class Body>
+Columns6 effort(const Body& IA, const Columns6& a, const Columns6& pA) {
+  Columns6 f = pA;
+  for (int c = 0; c < kColumns; ++c)
+    for (int row = 0; row < 6; ++row)
+      for (int k = 0; k < 6; ++k) f(row, c) += IA(row, k) * a(k, c);
+  return f;
+}
+
 // A joint that has been articulated, for another p^A on its far side, no torque of its own and no
 // velocity: what it hands on.
 template <class Kind>

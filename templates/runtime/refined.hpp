@@ -29,30 +29,39 @@ inline void collect_forces(Workspace& w, const RefinedProcess& own) {
   }
 }
 
+// One energy beside another.
+inline double ratio(Number part, Number whole) {
+  if (whole > 0) return std::sqrt(double(part) / double(whole));
+  return part > 0 ? std::numeric_limits<double>::infinity() : 0;
+}
+
 // Shares of the energies to process 0, and what they come to back to all.
 inline double share_size(Workspace& w, Channel& channel) {
-  Number e = static_cast<Number>(w.refinement.step_energy);
-  Number t = static_cast<Number>(w.refinement.energy);
+  Refinement& r = w.refinement;
+  Number e = static_cast<Number>(r.step_energy), t = static_cast<Number>(r.energy),
+         s = static_cast<Number>(r.whole_energy);
   int message = kFirstShare;
   for (const int p : kSharing) {
     if (channel.rank() == 0) {
       const Number* from = channel.receive(message, w.status);
-      e += from[0], t += from[1];
+      e += from[0], t += from[1], s += from[2];
     } else if (channel.rank() == p) {
       Number* to = channel.outgoing(message, w.status);
-      to[0] = e, to[1] = t;
+      to[0] = e, to[1] = t, to[2] = s;
       channel.send(message, w.status);
     }
     ++message;
   }
-  double size = std::sqrt(double(e) / double(t));
-  if (!(t > 0)) size = e > 0 ? std::numeric_limits<double>::infinity() : 0;
+  double size = ratio(e, t);
+  r.rounding = ratio(e, std::max(t, s));
   for (const int p : kSharing) {
     if (channel.rank() == 0) {
-      *channel.outgoing(message, w.status) = static_cast<Number>(size);
+      Number* to = channel.outgoing(message, w.status);
+      to[0] = static_cast<Number>(size), to[1] = static_cast<Number>(r.rounding);
       channel.send(message, w.status);
     } else if (channel.rank() == p) {
-      size = double(*channel.receive(message, w.status));
+      const Number* from = channel.receive(message, w.status);
+      size = double(from[0]), r.rounding = double(from[1]);
     }
     ++message;
   }
@@ -62,17 +71,19 @@ inline double share_size(Workspace& w, Channel& channel) {
 constexpr bool kMixed = !std::is_same_v<Real, Number>;
 // Corrections of this size need not fall further: residuals in Number are rounded, too, where it is
 // no narrower than they are. What that leaves in a mixed solver is far smaller (2e-14 on chains of
-// 200), and what is passed below this is right to kTolerance all the same.
+// 200), and what is passed below this is right to kTolerance all the same. Where hardly anything
+// accelerates, the answer is a small difference of what holds it, which sets the size of rounding.
 constexpr double kSettled = kMixed ? 1e-10 : 16 * double(std::numeric_limits<Number>::epsilon());
 
-// A correction must be smaller than the one before (the first, than the answer), down to rounding.
-// A mixed solver owes the digits of a double: the last correction, made smaller by as much as it
-// was itself smaller than the one before, is the error that remains.
+// A correction must be smaller than the one before (the first, than all that accelerates), down to
+// rounding. A mixed solver owes the digits of a double: the last correction, made smaller by as
+// much as it was itself smaller than the one before, is the error that remains.
 inline void require_convergence(Workspace& w, int k) {
-  const double size = w.refinement.corrections[k],
-               before = k > 0 ? w.refinement.corrections[k - 1] : 1;
-  if (!(size < kSettled || size < before / 2)) fail(w, kNotRefined, 0);
-  if (kMixed && k == kRefine - 1 && !(size < kSettled || size * size / before < kTolerance))
+  const Refinement& r = w.refinement;
+  const double size = r.corrections[k], before = k > 0 ? r.corrections[k - 1] : 1;
+  const bool settled = r.rounding < kSettled;
+  if (!(settled || (k > 0 ? size < before / 2 : r.rounding < 0.5))) fail(w, kNotRefined, 0);
+  if (kMixed && k == kRefine - 1 && !(settled || size * size / before < kTolerance))
     fail(w, kTooFewSteps, 0);
 }
 

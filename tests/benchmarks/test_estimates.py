@@ -19,7 +19,8 @@ from tests.cli.test_generate import write_arm
 def test_within_is_a_factor_three_either_way() -> None:
     assert within(1.0, 2.9) and within(2.9, 1.0) and within(0.0, 0.0)
     assert not within(1.0, 3.1) and not within(3.1, 1.0)
-    assert not within(0.0, 1e-16) and not within(1e-16, 0.0)
+    assert within(0.0, 1e-16) and within(1e-16, 0.0)
+    assert not within(0.0, 1e-15) and not within(1e-15, 0.0)
 
 
 def row(form: str, said: list[float], true: list[float], own: list[float | None]) -> Row:

@@ -14,7 +14,7 @@ from adagen.errors import UsageError
 from adagen.model import Inertia, Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.refine import exchanges, links_of_process
-from adagen.reference import energy_norm_error, joint_space_inertia
+from adagen.reference import energy_norm_error, inverse_dynamics, joint_space_inertia
 from adagen.states import States, random_states
 from tests.emitted import QUICK, Array, Builder, Solver, truth_of
 from tests.models import random_tree, serial_chain
@@ -112,3 +112,19 @@ def test_what_cannot_be_refined_is_refused() -> None:
     damped = (replace(plan.joints[0], damping=0.1), *plan.joints[1:])
     with pytest.raises(UsageError, match="cannot be refined"):
         emit(replace(plan, joints=damped), refine=1)
+
+
+@pytest.mark.parametrize("scalar", ["double", pytest.param("mixed", marks=pytest.mark.slow)])
+def test_a_robot_that_is_held_at_rest_is_answered(
+    scalar: str, builder: Builder, tmp_path: Path
+) -> None:
+    """What accelerates is the rounding of its torques alone, which no correction makes smaller."""
+    model = random_tree(np.random.default_rng(4), 6)
+    schedule = random_schedule(model, 2, np.random.default_rng(2))
+    plan = make_plan(model, schedule, form="ada", scalar=scalar)
+    states = random_states(model, 3, seed=3)
+    still = np.zeros(model.nv)
+    torques = np.array([inverse_dynamics(model, q, still, still) for q in states.q])
+    held = replace(states, v=np.zeros_like(states.v), tau=torques)
+    found = refined(builder, plan, 3).solve(model, held, tmp_path)
+    assert np.abs(found).max() < 1e-12
