@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+_VANISHES = 2.0**-150  # half the smallest float
+
 
 class Printer:
     """Prints numbers of one scalar type."""
@@ -13,6 +15,8 @@ class Printer:
 
     def number(self, value: float) -> str:
         """Return a literal that reads back to the same double (or its nearest float)."""
+        if self.suffix and abs(value) <= _VANISHES:  # compilers warn of such literals
+            value = 0.0
         text = repr(float(value) + 0.0)
         if not any(c in text for c in ".e"):
             text += ".0"
