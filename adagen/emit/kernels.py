@@ -92,6 +92,9 @@ def values(words: Words) -> dict[str, object]:
         "slots": layout.slots,
         "slot_count": layout.count,
         "limbs": [_limbs(words, layout, limbs) for limbs in layout.all_limbs],
+        "prescribed_abreast": any(
+            plan.joints[j].prescribed for limbs in layout.all_limbs for j in limbs.members()
+        ),
     }
 
 

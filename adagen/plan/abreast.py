@@ -262,8 +262,7 @@ def _ready(unit: Unit, open_: Counter[int], links: Mapping[int, tuple[int, int]]
 def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
     """Joints that may be taken side by side, with the stretches in which they are passed.
 
-    They are the process's own, passed once, away from the sweep's root, their links are bare, and
-    their motion is not prescribed.
+    They are the process's own, passed once, away from the sweep's root, and their links are bare.
     """
     sweeps = [
         _stretch_of(process, Kinematics),
@@ -276,12 +275,19 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
     return {
         j: tuple(sweep[j] for sweep in sweeps)
         for j in process.owns
-        if plan.joints[j].kind in KINDS
-        and not plan.joints[j].prescribed
+        if _fits(plan.joints[j])
         and j + 1 in bare
         and j not in turned
         and all(j in sweep for sweep in sweeps)
     }
+
+
+def _fits(joint: PlanJoint) -> bool:
+    """Whether a joint is of a kind that is treated side by side.
+
+    Where its motion is prescribed, it may have one freedom, and be beside joints that move freely.
+    """
+    return joint.kind in KINDS and not (joint.prescribed and joint.kind == "spherical")
 
 
 _Sweep = TypeVar("_Sweep", Kinematics, Articulate, Accelerate)

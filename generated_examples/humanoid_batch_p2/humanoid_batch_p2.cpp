@@ -1164,6 +1164,7 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns.
 constexpr int kSlotCount = 30;
 constexpr bool kAbreast = false;  // whether there are such
+constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
 constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29 };
 
 // What a process does at a link.
@@ -1430,6 +1431,14 @@ ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
     if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
   }
   return tau;
+}
+
+// A joint of prescribed motion among limbs side by side gives way to nothing and moves as told.
+ADAGEN_INLINE Real immovable(const JointConstants& joint) {
+  return joint.passive.prescribed ? std::numeric_limits<Real>::infinity() : 0;
+}
+ADAGEN_INLINE Value prescribed(const Workspace& w, const JointConstants& joint) {
+  return joint.passive.prescribed ? w.tau[joint.v] : Value{};
 }
 
 // Accelerations are given only where all went well.
@@ -1768,8 +1777,11 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   T D = dot(s, along ? f : n);
   if constexpr (kAnyPassive)
     D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
+  if constexpr (kPrescribedAbreast && kWidth<T> > 1) D += each(joints, immovable);
   const T inverse = 1 / D;
-  const T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  if constexpr (kPrescribedAbreast && kWidth<T> > 1)
+    u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
   const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
   const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
   if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, culprit(joints, left));

@@ -31,8 +31,11 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   T D = dot(s, along ? f : n);
   if constexpr (kAnyPassive)
     D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
+  if constexpr (kPrescribedAbreast && kWidth<T> > 1) D += each(joints, immovable);
   const T inverse = 1 / D;
-  const T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  if constexpr (kPrescribedAbreast && kWidth<T> > 1)
+    u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
   const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
   const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
   if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, culprit(joints, left));

@@ -250,6 +250,14 @@ ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
   return tau;
 }
 
+// A joint of prescribed motion among limbs side by side gives way to nothing and moves as told.
+ADAGEN_INLINE Real immovable(const JointConstants& joint) {
+  return joint.passive.prescribed ? std::numeric_limits<Real>::infinity() : 0;
+}
+ADAGEN_INLINE Value prescribed(const Workspace& w, const JointConstants& joint) {
+  return joint.passive.prescribed ? w.tau[joint.v] : Value{};
+}
+
 // Accelerations are given only where all went well.
 inline void give(Workspace& w, int first, int count) {
   if (w.status == kFine)
