@@ -58,6 +58,11 @@ def assembly(words: Words, join: FusedJoin) -> list[str]:
     lines += [
         f"const Mat6 X_Phi_B = i.run.B * {words.block(join.b)};",
         "const Mat6 Phi_B = X_Phi_B * i.run.B.transpose();",
+    ]
+    if words.refine:
+        n = freedoms(words, join)
+        lines.append(f"i.P = ({phi_a} + Phi_B).topLeftCorner<{n}, {n}>();")
+    lines += [
         f"if (!join(i.joined, {phi_a}, Phi_B, i.run.BX * {b_a}, "
         f"i.run.B * {words.bias(join.b_bias)}, i.run.c))",
         f"  fail(w, kFactorization, {join.joint});",
@@ -75,6 +80,22 @@ def _couple(words: Words, coupling: Coupling) -> str:
     return f"couple(i.joined, {phi}, i.at_{words.links[coupling.handle]});"
 
 
+def reassembly(words: Words, join: FusedJoin) -> list[str]:
+    """The same for other biases, and the torques that the forces of its joints lack."""
+    lines = []
+    for j, first, count in _rows(words, join):
+        lines += [
+            "{",
+            f"  std::array<std::array<Real, kColumns>, {count}> tau;",
+            f"  load_torque(w, {j}, {words.plan.joints[j].v}, tau);",
+            f"  place<{first}>(tau, i.joined.tau);",
+            "}",
+        ]
+    b_a = words.ground if join.a_bias is None else words.bias(join.a_bias)
+    b_b = f"i.run.B * {words.bias(join.b_bias)}"
+    return [*lines, f"rejoin(i.joined, i.P, i.run.BX * {b_a}, {b_b});", *bias_updates(words, join)]
+
+
 def disassembly(words: Words, join: FusedJoin, end: Disassemble) -> list[str]:
     """Eq. (8)-(10) of the run: the accelerations of its joints, and what its ends get to feel."""
     lines = [
@@ -88,11 +109,8 @@ def disassembly(words: Words, join: FusedJoin, end: Disassemble) -> list[str]:
         lines.append("const Columns6 f = i.run.B.transpose() * release.force();  // Eq. (8), (10)")
     else:
         lines.append("release.force();  // Eq. (8)")
-    if words.refine:  # a link without mass hands on what it gets
-        kept = [f"w.refinement.f[{j}]" for j in join.run]
-        lines.append(f"{kept[-1]} = f;")
-        for j, above, own in reversed(list(zip(join.run[1:], kept, kept[1:], strict=False))):
-            lines.append(f"{above} = {words.memory(j)}.X.transposed_times({own});")
+    if words.refine:
+        lines.append(f"w.refinement.f[{join.joint}] = f;")
     for j, first, count in _rows(words, join):
         qdd = f"part<{first}, {count}>(release.qdd())"
         if words.plan.slaved:

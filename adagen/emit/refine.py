@@ -6,12 +6,13 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from adagen.emit.articulated import ends, far_acceleration, of_link
+from adagen.emit.fused import reassembly
 from adagen.emit.joins import bias_updates
 from adagen.emit.processes import step_lines
 from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.model.kinds import KINDS
-from adagen.plan.refine import exchanges, joints_at, links_of_process, moving, paths_of
+from adagen.plan.refine import exchanges, handed_on, joints_at, links_of_process, moving, paths_of
 from adagen.plan.steps import (
     Articulate,
     FusedJoin,
@@ -80,10 +81,7 @@ def _function(words: Words, step: Step) -> list[str]:
     lines = [f"auto& i = {words.memory(getattr(step, 'joint', -1))};"]
     match step:
         case FusedJoin():
-            b_a = words.ground if step.a_bias is None else words.bias(step.a_bias)
-            b_b = f"i.run.B * {words.bias(step.b_bias)}"
-            lines.append(f"rejoin(i.joined, i.run.BX * {b_a}, {b_b});")
-            lines += bias_updates(words, step)
+            lines += reassembly(words, step)
         case Join():
             b_a = words.ground if step.a_bias is None else words.bias(step.a_bias)
             lines.append(f"rejoin(i.joined, i.X * {b_a}, {words.bias(step.b_bias)});")
@@ -162,14 +160,18 @@ def _tables(plan: Plan, process: Process) -> list[list[int]]:
     """The tables of a RefinedProcess in the order of its members."""
     path, at = paths_of(plan, process), joints_at(plan, process)
     slaved = sorted(set(plan.slaved).intersection({*path, *process.owns}))
+    runs = handed_on(process)
+    inner = [j for j, _ in runs]
     return [
         _entries(plan, process.owns),
         _entries(plan, moving(plan, process)),
-        list(process.owns),
+        [j for j in process.owns if j not in inner],
         list(path),
         list(at),
         list(links_of_process(process)),
         slaved,
+        inner,
+        [beyond for _, beyond in runs],
     ]
 
 

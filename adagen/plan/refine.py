@@ -8,6 +8,7 @@ Those that another process computes come in one message from it before each resi
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from adagen.errors import UsageError
 from adagen.plan.steps import FusedJoin, LinkBias, StartLink
@@ -37,12 +38,21 @@ def links_of_process(process: Process) -> tuple[int, ...]:
     return tuple(sorted(step.link for step in steps))
 
 
+def handed_on(process: Process) -> tuple[tuple[int, int], ...]:
+    """Return each joint whose far link has no mass in a run joined as one, and the one beyond.
+
+    Such a link hands on what it gets, so that the outer joint's force tells the inner one's.
+    Outer joints come first.
+    """
+    runs = (step.run for step in process.steps if isinstance(step, FusedJoin))
+    return tuple(pair for run in runs for pair in reversed(list(pairwise(run))))
+
+
 def joints_at(plan: Plan, process: Process) -> tuple[int, ...]:
-    """Return the joints at these links, ascending; some of them other processes' own."""
+    """Return the joints at these links and those of its runs, ascending; some are others' own."""
     links = set(links_of_process(process))
-    return tuple(
-        j for j, joint in enumerate(plan.joints) if joint.parent in links or j + 1 in links
-    )
+    at = {j for j, joint in enumerate(plan.joints) if joint.parent in links or j + 1 in links}
+    return tuple(sorted(at.union(*handed_on(process))))
 
 
 def paths_of(plan: Plan, process: Process) -> tuple[int, ...]:
@@ -63,10 +73,10 @@ def refinable(plan: Plan) -> Plan:
                 f'joint "{joint.name}" has damping, friction, a spring, a rotor or a prescribed'
                 " motion: that cannot be refined; leave --refine out"
             )
-    if any(isinstance(step, FusedJoin) for p in plan.processes for step in p.steps):
+    if plan.slaved and any(map(handed_on, plan.processes)):
         raise UsageError(
-            "joints fused over massless links cannot be refined; use form segment or leave"
-            " --refine out"
+            "joints fused over massless links cannot be refined beside slaved joints; use form"
+            " segment or leave --refine out"
         )
     if plan.wrenches:
         raise UsageError("outer forces cannot be refined; leave --refine out")

@@ -1051,6 +1051,8 @@ struct RefinedProcess {
   Table at;       // joints at its links
   Table links;    // its links
   Table slaved;   // slaved joints among all of these
+  Table inner;    // joints of its runs whose far link has no mass, from the ends inwards
+  Table beyond;   // the joint beyond each of them
 };
 
 // What one process tells another of a step.
@@ -1084,6 +1086,7 @@ class Refinement {
   std::array<Columns6, kJointCount> f;  // joint forces of the last step, every right-hand side
   std::array<Eigen::Matrix<Number, 6, 1>, kJointCount> force;  // the same with coupling torques
   std::array<Number, kNv> step{};                              // accelerations of the last step
+  std::array<Number, kNv> lacking{};  // torques that forces inside runs lack along the joints
   std::array<Vec6, kLinkCount> rho;
   std::array<Wide, kNv> qdd{};
   // Its process's shares of e^T H e, t^T H t, and the same of all that holds links in free fall.
@@ -1121,6 +1124,21 @@ class Refinement {
     if (slaved.source != j) return;
     const int row = free_row(kJoints[j].kind, 0);
     force[j][row] -= (Number(slaved.multiplier) + Number(f[j](row, column))) * torque;
+  }
+
+  // A link without mass hands on what it gets.
+  void hand_on(int j, int beyond) {
+    force[j] = returned(joints_[beyond], force[beyond].cast<Wide>()).cast<Number>();
+  }
+
+  // What the forces inside runs lack of these torques.
+  void miss(const RefinedProcess& own, const Number* tau) {
+    for (const int j : own.inner) {
+      const JointConstants& joint = kJoints[j];
+      for (int k = 0; k < joint.nv; ++k)
+        lacking[joint.v + k] =
+            static_cast<Number>(Wide(tau[joint.v + k]) - joints_[j].f[free_row(joint.kind, k)]);
+    }
   }
 
   // The last step becomes part of the answer.
@@ -1167,9 +1185,8 @@ class Refinement {
       left_[link] = -times_inertia(link, joints_[link - 1].a) - joints_[link - 1].gyration;
     for (const int j : own.at) {  // adds to other processes' links, too, which nobody reads
       const WideJoint& i = joints_[j];
-      const Wide3 linear = i.E.transpose() * i.f.tail<3>();
       left_[j + 1] += i.f;
-      left_[kJoints[j].parent] -= wide(i.E.transpose() * i.f.head<3>() + i.r.cross(linear), linear);
+      left_[kJoints[j].parent] -= returned(i, i.f);
     }
     for (const int link : own.links) rho[link] = left_[link].cast<Real>();
   }
@@ -1202,6 +1219,12 @@ class Refinement {
   static Wide6 carried(const WideJoint& i, const Wide6& m) {
     const Wide3 angular = m.head<3>();
     return wide(i.E * angular, i.E * (m.tail<3>() - i.r.cross(angular)));
+  }
+
+  // A wrench on a joint's child link, in its parent link's frame.
+  static Wide6 returned(const WideJoint& i, const Wide6& f) {
+    const Wide3 linear = i.E.transpose() * f.tail<3>();
+    return wide(i.E.transpose() * f.head<3>() + i.r.cross(linear), linear);
   }
 
   // I m of a link: its mass at the centre of mass, its tensor about it.
@@ -1297,20 +1320,23 @@ void along(const std::array<std::array<Real, kColumns>, kFree<Kind>>& tau, Colum
   return result;
 }
 
-// A joint that has been joined, for other biases and no torque of its own.
+// A joint that has been joined, for another difference beta of accelerations across it.
 template <class Kind>
-void rejoin(Joined<Kind>& i, const Columns6& b_A, const Columns6& b_B) {
+void resolve(Joined<Kind>& i, const Vec6& beta) {
   constexpr int m = kConstrained<Kind>;
-  const Vec6 beta = b_A.col(0) - b_B.col(0);
-  for (int k = 0; k < kFree<Kind>; ++k) {
-    i.R_beta[k][0] = beta[Kind::Free::row[k]];
-    i.tau[k][0] = 0;
-  }
+  for (int k = 0; k < kFree<Kind>; ++k) i.R_beta[k][0] = beta[Kind::Free::row[k]];
   for (int row = 0; row < m; ++row) {
     Real x = beta[Kind::Constrained::row[row]];
     for (int k = 0; k < row; ++k) x -= i.L[row][k] * i.z[k][0];
     i.z[row][0] = x * i.L[row][row];
   }
+}
+
+// The same for other biases and no torque of its own.
+template <class Kind>
+void rejoin(Joined<Kind>& i, const Columns6& b_A, const Columns6& b_B) {
+  for (int k = 0; k < kFree<Kind>; ++k) i.tau[k][0] = 0;
+  resolve(i, b_A.col(0) - b_B.col(0));
 }
 
 // What a joint's far link feels through it: I^A a + p^A, handle forces not counted.
@@ -2621,8 +2647,8 @@ constexpr std::array<int, 9> kRefined_1_3{0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr std::array<int, 5> kRefined_1_4{4, 5, 6, 7, 8};
 constexpr std::array<int, 5> kRefined_1_5{5, 6, 7, 8, 9};
 constexpr std::array<RefinedProcess, kProcesses> kRefined{ {
-    {{5, kRefined_0_0.data()}, {5, kRefined_0_1.data()}, {5, kRefined_0_2.data()}, {4, kRefined_0_3.data()}, {5, kRefined_0_4.data()}, {4, kRefined_0_5.data()}, {0, nullptr}},
-    {{4, kRefined_1_0.data()}, {9, kRefined_1_1.data()}, {4, kRefined_1_2.data()}, {9, kRefined_1_3.data()}, {5, kRefined_1_4.data()}, {5, kRefined_1_5.data()}, {0, nullptr}},
+    {{5, kRefined_0_0.data()}, {5, kRefined_0_1.data()}, {5, kRefined_0_2.data()}, {4, kRefined_0_3.data()}, {5, kRefined_0_4.data()}, {4, kRefined_0_5.data()}, {0, nullptr}, {0, nullptr}, {0, nullptr}},
+    {{4, kRefined_1_0.data()}, {9, kRefined_1_1.data()}, {4, kRefined_1_2.data()}, {9, kRefined_1_3.data()}, {5, kRefined_1_4.data()}, {5, kRefined_1_5.data()}, {0, nullptr}, {0, nullptr}, {0, nullptr}},
 } };
 
 constexpr std::array<int, 5> kToldEntries_0{0, 1, 2, 3, 4};
@@ -2663,11 +2689,12 @@ inline void exchange_step(Workspace& w, Channel& channel) {
 
 // The joints' forces with the torques that hold slaved joints in step.
 inline void collect_forces(Workspace& w, const RefinedProcess& own) {
+  Refinement& r = w.refinement;
   for (const int j : own.forces) {
-    Refinement& r = w.refinement;
     r.collect(j, w.tau);
     for (int c = 1; c < kColumns; ++c) r.couple(j, c, Number(coupling_torque(w, c - 1)));
   }
+  for (int k = 0; k < own.inner.count; ++k) r.hand_on(own.inner.first[k], own.beyond.first[k]);
 }
 
 // One energy beside another.
@@ -2731,7 +2758,6 @@ inline void require_convergence(Workspace& w, int k) {
 void refined(Workspace& w, Channel& channel) {
   const RefinedProcess& own = kRefined[channel.rank()];
   if (own.own.count == 0) return;
-  static constexpr std::array<Number, kNv> no_torque{};
   Refinement& r = w.refinement;
   const Number* const tau = w.tau;
   Number* const qdd = w.qdd;
@@ -2752,7 +2778,8 @@ void refined(Workspace& w, Channel& channel) {
     }
     if (k == kRefine) break;
     r.residual(own);
-    w.tau = no_torque.data();
+    r.miss(own, tau);
+    w.tau = r.lacking.data();
     kCorrect[channel.rank()](w, channel);
   }
   w.tau = tau;

@@ -30,6 +30,8 @@ struct RefinedProcess {
   Table at;       // joints at its links
   Table links;    // its links
   Table slaved;   // slaved joints among all of these
+  Table inner;    // joints of its runs whose far link has no mass, from the ends inwards
+  Table beyond;   // the joint beyond each of them
 };
 
 // What one process tells another of a step.
@@ -63,6 +65,7 @@ class Refinement {
   std::array<Columns6, kJointCount> f;  // joint forces of the last step, every right-hand side
   std::array<Eigen::Matrix<Number, 6, 1>, kJointCount> force;  // the same with coupling torques
   std::array<Number, kNv> step{};                              // accelerations of the last step
+  std::array<Number, kNv> lacking{};  // torques that forces inside runs lack along the joints
   std::array<Vec6, kLinkCount> rho;
   std::array<Wide, kNv> qdd{};
   // Its process's shares of e^T H e, t^T H t, and the same of all that holds links in free fall.
@@ -100,6 +103,21 @@ class Refinement {
     if (slaved.source != j) return;
     const int row = free_row(kJoints[j].kind, 0);
     force[j][row] -= (Number(slaved.multiplier) + Number(f[j](row, column))) * torque;
+  }
+
+  // A link without mass hands on what it gets.
+  void hand_on(int j, int beyond) {
+    force[j] = returned(joints_[beyond], force[beyond].cast<Wide>()).cast<Number>();
+  }
+
+  // What the forces inside runs lack of these torques.
+  void miss(const RefinedProcess& own, const Number* tau) {
+    for (const int j : own.inner) {
+      const JointConstants& joint = kJoints[j];
+      for (int k = 0; k < joint.nv; ++k)
+        lacking[joint.v + k] =
+            static_cast<Number>(Wide(tau[joint.v + k]) - joints_[j].f[free_row(joint.kind, k)]);
+    }
   }
 
   // The last step becomes part of the answer.
@@ -146,9 +164,8 @@ class Refinement {
       left_[link] = -times_inertia(link, joints_[link - 1].a) - joints_[link - 1].gyration;
     for (const int j : own.at) {  // adds to other processes' links, too, which nobody reads
       const WideJoint& i = joints_[j];
-      const Wide3 linear = i.E.transpose() * i.f.tail<3>();
       left_[j + 1] += i.f;
-      left_[kJoints[j].parent] -= wide(i.E.transpose() * i.f.head<3>() + i.r.cross(linear), linear);
+      left_[kJoints[j].parent] -= returned(i, i.f);
     }
     for (const int link : own.links) rho[link] = left_[link].cast<Real>();
   }
@@ -181,6 +198,12 @@ class Refinement {
   static Wide6 carried(const WideJoint& i, const Wide6& m) {
     const Wide3 angular = m.head<3>();
     return wide(i.E * angular, i.E * (m.tail<3>() - i.r.cross(angular)));
+  }
+
+  // A wrench on a joint's child link, in its parent link's frame.
+  static Wide6 returned(const WideJoint& i, const Wide6& f) {
+    const Wide3 linear = i.E.transpose() * f.tail<3>();
+    return wide(i.E.transpose() * f.head<3>() + i.r.cross(linear), linear);
   }
 
   // I m of a link: its mass at the centre of mass, its tensor about it.
@@ -261,33 +284,3 @@ class Refinement {
   std::array<WideJoint, kJointCount> joints_;
   std::array<Wide6, kLinkCount> left_;
 };
-
-// Along the joint its force is its torque, to the bit.
-template <class Kind>
-void along(const std::array<std::array<Real, kColumns>, kFree<Kind>>& tau, Columns6& f) {
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) f(Kind::Free::row[k], c) = tau[k][c];
-}
-
-// The right-hand side that a residual makes: the others, of coupling torques, stay as they are.
-[[maybe_unused]] inline Columns6 first_column(const Vec6& x) {
-  Columns6 result = Columns6::Zero();
-  result.col(0) = x;
-  return result;
-}
-
-// A joint that has been joined, for other biases and no torque of its own.
-template <class Kind>
-void rejoin(Joined<Kind>& i, const Columns6& b_A, const Columns6& b_B) {
-  constexpr int m = kConstrained<Kind>;
-  const Vec6 beta = b_A.col(0) - b_B.col(0);
-  for (int k = 0; k < kFree<Kind>; ++k) {
-    i.R_beta[k][0] = beta[Kind::Free::row[k]];
-    i.tau[k][0] = 0;
-  }
-  for (int row = 0; row < m; ++row) {
-    Real x = beta[Kind::Constrained::row[row]];
-    for (int k = 0; k < row; ++k) x -= i.L[row][k] * i.z[k][0];
-    i.z[row][0] = x * i.L[row][row];
-  }
-}

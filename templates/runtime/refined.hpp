@@ -22,11 +22,12 @@ inline void exchange_step(Workspace& w, Channel& channel) {
 
 // The joints' forces with the torques that hold slaved joints in step.
 inline void collect_forces(Workspace& w, const RefinedProcess& own) {
+  Refinement& r = w.refinement;
   for (const int j : own.forces) {
-    Refinement& r = w.refinement;
     r.collect(j, w.tau);
     for (int c = 1; c < kColumns; ++c) r.couple(j, c, Number(coupling_torque(w, c - 1)));
   }
+  for (int k = 0; k < own.inner.count; ++k) r.hand_on(own.inner.first[k], own.beyond.first[k]);
 }
 
 // One energy beside another.
@@ -90,7 +91,6 @@ inline void require_convergence(Workspace& w, int k) {
 void refined(Workspace& w, Channel& channel) {
   const RefinedProcess& own = kRefined[channel.rank()];
   if (own.own.count == 0) return;
-  static constexpr std::array<Number, kNv> no_torque{};
   Refinement& r = w.refinement;
   const Number* const tau = w.tau;
   Number* const qdd = w.qdd;
@@ -111,7 +111,8 @@ void refined(Workspace& w, Channel& channel) {
     }
     if (k == kRefine) break;
     r.residual(own);
-    w.tau = no_torque.data();
+    r.miss(own, tau);
+    w.tau = r.lacking.data();
     kCorrect[channel.rank()](w, channel);
   }
   w.tau = tau;

@@ -14,10 +14,13 @@ from adagen.errors import UsageError
 from adagen.model import Inertia, Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.refine import exchanges, links_of_process
+from adagen.plan.steps import FusedJoin
+from adagen.predict import best_schedule
 from adagen.reference import energy_norm_error, inverse_dynamics, joint_space_inertia
+from adagen.schedule import load_profile
 from adagen.states import States, random_states
 from tests.emitted import QUICK, Array, Builder, Solver, truth_of
-from tests.models import random_tree, serial_chain
+from tests.models import random_tree, serial_chain, three_axis_chain
 from tests.schedules import random_schedule
 
 
@@ -63,6 +66,23 @@ def test_one_step_leaves_only_rounding_and_says_what_there_was(
     large = raw > 4e-15  # below that, constants of the frames are rounded as much
     assert ((said[:, 0] < 3 * raw) & (raw < 3 * said[:, 0]))[large].all()
     assert (said[:, 1] < 1e-3 * said[:, 0]).all()
+
+
+@pytest.mark.parametrize(
+    ("scalar", "processes"), [("mixed", 2), pytest.param("double", 1, marks=pytest.mark.slow)]
+)
+def test_joints_joined_over_massless_links_are_refined(
+    scalar: str, processes: int, builder: Builder, tmp_path: Path
+) -> None:
+    model = three_axis_chain(3)
+    schedule = best_schedule(model, processes, load_profile("default"), "ada")
+    plan = make_plan(model, schedule, form="ada", scalar=scalar)
+    assert any(isinstance(step, FusedJoin) for p in plan.processes for step in p.steps)
+    states = random_states(model, 3, seed=3)
+    solver = refined(builder, plan, 3)
+    assert errors(model, states, solver.solve(model, states, tmp_path)).max() < 1e-13
+    said = np.array(json.loads((tmp_path / "result.json").read_text())["corrections"])
+    assert (said[:, 1] < 1e-2 * said[:, 0]).all()
 
 
 def test_check_tells_the_corrections(builder: Builder) -> None:

@@ -12,16 +12,21 @@ from hypothesis import strategies as st
 from adagen.model import Inertia, Model
 from adagen.plan import make_plan
 from adagen.plan.interpret.refine import interpret_refined
+from adagen.predict import best_schedule
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
+from adagen.schedule import Schedule, load_profile
 from adagen.states import random_states
 from tests.models import human_figure, random_tree, serial_chain, three_axis_chain
 from tests.schedules import random_schedule
 
 
-def errors(model: Model, form: str, processes: int, steps: int) -> list[tuple[float, ...]]:
+def errors(
+    model: Model, form: str, processes: int, steps: int, schedule: Schedule | None = None
+) -> list[tuple[float, ...]]:
     """Return for two states the errors after 0, 1, ... steps, then the corrections' sizes."""
-    rng = np.random.default_rng(processes)
-    plan = make_plan(model, random_schedule(model, processes, rng), form=form)
+    if schedule is None:
+        schedule = random_schedule(model, processes, np.random.default_rng(processes))
+    plan = make_plan(model, schedule, form=form)
     sample = random_states(model, 2, seed=3)
     rows = []
     for state in zip(sample.q, sample.v, sample.tau, strict=True):
@@ -70,3 +75,12 @@ def test_a_light_link_takes_two_steps_in_form_ada() -> None:
 def test_massless_links_are_no_obstacle_inside_a_segment() -> None:
     for _, once, _ in errors(three_axis_chain(3), "segment", 1, 1):
         assert once < 1e-15
+
+
+@pytest.mark.parametrize("processes", [1, 2])
+def test_runs_through_massless_links_are_refined_as_one(processes: int) -> None:
+    model = three_axis_chain(3)
+    schedule = best_schedule(model, processes, load_profile("default"), "ada")
+    for raw, once, size in errors(model, "ada", processes, 1, schedule):
+        assert once < 1e-15
+        assert size / 3 < raw < 3 * size

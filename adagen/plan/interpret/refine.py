@@ -21,7 +21,7 @@ from adagen.plan.interpret.articulated import SegmentMachine
 from adagen.plan.interpret.joins import JoinMachine
 from adagen.plan.interpret.machine import Machine
 from adagen.plan.placement import placement
-from adagen.plan.refine import refinable
+from adagen.plan.refine import handed_on, refinable
 from adagen.plan.steps import Accelerate, Bias, FreeAcceleration, Step
 from adagen.plan.types import Plan
 
@@ -62,14 +62,15 @@ def interpret_refined(
     plan = refinable(plan)
     q, v = with_slaved(plan, q, v)
     chain = WideLinks(plan, q, v, wide)
-    answer = _solve(plan, q, v, np.asarray(tau, dtype=float), None)
-    qdd, forces = chain.follow(answer[0].astype(wide)), answer[1].astype(wide)
+    tau = np.asarray(tau, dtype=float)
+    answer = _solve(plan, q, v, tau, None)
+    qdd, forces = chain.follow(answer[0].astype(wide)), chain.handed_on(answer[1], tau)
     sizes = []
     for _ in range(steps):
-        rho = chain.residual(qdd, forces).astype(float)
-        step, step_forces = _solve(plan, q, v, np.zeros(len(v)), rho)
+        rho, lacking = chain.residual(qdd, forces).astype(float), chain.lacking(tau, forces)
+        step, step_forces = _solve(plan, q, v, lacking, rho)
         sizes.append(chain.energy(step) / max(chain.energy(qdd), np.finfo(float).tiny))
-        qdd, forces = chain.follow(qdd + step), forces + step_forces
+        qdd, forces = chain.follow(qdd + step), forces + chain.handed_on(step_forces, lacking)
     return Refined(qdd.astype(float), tuple(float(np.sqrt(size)) for size in sizes))
 
 
@@ -161,6 +162,7 @@ class WideLinks:
 
     def __init__(self, plan: Plan, q: Array, v: Array, wide: Any) -> None:
         self.plan, self.wide = plan, wide
+        self.pairs = [pair for process in plan.processes for pair in handed_on(process)]
         n = len(plan.joints)
         self.turn = np.zeros((n, 3, 3), dtype=wide)  # parent to child coordinates
         self.shift = np.zeros((n, 3), dtype=wide)
@@ -199,10 +201,32 @@ class WideLinks:
             v = self.velocity[j + 1]
             momentum = self._inertia(j + 1, v)
             rho[j + 1] += forces[j] - self._inertia(j + 1, a[j + 1]) - _cross_force(v, momentum)
-            moment, force = self.turn[j].T @ forces[j][:3], self.turn[j].T @ forces[j][3:]
-            rho[joint.parent] -= np.concatenate([moment + np.cross(self.shift[j], force), force])
+            rho[joint.parent] -= self._returned(j, forces[j])
         rho[0] = 0
         return rho
+
+    def handed_on(self, forces: Array, tau: Array) -> Array:
+        """Return joint forces, shape (N, 6), with those inside runs from the ones at their ends.
+
+        At the end of a run the force along the joint is the torque, to the bit.
+        """
+        forces = forces.astype(self.wide)
+        inner = {j for j, _ in self.pairs}
+        for j in {beyond for _, beyond in self.pairs} - inner:
+            joint, kind = self.plan.joints[j], KINDS[self.plan.joints[j].kind]
+            forces[j, list(kind.free)] = tau[joint.v : joint.v + kind.nv]
+        for j, beyond in self.pairs:
+            forces[j] = self._returned(beyond, forces[beyond])
+        return forces
+
+    def lacking(self, tau: Array, forces: Array) -> Array:
+        """Return what forces inside runs lack along the joints, shape (nv,)."""
+        missing = np.zeros(len(tau))
+        for j, _ in self.pairs:
+            joint, kind = self.plan.joints[j], KINDS[self.plan.joints[j].kind]
+            own = slice(joint.v, joint.v + kind.nv)
+            missing[own] = tau[own] - forces[j, list(kind.free)]
+        return missing
 
     def energy(self, qdd: Array) -> Any:
         """Return qdd^T H qdd of accelerations, shape (nv,), from the links' motions."""
@@ -221,6 +245,11 @@ class WideLinks:
     def _carried(self, j: int, motion: Array) -> Array:
         linear = motion[3:] - np.cross(self.shift[j], motion[:3])
         return np.concatenate([self.turn[j] @ motion[:3], self.turn[j] @ linear])
+
+    def _returned(self, j: int, force: Array) -> Array:
+        """Return a wrench on a joint's child link in its parent link's frame."""
+        moment, linear = self.turn[j].T @ force[:3], self.turn[j].T @ force[3:]
+        return np.concatenate([moment + np.cross(self.shift[j], linear), linear])
 
     def _inertia(self, number: int, motion: Array) -> Array:
         """Return I m of a link: its mass at the centre of mass, and its tensor about it."""
