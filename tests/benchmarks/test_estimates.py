@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import json
+from itertools import product
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from adagen.errors import AdagenError
+from adagen.plan.interpret.refine import interpret_refined
 from adagen.reference import exact_forward_dynamics
 from adagen.states import random_states, write_result, write_states
 from adagen.urdf import read_robot
-from benchmarks.estimates import main, subjects
+from benchmarks.estimates import main, planned, subjects
 from benchmarks.estimates_report import Row, judged, report, within
 from tests.cli.test_generate import write_arm
 
@@ -63,6 +66,33 @@ def test_an_error_is_that_against_the_file(arm: Path) -> None:
     assert subject.error(1, 1.5 * subject.truth[1]) == pytest.approx(0.5)
     assert subject.own_error(1, 1.5 * subject.truth[1]) == pytest.approx(0.5)
     assert subject.own_error(1, subject.truth[1]) < 1e-15
+
+
+KNOWN = Path(__file__).resolve().parents[3] / "shared/robots"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "path",
+    [path for kind in ("real", "param") for path in sorted((KNOWN / kind).glob("*.json"))],
+    ids=lambda path: str(path.stem),
+)
+def test_estimates_are_within_a_factor_three_on_robots_with_known_answers(path: Path) -> None:
+    """In double, in both forms, on one process and two, where the robot is solved at all."""
+    for subject in subjects(path):
+        count = 1 if subject.model.nv > 60 else subject.states.count
+        for form, processes, s in product(("segment", "ada"), (1, 2), range(count)):
+            state = (subject.states.q[s], subject.states.v[s], subject.states.tau[s])
+            try:
+                plan = planned(subject.model, form, "double", processes)
+                found = interpret_refined(plan, *state, steps=1)
+                raw = interpret_refined(plan, *state, steps=0).qdd
+            except (AdagenError, FloatingPointError):
+                continue  # what is refused is told elsewhere
+            if not subject.truth[s].any():
+                continue  # held at rest: nothing that an error could be a part of
+            (said,) = found.corrections
+            assert within(said, subject.error(s, raw)) or within(said, subject.own_error(s, raw))
 
 
 @pytest.mark.slow
