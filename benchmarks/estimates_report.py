@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import Any
@@ -21,19 +22,25 @@ def within(said: float, true: float) -> bool:
 
 
 def judged(row: Row) -> list[str]:
-    """Return what becomes of each state's estimate: "file", "own" or "beyond".
+    """Return what becomes of each state's estimate: "file", "own", "beyond" or "rest".
 
     Args:
         row: of the record; ``own`` has no number where the estimate is within the factor already.
 
     Returns:
         For each state whether the estimate is within the factor of the error against the file's
-        truth, of that against the exact answer of the robot as it was read, or of neither.
+        truth, of that against the exact answer of the robot as it was read, or of neither. Of a
+        robot at rest no error is a part of the answer.
     """
-    return [
-        "file" if within(said, true) else "own" if within(said, own) else "beyond"
-        for said, true, own in zip(row["said"], row["true"], row["own"], strict=True)
-    ]
+
+    def verdict(said: float, true: float, own: float | None) -> str:
+        if not math.isfinite(true):
+            return "rest"
+        if within(said, true):
+            return "file"
+        return "own" if own is not None and within(said, own) else "beyond"
+
+    return [verdict(*numbers) for numbers in zip(row["said"], row["true"], row["own"], strict=True)]
 
 
 def report(rows: Sequence[Row]) -> str:
@@ -44,9 +51,9 @@ def report(rows: Sequence[Row]) -> str:
 def _summary(rows: Sequence[Row]) -> Iterator[str]:
     yield (
         "| form, scalar, P | runs | refused | states | within 3 of the true error | "
-        "within 3 but for rounded constants | beyond |"
+        "within 3 but for rounded constants | at rest | beyond |"
     )
-    yield "|---|---|---|---|---|---|---|"
+    yield "|---|---|---|---|---|---|---|---|"
     for variant in dict.fromkeys(tuple(row["key"][1:]) for row in rows):
         some = [row for row in rows if tuple(row["key"][1:]) == variant]
         answered = [row for row in some if "said" in row]
@@ -54,7 +61,8 @@ def _summary(rows: Sequence[Row]) -> Iterator[str]:
         form, scalar, processes = variant
         yield (
             f"| {form}, {scalar}, {processes} | {len(some)} | {len(some) - len(answered)} | "
-            f"{count.total()} | {count['file']} | {count['own']} | {count['beyond']} |"
+            f"{count.total()} | {count['file']} | {count['own']} | {count['rest']} | "
+            f"{count['beyond']} |"
         )
 
 

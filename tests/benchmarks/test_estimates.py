@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from itertools import product
+from math import inf
 from pathlib import Path
 
 import numpy as np
@@ -32,12 +33,14 @@ def row(form: str, said: list[float], true: list[float], own: list[float | None]
 
 def test_what_rounded_constants_explain_is_told_apart() -> None:
     rows: list[Row] = [
-        row("ada", [1e-13, 1e-16, 1e-13], [2e-13, 9e-16, 9e-13], [None, 2e-16, 8e-13]),
+        row(
+            "ada", [1e-13, 1e-16, 1e-13, 1e9], [2e-13, 9e-16, 9e-13, inf], [None, 2e-16, 8e-13, inf]
+        ),
         {"key": ["leg fixed", "ada", "double", 1], "refused": "error: no: not here; or there"},
     ]
-    assert judged(rows[0]) == ["file", "own", "beyond"]
+    assert judged(rows[0]) == ["file", "own", "beyond", "rest"]
     text = report(rows)
-    assert "| ada, double, 1 | 2 | 1 | 3 | 1 | 1 | 1 |" in text
+    assert "| ada, double, 1 | 2 | 1 | 4 | 1 | 1 | 1 | 1 |" in text
     assert "| arm fixed | ada, double, 1 | 2 | 1.0e-13 | 9.0e-13 | 8.0e-13 |" in text
     assert "| ada, double, 1 | no: not here | leg fixed |" in text
 
@@ -109,4 +112,4 @@ def test_a_record_is_added_to_and_told(
     assert main(["report", str(record)]) == 0
     text = capsys.readouterr().out
     assert "| ada, double, 1 | 1 | 0 | 2 |" in text
-    assert "| ada, mixed, 1 | 1 | 0 | 2 | 2 | 0 | 0 |" in text
+    assert "| ada, mixed, 1 | 1 | 0 | 2 | 2 | 0 | 0 | 0 |" in text
