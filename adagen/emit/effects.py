@@ -98,9 +98,8 @@ def given_acceleration(words: Words, j: int) -> list[str]:
 def pushes(words: Words, link: int, line: str) -> list[str]:
     """The lines that let the outer forces on a link act; ``line`` says how, of ``{}``."""
     plan = words.plan
-    start = sum(words.kind(j).nv for j in range(len(plan.joints)))
     return [
-        line.format(f"outer_force(w, {k}, {start + 6 * k}, {link - 1})")
+        line.format(f"outer_force(w, {k}, {plan.entry_of_wrench(k)}, {link - 1})")
         for k, wrench in enumerate(plan.wrenches)
         if wrench.link == link
     ]
@@ -118,9 +117,8 @@ def push_calls(words: Words, links: Sequence[int]) -> list[str]:
 def pushed_entries(words: Words, links: set[int]) -> list[int]:
     """The entries of tau that hold the outer forces on some links."""
     plan = words.plan
-    start = sum(words.kind(j).nv for j in range(len(plan.joints)))
     return [
-        start + 6 * k + i
+        plan.entry_of_wrench(k) + i
         for k, wrench in enumerate(plan.wrenches)
         if wrench.link in links
         for i in range(6)

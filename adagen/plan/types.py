@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from adagen.model.kinds import KINDS
 from adagen.plan.steps import Bias, Block, Force, Step
 
 FACTORS = {"double": "double", "float": "float", "mixed": "float"}
@@ -185,6 +186,10 @@ class Plan:
     def right_hand_sides(self) -> int:
         """Columns of every bias, force and acceleration: the motion, and one per slaved joint."""
         return 1 + len(self.slaved)
+
+    def entry_of_wrench(self, k: int) -> int:
+        """Return where the six numbers of outer force ``k`` start in tau."""
+        return sum(KINDS[joint.kind].nv for joint in self.joints) + 6 * k
 
     def path(self, joint: int) -> list[int]:
         """Return the joints from the ground down to ``joint``, itself included."""

@@ -10,11 +10,13 @@ import numpy as np
 import pytest
 
 from adagen.emit import emit, stem_of
+from adagen.emit.shapes import chosen_shape
 from adagen.model import Model
 from adagen.states import random_states, write_states
 from tests.emit.test_robots import CASES, thin
 from tests.emitted import Builder, Solver, forward_error, plan_of, truth_of
 from tests.models import human_figure, random_tree, serial_chain
+from tests.scene.effects import with_effects, with_wrenches
 
 
 def built(builder: Builder, model: Model, processes: int, name: str, form: str) -> Solver:
@@ -60,6 +62,33 @@ def test_a_floating_tree_of_all_kinds_is_solved(
     states = random_states(model, 3, seed=2)
     found = solver.solve(model, states, tmp_path)
     assert forward_error(found, truth_of(model, states)) < 1e-10
+
+
+@pytest.mark.parametrize(
+    ("processes", "form"),
+    [
+        slow_unless((p, form) == (2, "ada"), p, form)
+        for p in (1, 2, 3)
+        for form in ("segment", "ada")
+    ],
+)
+def test_outer_forces_and_prescribed_motions_are_taken(
+    processes: int, form: str, builder: Builder, tmp_path: Path
+) -> None:
+    """Of four kinds, the base among them, beside a slaved joint."""
+    rng = np.random.default_rng(35)
+    model = random_tree(rng, 8, floating=True, mimics=1)
+    model = with_wrenches(with_effects(model, rng, "p"), rng, 3)
+    assert len({joint.kind for joint in model.joints if joint.prescribed}) == 4
+    solver = built(builder, model, processes, "pushed tree", form)
+    states = random_states(model, 3, seed=2)
+    found = solver.solve(model, states, tmp_path, "--check")
+    assert forward_error(found, truth_of(model, states)) < 1e-10
+
+
+def test_a_pushed_arm_is_unrolled() -> None:
+    model = with_wrenches(serial_chain(6), np.random.default_rng(1))
+    assert chosen_shape(plan_of(model, 1)) == "unrolled"
 
 
 @pytest.mark.parametrize("chunk", [40, slow_unless(False, 300)])
@@ -113,6 +142,18 @@ class TestFailures:
             name = model.joints[j].name
             line = f'state 2: joint "{name}": its q, v or tau is not a finite number'
             assert self.said(solver, tmp_path / "s.json") == line
+
+    def test_an_outer_force_that_the_scalar_cannot_hold_names_its_link_by_the_joint(
+        self, builder: Builder, tmp_path: Path
+    ) -> None:
+        model = with_wrenches(serial_chain(4), np.random.default_rng(1), 1)
+        plan = plan_of(model, 1, scalar="float")
+        solver = builder.solver(plan, ("-O0",), name="pushed", shape="unrolled")
+        states = random_states(model, 1)
+        states.tau[0, model.nv] = 1e39
+        write_states(states, model, tmp_path / "s.json")
+        name = model.joints[model.wrenches[0].link - 1].name
+        assert f'joint "{name}": ' in self.said(solver, tmp_path / "s.json")
 
     @pytest.mark.parametrize("size", [0.0, 1e-200, 1e200])
     def test_a_quaternion_that_cannot_be_normalised_names_its_joint(

@@ -14,6 +14,7 @@ from adagen.emit.words import Words
 from adagen.graph import live_nodes
 from adagen.plan import Plan
 from adagen.plan.stages import stages
+from adagen.plan.steps import LinkBias, StartLink
 from adagen.plan.types import PlanJoint, Process
 
 CHUNK = 1000
@@ -23,15 +24,14 @@ CHUNK = 1000
 def why_not_unrolled(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted in this shape, None if it can."""
     kinds = {type(step) for process in plan.processes for step in process.steps}
-    if plan.wrenches or any(_with_effects(joint) for joint in plan.joints):
-        return "it does not know outer forces, passive torques and prescribed joints yet"
+    if any(_with_effects(joint) for joint in plan.joints):
+        return "it does not know passive torques and rotors yet"
     unknown = sorted(kind.__name__ for kind in kinds - DESCRIBED)
     return f"it does not know what {', '.join(unknown)} means" if unknown else None
 
 
 def _with_effects(joint: PlanJoint) -> bool:
-    effects = joint.damping, joint.friction, joint.stiffness, joint.rotor_inertia
-    return joint.prescribed or any(effects)
+    return any((joint.damping, joint.friction, joint.stiffness, joint.rotor_inertia))
 
 
 def unrolled_values(words: Words, chunk: int = 0) -> dict[str, object]:
@@ -183,6 +183,18 @@ class _ProcessText:
         return [
             f"if (!all({' + '.join(terms)} == 0))",
             f"  name_what_is_not_finite(w, kRead_{self.p}, kOwned_{self.p});",
+            *self._look_at_outer_forces(),
+        ]
+
+    def _look_at_outer_forces(self) -> list[str]:
+        plan = self.words.plan
+        steps = self.process.steps
+        links = {step.link for step in steps if isinstance(step, LinkBias | StartLink)}
+        return [
+            f"if (!all(unlike_zero(tau + {plan.entry_of_wrench(k)}, 6) == 0))"
+            f" fail(w, kNotFinite, {wrench.link - 1});"
+            for k, wrench in enumerate(plan.wrenches)
+            if wrench.link in links
         ]
 
     def _give(self) -> list[str]:

@@ -68,7 +68,8 @@ class JoinMachine:
         drift = self.machine.motion.drift(step.joint)
         if drift is not None:
             beta = beta + drift
-        beta = beta - matrix_times(phi[:, free], tau)
+        if free:
+            beta = beta - matrix_times(phi[:, free], tau)
         least = least_mobility(self.machine.plan, step)
         self.machine.checks.extend(
             Check(phi[row, row], self.machine.graph.constant(least[row]), step.joint, "kGrowth")
@@ -122,7 +123,9 @@ class JoinMachine:
             self.memory[block.target] = result
         for bias in joined.step.biases:
             h = bias.target.handle
-            change = matrix_times(joined.y[h].T, joined.tau)
+            change = self.machine.zeros(6, self.machine.columns)
+            if len(joined.tau):
+                change = matrix_times(joined.y[h].T, joined.tau)
             if factors is not None:
                 change = change + matrix_times(over[h].T, joined.z0)
             before = self.memory[bias.source]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -9,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.emit.unrolled.frames import Dense, Transform, Turn, about_z, placed, plus_cross
-from adagen.graph import Expression, dot, total
+from adagen.graph import Expression, dot, matrix_times, total
+from adagen.model.kinds import KINDS, JointKind
 
 if TYPE_CHECKING:
     from adagen.emit.unrolled.machine import Machine
@@ -41,9 +43,13 @@ class KinematicMachine:
     def __init__(self, machine: Machine) -> None:
         self.machine = machine
 
+    def _kind(self, j: int) -> JointKind:
+        """A joint's kind, whether it moves freely or as prescribed."""
+        return KINDS[self.machine.plan.joints[j].kind]
+
     def state(self, j: int) -> tuple[list[Expression], list[Expression]]:
         """Configuration and velocity of a joint, a slaved one's from its source."""
-        joint, kind = self.machine.plan.joints[j], self.machine.kind(j)
+        joint, kind = self.machine.plan.joints[j], self._kind(j)
         if joint.mimic is None:
             q = [self.machine.graph.input(f"q[{joint.q + k}]") for k in range(kind.nq)]
             return q, [self.machine.graph.input(f"v[{joint.v + k}]") for k in range(kind.nv)]
@@ -53,7 +59,7 @@ class KinematicMachine:
 
     def kinematics(self, j: int) -> None:
         """Placement of a joint's child link, its velocity and its reference acceleration."""
-        joint, kind = self.machine.plan.joints[j], self.machine.kind(j)
+        joint, kind = self.machine.plan.joints[j], self._kind(j)
         q, v = self.state(j)
         base = self.machine.constants(joint.rotation)
         turn, shift = self._placement(j, q)
@@ -67,10 +73,14 @@ class KinematicMachine:
         motion[list(kind.free)] = v
         self.machine.memory["X", j] = x
         self._advance(j, x, motion[:3], motion[3:])
+        if joint.prescribed:
+            drift = self.machine.memory.get(("drift", j), self.machine.zeros(6)).copy()
+            drift[list(kind.free)] = drift[list(kind.free)] + self.machine.given(j)
+            self.machine.memory["drift", j] = drift
 
     def _placement(self, j: int, q: list[Expression]) -> tuple[Turn | Dense | None, Array | None]:
         """Turn and shift of the child frame in the canonical joint frame, None for neither."""
-        kind, zero = self.machine.kind(j), self.machine.graph.constant(0)
+        kind, zero = self._kind(j), self.machine.graph.constant(0)
         if kind.quaternion is not None:
             shift = np.array(q[:3], dtype=object) if kind.quaternion else None
             return Dense(self._orientation(j, q[kind.quaternion :])), shift
@@ -107,7 +117,7 @@ class KinematicMachine:
         """Velocity and reference acceleration of a joint's child link."""
         parent = self.machine.plan.joints[j].parent
         back = x.rotation.transposed()
-        if parent == 0 and self.machine.kind(j).name == "floating":
+        if parent == 0 and self._kind(j).name == "floating":
             # It falls freely: gravity then enters its own acceleration only, at the very end.
             omega, alpha, a = turning, self.machine.zeros(3), self.machine.zeros(3)
             ground = back.vector(self.machine.constants([-g for g in self.machine.plan.gravity]))
@@ -130,7 +140,10 @@ class KinematicMachine:
         return Field(nothing, nothing, upwards, self.machine.zeros(3, 3))
 
     def drift(self, j: int) -> Array | None:
-        """What a joint's sides differ by in the reference field beyond S qdd; None for nothing."""
+        """What a joint's sides differ by beyond the reference field and S qdd; None for nothing.
+
+        Where qdd is prescribed, S qdd is that.
+        """
         drift = self.machine.memory.get(("drift", j))
         return None if drift is None else self.machine.column(drift)
 
@@ -154,7 +167,8 @@ class KinematicMachine:
     def link_force(self, number: int) -> Array:
         """What the reference field takes to be had by the link alone: [moment; force], shape (6,).
 
-        The moment I alpha + omega x I omega + m c x a, the products in H being used again.
+        The moment I alpha + omega x I omega + m c x a, the products in H being used again; less
+        what outer forces do for it.
         """
         field: Field = self.machine.memory["field", number]
         inertia = self.link_inertia(number)
@@ -173,7 +187,23 @@ class KinematicMachine:
             moment.append(total(terms))
         moment_of_force = plus_cross(np.array(moment, dtype=object), moment_of_mass, field.a)
         force = [total([field.a[k] * mass, *(h[k] * moment_of_mass)]) for k in range(3)]
-        return np.concatenate([moment_of_force, np.array(force, dtype=object)])
+        whole = np.concatenate([moment_of_force, np.array(force, dtype=object)])
+        for push in self._pushes(number):
+            whole = whole - push
+        return whole
+
+    def _pushes(self, number: int) -> Iterator[Array]:
+        """Outer wrenches [moment; force] on a link at its origin, shape (6,)."""
+        plan, machine = self.machine.plan, self.machine
+        for k, wrench in enumerate(plan.wrenches):
+            if wrench.link == number:
+                first = plan.entry_of_wrench(k)
+                given = [machine.graph.input(f"tau[{first + i}]") for i in range(6)]
+                turn = machine.constants(wrench.rotation)
+                force = matrix_times(turn, np.array(given[:3], dtype=object))
+                moment = matrix_times(turn, np.array(given[3:], dtype=object))
+                place = machine.constants(wrench.translation)
+                yield np.concatenate([plus_cross(moment, place, force), force])
 
 
 def _gradient(omega: Array, alpha: Array) -> Array:

@@ -19,7 +19,7 @@ from adagen.emit.unrolled.joins import JoinMachine
 from adagen.emit.unrolled.kinematics import KinematicMachine
 from adagen.emit.unrolled.segments import SegmentMachine
 from adagen.graph import Expression, Factors, Graph, factorize, total
-from adagen.model.kinds import KINDS, JointKind
+from adagen.model.kinds import HELD, KINDS, JointKind
 from adagen.plan import Plan
 from adagen.plan.growth import EPSILON
 from adagen.plan.steps import (
@@ -116,9 +116,16 @@ class Machine:
         result[:, 0] = first
         return result
 
-    def kind(self, joint: int) -> JointKind:
-        """A joint's kind."""
-        return KINDS[self.plan.joints[joint].kind]
+    def kind(self, j: int) -> JointKind:
+        """What a joint leaves free: nothing where its acceleration is prescribed."""
+        joint = self.plan.joints[j]
+        return HELD if joint.prescribed else KINDS[joint.kind]
+
+    def given(self, j: int) -> Array:
+        """What tau holds for joint j: its torques, or its accelerations; shape (n,)."""
+        joint = self.plan.joints[j]
+        own = [self.graph.input(f"tau[{joint.v + k}]") for k in range(KINDS[joint.kind].nv)]
+        return np.array(own, dtype=object)
 
     def factorize(self, matrix: Array, joint: int) -> Factors:
         """Return the factors of a matrix, its pivots being checked in the name of a joint.
@@ -133,9 +140,7 @@ class Machine:
 
     def torques(self, j: int) -> Array:
         """Torques of joint j, shape (n, columns): its own, then those of the coupling rows."""
-        joint = self.plan.joints[j]
-        own = [self.graph.input(f"tau[{joint.v + k}]") for k in range(self.kind(j).nv)]
-        result = self.column(np.array(own, dtype=object))
+        result = self.column(self.given(j)[: self.kind(j).nv])
         for column, slaved in enumerate(self.plan.slaved, start=1):
             mimic = self.plan.joints[slaved].mimic
             assert mimic is not None
@@ -184,6 +189,8 @@ class Machine:
 
     def accelerate(self, j: int, qdd: Array) -> None:
         """Keep a joint's accelerations, shape (n, columns); with slaved joints they come later."""
+        if self.plan.joints[j].prescribed:
+            qdd = self.column(self.given(j))
         self.memory["qdd", j] = qdd
         if not self.plan.slaved:
             self.results[j] = qdd[:, 0]

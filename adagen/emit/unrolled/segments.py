@@ -130,6 +130,9 @@ class SegmentMachine:
         for row in constrained:
             for c in range(p.shape[1]):
                 force[row, c] = total([p[row, c], *(inertia[row, free] * moved[:, c])])
+        drift = self.machine.motion.drift(step.joint)
+        if drift is not None:
+            force = force + matrix_times(handed, drift * sigma)
         if not step.reversed:
             handed, force = x.inertia(handed), columnwise(x.force, force)
         self.memory["IA", near] = self.memory["IA", near] + handed

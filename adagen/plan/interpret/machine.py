@@ -128,10 +128,10 @@ class Machine:
     def push(self, link: int) -> Array:
         """Return the outer wrench [moment; force] on a link at its origin, shape (6,)."""
         result = np.zeros(6)
-        start = sum(KINDS[joint.kind].nv for joint in self.plan.joints)
         for k, wrench in enumerate(self.plan.wrenches):
             if wrench.link == link:
-                given = self.tau[start + 6 * k : start + 6 * k + 6]
+                start = self.plan.entry_of_wrench(k)
+                given = self.tau[start : start + 6]
                 turn = np.array(wrench.rotation)
                 force = turn @ given[:3]
                 moment = turn @ given[3:] + np.cross(np.array(wrench.translation), force)
