@@ -112,18 +112,21 @@ def fit_steps(samples: Sequence[Sample]) -> dict[str, float]:
 def _alike() -> Array:
     """Return rows that are zero where coefficients that resemble each other are equal.
 
-    Those of the joint kinds of a group do, and that of a row of joints side by side resembles that
-    of one such joint.
+    Those of the joint kinds of a group do, and that of a row of joints side by side, or of a joint
+    taken by columns, resembles that of one such joint.
     """
     rows = []
     for group in PER_KIND:
-        alone = group.removesuffix("_two").removesuffix("_four")
+        alone = group.split("_")[0]
         for kind in KINDS:
             others = KINDS if alone == group else (kind,)
             row = np.zeros(len(NAMES))
             row[[NAMES.index(f"{alone}.{other}") for other in others]] = -1 / len(others)
             row[NAMES.index(f"{group}.{kind}")] += 1
             rows.append(row)
+    row = np.zeros(len(NAMES))  # a run's ends are about as dear as one more joint
+    row[NAMES.index("articulate.run")], row[NAMES.index("articulate.revolute")] = 1, -1
+    rows.append(row)
     for k in range(len(NAMES)):
         row = np.zeros(len(NAMES))
         row[k] = 0.1  # and nothing is dearer than it need be

@@ -18,6 +18,8 @@ from adagen.schedule import CostProfile, Topology
 HALVES = ["revolute"] * 10 + ["spherical"] * 10
 OTHERS = ["prismatic"] * 8 + ["planar"] * 8
 ROWS = ["revolute", "revolute", "revolute", "spherical", "spherical", "prismatic"]
+LIMB = ["spherical", "revolute", "spherical"]
+BODY = ["floating", *LIMB * 2, "spherical", *LIMB * 2, "spherical"]  # legs, trunk, arms, neck
 MIXED = ["revolute", "spherical", "revolute", "prismatic", "planar"]
 
 
@@ -38,6 +40,7 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
     feet = robot("feet", star(4, 4), ["revolute", *ROWS[2:] * 4], 11)
     arms = robot("arms", star(2, 6), ["revolute", *ROWS * 2], 10)
     rope = robot("rope", chain(40), ["revolute"], 12)
+    body = robot("body", [0, 1, 2, 3, 1, 5, 6, 1, 8, 9, 10, 8, 12, 13, 8], BODY, 15)
     turned = robot("turned", chain(20), ["floating", *MIXED * 4][:20], 8)
     chosen = [
         ("segment", halves, 2, 1, "half"),
@@ -49,6 +52,7 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
         ("segment", wings, 1, 1, ""),
         ("segment", feet, 1, 1, ""),
         ("segment", arms, 1, 1, ""),
+        ("segment", body, 1, 1, ""),
         ("ada", figure, 2, 3, "mixed"),
         ("ada", halves, 2, 5, "half"),
     ]

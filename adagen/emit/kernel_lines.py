@@ -9,10 +9,21 @@ from adagen.emit import mobility
 from adagen.emit.effects import push_calls
 from adagen.emit.layout import Layout
 from adagen.emit.processes import describe_message
-from adagen.emit.runs import Run, ends_of_run, parts_of, runs, spans, sweep_of, swept
+from adagen.emit.runs import (
+    Run,
+    ends_of_run,
+    inward_runs,
+    links_of_run,
+    parts_of,
+    pays_columns,
+    runs,
+    spans,
+    sweep_of,
+    swept,
+)
 from adagen.emit.stages import stamped_groups
 from adagen.emit.words import Words
-from adagen.plan.abreast import Limbs, ends_of, inward_order, outward_order, placed_links
+from adagen.plan.abreast import Limbs, ends_of, outward_order, placed_links
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -41,6 +52,7 @@ class KernelLines:
         self.started: set[int] = set()  # links whose body holds something
         self.gathers = set(self.placed)  # links at which paths meet inwards
         self.parts: set[int] = set()  # links at which paths part outwards
+        self.oriented: set[int] = set()  # joints whose quaternions are taken
 
     def all_lines(self) -> list[str]:
         """Return the lines of the process."""
@@ -52,11 +64,20 @@ class KernelLines:
 
         See LinkRole in templates/kernels.cpp.j2.
         """
-        own = {s.link for s in self.process.steps if isinstance(s, StartLink)} - self.placed
+        own = self._own_links()
         return [
-            {"gathers": k in self.gathers, "adds_own": k in own, "parts": k in self.parts}
+            {
+                "gathers": k in self.gathers,
+                "adds_own": k in own,
+                "parts": k in self.parts,
+                "oriented": k - 1 in self.oriented,
+            }
             for k in range(len(self.words.plan.links))
         ]
+
+    def _own_links(self) -> set[int]:
+        """Links that the process adds as its sweep passes them."""
+        return {s.link for s in self.process.steps if isinstance(s, StartLink)} - self.placed
 
     def checks(self) -> list[str]:
         """Refuse a state that is not finite."""
@@ -114,8 +135,11 @@ class KernelLines:
         turning = [j for j in joints if self.joints[j].kind not in ("spherical", "floating")]
         lines += [f"turn<{a}, {b}>(w);" for a, b in self._blocks(turning)]
         bases = [j for j in joints if self._is_base(j)]
-        oriented = [j for j in joints if self.words.kind(j).quaternion is not None]
-        lines += [f"orient<{j}>(w);" for j in oriented if j not in bases]
+        oriented = [
+            j for j in joints if self.words.kind(j).quaternion is not None and j not in bases
+        ]
+        self.oriented.update(oriented)
+        lines += [f"orient<{self.p}, {a}, {b}>(w);" for a, b in self._blocks(oriented)]
         lines += [f"free_base_frame<{j}>(w);" for j in bases]
         treated = {*self.process.owns, *self.process.shares}
         sweep = {j: ends_of(self.joints, j) for j in joints if j not in bases}
@@ -241,21 +265,24 @@ class KernelLines:
         return [f"free_base<{s.joint}, {self._starts(s.joint + 1)}>(w);" for s in steps]
 
     def _Articulate(self, steps: list[Articulate]) -> list[str]:  # noqa: N802
-        lines = []
-        sweep = {s.joint: ends_of(self.joints, s.joint, s.reversed) for s in steps}
-        by_joint = {step.joint: step for step in steps}
-        for part in parts_of(inward_order(sweep, self.limbs)):
-            if isinstance(part, Limbs):
-                lines += self._inward_abreast(part)
+        lines: list[str] = []
+        columns: set[int] = set()  # links that are added to them
+        for run in inward_runs(self.joints, steps, self.limbs):
+            if isinstance(run, Limbs):
+                lines += self._inward_abreast(run)
                 continue
-            for run in swept(self.joints, [by_joint[j] for j in part]):
-                near = ends_of_run(self.joints, run)[0]
-                if near == 0 and self.joints[run.first].prescribed:
-                    continue  # the ground moves as it does, and so does what it carries
-                self.gathers.add(near)
-                call = sweep_of(self.joints, run, "inward", self.p, self._starts(near))
-                lines.append(call + self._names(run))
-        return lines
+            near = ends_of_run(self.joints, run)[0]
+            if near == 0 and self.joints[run.first].prescribed:
+                continue  # the ground moves as it does, and so does what it carries
+            self.gathers.add(near)
+            verb = "inward"
+            if not self.words.batch and pays_columns(self.joints, run):
+                verb = "inward_in_columns"
+                columns |= set(links_of_run(self.joints, run)) - {near}
+            call = sweep_of(self.joints, run, verb, self.p, self._starts(near))
+            lines.append(call + self._names(run))
+        blocks = self._blocks(link - 1 for link in columns & self._own_links())
+        return [*(f"set_up_columns<{a}, {b}>(w);" for a, b in blocks), *lines]
 
     def _inward_abreast(self, limbs: Limbs) -> list[str]:
         """Sweep limbs inwards and leave what is found at the links that they hang on."""

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from adagen.plan.abreast import Limbs, Unit
+from adagen.plan.abreast import Limbs, Unit, ends_of, inward_order
 from adagen.plan.steps import Accelerate, Articulate
 from adagen.plan.types import PlanJoint
 
@@ -62,12 +62,26 @@ def ends_of_run(joints: Sequence[PlanJoint], run: Run) -> tuple[int, int]:
     return (child, parent) if run.reversed else (parent, child)
 
 
+def links_of_run(joints: Sequence[PlanJoint], run: Run) -> list[int]:
+    """Return the links that a run passes, its ends too."""
+    return [joints[run.first].parent, *range(run.first + 1, run.last + 2)]
+
+
 def sweep_of(joints: Sequence[PlanJoint], run: Run, verb: str, process: int, *more: str) -> str:
     """Return the call by which a process sweeps a run; ``more`` arguments follow the run's ends."""
     prescribed = joints[run.first].prescribed
     name = f"{verb}{'_prescribed' * prescribed}{'_reversed' * run.reversed}"
     ends = (run.first,) if prescribed else (run.first, run.last)
     return f"{name}<{', '.join(map(str, (process, *ends, *more)))}>(w);"
+
+
+def pays_columns(joints: Sequence[PlanJoint], run: Run) -> bool:
+    """Whether a run has joints enough to be taken by columns, for the way there and back.
+
+    See templates/runtime/kernels/inward_columns.hpp.
+    """
+    own = joints[run.first : run.last + 1]
+    return sum(joint.kind in _BY_COLUMNS for joint in own) >= _FEWEST_IN_COLUMNS
 
 
 def parts_of(units: Iterable[Unit]) -> Iterable[Limbs | list[int]]:
@@ -79,6 +93,19 @@ def parts_of(units: Iterable[Unit]) -> Iterable[Limbs | list[int]]:
             yield [unit for unit in group if isinstance(unit, int)]
 
 
+def inward_runs(
+    joints: Sequence[PlanJoint], steps: Sequence[Articulate], limbs: Sequence[Limbs]
+) -> Iterable[Limbs | Run]:
+    """Limbs side by side, and the runs between them, in the order in which they are swept."""
+    by_joint = {step.joint: step for step in steps}
+    sweep = {s.joint: ends_of(joints, s.joint, s.reversed) for s in steps}
+    for part in parts_of(inward_order(sweep, limbs)):
+        if isinstance(part, Limbs):
+            yield part
+        else:
+            yield from swept(joints, [by_joint[j] for j in part])
+
+
 def spans(joints: Iterable[int]) -> list[tuple[int, int]]:
     """Joints as ranges first .. last."""
     found: list[tuple[int, int]] = []
@@ -88,3 +115,7 @@ def spans(joints: Iterable[int]) -> list[tuple[int, int]]:
         else:
             found.append((j, j))
     return found
+
+
+_FEWEST_IN_COLUMNS = 4
+_BY_COLUMNS = ("revolute", "prismatic", "spherical")

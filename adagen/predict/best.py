@@ -59,9 +59,30 @@ def best_schedule(
         return seen.unfold(found, profile)
     cuttable = cuttable_joints(model, scalar, seen.joints, limit)
     found = find_schedule(seen.topology, processes, profile=profile, cuttable=cuttable, **search)
-    joined = seen.unfold(found, profile)
-    may = gather and profile.steps is not None and can_gather(model)
-    return _or_gathered(model, joined, profile, scalar) if may else joined
+    best = seen.unfold(found, profile)
+    if profile.steps is None:
+        return best
+    if gather and can_gather(model):
+        best = _or_gathered(model, best, profile, scalar)
+    never = [False] * len(seen.topology)
+    alone = find_schedule(seen.topology, processes, profile=profile, cuttable=never, **search)
+    return _or_alone(model, best, seen.unfold(alone, profile), profile)
+
+
+PREDICTIONS_ERR = 0.1
+"""By what share predicted times of one process and of several may err beside each other."""
+
+
+def _or_alone(model: Model, best: Schedule, alone: Schedule, profile: CostProfile) -> Schedule:
+    """Return a schedule, or that of one process which leaves the others idle if it is faster.
+
+    The search does not know what lanes and columns save a process that has long runs and many
+    limbs. Processes that are asked for are used where predictions cannot tell.
+    """
+    if best.root == alone.root and best.meeting == alone.meeting:
+        return best
+    times = [predict(make_plan(model, each), profile).makespan for each in (best, alone)]
+    return alone if times[1] < (1 - PREDICTIONS_ERR) * times[0] else best
 
 
 def _or_gathered(model: Model, found: Schedule, profile: CostProfile, scalar: str) -> Schedule:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import groupby
 
+from adagen.emit.runs import Run, inward_runs, pays_columns
 from adagen.emit.shapes import SHAPES
 from adagen.model.kinds import KINDS
 from adagen.plan.abreast import Limbs, limbs_abreast
@@ -117,8 +119,8 @@ def _turned(group: str, key: str, turned: bool) -> Features:
     return {f"{group}.{key}": 1, **({f"{group}.reversed": 1} if turned else {})}
 
 
-Lanes = Mapping[int, Limbs]
-"""Of each joint that is passed side by side with others, the limbs that it belongs to."""
+Lanes = Mapping[int, Limbs | Run]
+"""What a joint of shape kernels is passed with: limbs side by side, or a run on its way inwards."""
 
 _SWEPT = (Kinematics, Articulate, Accelerate)
 _SIDE_BY_SIDE: dict[type, str] = {
@@ -130,10 +132,17 @@ _NUMBERS = {2: "two", 4: "four"}
 
 
 def lanes_of(plan: Plan, process: Process, shape: str = "auto") -> Lanes:
-    """Return which joints a process passes side by side; none where the shape does not do that."""
+    """Return which joints a process passes in lanes; none where the shape does not do that."""
     if shape not in ("auto", "kernels") or SHAPES["kernels"].why_not(plan) is not None:
         return {}
-    return {j: limbs for limbs in limbs_abreast(plan, process) for j in limbs.members()}
+    limbs = limbs_abreast(plan, process)
+    passed: dict[int, Limbs | Run] = {j: each for each in limbs for j in each.members()}
+    for kind, steps in groupby(process.steps, type):
+        if kind is Articulate:
+            for run in inward_runs(plan.joints, list(steps), limbs):  # type: ignore[arg-type]
+                if isinstance(run, Run):
+                    passed.update(dict.fromkeys(range(run.first, run.last + 1), run))
+    return passed
 
 
 def _row_features(step: Step, kind: str, limbs: Limbs) -> Features:
@@ -142,6 +151,17 @@ def _row_features(step: Step, kind: str, limbs: Limbs) -> Features:
     found = {f"{_SIDE_BY_SIDE[type(step)]}_{number}.{kind}": 1 / limbs.count}
     if isinstance(step, Articulate):
         found[f"limbs.{number}"] = 1 / (limbs.count * len(limbs.rows))
+    return found
+
+
+def _run_features(step: Articulate, joints: Sequence[PlanJoint], run: Run) -> Features:
+    """Of one joint of a run, with its share of the way into the run and out of it."""
+    found = {**features(step, joints), "articulate.run": 1 / (run.last - run.first + 1)}
+    if pays_columns(joints, run):
+        kind = joints[step.joint].kind
+        found.pop(f"articulate.{kind}", None)
+        found.pop("articulate.ground", None)
+        found[f"articulate_columns.{kind}"] = 1
     return found
 
 
@@ -156,15 +176,17 @@ def work_features(
     Args:
         steps: some steps of a process, in order.
         joints: the plan's joints.
-        lanes: those that are passed side by side.
+        lanes: those that are passed in lanes.
     """
     total: Features = {}
     for step in steps:
-        limbs = lanes.get(step.joint) if lanes and isinstance(step, _SWEPT) else None
-        if limbs is None:
-            found = features(step, joints)
-        else:
-            found = _row_features(step, joints[step.joint].kind, limbs)  # type: ignore[union-attr]
+        found = features(step, joints)
+        if lanes and isinstance(step, _SWEPT) and step.joint in lanes:
+            passed = lanes[step.joint]
+            if isinstance(passed, Limbs):
+                found = _row_features(step, joints[step.joint].kind, passed)
+            elif isinstance(step, Articulate):
+                found = _run_features(step, joints, passed)
         for name, count in found.items():
             total[name] = total.get(name, 0) + count
     return total
@@ -184,7 +206,7 @@ def work_time(
         joints: the plan's joints.
         costs: the machine's coefficients.
         slaved: number of slaved joints, each of which adds a right-hand side to every step.
-        lanes: joints that are passed side by side.
+        lanes: joints that are passed in lanes.
     """
     return costs.total(work_features(steps, joints, lanes)) * (1 + slaved * costs["slaved.column"])
 

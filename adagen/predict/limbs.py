@@ -137,6 +137,8 @@ class _Limbs:
         kind, others = self.joints[joint].kind, self.weight[joint]
         for group in ("kinematics", "articulate", "accelerate"):
             rows = [costs[f"{group}_two.{kind}"] / 2, costs[f"{group}_four.{kind}"] / 4]
+            if group == "articulate":
+                rows.append(costs[f"articulate_columns.{kind}"])
             others -= max(0.0, costs[f"{group}.{kind}"] - min(rows))
         return max(0.0, others)
 

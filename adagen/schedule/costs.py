@@ -23,7 +23,7 @@ PER_KIND: dict[str, tuple[str, ...]] = {
     "kinematics": (),
     "join": ("ground", "coupling_a", "coupling_b", "block", "across"),
     "disassemble": ("coupling",),
-    "articulate": ("ground", "reversed"),
+    "articulate": ("ground", "reversed", "run"),
     "propagate": ("ground", "reversed", "spread"),
     "deliver": ("reversed", "load"),
     "accelerate": ("reversed",),
@@ -32,13 +32,15 @@ PER_KIND: dict[str, tuple[str, ...]] = {
         for group in ("kinematics", "articulate", "accelerate")
         for number in ("two", "four")
     },
+    "articulate_columns": (),
 }
 """Groups with a coefficient per joint kind, and what else each has.
 
 A joint on the ground costs ``ground`` whatever its kind; ``reversed`` is added where the segment's
-root lies below the joint; the others are per handle, block or coupling. What ends on a number
-prices a row of as many joints, passed side by side; the limbs that they belong to cost something
-besides, once (``limbs``).
+root lies below the joint, ``run`` once for every run of joints; the others are per handle, block or
+coupling. What ends on a number prices a row of as many joints, passed side by side; the limbs that
+they belong to cost something besides, once (``limbs``). ``articulate_columns`` is for joints of
+runs that are taken by columns.
 """
 
 OTHERS: dict[str, tuple[str, ...]] = {

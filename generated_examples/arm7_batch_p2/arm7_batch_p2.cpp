@@ -368,7 +368,9 @@ typedef Bits LaneBits __attribute__((vector_size(64)));
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
-#define ADAGEN_INLINE [[maybe_unused]] inline __attribute__((always_inline))
+#define ADAGEN_ALWAYS __attribute__((always_inline))
+#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
+#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
 
 ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
 ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
@@ -380,6 +382,13 @@ ADAGEN_INLINE bool all_positive(const T& x) {
   bool result = true;
   ADAGEN_FOR (k, 0, static_cast<int>(sizeof x / sizeof x[0])) result &= x[k] > 0;
   return result;
+}
+
+// One number or the other, lane by lane.
+ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
+  const LaneBits bits =
+      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
+  return reinterpret_cast<Lanes>(bits);
 }
 
 ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
@@ -435,6 +444,17 @@ ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
   return result;
 }
 
+ADAGEN_INLINE bool any_of(const LaneBits& x) {
+  Bits any = 0;
+  for (int k = 0; k < kLanes; ++k) any |= x[k];
+  return any != 0;
+}
+ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
+                                         Lanes& cosine) {
+  for (int k = 0; k < kLanes; ++k)
+    if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
 ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
   using Table = Trigonometry<Real>;
   const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
@@ -455,11 +475,7 @@ ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosin
   sine = reinterpret_cast<Lanes>(sine_bits);
   cosine = reinterpret_cast<Lanes>(cosine_bits);
   const LaneBits beyond = (angle > Table::kLargestAngle) | (angle < -Table::kLargestAngle);
-  Bits any = 0;
-  for (int k = 0; k < kLanes; ++k) any |= beyond[k];
-  if (__builtin_expect(any != 0, 0))
-    for (int k = 0; k < kLanes; ++k)
-      if (beyond[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+  if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
 }
 
 constexpr std::array<MessageInfo, 0> kMessages{ {
@@ -3897,8 +3913,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 112, 0.432};
-constexpr Hop kMessageHop{21.1, 181, 0.576};
+constexpr Hop kWindowHop{0, 84.7, 0.429};
+constexpr Hop kMessageHop{21.8, 153, 0.538};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

@@ -403,7 +403,9 @@ typedef Bits LaneBits __attribute__((vector_size(64)));
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
-#define ADAGEN_INLINE [[maybe_unused]] inline __attribute__((always_inline))
+#define ADAGEN_ALWAYS __attribute__((always_inline))
+#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
+#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
 
 ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
 ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
@@ -415,6 +417,13 @@ ADAGEN_INLINE bool all_positive(const T& x) {
   bool result = true;
   ADAGEN_FOR (k, 0, static_cast<int>(sizeof x / sizeof x[0])) result &= x[k] > 0;
   return result;
+}
+
+// One number or the other, lane by lane.
+ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
+  const LaneBits bits =
+      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
+  return reinterpret_cast<Lanes>(bits);
 }
 
 ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
@@ -470,6 +479,17 @@ ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
   return result;
 }
 
+ADAGEN_INLINE bool any_of(const LaneBits& x) {
+  Bits any = 0;
+  for (int k = 0; k < kLanes; ++k) any |= x[k];
+  return any != 0;
+}
+ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
+                                         Lanes& cosine) {
+  for (int k = 0; k < kLanes; ++k)
+    if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
 ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
   using Table = Trigonometry<Real>;
   const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
@@ -490,11 +510,7 @@ ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosin
   sine = reinterpret_cast<Lanes>(sine_bits);
   cosine = reinterpret_cast<Lanes>(cosine_bits);
   const LaneBits beyond = (angle > Table::kLargestAngle) | (angle < -Table::kLargestAngle);
-  Bits any = 0;
-  for (int k = 0; k < kLanes; ++k) any |= beyond[k];
-  if (__builtin_expect(any != 0, 0))
-    for (int k = 0; k < kLanes; ++k)
-      if (beyond[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+  if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
 }
 
 // Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
@@ -1386,17 +1402,19 @@ constexpr int kSlotCount = 16;
 constexpr bool kAbreast = false;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
 constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
+constexpr bool kByColumns = true;  // whether runs are taken by columns
 
 // What a process does at a link.
 struct LinkRole {
   bool gathers;   // paths meet at it inwards
   bool adds_own;  // its own inertia is this process's to add
   bool parts;     // paths part at it outwards
+  bool oriented;  // the quaternion of the joint above it is this process's to take
 };
 constexpr LinkRole kRoles[3][kLinkCount]{
-    {{1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
+    {{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
 };
 
 // What is kept where segments meet, with the joint that it belongs to.
@@ -1470,7 +1488,9 @@ struct Joints {
   int slot;  // of the first one
   int joint[kWidth<T>];
 
-  const JointConstants& any() const { return kJoints[static_cast<std::size_t>(joint[0])]; }
+  constexpr const JointConstants& any() const {
+    return kJoints[static_cast<std::size_t>(joint[0])];
+  }
 };
 constexpr int slot_of(int j) { return kAbreast ? kSlots[j] : j; }
 ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
@@ -1553,6 +1573,11 @@ struct Eliminated {
 };
 using Memory = Eliminated<Value>;
 
+// A bare link as it is added to columns (see inward_columns.hpp).
+struct alignas(64) LinkColumns {
+  Real tensor[8], moments[8], force[8];
+};
+
 // A link's orientation and how it moves, were all joint accelerations zero.
 template <class T>
 struct Frame {
@@ -1571,6 +1596,7 @@ struct Workspace : Cuts {
   std::array<Memory, kJointCount> joints{};
   std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
   std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
+  std::array<LinkColumns, kByColumns ? kBlockCount * kPerBlock : 0> columns{};  // by slot
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
@@ -1628,7 +1654,7 @@ ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
   return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
 }
 
-inline void fail(Workspace& w, Failure kind, int joint) {
+ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
@@ -1669,11 +1695,10 @@ ADAGEN_INLINE bool finite(const Value* x, int count) {
   return all_zero(sum) && all_zero(rest);
 }
 
-// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite;
-// place says where a joint's entries start.
-inline void require_finite(Workspace& w, const Value* x, int first, int count,
-                           int JointConstants::* place, Failure kind) {
-  if (__builtin_expect(finite(x + first, count), 1)) return;
+// Tells which of entries first .. is the first that is not finite; place says where a joint's
+// entries start.
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
+                               Failure kind) {
   while (finite(x + first, 1)) ++first;
   int joint = 0;
   for (int j = 0; j < kJointCount; ++j)
@@ -1681,20 +1706,29 @@ inline void require_finite(Workspace& w, const Value* x, int first, int count,
   fail(w, kind, joint);
 }
 
-template <class T>
-void require_length(Workspace& w, const T& squared, int joint) {
-  if (!all_positive(squared - std::numeric_limits<Real>::min()) ||
-      !all_positive(std::numeric_limits<Real>::max() - squared))
-    fail(w, kZeroQuaternion, joint);
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::* place, Failure kind) {
+  if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
 }
 
-// A joint that an elimination failed for: one whose number is not positive.
 template <class T>
-int culprit(const Joints<T>& joints, [[maybe_unused]] const T& x) {
-  if constexpr (kWidth<T> > 1)
-    for (int k = 0; k < kWidth<T>; ++k)
-      if (!(x[k] > 0)) return joints.joint[k];
-  return joints.joint[0];
+ADAGEN_INLINE bool has_length(const T& squared) {
+  return all_positive(squared - std::numeric_limits<Real>::min()) &&
+         all_positive(std::numeric_limits<Real>::max() - squared);
+}
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!has_length(squared)) fail(w, kZeroQuaternion, joint);
+}
+
+// An elimination failed for one of the joints: for that whose number is not positive.
+template <class T>
+ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]] const T& x) {
+  int lane = 0;
+  if constexpr (kWidth < T >> 1)
+    while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
+  fail(w, kFactorization, joints.joint[lane]);
 }
 
 // The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
@@ -1729,6 +1763,47 @@ inline void give(Workspace& w, int first, int count) {
   for (int k = 0; k < 9; ++k)
     if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
   return true;
+}
+
+// Loops over rows of joints: a run's joints, or those of limbs side by side, of one kind each.
+// Where few stretches of one kind follow each other, each is a loop of its own that knows its kind.
+template <int first, int last>
+struct RunRows {
+  static constexpr int kCount = last - first + 1;
+  static constexpr JointKind kind(int k) {
+    return kJoints[static_cast<std::size_t>(first + k)].kind;
+  }
+};
+
+constexpr int kMostStretches = 8;
+
+// Where the stretch ends that begins with the k-th row of an order.
+template <class Rows, bool backwards>
+constexpr int end_of_stretch(int k) {
+  const auto kind = [](int i) { return Rows::kind(backwards ? Rows::kCount - 1 - i : i); };
+  int end = k + 1;
+  while (end < Rows::kCount && kind(end) == kind(k)) ++end;
+  return end;
+}
+template <class Rows>
+constexpr bool few_stretches() {
+  int count = 0;
+  for (int k = 0; k < Rows::kCount; ++count) k = end_of_stretch<Rows, false>(k);
+  return count <= kMostStretches;
+}
+
+// Calls step(row, kind) for each row, the last one first if backwards.
+template <class Rows, bool backwards, int begin = 0, class Step>
+ADAGEN_INLINE void each_row(const Step& step) {
+  constexpr auto row = [](int k) { return backwards ? Rows::kCount - 1 - k : k; };
+  if constexpr (few_stretches<Rows>()) {
+    constexpr int end = end_of_stretch<Rows, backwards>(begin);
+    constexpr std::integral_constant<JointKind, Rows::kind(row(begin))> kind;
+    for (int k = begin; k < end; ++k) step(row(k), kind);
+    if constexpr (end < Rows::kCount) each_row<Rows, backwards, end>(step);
+  } else {
+    for (int k = 0; k < Rows::kCount; ++k) step(row(k), Rows::kind(row(k)));
+  }
 }
 
 // What needs no recursion, for as many links at once as a register holds.
@@ -1922,26 +1997,11 @@ ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
   return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
 }
 
-// The turn of a joint with a quaternion.
-template <int j>
-void orient(Workspace& w) {
-  constexpr const JointConstants& joint = kJoints[j];
-  const Value* q = w.q + joint.q + joint.nq - 4;
-  Matrix<Value> turn;
-  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  if constexpr (!is_identity(joint.rotation)) {
-    const Matrix<Real> P = placement(joint);
-    turn = {turn.x * P.x.x + turn.y * P.x.y + turn.z * P.x.z,
-            turn.x * P.y.x + turn.y * P.y.y + turn.z * P.y.z,
-            turn.x * P.z.x + turn.y * P.z.y + turn.z * P.z.z};
-  }
-  put_at(w.of(j, kTurn), turn);
-}
-
 // One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
 // with later is kept.
 template <bool kept, class T>
-ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, Frame<T>& at) {
+ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
+                                Frame<T>& at) {
   const JointConstants& joint = joints.any();
   const auto moved = [&](const Value* x, int JointConstants::* place) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
@@ -1966,7 +2026,7 @@ ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, Frame<T>&
     at.a += cross(omega + omega + spin, slide);
     at.alpha += turn_with(spin);
   };
-  switch (joint.kind) {
+  switch (kind) {
     case JointKind::kRevolute:
       ride_along();
       at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
@@ -2009,7 +2069,8 @@ template <int first, int last>
 void outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
   Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<true>(w, single(j), at);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, single(first + k), kind, at); });
 }
 
 // The same on the way to joints that are treated: only the last link's frame is kept.
@@ -2017,7 +2078,8 @@ template <int first, int last>
 void pass_outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
   Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<false>(w, single(j), at);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
   keep(w, slot_of(last), at);
 }
 
@@ -2054,14 +2116,14 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   T D = dot(s, along ? f : n);
   if constexpr (kAnyPassive)
     D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
-  if constexpr (kPrescribedAbreast && kWidth<T> > 1) D += each(joints, immovable);
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1) D += each(joints, immovable);
   const T inverse = 1 / D;
   T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
-  if constexpr (kPrescribedAbreast && kWidth<T> > 1)
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1)
     u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
   const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
   const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
-  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, culprit(joints, left));
+  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
   if constexpr (!reversed) {
     shift(X, r);
     n += cross(r, f);
@@ -2075,7 +2137,20 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   X.f += f * u;
 }
 
-// A x = b, by the factors 1 / D and L of A = L D L^T.
+// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21.
+template <class T>
+ADAGEN_INLINE void factorize_rotations(Workspace& w, const Joints<T>& joints, const Symmetric<T>& A,
+                                       T* factors) {
+  const T d0 = 1 / A.xx, l10 = A.xy * d0, l20 = A.xz * d0;
+  const T p1 = A.yy - l10 * A.xy, d1 = 1 / p1, t = A.yz - l20 * A.xy, l21 = t * d1;
+  const T p2 = A.zz - l20 * A.xz - l21 * t, d2 = 1 / p2;
+  for (const T& pivot : {A.xx, p1, p2})
+    if (__builtin_expect(!all_positive(pivot), 0)) fail_one(w, joints, pivot);
+  factors[0] = d0, factors[1] = d1, factors[2] = d2;
+  factors[3] = l10, factors[4] = l20, factors[5] = l21;
+}
+
+// A x = b, by these factors.
 template <class T>
 ADAGEN_INLINE Vector<T> solve_rotations(const T* factors, const Vector<T>& b) {
   const T *d = factors, *l = factors + 3;  // l: 10, 20, 21
@@ -2092,14 +2167,8 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Bo
   if constexpr (reversed) shift(X, -r);
   Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * tau;
   if constexpr (reversed) torque = -torque;
-  const T d0 = 1 / X.A.xx, l10 = X.A.xy * d0, l20 = X.A.xz * d0;
-  const T p1 = X.A.yy - l10 * X.A.xy, d1 = 1 / p1, t = X.A.yz - l20 * X.A.xy, l21 = t * d1;
-  const T p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
-  for (const T& pivot : {X.A.xx, p1, p2})
-    if (__builtin_expect(!all_positive(pivot), 0)) fail(w, kFactorization, culprit(joints, pivot));
   T* const factors = e + 12;
-  factors[0] = d0, factors[1] = d1, factors[2] = d2;
-  factors[3] = l10, factors[4] = l20, factors[5] = l21;
+  factorize_rotations(w, joints, X.A, factors);
   const auto solve = [&](const Vector<T>& b) { return solve_rotations(factors, b); };
   const Matrix<T>& B = X.B;
   const Vector<T> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
@@ -2183,7 +2252,7 @@ ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, B
 
 // One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
 template <bool reversed, class T, class Arrive>
-ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X,
+ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind kind, Body<T>& X,
                                const Arrive& arrive) {
   const JointConstants& joint = joints.any();
   Eliminated<T>& memory = w.memory(joints);
@@ -2191,7 +2260,7 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X
   const auto freedom = [&] {
     return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
   };
-  switch (joint.kind) {
+  switch (kind) {
     case JointKind::kRevolute:
       eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
                                  arrive);
@@ -2257,12 +2326,13 @@ void inward(Workspace& w) {
   Body<Value> X{};
   constexpr bool quick = bare<p>(first + 1, last);
   if constexpr (quick) meet<p>(w, last + 1, X);
-  for (int j = last; j >= first; --j) {
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
     if constexpr (!quick) meet<p>(w, j + 1, X);
-    step_inward<false>(w, single(j), X, [&](Body<Value>& near) {
+    step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j > first) add_bare_link(w, single(j - 1), near);
     });
-  }
+  });
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave<starts>(w, near, X);
 }
@@ -2273,12 +2343,13 @@ void inward_reversed(Workspace& w) {
   Body<Value> X{};
   constexpr bool quick = bare<p>(first + 1, last);
   if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
-  for (int j = first; j <= last; ++j) {
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
     if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
-    step_inward<true>(w, single(j), X, [&](Body<Value>& near) {
+    step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j < last) add_bare_link(w, single(j), near);
     });
-  }
+  });
   leave<starts>(w, last + 1, X);
 }
 
@@ -2304,6 +2375,337 @@ void free_base(Workspace& w) {
 template <int p, int link>
 void solve_root(Workspace& w) {
   if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
+}
+
+// A body by columns of eight lanes, for what takes one joint at a time: each column a register.
+typedef Real Column __attribute__((vector_size(8 * sizeof(Real))));  // [angular, -, linear, -]
+
+#if defined(__AVX512F__)
+constexpr bool kInColumns = sizeof(Column) <= 64;
+#elif defined(__AVX2__)
+constexpr bool kInColumns = sizeof(Column) <= 32;
+#else
+constexpr bool kInColumns = false;
+#endif
+
+// An articulated body about a point: the columns of its inertia along three rotations and three
+// translations, and its bias force.
+struct Columns {
+  Column angular[3]{}, linear[3]{}, force{};
+};
+
+ADAGEN_INLINE void operator+=(Columns& a, const Columns& b) {
+  ADAGEN_FOR (k, 0, 3) {
+    a.angular[k] += b.angular[k];
+    a.linear[k] += b.linear[k];
+  }
+  a.force += b.force;
+}
+
+ADAGEN_INLINE Column column(const Vector<Real>& angular, const Vector<Real>& linear) {
+  return Column{angular.x, angular.y, angular.z, 0, linear.x, linear.y, linear.z, 0};
+}
+ADAGEN_INLINE Columns columns(const Body<Real>& X) {
+  const auto& [A, B, C, n, f] = X;
+  return {{column({A.xx, A.xy, A.xz}, B.x), column({A.xy, A.yy, A.yz}, B.y),
+           column({A.xz, A.yz, A.zz}, B.z)},
+          {column({B.x.x, B.y.x, B.z.x}, {C.xx, C.xy, C.xz}),
+           column({B.x.y, B.y.y, B.z.y}, {C.xy, C.yy, C.yz}),
+           column({B.x.z, B.y.z, B.z.z}, {C.xz, C.yz, C.zz})},
+          column(n, f)};
+}
+ADAGEN_INLINE Body<Real> body(const Columns& X) {
+  const Column &x = X.angular[0], &y = X.angular[1], &z = X.angular[2];
+  const Column &u = X.linear[0], &v = X.linear[1], &w = X.linear[2], &p = X.force;
+  return {{x[0], x[1], x[2], y[1], y[2], z[2]},
+          {{x[4], x[5], x[6]}, {y[4], y[5], y[6]}, {z[4], z[5], z[6]}},
+          {u[4], u[5], u[6], v[5], v[6], w[6]},
+          {p[0], p[1], p[2]},
+          {p[4], p[5], p[6]}};
+}
+
+// One number of a column in all lanes, and the linear half alone.
+template <int k>
+ADAGEN_INLINE Column spread(const Column& x) {
+  return __builtin_shufflevector(x, x, k, k, k, k, k, k, k, k);
+}
+ADAGEN_INLINE Column linear_half(const Column& x) {
+  typedef Bits ColumnBits __attribute__((vector_size(8 * sizeof(Bits))));
+  const ColumnBits kept = reinterpret_cast<ColumnBits>(x) & ColumnBits{0, 0, 0, 0, -1, -1, -1, -1};
+  return reinterpret_cast<Column>(kept);
+}
+
+// Rows x0 .. x7 of eight links' numbers become columns y of each.
+ADAGEN_INLINE void transpose(Column x0, Column x1, Column x2, Column x3, Column x4, Column x5,
+                             Column x6, Column x7, Column (&y)[8]) {
+  Column a[8], b[8];
+  const auto pairs = [](const Column& u, const Column& v, Column& even, Column& odd) {
+    even = __builtin_shufflevector(u, v, 0, 8, 2, 10, 4, 12, 6, 14);
+    odd = __builtin_shufflevector(u, v, 1, 9, 3, 11, 5, 13, 7, 15);
+  };
+  pairs(x0, x1, a[0], a[1]), pairs(x2, x3, a[2], a[3]);
+  pairs(x4, x5, a[4], a[5]), pairs(x6, x7, a[6], a[7]);
+  ADAGEN_FOR (half, 0, 2)
+    ADAGEN_FOR (k, 0, 2) {
+      const Column &u = a[4 * half + k], &v = a[4 * half + 2 + k];
+      b[4 * half + k] = __builtin_shufflevector(u, v, 0, 1, 8, 9, 4, 5, 12, 13);
+      b[4 * half + 2 + k] = __builtin_shufflevector(u, v, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+  ADAGEN_FOR (k, 0, 4) {
+    y[k] = __builtin_shufflevector(b[k], b[4 + k], 0, 1, 2, 3, 8, 9, 10, 11);
+    y[4 + k] = __builtin_shufflevector(b[k], b[4 + k], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+}
+
+// The lever arm r of a force: [n; f] becomes [n + r x f; f].
+struct Arm {
+  Column ahead, behind;  // y z x and z x y of r in the angular lanes
+  Vector<Real> r;
+};
+ADAGEN_INLINE Arm arm(const Vector<Real>& r) {
+  return {Column{r.y, r.z, r.x}, Column{r.z, r.x, r.y}, r};
+}
+ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
+  return x + arm.ahead * __builtin_shufflevector(x, x, 6, 4, 5, 7, 7, 7, 7, 7) -
+         arm.behind * __builtin_shufflevector(x, x, 5, 6, 4, 7, 7, 7, 7, 7);
+}
+
+// The body told about the point at -r from the one that it is told about: what forces become, then
+// what motions were. A body left by a spherical joint has no angular columns yet.
+template <bool by_mass_alone = false>
+ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
+  ADAGEN_FOR (k, 0, 3) {
+    if constexpr (!by_mass_alone) X.angular[k] = carried(arm, X.angular[k]);
+    X.linear[k] = carried(arm, X.linear[k]);
+  }
+  const auto& [x, y, z] = arm.r;
+  X.angular[0] += X.linear[2] * y - X.linear[1] * z;
+  X.angular[1] += X.linear[0] * z - X.linear[2] * x;
+  X.angular[2] += X.linear[1] * x - X.linear[0] * y;
+  X.force = carried(arm, X.force);
+}
+
+// U and 1 / D of the joint before: what is still to be subtracted from the body. So the next D need
+// not wait for that.
+struct Due {
+  Column U{};
+  Real inverse = 0;
+};
+
+// The inertia less e U^T.
+ADAGEN_INLINE void subtract(Columns& X, const Column& U, const Column& e) {
+  X.angular[0] -= e * spread<0>(U);
+  X.angular[1] -= e * spread<1>(U);
+  X.angular[2] -= e * spread<2>(U);
+  X.linear[0] -= e * spread<4>(U);
+  X.linear[1] -= e * spread<5>(U);
+  X.linear[2] -= e * spread<6>(U);
+}
+ADAGEN_INLINE void settle(Columns& X, Due& due) {
+  subtract(X, due.U, due.U * due.inverse);
+  due = {};
+}
+
+// Inwards by columns: a joint takes a few instructions for each. For runs of joints that nothing
+// lies beside; where no register holds a column, such runs are taken number by number.
+
+// What set_up_links found of the links of blocks first .. last - 1, as it is added to columns.
+template <int first, int last>
+void set_up_columns(Workspace& w) {
+  if constexpr (!kInColumns) return;
+  for (int slot = first * kPerBlock; slot < last * kPerBlock; slot += 8) {
+    const auto row = [&](int entry) {
+      return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
+    };
+    LinkColumns* const links = &w.columns[static_cast<std::size_t>(slot)];
+    const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
+      ADAGEN_FOR (k, 0, 8) std::memcpy(links[k].*place, &found[k], sizeof found[k]);
+    };
+    const auto& all = kBlockConstants[static_cast<std::size_t>(slot / kPerBlock)];
+    const Column mass = number_at<Column>(&all.mass[static_cast<std::size_t>(slot % kPerBlock)]);
+    const Column x = row(kMoments), y = row(kMoments + 1), z = row(kMoments + 2);
+    const Column none =
+        mass - mass;  // a zero that gcc 12 does not fold into shuffles: it errs there
+    constexpr int A = kRotational, n = kTorque, f = kForce;
+    Column found[8];
+    transpose(row(A), row(A + 1), row(A + 2), row(A + 3), row(A + 4), row(A + 5), mass, none,
+              found);
+    put(&LinkColumns::tensor, found);
+    transpose(x, y, z, -x, -y, -z, none, none, found);
+    put(&LinkColumns::moments, found);
+    transpose(row(n), row(n + 1), row(n + 2), none, row(f), row(f + 1), row(f + 2), none, found);
+    put(&LinkColumns::force, found);
+  }
+}
+
+ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Columns& X) {
+  const LinkColumns& own = w.columns[static_cast<std::size_t>(slot_of(link - 1))];
+  const Column a = number_at<Column>(own.tensor);   // xx xy xz yy yz zz m 0
+  const Column b = number_at<Column>(own.moments);  // x y z -x -y -z 0 0
+  X.angular[0] += __builtin_shufflevector(a, b, 0, 1, 2, 7, 7, 13, 9, 7);
+  X.angular[1] += __builtin_shufflevector(a, b, 1, 3, 4, 7, 10, 7, 11, 7);
+  X.angular[2] += __builtin_shufflevector(a, b, 2, 4, 5, 7, 12, 8, 7, 7);
+  X.linear[0] += __builtin_shufflevector(a, b, 7, 10, 12, 7, 6, 7, 7, 7);
+  X.linear[1] += __builtin_shufflevector(a, b, 13, 7, 8, 7, 7, 6, 7, 7);
+  X.linear[2] += __builtin_shufflevector(a, b, 9, 11, 7, 7, 7, 7, 6, 7);
+  X.force += number_at<Column>(own.force);
+}
+
+template <int p>
+ADAGEN_INLINE void meet(Workspace& w, int link, Columns& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += columns(w.bodies[static_cast<std::size_t>(link)]);
+  if (role.adds_own) add_bare_link(w, link, X);
+}
+
+// S^T x with S = [s; 0] or [0; s].
+template <bool along>
+ADAGEN_INLINE Real component(const Column& s, const Column& x) {
+  constexpr int first = along ? 4 : 0;
+  const Column part = s * x;
+  return (part[first] + part[first + 1]) + part[first + 2];
+}
+
+// See eliminate in inward.hpp. With X less U U^T / D due, S^T X S is less (S^T U)^2 / D.
+template <bool along, bool reversed, class Arrive>
+ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Arrive& arrive) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Vector<Real> axis = axis_at(w.of(j, kAxes));
+  const Column s = column(axis, axis);
+  const Arm lever = arm(reversed ? -memory.r : memory.r);
+  if constexpr (reversed) {
+    shift(X, lever);
+    due.U = carried(lever, due.U);
+  }
+  const Column(&side)[3] = along ? X.linear : X.angular;
+  const Column V = side[0] * axis.x + side[1] * axis.y + side[2] * axis.z;
+  const Real q = component<along>(s, due.U);
+  Real D = component<along>(s, V) - q * q * due.inverse;
+  if constexpr (kAnyPassive) D += joint.passive.rotor;
+  const Real inverse = 1 / D;
+  const Column before = due.U * due.inverse;
+  subtract(X, due.U, before);
+  Column U = V - before * q;
+  const Real tau = torque(w, joint);
+  const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
+  constexpr int first = along ? 4 : 0;  // D beside the trace tells what digits are left
+  const Real left = D - kLeast * (side[0][first] + side[1][first + 1] + side[2][first + 2]);
+  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, j);
+  if constexpr (!reversed) {
+    shift(X, lever);
+    U = carried(lever, U);
+  }
+  arrive(X);
+  const Column e = U * inverse;
+  Column kept = __builtin_shufflevector(e, e, 0, 1, 2, 4, 5, 6, 3, 7);
+  kept[6] = u, kept[7] = inverse;
+  std::memcpy(memory.e, &kept, sizeof kept);
+  due = {U, inverse};
+  X.force += U * u;
+}
+
+// See eliminate_rotations in inward.hpp: with A = L D L^T and L Y = B, the rows of Y are what the
+// angular columns become below the diagonal.
+template <bool reversed>
+ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Columns& X, Due& due) {
+  Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  Real* const e = memory.e;
+  const Arm lever = arm(reversed ? -memory.r : memory.r);
+  settle(X, due);
+  if constexpr (reversed) shift(X, lever);
+  const Column &a = X.angular[0], &b = X.angular[1], &c = X.angular[2];
+  Real* const factors = e + 12;
+  factorize_rotations(w, single(j), Symmetric<Real>{a[0], a[1], a[2], b[1], b[2], c[2]}, factors);
+  const Real *d = factors, *l = factors + 3;
+  const Real* const tau = w.tau + kJoints[static_cast<std::size_t>(j)].v;
+  Vector<Real> torque = matrix_at(w.of(j, kAxes)) * Vector<Real>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) torque = -torque;
+  const Vector<Real> n{X.force[0], X.force[1], X.force[2]};
+  const Vector<Real> y = solve_rotations(factors, torque - n);
+  const Column Y[3] = {a, b - a * l[0], c - a * l[1] - (b - a * l[0]) * l[2]};
+  const Column Z[3] = {Y[0] * d[0], Y[1] * d[1], Y[2] * d[2]};
+  X.force = linear_half(X.force + a * y.x + b * y.y + c * y.z) + column(torque, {});
+  ADAGEN_FOR (k, 0, 3) {
+    X.linear[0] -= Z[k] * spread<4>(Y[k]);
+    X.linear[1] -= Z[k] * spread<5>(Y[k]);
+    X.linear[2] -= Z[k] * spread<6>(Y[k]);
+  }
+  const Column K2 = Z[2], K1 = Z[1] - K2 * l[2], K0 = Z[0] - K1 * l[0] - K2 * l[1];
+  Real* to = e;
+  for (const Column& row : {K0, K1, K2}) {  // the fourth number is overwritten by what comes next
+    put_at(to, Four(__builtin_shufflevector(row, row, 4, 5, 6, 7)));
+    to += 3;
+  }
+  e[9] = y.x, e[10] = y.y, e[11] = y.z;
+  ADAGEN_FOR (k, 0, 3) {
+    X.angular[k] = Column{};
+    X.linear[k] = linear_half(X.linear[k]);
+  }
+  if constexpr (!reversed) shift<true>(X, lever);
+}
+
+template <bool reversed, class Arrive>
+ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, Due& due,
+                               const Arrive& arrive) {
+  switch (kind) {
+    case JointKind::kRevolute:
+      eliminate<false, reversed>(w, j, X, due, arrive);
+      return;
+    case JointKind::kPrismatic:
+      if constexpr (any_of(JointKind::kPrismatic)) eliminate<true, reversed>(w, j, X, due, arrive);
+      return;
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, j, X, due);
+      break;
+    default:
+      if constexpr (kAnyPlanar || kAnyFloating) {
+        settle(X, due);
+        Body<Real> whole = body(X);
+        step_inward<reversed>(w, single(j), kind, whole, [](const Body<Real>&) {});
+        X = columns(whole);
+      }
+  }
+  arrive(X);
+}
+
+// See inward in inward.hpp.
+template <int p, int first, int last, bool starts>
+void inward_in_columns(Workspace& w) {
+  if constexpr (!kInColumns) return inward<p, first, last, starts>(w);
+  constexpr bool quick = bare<p>(first + 1, last);
+  Columns X;
+  Due due;
+  if constexpr (quick) meet<p>(w, last + 1, X);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, j + 1, X);
+    step_inward<false>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
+      if (quick && j > first) add_bare_link(w, j, near);
+    });
+  });
+  settle(X, due);
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave<starts>(w, near, body(X));
+}
+
+// See inward_reversed in inward.hpp.
+template <int p, int first, int last, bool starts>
+void inward_in_columns_reversed(Workspace& w) {
+  if constexpr (!kInColumns) return inward_reversed<p, first, last, starts>(w);
+  constexpr bool quick = bare<p>(first + 1, last);
+  Columns X;
+  Due due;
+  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    step_inward<true>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
+      if (quick && j < last) add_bare_link(w, j + 1, near);
+    });
+  });
+  settle(X, due);
+  leave<starts>(w, last + 1, body(X));
 }
 
 // Outwards again: the joints' accelerations.
@@ -2374,12 +2776,11 @@ ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T
 // A joint's acceleration from the near link's, which becomes the far link's; each is told at its
 // own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
 template <bool reversed, class T>
-ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
-  const JointConstants& joint = joints.any();
+ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
   const T* const e = w.memory(joints).e;
   const Vector<T>& r = w.memory(joints).r;
   const Value* R = w.at(joints.slot, kAxes);
-  switch (joint.kind) {
+  switch (kind) {
     case JointKind::kRevolute: {
       const Vector<T> axis = axis_at<T>(R);
       const T x = freedom(e, a);
@@ -2416,21 +2817,22 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
 template <int p, int first, int last>
 void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
-  for (int j = first; j <= last; ++j) {
-    move<false>(w, single(j), a);
-    if (kRoles[p][static_cast<std::size_t>(j + 1)].parts)
-      w.motions[static_cast<std::size_t>(j + 1)] = a;
-  }
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    move<false>(w, single(first + k), kind, a);
+    const std::size_t far = static_cast<std::size_t>(first + k + 1);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
 }
 
 template <int p, int first, int last>
 void accelerate_reversed(Workspace& w) {
   Motion<Value> a = w.motions[last + 1];
-  for (int j = last; j >= first; --j) {
-    move<true>(w, single(j), a);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    move<true>(w, single(j), kind, a);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
     if (kRoles[p][far].parts) w.motions[far] = a;
-  }
+  });
 }
 
 // The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
@@ -2598,7 +3000,7 @@ void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias,
   const Mat6 half = passed<reversed>(w, j, near);
   far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
   Motion<Value> a = motion_of(near_bias);
-  move<reversed>(w, single(j), a);
+  move<reversed>(w, single(j), kJoints[static_cast<std::size_t>(j)].kind, a);
   far_bias = columns_of(a);
 }
 
@@ -2737,7 +3139,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   outward<0, 7>(w);  // "joint01" .. "joint08"
   stamp(1);
   set_up_links<block(0), block(6) + 1>(w);
-  inward<0, 0, 6, true>(w);  // "joint01" .. "joint07"
+  set_up_columns<block(0), block(6) + 1>(w);
+  inward_in_columns<0, 0, 6, true>(w);  // "joint01" .. "joint07"
   propagate<false>(w, 0, kZero, kGround, w.j_joint04.Phi_rod01, w.j_joint04.b_rod01);
   propagate<false>(w, 1, w.j_joint04.Phi_rod01, w.j_joint04.b_rod01, w.j_joint04.Phi_rod02, w.j_joint04.b_rod02);
   propagate<false>(w, 2, w.j_joint04.Phi_rod02, w.j_joint04.b_rod02, w.j_joint04.Phi_rod03, w.j_joint04.b_rod03);
@@ -2895,7 +3298,8 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   outward<12, 15>(w);  // "joint13" .. "joint16"
   stamp(1);
   set_up_links<block(11), block(15) + 1>(w);
-  inward<2, 12, 15, true>(w);  // "joint13" .. "joint16"
+  set_up_columns<block(12), block(15) + 1>(w);
+  inward_in_columns<2, 12, 15, true>(w);  // "joint13" .. "joint16"
   invert_root<2, 12>(w, w.j_joint14.Phi_rod12, w.j_joint14.b_rod12);
   stamp(2);
   {  // to process 1: assembled: chain of "joint14"
@@ -4765,8 +5169,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 112, 0.432};
-constexpr Hop kMessageHop{21.1, 181, 0.576};
+constexpr Hop kWindowHop{0, 84.7, 0.429};
+constexpr Hop kMessageHop{21.8, 153, 0.538};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

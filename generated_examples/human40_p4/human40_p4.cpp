@@ -397,7 +397,9 @@ typedef Bits LaneBits __attribute__((vector_size(64)));
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
-#define ADAGEN_INLINE [[maybe_unused]] inline __attribute__((always_inline))
+#define ADAGEN_ALWAYS __attribute__((always_inline))
+#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
+#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
 
 ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
 ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
@@ -409,6 +411,13 @@ ADAGEN_INLINE bool all_positive(const T& x) {
   bool result = true;
   ADAGEN_FOR (k, 0, static_cast<int>(sizeof x / sizeof x[0])) result &= x[k] > 0;
   return result;
+}
+
+// One number or the other, lane by lane.
+ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
+  const LaneBits bits =
+      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
+  return reinterpret_cast<Lanes>(bits);
 }
 
 ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
@@ -464,6 +473,17 @@ ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
   return result;
 }
 
+ADAGEN_INLINE bool any_of(const LaneBits& x) {
+  Bits any = 0;
+  for (int k = 0; k < kLanes; ++k) any |= x[k];
+  return any != 0;
+}
+ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
+                                         Lanes& cosine) {
+  for (int k = 0; k < kLanes; ++k)
+    if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
 ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
   using Table = Trigonometry<Real>;
   const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
@@ -484,11 +504,7 @@ ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosin
   sine = reinterpret_cast<Lanes>(sine_bits);
   cosine = reinterpret_cast<Lanes>(cosine_bits);
   const LaneBits beyond = (angle > Table::kLargestAngle) | (angle < -Table::kLargestAngle);
-  Bits any = 0;
-  for (int k = 0; k < kLanes; ++k) any |= beyond[k];
-  if (__builtin_expect(any != 0, 0))
-    for (int k = 0; k < kLanes; ++k)
-      if (beyond[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+  if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
 }
 
 // Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
@@ -1382,18 +1398,20 @@ constexpr int kSlotCount = 15;
 constexpr bool kAbreast = false;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
 constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 };
+constexpr bool kByColumns = false;  // whether runs are taken by columns
 
 // What a process does at a link.
 struct LinkRole {
   bool gathers;   // paths meet at it inwards
   bool adds_own;  // its own inertia is this process's to add
   bool parts;     // paths part at it outwards
+  bool oriented;  // the quaternion of the joint above it is this process's to take
 };
 constexpr LinkRole kRoles[4][kLinkCount]{
-    {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
-    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 0, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
 };
 
 // What is kept where segments meet, with the joint that it belongs to.
@@ -1461,7 +1479,9 @@ struct Joints {
   int slot;  // of the first one
   int joint[kWidth<T>];
 
-  const JointConstants& any() const { return kJoints[static_cast<std::size_t>(joint[0])]; }
+  constexpr const JointConstants& any() const {
+    return kJoints[static_cast<std::size_t>(joint[0])];
+  }
 };
 constexpr int slot_of(int j) { return kAbreast ? kSlots[j] : j; }
 ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
@@ -1544,6 +1564,11 @@ struct Eliminated {
 };
 using Memory = Eliminated<Value>;
 
+// A bare link as it is added to columns (see inward_columns.hpp).
+struct alignas(64) LinkColumns {
+  Real tensor[8], moments[8], force[8];
+};
+
 // A link's orientation and how it moves, were all joint accelerations zero.
 template <class T>
 struct Frame {
@@ -1562,6 +1587,7 @@ struct Workspace : Cuts {
   std::array<Memory, kJointCount> joints{};
   std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
   std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
+  std::array<LinkColumns, kByColumns ? kBlockCount * kPerBlock : 0> columns{};  // by slot
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
@@ -1619,7 +1645,7 @@ ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
   return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
 }
 
-inline void fail(Workspace& w, Failure kind, int joint) {
+ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
@@ -1660,11 +1686,10 @@ ADAGEN_INLINE bool finite(const Value* x, int count) {
   return all_zero(sum) && all_zero(rest);
 }
 
-// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite;
-// place says where a joint's entries start.
-inline void require_finite(Workspace& w, const Value* x, int first, int count,
-                           int JointConstants::* place, Failure kind) {
-  if (__builtin_expect(finite(x + first, count), 1)) return;
+// Tells which of entries first .. is the first that is not finite; place says where a joint's
+// entries start.
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
+                               Failure kind) {
   while (finite(x + first, 1)) ++first;
   int joint = 0;
   for (int j = 0; j < kJointCount; ++j)
@@ -1672,20 +1697,29 @@ inline void require_finite(Workspace& w, const Value* x, int first, int count,
   fail(w, kind, joint);
 }
 
-template <class T>
-void require_length(Workspace& w, const T& squared, int joint) {
-  if (!all_positive(squared - std::numeric_limits<Real>::min()) ||
-      !all_positive(std::numeric_limits<Real>::max() - squared))
-    fail(w, kZeroQuaternion, joint);
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::* place, Failure kind) {
+  if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
 }
 
-// A joint that an elimination failed for: one whose number is not positive.
 template <class T>
-int culprit(const Joints<T>& joints, [[maybe_unused]] const T& x) {
-  if constexpr (kWidth<T> > 1)
-    for (int k = 0; k < kWidth<T>; ++k)
-      if (!(x[k] > 0)) return joints.joint[k];
-  return joints.joint[0];
+ADAGEN_INLINE bool has_length(const T& squared) {
+  return all_positive(squared - std::numeric_limits<Real>::min()) &&
+         all_positive(std::numeric_limits<Real>::max() - squared);
+}
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!has_length(squared)) fail(w, kZeroQuaternion, joint);
+}
+
+// An elimination failed for one of the joints: for that whose number is not positive.
+template <class T>
+ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]] const T& x) {
+  int lane = 0;
+  if constexpr (kWidth < T >> 1)
+    while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
+  fail(w, kFactorization, joints.joint[lane]);
 }
 
 // The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
@@ -1720,6 +1754,47 @@ inline void give(Workspace& w, int first, int count) {
   for (int k = 0; k < 9; ++k)
     if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
   return true;
+}
+
+// Loops over rows of joints: a run's joints, or those of limbs side by side, of one kind each.
+// Where few stretches of one kind follow each other, each is a loop of its own that knows its kind.
+template <int first, int last>
+struct RunRows {
+  static constexpr int kCount = last - first + 1;
+  static constexpr JointKind kind(int k) {
+    return kJoints[static_cast<std::size_t>(first + k)].kind;
+  }
+};
+
+constexpr int kMostStretches = 8;
+
+// Where the stretch ends that begins with the k-th row of an order.
+template <class Rows, bool backwards>
+constexpr int end_of_stretch(int k) {
+  const auto kind = [](int i) { return Rows::kind(backwards ? Rows::kCount - 1 - i : i); };
+  int end = k + 1;
+  while (end < Rows::kCount && kind(end) == kind(k)) ++end;
+  return end;
+}
+template <class Rows>
+constexpr bool few_stretches() {
+  int count = 0;
+  for (int k = 0; k < Rows::kCount; ++count) k = end_of_stretch<Rows, false>(k);
+  return count <= kMostStretches;
+}
+
+// Calls step(row, kind) for each row, the last one first if backwards.
+template <class Rows, bool backwards, int begin = 0, class Step>
+ADAGEN_INLINE void each_row(const Step& step) {
+  constexpr auto row = [](int k) { return backwards ? Rows::kCount - 1 - k : k; };
+  if constexpr (few_stretches<Rows>()) {
+    constexpr int end = end_of_stretch<Rows, backwards>(begin);
+    constexpr std::integral_constant<JointKind, Rows::kind(row(begin))> kind;
+    for (int k = begin; k < end; ++k) step(row(k), kind);
+    if constexpr (end < Rows::kCount) each_row<Rows, backwards, end>(step);
+  } else {
+    for (int k = 0; k < Rows::kCount; ++k) step(row(k), Rows::kind(row(k)));
+  }
 }
 
 // What needs no recursion, for as many links at once as a register holds.
@@ -1863,6 +1938,80 @@ void set_up_links(Workspace& w) {
   }
 }
 
+// Turns of joints with a quaternion, for as many at once as a register holds.
+
+// Where in q the quaternion of each joint of a block begins, for those that a process turns.
+// Others, which keep the turn that they have, are given that of a neighbour.
+struct QuaternionPlaces {
+  PerJoint own{};  // 1 for a joint with a quaternion, else 0
+  std::array<int, kPerBlock> q{};
+};
+template <int p>
+const std::array<QuaternionPlaces, kBlockCount> kQuaternionPlaces = [] {
+  std::array<int, kBlockCount * kPerBlock> found;
+  found.fill(-1);
+  for (int j = 0; j < kJointCount; ++j) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    const LinkRole role = kRoles[p][static_cast<std::size_t>(j + 1)];
+    if (role.oriented) found[static_cast<std::size_t>(slot_of(j))] = joint.q + joint.nq - 4;
+  }
+  std::array<QuaternionPlaces, kBlockCount> result;
+  int last = *std::max_element(found.begin(), found.end());
+  for (std::size_t slot = 0; slot < found.size(); ++slot) {
+    if (found[slot] >= 0) last = found[slot];
+    result[slot / kPerBlock].own[slot % kPerBlock] = found[slot] >= 0;
+    result[slot / kPerBlock].q[slot % kPerBlock] = last;
+  }
+  return result;
+}();
+
+template <std::size_t... lane>
+ADAGEN_INLINE void take_quaternions(const Workspace& w, const QuaternionPlaces& places,
+                                    Lanes (&to)[4], std::index_sequence<lane...>) {
+  if constexpr (kPerBlock == 1) {
+    ADAGEN_FOR (k, 0, 4) std::memcpy(&to[k], w.q + places.q[0] + k, sizeof to[k]);
+  } else {
+    const Four each[]{number_at<Four>(w.q + places.q[lane])...};
+    ADAGEN_FOR (k, 0, 4) to[k] = Lanes{each[lane][k]...};
+  }
+}
+
+// Tells which quaternion of a block has no length.
+template <int p>
+ADAGEN_COLD void refuse_quaternion(Workspace& w, int b, const Lanes& squared) {
+  Value each[kPerBlock];
+  std::memcpy(each, &squared, sizeof squared);
+  for (int j = 0; j < kJointCount; ++j)
+    if (slot_of(j) / kPerBlock == b && kRoles[p][static_cast<std::size_t>(j + 1)].oriented)
+      require_length(w, each[slot_of(j) % kPerBlock], j);
+}
+
+// Process p turns joints of blocks first .. last - 1.
+template <int p, int first, int last>
+void orient(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const QuaternionPlaces& places = kQuaternionPlaces<p>[static_cast<std::size_t>(b)];
+    Lanes q[4];
+    take_quaternions(w, places, q, std::make_index_sequence<kPerBlock>{});
+    Matrix<Lanes> turn;
+    const Lanes squared = rotation(q[0], q[1], q[2], q[3], turn);
+    if (__builtin_expect(!has_length(squared), 0)) refuse_quaternion<p>(w, b, squared);
+    const Vector<Lanes> x = wide_vector(constants.rotation);
+    const Vector<Lanes> y = wide_vector(constants.rotation + 3), z = cross(x, y);
+    turn = Matrix<Lanes>{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}} * turn;
+    const LaneBits own = wide(places.own) != 0;
+    const Vector<Lanes> rows[3] = {turn.x, turn.y, turn.z};
+    ADAGEN_FOR (k, 0, 3) {
+      const Vector<Lanes> kept = wide_vector(block.entries + kTurn + 3 * k);
+      narrow(Vector<Lanes>{chosen(own, rows[k].x, kept.x), chosen(own, rows[k].y, kept.y),
+                           chosen(own, rows[k].z, kept.z)},
+             block.entries + kTurn + 3 * k);
+    }
+  }
+}
+
 // From the base outwards: where links are and how they would move without joint accelerations.
 
 ADAGEN_INLINE Frame<Value> frame_of(Workspace& w, int joint) {
@@ -1913,26 +2062,11 @@ ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
   return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
 }
 
-// The turn of a joint with a quaternion.
-template <int j>
-void orient(Workspace& w) {
-  constexpr const JointConstants& joint = kJoints[j];
-  const Value* q = w.q + joint.q + joint.nq - 4;
-  Matrix<Value> turn;
-  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  if constexpr (!is_identity(joint.rotation)) {
-    const Matrix<Real> P = placement(joint);
-    turn = {turn.x * P.x.x + turn.y * P.x.y + turn.z * P.x.z,
-            turn.x * P.y.x + turn.y * P.y.y + turn.z * P.y.z,
-            turn.x * P.z.x + turn.y * P.z.y + turn.z * P.z.z};
-  }
-  put_at(w.of(j, kTurn), turn);
-}
-
 // One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
 // with later is kept.
 template <bool kept, class T>
-ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, Frame<T>& at) {
+ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
+                                Frame<T>& at) {
   const JointConstants& joint = joints.any();
   const auto moved = [&](const Value* x, int JointConstants::* place) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
@@ -1957,7 +2091,7 @@ ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, Frame<T>&
     at.a += cross(omega + omega + spin, slide);
     at.alpha += turn_with(spin);
   };
-  switch (joint.kind) {
+  switch (kind) {
     case JointKind::kRevolute:
       ride_along();
       at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
@@ -2000,7 +2134,8 @@ template <int first, int last>
 void outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
   Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<true>(w, single(j), at);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, single(first + k), kind, at); });
 }
 
 // The same on the way to joints that are treated: only the last link's frame is kept.
@@ -2008,7 +2143,8 @@ template <int first, int last>
 void pass_outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
   Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<false>(w, single(j), at);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
   keep(w, slot_of(last), at);
 }
 
@@ -2045,14 +2181,14 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   T D = dot(s, along ? f : n);
   if constexpr (kAnyPassive)
     D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
-  if constexpr (kPrescribedAbreast && kWidth<T> > 1) D += each(joints, immovable);
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1) D += each(joints, immovable);
   const T inverse = 1 / D;
   T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
-  if constexpr (kPrescribedAbreast && kWidth<T> > 1)
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1)
     u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
   const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
   const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
-  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, culprit(joints, left));
+  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
   if constexpr (!reversed) {
     shift(X, r);
     n += cross(r, f);
@@ -2066,7 +2202,20 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   X.f += f * u;
 }
 
-// A x = b, by the factors 1 / D and L of A = L D L^T.
+// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21.
+template <class T>
+ADAGEN_INLINE void factorize_rotations(Workspace& w, const Joints<T>& joints, const Symmetric<T>& A,
+                                       T* factors) {
+  const T d0 = 1 / A.xx, l10 = A.xy * d0, l20 = A.xz * d0;
+  const T p1 = A.yy - l10 * A.xy, d1 = 1 / p1, t = A.yz - l20 * A.xy, l21 = t * d1;
+  const T p2 = A.zz - l20 * A.xz - l21 * t, d2 = 1 / p2;
+  for (const T& pivot : {A.xx, p1, p2})
+    if (__builtin_expect(!all_positive(pivot), 0)) fail_one(w, joints, pivot);
+  factors[0] = d0, factors[1] = d1, factors[2] = d2;
+  factors[3] = l10, factors[4] = l20, factors[5] = l21;
+}
+
+// A x = b, by these factors.
 template <class T>
 ADAGEN_INLINE Vector<T> solve_rotations(const T* factors, const Vector<T>& b) {
   const T *d = factors, *l = factors + 3;  // l: 10, 20, 21
@@ -2083,14 +2232,8 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Bo
   if constexpr (reversed) shift(X, -r);
   Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * tau;
   if constexpr (reversed) torque = -torque;
-  const T d0 = 1 / X.A.xx, l10 = X.A.xy * d0, l20 = X.A.xz * d0;
-  const T p1 = X.A.yy - l10 * X.A.xy, d1 = 1 / p1, t = X.A.yz - l20 * X.A.xy, l21 = t * d1;
-  const T p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
-  for (const T& pivot : {X.A.xx, p1, p2})
-    if (__builtin_expect(!all_positive(pivot), 0)) fail(w, kFactorization, culprit(joints, pivot));
   T* const factors = e + 12;
-  factors[0] = d0, factors[1] = d1, factors[2] = d2;
-  factors[3] = l10, factors[4] = l20, factors[5] = l21;
+  factorize_rotations(w, joints, X.A, factors);
   const auto solve = [&](const Vector<T>& b) { return solve_rotations(factors, b); };
   const Matrix<T>& B = X.B;
   const Vector<T> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
@@ -2174,7 +2317,7 @@ ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, B
 
 // One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
 template <bool reversed, class T, class Arrive>
-ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X,
+ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind kind, Body<T>& X,
                                const Arrive& arrive) {
   const JointConstants& joint = joints.any();
   Eliminated<T>& memory = w.memory(joints);
@@ -2182,7 +2325,7 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X
   const auto freedom = [&] {
     return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
   };
-  switch (joint.kind) {
+  switch (kind) {
     case JointKind::kRevolute:
       eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
                                  arrive);
@@ -2248,12 +2391,13 @@ void inward(Workspace& w) {
   Body<Value> X{};
   constexpr bool quick = bare<p>(first + 1, last);
   if constexpr (quick) meet<p>(w, last + 1, X);
-  for (int j = last; j >= first; --j) {
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
     if constexpr (!quick) meet<p>(w, j + 1, X);
-    step_inward<false>(w, single(j), X, [&](Body<Value>& near) {
+    step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j > first) add_bare_link(w, single(j - 1), near);
     });
-  }
+  });
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave<starts>(w, near, X);
 }
@@ -2264,12 +2408,13 @@ void inward_reversed(Workspace& w) {
   Body<Value> X{};
   constexpr bool quick = bare<p>(first + 1, last);
   if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
-  for (int j = first; j <= last; ++j) {
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
     if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
-    step_inward<true>(w, single(j), X, [&](Body<Value>& near) {
+    step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j < last) add_bare_link(w, single(j), near);
     });
-  }
+  });
   leave<starts>(w, last + 1, X);
 }
 
@@ -2365,12 +2510,11 @@ ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T
 // A joint's acceleration from the near link's, which becomes the far link's; each is told at its
 // own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
 template <bool reversed, class T>
-ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
-  const JointConstants& joint = joints.any();
+ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
   const T* const e = w.memory(joints).e;
   const Vector<T>& r = w.memory(joints).r;
   const Value* R = w.at(joints.slot, kAxes);
-  switch (joint.kind) {
+  switch (kind) {
     case JointKind::kRevolute: {
       const Vector<T> axis = axis_at<T>(R);
       const T x = freedom(e, a);
@@ -2407,21 +2551,22 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
 template <int p, int first, int last>
 void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
-  for (int j = first; j <= last; ++j) {
-    move<false>(w, single(j), a);
-    if (kRoles[p][static_cast<std::size_t>(j + 1)].parts)
-      w.motions[static_cast<std::size_t>(j + 1)] = a;
-  }
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    move<false>(w, single(first + k), kind, a);
+    const std::size_t far = static_cast<std::size_t>(first + k + 1);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
 }
 
 template <int p, int first, int last>
 void accelerate_reversed(Workspace& w) {
   Motion<Value> a = w.motions[last + 1];
-  for (int j = last; j >= first; --j) {
-    move<true>(w, single(j), a);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    move<true>(w, single(j), kind, a);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
     if (kRoles[p][far].parts) w.motions[far] = a;
-  }
+  });
 }
 
 // The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
@@ -2589,7 +2734,7 @@ void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias,
   const Mat6 half = passed<reversed>(w, j, near);
   far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
   Motion<Value> a = motion_of(near_bias);
-  move<reversed>(w, single(j), a);
+  move<reversed>(w, single(j), kJoints[static_cast<std::size_t>(j)].kind, a);
   far_bias = columns_of(a);
 }
 
@@ -2728,10 +2873,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   std::copy_n(w.q + 20, 1, w.angle.data() + 5);
   turn<block(5), block(5) + 1>(w);
-  orient<1>(w);
-  orient<4>(w);
-  orient<6>(w);
-  orient<7>(w);
+  orient<0, block(1), block(7) + 1>(w);
   free_base_frame<0>(w);
   outward<1, 1>(w);  // "left_hip"
   outward<4, 6>(w);  // "right_hip" .. "right_ankle"
@@ -2831,8 +2973,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   std::copy_n(w.q + 11, 1, w.angle.data() + 2);
   turn<block(2), block(2) + 1>(w);
-  orient<1>(w);
-  orient<3>(w);
+  orient<1, block(1), block(3) + 1>(w);
   free_base_frame<0>(w);
   pass_outward<1, 1>(w);  // "left_hip"
   outward<2, 3>(w);  // "left_knee" .. "left_ankle"
@@ -2874,11 +3015,7 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   std::copy_n(w.q + 46, 1, w.angle.data() + 13);
   turn<block(13), block(13) + 1>(w);
-  orient<7>(w);
-  orient<8>(w);
-  orient<11>(w);
-  orient<12>(w);
-  orient<14>(w);
+  orient<2, block(7), block(14) + 1>(w);
   free_base_frame<0>(w);
   pass_outward<7, 7>(w);  // "spine"
   outward<8, 8>(w);  // "left_shoulder"
@@ -2960,9 +3097,7 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   std::copy_n(w.q + 33, 1, w.angle.data() + 9);
   turn<block(9), block(9) + 1>(w);
-  orient<7>(w);
-  orient<8>(w);
-  orient<10>(w);
+  orient<3, block(7), block(10) + 1>(w);
   free_base_frame<0>(w);
   pass_outward<7, 8>(w);  // "spine" .. "left_shoulder"
   outward<9, 10>(w);  // "left_elbow" .. "left_wrist"
@@ -4854,8 +4989,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 112, 0.432};
-constexpr Hop kMessageHop{21.1, 181, 0.576};
+constexpr Hop kWindowHop{0, 84.7, 0.429};
+constexpr Hop kMessageHop{21.8, 153, 0.538};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

@@ -2,7 +2,7 @@
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// schedule  __base__@0-1(|left_shoulder_pitch(neck_yaw(right_shoulder_pitch(left_ankle_roll@0(left_ankle_pitch(left_knee(left_hip_yaw(left_hip_roll(left_hip_pitch(right_ankle_roll(right_ankle_pitch(right_knee(right_hip_yaw(right_hip_roll(right_hip_pitch(waist_yaw(|waist_roll(|waist_pitch))|)|)|)|)|)|)|)|)|)|)|)|) | right_wrist_pitch@1(right_wrist_roll(right_elbow(right_shoulder_yaw(right_shoulder_roll|)|)|)|)) | neck_pitch@1) | left_wrist_pitch@1(left_wrist_roll(left_elbow(left_shoulder_yaw(left_shoulder_roll|)|)|)|)))
+// schedule  __base__@0-1(|left_hip_pitch(right_hip_pitch(waist_yaw(|waist_roll(|waist_pitch(|left_shoulder_pitch(neck_yaw(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch)))))))) | right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -113,7 +113,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr int kPlanMessages = 2;
+[[maybe_unused]] constexpr int kPlanMessages = 0;
 constexpr std::size_t kCacheLine = 64;
 constexpr bool kFloatingBase = true;
 constexpr double kTolerance = 1e-09;
@@ -487,7 +487,9 @@ typedef Bits LaneBits __attribute__((vector_size(64)));
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
-#define ADAGEN_INLINE [[maybe_unused]] inline __attribute__((always_inline))
+#define ADAGEN_ALWAYS __attribute__((always_inline))
+#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
+#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
 
 ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
 ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
@@ -499,6 +501,13 @@ ADAGEN_INLINE bool all_positive(const T& x) {
   bool result = true;
   ADAGEN_FOR (k, 0, static_cast<int>(sizeof x / sizeof x[0])) result &= x[k] > 0;
   return result;
+}
+
+// One number or the other, lane by lane.
+ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
+  const LaneBits bits =
+      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
+  return reinterpret_cast<Lanes>(bits);
 }
 
 ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
@@ -554,6 +563,17 @@ ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
   return result;
 }
 
+ADAGEN_INLINE bool any_of(const LaneBits& x) {
+  Bits any = 0;
+  for (int k = 0; k < kLanes; ++k) any |= x[k];
+  return any != 0;
+}
+ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
+                                         Lanes& cosine) {
+  for (int k = 0; k < kLanes; ++k)
+    if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
 ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
   using Table = Trigonometry<Real>;
   const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
@@ -574,11 +594,7 @@ ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosin
   sine = reinterpret_cast<Lanes>(sine_bits);
   cosine = reinterpret_cast<Lanes>(cosine_bits);
   const LaneBits beyond = (angle > Table::kLargestAngle) | (angle < -Table::kLargestAngle);
-  Bits any = 0;
-  for (int k = 0; k < kLanes; ++k) any |= beyond[k];
-  if (__builtin_expect(any != 0, 0))
-    for (int k = 0; k < kLanes; ++k)
-      if (beyond[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+  if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
 }
 
 // Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
@@ -743,11 +759,9 @@ ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<
   return squared;
 }
 
-constexpr std::array<MessageInfo, 4> kMessages{ {
-    {0, 1, 27},  // 0: what hangs on "torso"
-    {1, 0, 27},  // 1: what hangs on "torso"
-    {0, 1, 61},  // 2: state
-    {1, 0, 14},  // 3: accelerations
+constexpr std::array<MessageInfo, 2> kMessages{ {
+    {0, 1, 0},  // 0: state
+    {1, 0, 0},  // 1: accelerations
 } };
 
 // What a process does in an evaluation as the others see it: the messages that it sends and
@@ -1159,20 +1173,22 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 } };
 
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns.
-constexpr int kSlotCount = 30;
+constexpr int kSlotCount = 32;
 constexpr bool kAbreast = true;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
-constexpr int kSlots[kJointCount]{ 12, 0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9, 11, 13, 14, 15, 16, 18, 20, 22, 24, 26, 28, 29, 17, 19, 21, 23, 25, 27 };
+constexpr int kSlots[kJointCount]{ 24, 0, 4, 8, 12, 16, 20, 1, 5, 9, 13, 17, 21, 25, 26, 27, 2, 6, 10, 14, 18, 22, 28, 29, 3, 7, 11, 15, 19, 23 };
+constexpr bool kByColumns = false;  // whether runs are taken by columns
 
 // What a process does at a link.
 struct LinkRole {
   bool gathers;   // paths meet at it inwards
   bool adds_own;  // its own inertia is this process's to add
   bool parts;     // paths part at it outwards
+  bool oriented;  // the quaternion of the joint above it is this process's to take
 };
 constexpr LinkRole kRoles[2][kLinkCount]{
-    {{0, 0, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
+    {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
 };
 
 // What is kept where segments meet, with the joint that it belongs to.
@@ -1191,7 +1207,9 @@ struct Joints {
   int slot;  // of the first one
   int joint[kWidth<T>];
 
-  const JointConstants& any() const { return kJoints[static_cast<std::size_t>(joint[0])]; }
+  constexpr const JointConstants& any() const {
+    return kJoints[static_cast<std::size_t>(joint[0])];
+  }
 };
 constexpr int slot_of(int j) { return kAbreast ? kSlots[j] : j; }
 ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
@@ -1274,6 +1292,11 @@ struct Eliminated {
 };
 using Memory = Eliminated<Value>;
 
+// A bare link as it is added to columns (see inward_columns.hpp).
+struct alignas(64) LinkColumns {
+  Real tensor[8], moments[8], force[8];
+};
+
 // A link's orientation and how it moves, were all joint accelerations zero.
 template <class T>
 struct Frame {
@@ -1292,6 +1315,7 @@ struct Workspace : Cuts {
   std::array<Memory, kJointCount> joints{};
   std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
   std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
+  std::array<LinkColumns, kByColumns ? kBlockCount * kPerBlock : 0> columns{};  // by slot
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
@@ -1349,7 +1373,7 @@ ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
   return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
 }
 
-inline void fail(Workspace& w, Failure kind, int joint) {
+ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
@@ -1390,11 +1414,10 @@ ADAGEN_INLINE bool finite(const Value* x, int count) {
   return all_zero(sum) && all_zero(rest);
 }
 
-// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite;
-// place says where a joint's entries start.
-inline void require_finite(Workspace& w, const Value* x, int first, int count,
-                           int JointConstants::* place, Failure kind) {
-  if (__builtin_expect(finite(x + first, count), 1)) return;
+// Tells which of entries first .. is the first that is not finite; place says where a joint's
+// entries start.
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
+                               Failure kind) {
   while (finite(x + first, 1)) ++first;
   int joint = 0;
   for (int j = 0; j < kJointCount; ++j)
@@ -1402,20 +1425,29 @@ inline void require_finite(Workspace& w, const Value* x, int first, int count,
   fail(w, kind, joint);
 }
 
-template <class T>
-void require_length(Workspace& w, const T& squared, int joint) {
-  if (!all_positive(squared - std::numeric_limits<Real>::min()) ||
-      !all_positive(std::numeric_limits<Real>::max() - squared))
-    fail(w, kZeroQuaternion, joint);
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::* place, Failure kind) {
+  if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
 }
 
-// A joint that an elimination failed for: one whose number is not positive.
 template <class T>
-int culprit(const Joints<T>& joints, [[maybe_unused]] const T& x) {
-  if constexpr (kWidth<T> > 1)
-    for (int k = 0; k < kWidth<T>; ++k)
-      if (!(x[k] > 0)) return joints.joint[k];
-  return joints.joint[0];
+ADAGEN_INLINE bool has_length(const T& squared) {
+  return all_positive(squared - std::numeric_limits<Real>::min()) &&
+         all_positive(std::numeric_limits<Real>::max() - squared);
+}
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!has_length(squared)) fail(w, kZeroQuaternion, joint);
+}
+
+// An elimination failed for one of the joints: for that whose number is not positive.
+template <class T>
+ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]] const T& x) {
+  int lane = 0;
+  if constexpr (kWidth < T >> 1)
+    while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
+  fail(w, kFactorization, joints.joint[lane]);
 }
 
 // The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
@@ -1450,6 +1482,47 @@ inline void give(Workspace& w, int first, int count) {
   for (int k = 0; k < 9; ++k)
     if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
   return true;
+}
+
+// Loops over rows of joints: a run's joints, or those of limbs side by side, of one kind each.
+// Where few stretches of one kind follow each other, each is a loop of its own that knows its kind.
+template <int first, int last>
+struct RunRows {
+  static constexpr int kCount = last - first + 1;
+  static constexpr JointKind kind(int k) {
+    return kJoints[static_cast<std::size_t>(first + k)].kind;
+  }
+};
+
+constexpr int kMostStretches = 8;
+
+// Where the stretch ends that begins with the k-th row of an order.
+template <class Rows, bool backwards>
+constexpr int end_of_stretch(int k) {
+  const auto kind = [](int i) { return Rows::kind(backwards ? Rows::kCount - 1 - i : i); };
+  int end = k + 1;
+  while (end < Rows::kCount && kind(end) == kind(k)) ++end;
+  return end;
+}
+template <class Rows>
+constexpr bool few_stretches() {
+  int count = 0;
+  for (int k = 0; k < Rows::kCount; ++count) k = end_of_stretch<Rows, false>(k);
+  return count <= kMostStretches;
+}
+
+// Calls step(row, kind) for each row, the last one first if backwards.
+template <class Rows, bool backwards, int begin = 0, class Step>
+ADAGEN_INLINE void each_row(const Step& step) {
+  constexpr auto row = [](int k) { return backwards ? Rows::kCount - 1 - k : k; };
+  if constexpr (few_stretches<Rows>()) {
+    constexpr int end = end_of_stretch<Rows, backwards>(begin);
+    constexpr std::integral_constant<JointKind, Rows::kind(row(begin))> kind;
+    for (int k = begin; k < end; ++k) step(row(k), kind);
+    if constexpr (end < Rows::kCount) each_row<Rows, backwards, end>(step);
+  } else {
+    for (int k = 0; k < Rows::kCount; ++k) step(row(k), Rows::kind(row(k)));
+  }
 }
 
 // What needs no recursion, for as many links at once as a register holds.
@@ -1643,26 +1716,11 @@ ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
   return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
 }
 
-// The turn of a joint with a quaternion.
-template <int j>
-void orient(Workspace& w) {
-  constexpr const JointConstants& joint = kJoints[j];
-  const Value* q = w.q + joint.q + joint.nq - 4;
-  Matrix<Value> turn;
-  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  if constexpr (!is_identity(joint.rotation)) {
-    const Matrix<Real> P = placement(joint);
-    turn = {turn.x * P.x.x + turn.y * P.x.y + turn.z * P.x.z,
-            turn.x * P.y.x + turn.y * P.y.y + turn.z * P.y.z,
-            turn.x * P.z.x + turn.y * P.z.y + turn.z * P.z.z};
-  }
-  put_at(w.of(j, kTurn), turn);
-}
-
 // One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
 // with later is kept.
 template <bool kept, class T>
-ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, Frame<T>& at) {
+ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
+                                Frame<T>& at) {
   const JointConstants& joint = joints.any();
   const auto moved = [&](const Value* x, int JointConstants::* place) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
@@ -1687,7 +1745,7 @@ ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, Frame<T>&
     at.a += cross(omega + omega + spin, slide);
     at.alpha += turn_with(spin);
   };
-  switch (joint.kind) {
+  switch (kind) {
     case JointKind::kRevolute:
       ride_along();
       at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
@@ -1730,7 +1788,8 @@ template <int first, int last>
 void outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
   Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<true>(w, single(j), at);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, single(first + k), kind, at); });
 }
 
 // The same on the way to joints that are treated: only the last link's frame is kept.
@@ -1738,7 +1797,8 @@ template <int first, int last>
 void pass_outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
   Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<false>(w, single(j), at);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
   keep(w, slot_of(last), at);
 }
 
@@ -1775,14 +1835,14 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   T D = dot(s, along ? f : n);
   if constexpr (kAnyPassive)
     D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
-  if constexpr (kPrescribedAbreast && kWidth<T> > 1) D += each(joints, immovable);
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1) D += each(joints, immovable);
   const T inverse = 1 / D;
   T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
-  if constexpr (kPrescribedAbreast && kWidth<T> > 1)
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1)
     u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
   const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
   const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
-  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, culprit(joints, left));
+  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
   if constexpr (!reversed) {
     shift(X, r);
     n += cross(r, f);
@@ -1796,7 +1856,20 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   X.f += f * u;
 }
 
-// A x = b, by the factors 1 / D and L of A = L D L^T.
+// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21.
+template <class T>
+ADAGEN_INLINE void factorize_rotations(Workspace& w, const Joints<T>& joints, const Symmetric<T>& A,
+                                       T* factors) {
+  const T d0 = 1 / A.xx, l10 = A.xy * d0, l20 = A.xz * d0;
+  const T p1 = A.yy - l10 * A.xy, d1 = 1 / p1, t = A.yz - l20 * A.xy, l21 = t * d1;
+  const T p2 = A.zz - l20 * A.xz - l21 * t, d2 = 1 / p2;
+  for (const T& pivot : {A.xx, p1, p2})
+    if (__builtin_expect(!all_positive(pivot), 0)) fail_one(w, joints, pivot);
+  factors[0] = d0, factors[1] = d1, factors[2] = d2;
+  factors[3] = l10, factors[4] = l20, factors[5] = l21;
+}
+
+// A x = b, by these factors.
 template <class T>
 ADAGEN_INLINE Vector<T> solve_rotations(const T* factors, const Vector<T>& b) {
   const T *d = factors, *l = factors + 3;  // l: 10, 20, 21
@@ -1813,14 +1886,8 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Bo
   if constexpr (reversed) shift(X, -r);
   Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * tau;
   if constexpr (reversed) torque = -torque;
-  const T d0 = 1 / X.A.xx, l10 = X.A.xy * d0, l20 = X.A.xz * d0;
-  const T p1 = X.A.yy - l10 * X.A.xy, d1 = 1 / p1, t = X.A.yz - l20 * X.A.xy, l21 = t * d1;
-  const T p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
-  for (const T& pivot : {X.A.xx, p1, p2})
-    if (__builtin_expect(!all_positive(pivot), 0)) fail(w, kFactorization, culprit(joints, pivot));
   T* const factors = e + 12;
-  factors[0] = d0, factors[1] = d1, factors[2] = d2;
-  factors[3] = l10, factors[4] = l20, factors[5] = l21;
+  factorize_rotations(w, joints, X.A, factors);
   const auto solve = [&](const Vector<T>& b) { return solve_rotations(factors, b); };
   const Matrix<T>& B = X.B;
   const Vector<T> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
@@ -1904,7 +1971,7 @@ ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, B
 
 // One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
 template <bool reversed, class T, class Arrive>
-ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X,
+ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind kind, Body<T>& X,
                                const Arrive& arrive) {
   const JointConstants& joint = joints.any();
   Eliminated<T>& memory = w.memory(joints);
@@ -1912,7 +1979,7 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X
   const auto freedom = [&] {
     return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
   };
-  switch (joint.kind) {
+  switch (kind) {
     case JointKind::kRevolute:
       eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
                                  arrive);
@@ -1978,12 +2045,13 @@ void inward(Workspace& w) {
   Body<Value> X{};
   constexpr bool quick = bare<p>(first + 1, last);
   if constexpr (quick) meet<p>(w, last + 1, X);
-  for (int j = last; j >= first; --j) {
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
     if constexpr (!quick) meet<p>(w, j + 1, X);
-    step_inward<false>(w, single(j), X, [&](Body<Value>& near) {
+    step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j > first) add_bare_link(w, single(j - 1), near);
     });
-  }
+  });
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave<starts>(w, near, X);
 }
@@ -1994,12 +2062,13 @@ void inward_reversed(Workspace& w) {
   Body<Value> X{};
   constexpr bool quick = bare<p>(first + 1, last);
   if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
-  for (int j = first; j <= last; ++j) {
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
     if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
-    step_inward<true>(w, single(j), X, [&](Body<Value>& near) {
+    step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j < last) add_bare_link(w, single(j), near);
     });
-  }
+  });
   leave<starts>(w, last + 1, X);
 }
 
@@ -2095,12 +2164,11 @@ ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T
 // A joint's acceleration from the near link's, which becomes the far link's; each is told at its
 // own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
 template <bool reversed, class T>
-ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
-  const JointConstants& joint = joints.any();
+ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
   const T* const e = w.memory(joints).e;
   const Vector<T>& r = w.memory(joints).r;
   const Value* R = w.at(joints.slot, kAxes);
-  switch (joint.kind) {
+  switch (kind) {
     case JointKind::kRevolute: {
       const Vector<T> axis = axis_at<T>(R);
       const T x = freedom(e, a);
@@ -2137,21 +2205,22 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
 template <int p, int first, int last>
 void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
-  for (int j = first; j <= last; ++j) {
-    move<false>(w, single(j), a);
-    if (kRoles[p][static_cast<std::size_t>(j + 1)].parts)
-      w.motions[static_cast<std::size_t>(j + 1)] = a;
-  }
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    move<false>(w, single(first + k), kind, a);
+    const std::size_t far = static_cast<std::size_t>(first + k + 1);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
 }
 
 template <int p, int first, int last>
 void accelerate_reversed(Workspace& w) {
   Motion<Value> a = w.motions[last + 1];
-  for (int j = last; j >= first; --j) {
-    move<true>(w, single(j), a);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    move<true>(w, single(j), kind, a);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
     if (kRoles[p][far].parts) w.motions[far] = a;
-  }
+  });
 }
 
 // The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
@@ -2192,6 +2261,12 @@ struct Limbs {
   constexpr int near(int lane) const {
     return kJoints[static_cast<std::size_t>(joints[0][lane])].parent;
   }
+};
+
+template <const auto& limbs>
+struct LimbRows {
+  static constexpr int kCount = limbs.kRows;
+  static constexpr JointKind kind(int k) { return limbs.at(k).any().kind; }
 };
 
 constexpr int kMostNumbers = 27;  // of what is taken apart or made one: a Body
@@ -2241,7 +2316,8 @@ void outward_abreast(Workspace& w) {
     sides[lane] = &frames[lane];
   }
   Frame<T> at = side_by_side<T, Frame>(sides);
-  for (int k = 0; k < limbs.kRows; ++k) step_outward<true>(w, limbs.at(k), at);
+  each_row<LimbRows<limbs>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, limbs.at(k), kind, at); });
 }
 
 // Adds to bodies what the sweep finds at the links beyond a row of joints.
@@ -2276,12 +2352,12 @@ auto inward_abreast(Workspace& w) {
   Body<T> X{};
   constexpr bool quick = bare_rows<p>(limbs);
   if constexpr (quick) meet_abreast<p>(w, limbs.at(limbs.kRows - 1), X);
-  for (int k = limbs.kRows - 1; k >= 0; --k) {
+  each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     if constexpr (!quick) meet_abreast<p>(w, limbs.at(k), X);
-    step_inward<false>(w, limbs.at(k), X, [&](Body<T>& near) {
+    step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
       if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
     });
-  }
+  });
   return X;
 }
 
@@ -2292,127 +2368,72 @@ void accelerate_abreast(Workspace& w) {
   ADAGEN_FOR (lane, 0, kWidth<T>)
     sides[lane] = &w.motions[static_cast<std::size_t>(limbs.near(lane))];
   Motion<T> a = side_by_side<T, Motion>(sides);
-  for (int k = 0; k < limbs.kRows; ++k) {
+  each_row<LimbRows<limbs>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const Joints<T> joints = limbs.at(k);
-    move<false>(w, joints, a);
+    move<false>(w, joints, kind, a);
     ADAGEN_FOR (side, 0, kWidth<T>) {
       const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
       if (kRoles[p][link].parts) w.motions[link] = lane(a, side);
     }
-  }
+  });
 }
 
-// "left_hip_pitch" .. "left_ankle_roll", "right_hip_pitch" .. "right_ankle_roll"
-constexpr Limbs<2, 6> kLimbs0{0, {{1, 7}, {2, 8}, {3, 9}, {4, 10}, {5, 11}, {6, 12}}};
-
-// "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
-constexpr Limbs<2, 6> kLimbs1{16, {{16, 24}, {17, 25}, {18, 26}, {19, 27}, {20, 28}, {21, 29}}};
+// "left_hip_pitch" .. "left_ankle_roll", "right_hip_pitch" .. "right_ankle_roll", "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
+constexpr Limbs<4, 6> kLimbs0{0, {{1, 7, 16, 24}, {2, 8, 17, 25}, {3, 9, 18, 26}, {4, 10, 19, 27}, {5, 11, 20, 28}, {6, 12, 21, 29}}};
 
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 16 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
+// Process 0: 30 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 22, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 21, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 0, 21, &JointConstants::v, kNotFinite);
+  require_finite(w, w.q, 0, 36, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 35, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 35, &JointConstants::v, kNotFinite);
   stamp(0);
-  take_angles<0, 15>(w);
-  turn<block(0), block(15) + 1>(w);
+  take_angles<0, 29>(w);
+  turn<block(0), block(29) + 1>(w);
   free_base_frame<0>(w);
-  outward_abreast<kLimbs0>(w);
   outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
+  outward_abreast<kLimbs0>(w);
+  outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
   stamp(1);
-  set_up_links<block(0), block(14) + 1>(w);
+  set_up_links<block(0), block(29) + 1>(w);
   free_base<0, true>(w);
   {
     const auto X = inward_abreast<0, kLimbs0>(w);
     leave<false>(w, 1, lane(X, 0));
     leave<false>(w, 1, lane(X, 1));
+    leave<true>(w, 16, lane(X, 2));
+    leave<false>(w, 16, lane(X, 3));
   }
-  inward_reversed<0, 13, 15, true>(w);  // "waist_yaw" .. "waist_pitch"
+  inward<0, 22, 23, false>(w);  // "neck_yaw" .. "neck_pitch"
+  inward<0, 13, 15, false>(w);  // "waist_yaw" .. "waist_pitch"
+  solve_root<0, 1>(w);
   stamp(2);
-  {  // to process 1: what hangs on "torso"
-    Real* to = channel.outgoing(0, w.status);
-    to = put(to, w.bodies[16]);
-    channel.send(0, w.status);
-  }
-  stamp(3);
-  {  // from process 1: what hangs on "torso"
-    const Real* from = channel.receive(1, w.status);
-    from = add(from, w.bodies[16]);
-  }
-  stamp(4);
-  solve_root<0, 16>(w);
-  stamp(5);
-  accelerate_reversed<0, 13, 15>(w);  // "waist_yaw" .. "waist_pitch"
+  accelerate<0, 13, 15>(w);  // "waist_yaw" .. "waist_pitch"
   accelerate_abreast<0, kLimbs0>(w);
+  accelerate<0, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
   free_acceleration<0>(w);
-  stamp(6);
-  require_finite(w, w.answer.data(), 0, 21, &JointConstants::v, kOverflow);
-  give(w, 0, 21);
+  stamp(3);
+  require_finite(w, w.answer.data(), 0, 35, &JointConstants::v, kOverflow);
+  give(w, 0, 35);
 }
 
-// Process 1: 14 of 30 joints: "left_shoulder_pitch", "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", "left_wrist_pitch", ...; kinematics of 4 more on the way to the ground
+// Process 1: has nothing to do
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
-  require_finite(w, w.q, 19, 17, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
-  require_finite(w, w.v, 18, 17, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 21, 14, &JointConstants::v, kNotFinite);
-  stamp(0);
-  take_angles<0, 0>(w);
-  take_angles<13, 29>(w);
-  turn<block(13), block(29) + 1>(w);
-  free_base_frame<0>(w);
-  pass_outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
-  outward_abreast<kLimbs1>(w);
-  outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
-  stamp(1);
-  set_up_links<block(15), block(29) + 1>(w);
-  place<16, true>(w);  // "torso" itself
-  {
-    const auto X = inward_abreast<1, kLimbs1>(w);
-    leave<false>(w, 16, lane(X, 0));
-    leave<false>(w, 16, lane(X, 1));
-  }
-  inward<1, 22, 23, false>(w);  // "neck_yaw" .. "neck_pitch"
-  stamp(2);
-  {  // to process 0: what hangs on "torso"
-    Real* to = channel.outgoing(1, w.status);
-    to = put(to, w.bodies[16]);
-    channel.send(1, w.status);
-  }
-  stamp(3);
-  {  // from process 0: what hangs on "torso"
-    const Real* from = channel.receive(0, w.status);
-    from = add(from, w.bodies[16]);
-  }
-  stamp(4);
-  solve_root<1, 16>(w);
-  stamp(5);
-  accelerate_abreast<1, kLimbs1>(w);
-  accelerate<1, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
-  stamp(6);
-  require_finite(w, w.answer.data(), 21, 14, &JointConstants::v, kOverflow);
-  give(w, 21, 14);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<int, 22> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21};
-constexpr std::array<int, 21> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
-constexpr std::array<int, 21> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
-constexpr std::array<int, 21> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
-constexpr std::array<int, 24> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35};
-constexpr std::array<int, 23> kReadV_1{0, 1, 2, 3, 4, 5, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
-constexpr std::array<int, 14> kOwn_1{21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
-constexpr std::array<int, 14> kTorque_1{21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 36> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35};
+constexpr std::array<int, 35> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 35> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 35> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {22, kReadQ_0.data(), 21, kReadV_0.data(), 21, kOwn_0.data(), 21, kTorque_0.data()},
-    {24, kReadQ_1.data(), 23, kReadV_1.data(), 14, kOwn_1.data(), 14, kTorque_1.data()},
+    {36, kReadQ_0.data(), 35, kReadV_0.data(), 35, kOwn_0.data(), 35, kTorque_0.data()},
+    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -3853,24 +3874,13 @@ class Watch {
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 6> kStages_0{ {
-    {"kinematics", 15, -1},
-    {"assembly", 15, -1},
-    {"send", -1, 0},
-    {"receive", -1, 1},
-    {"assembly", -1, -1},
-    {"disassembly", 15, -1},
-} };
-constexpr std::array<Stage, 6> kStages_1{ {
+constexpr std::array<Stage, 3> kStages_0{ {
     {"kinematics", 29, -1},
-    {"assembly", 16, -1},
-    {"send", -1, 1},
-    {"receive", -1, 0},
-    {"assembly", -1, -1},
-    {"disassembly", 16, -1},
+    {"assembly", 1, -1},
+    {"disassembly", 1, -1},
 } };
-constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data()};
-constexpr std::array<int, kProcesses> kStageCount{6, 6};
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), nullptr};
+constexpr std::array<int, kProcesses> kStageCount{3, 0};
 
 struct Statistics {
   double median = 0, least = 0, percentile99 = 0;
@@ -4229,8 +4239,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 112, 0.432};
-constexpr Hop kMessageHop{21.1, 181, 0.576};
+constexpr Hop kWindowHop{0, 84.7, 0.429};
+constexpr Hop kMessageHop{21.8, 153, 0.538};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

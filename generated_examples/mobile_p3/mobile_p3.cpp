@@ -3426,8 +3426,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 112, 0.432};
-constexpr Hop kMessageHop{21.1, 181, 0.576};
+constexpr Hop kWindowHop{0, 84.7, 0.429};
+constexpr Hop kMessageHop{21.8, 153, 0.538};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

@@ -22,16 +22,16 @@ from tests.golden.examples import FOLDER
 
 DEFAULT = load_profile("default")
 assert DEFAULT.steps is not None
-# Costs under which two processes pay for chains of 80 rods: articulated inertias twice as dear.
+# Costs under which two processes pay for chains of 80 rods: articulated inertias dearer.
 DEAR = {
-    name: (2 if name.startswith("articulate") else 1) * x for name, x in DEFAULT.steps.table.items()
+    name: (4 if name.startswith("articulate") else 1) * x for name, x in DEFAULT.steps.table.items()
 }
 PROFILE = replace(DEFAULT, steps=replace(DEFAULT.steps, table=DEAR))
 
 
 def middling(mass: float) -> Model:
     """Rods that are light where two processes would meet."""
-    inertias = [robots.rod(mass if 19 <= i <= 22 else 1.0) for i in range(80)]
+    inertias = [robots.rod(mass if 30 <= i <= 33 else 1.0) for i in range(80)]
     return robots.chain("light middle", inertias)
 
 

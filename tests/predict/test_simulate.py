@@ -53,7 +53,7 @@ def test_what_is_predicted_can_happen(form: str, processes: int, seed: int) -> N
 def test_one_process_takes_the_sum_of_its_steps(form: str) -> None:
     made, costs = plan(1, form), step_costs()
     total = sum(step_time(step, made.joints, costs) for step in made.processes[0].steps)
-    line = predict(made, step_profile())
+    line = predict(made, step_profile(), "joints")
     assert line.makespan == pytest.approx(total + costs["process.evaluation"])
     assert line.waiting(0) == 0
     known = {name for step in made.processes[0].steps for name in features(step, made.joints)}

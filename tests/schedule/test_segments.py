@@ -114,7 +114,7 @@ def test_the_plan_takes_what_the_tree_says(
     model = random_tree(np.random.default_rng(seed), 10 + 2 * seed, floating=seed % 3 == 0)
     profile = step_profile(cores)
     schedule = random_schedule(Topology.of(model), processes, profile, seed)
-    line = predict(make_plan(model, schedule, form="segment"), profile)
+    line = predict(make_plan(model, schedule, form="segment"), profile, "joints")
     assert line.makespan == pytest.approx(makespan_of(schedule.root), abs=1e-5)
 
 

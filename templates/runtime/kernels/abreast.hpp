@@ -18,6 +18,12 @@ struct Limbs {
   }
 };
 
+template <const auto& limbs>
+struct LimbRows {
+  static constexpr int kCount = limbs.kRows;
+  static constexpr JointKind kind(int k) { return limbs.at(k).any().kind; }
+};
+
 constexpr int kMostNumbers = 27;  // of what is taken apart or made one: a Body
 
 // One lane of what consists of numbers alone, and all lanes made one.
@@ -65,7 +71,8 @@ void outward_abreast(Workspace& w) {
     sides[lane] = &frames[lane];
   }
   Frame<T> at = side_by_side<T, Frame>(sides);
-  for (int k = 0; k < limbs.kRows; ++k) step_outward<true>(w, limbs.at(k), at);
+  each_row<LimbRows<limbs>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, limbs.at(k), kind, at); });
 }
 
 // Adds to bodies what the sweep finds at the links beyond a row of joints.
@@ -100,12 +107,12 @@ auto inward_abreast(Workspace& w) {
   Body<T> X{};
   constexpr bool quick = bare_rows<p>(limbs);
   if constexpr (quick) meet_abreast<p>(w, limbs.at(limbs.kRows - 1), X);
-  for (int k = limbs.kRows - 1; k >= 0; --k) {
+  each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     if constexpr (!quick) meet_abreast<p>(w, limbs.at(k), X);
-    step_inward<false>(w, limbs.at(k), X, [&](Body<T>& near) {
+    step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
       if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
     });
-  }
+  });
   return X;
 }
 
@@ -116,12 +123,12 @@ void accelerate_abreast(Workspace& w) {
   ADAGEN_FOR (lane, 0, kWidth<T>)
     sides[lane] = &w.motions[static_cast<std::size_t>(limbs.near(lane))];
   Motion<T> a = side_by_side<T, Motion>(sides);
-  for (int k = 0; k < limbs.kRows; ++k) {
+  each_row<LimbRows<limbs>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const Joints<T> joints = limbs.at(k);
-    move<false>(w, joints, a);
+    move<false>(w, joints, kind, a);
     ADAGEN_FOR (side, 0, kWidth<T>) {
       const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
       if (kRoles[p][link].parts) w.motions[link] = lane(a, side);
     }
-  }
+  });
 }

@@ -66,12 +66,11 @@ ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T
 // A joint's acceleration from the near link's, which becomes the far link's; each is told at its
 // own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
 template <bool reversed, class T>
-ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
-  const JointConstants& joint = joints.any();
+ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
   const T* const e = w.memory(joints).e;
   const Vector<T>& r = w.memory(joints).r;
   const Value* R = w.at(joints.slot, kAxes);
-  switch (joint.kind) {
+  switch (kind) {
     case JointKind::kRevolute: {
       const Vector<T> axis = axis_at<T>(R);
       const T x = freedom(e, a);
@@ -108,21 +107,22 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
 template <int p, int first, int last>
 void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
-  for (int j = first; j <= last; ++j) {
-    move<false>(w, single(j), a);
-    if (kRoles[p][static_cast<std::size_t>(j + 1)].parts)
-      w.motions[static_cast<std::size_t>(j + 1)] = a;
-  }
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    move<false>(w, single(first + k), kind, a);
+    const std::size_t far = static_cast<std::size_t>(first + k + 1);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
 }
 
 template <int p, int first, int last>
 void accelerate_reversed(Workspace& w) {
   Motion<Value> a = w.motions[last + 1];
-  for (int j = last; j >= first; --j) {
-    move<true>(w, single(j), a);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    move<true>(w, single(j), kind, a);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
     if (kRoles[p][far].parts) w.motions[far] = a;
-  }
+  });
 }
 
 // The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.

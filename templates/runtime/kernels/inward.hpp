@@ -31,14 +31,14 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   T D = dot(s, along ? f : n);
   if constexpr (kAnyPassive)
     D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
-  if constexpr (kPrescribedAbreast && kWidth<T> > 1) D += each(joints, immovable);
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1) D += each(joints, immovable);
   const T inverse = 1 / D;
   T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
-  if constexpr (kPrescribedAbreast && kWidth<T> > 1)
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1)
     u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
   const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
   const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
-  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, culprit(joints, left));
+  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
   if constexpr (!reversed) {
     shift(X, r);
     n += cross(r, f);
@@ -52,7 +52,20 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   X.f += f * u;
 }
 
-// A x = b, by the factors 1 / D and L of A = L D L^T.
+// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21.
+template <class T>
+ADAGEN_INLINE void factorize_rotations(Workspace& w, const Joints<T>& joints, const Symmetric<T>& A,
+                                       T* factors) {
+  const T d0 = 1 / A.xx, l10 = A.xy * d0, l20 = A.xz * d0;
+  const T p1 = A.yy - l10 * A.xy, d1 = 1 / p1, t = A.yz - l20 * A.xy, l21 = t * d1;
+  const T p2 = A.zz - l20 * A.xz - l21 * t, d2 = 1 / p2;
+  for (const T& pivot : {A.xx, p1, p2})
+    if (__builtin_expect(!all_positive(pivot), 0)) fail_one(w, joints, pivot);
+  factors[0] = d0, factors[1] = d1, factors[2] = d2;
+  factors[3] = l10, factors[4] = l20, factors[5] = l21;
+}
+
+// A x = b, by these factors.
 template <class T>
 ADAGEN_INLINE Vector<T> solve_rotations(const T* factors, const Vector<T>& b) {
   const T *d = factors, *l = factors + 3;  // l: 10, 20, 21
@@ -69,14 +82,8 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Bo
   if constexpr (reversed) shift(X, -r);
   Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * tau;
   if constexpr (reversed) torque = -torque;
-  const T d0 = 1 / X.A.xx, l10 = X.A.xy * d0, l20 = X.A.xz * d0;
-  const T p1 = X.A.yy - l10 * X.A.xy, d1 = 1 / p1, t = X.A.yz - l20 * X.A.xy, l21 = t * d1;
-  const T p2 = X.A.zz - l20 * X.A.xz - l21 * t, d2 = 1 / p2;
-  for (const T& pivot : {X.A.xx, p1, p2})
-    if (__builtin_expect(!all_positive(pivot), 0)) fail(w, kFactorization, culprit(joints, pivot));
   T* const factors = e + 12;
-  factors[0] = d0, factors[1] = d1, factors[2] = d2;
-  factors[3] = l10, factors[4] = l20, factors[5] = l21;
+  factorize_rotations(w, joints, X.A, factors);
   const auto solve = [&](const Vector<T>& b) { return solve_rotations(factors, b); };
   const Matrix<T>& B = X.B;
   const Vector<T> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
@@ -160,7 +167,7 @@ ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, B
 
 // One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
 template <bool reversed, class T, class Arrive>
-ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X,
+ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind kind, Body<T>& X,
                                const Arrive& arrive) {
   const JointConstants& joint = joints.any();
   Eliminated<T>& memory = w.memory(joints);
@@ -168,7 +175,7 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, Body<T>& X
   const auto freedom = [&] {
     return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
   };
-  switch (joint.kind) {
+  switch (kind) {
     case JointKind::kRevolute:
       eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
                                  arrive);
@@ -234,12 +241,13 @@ void inward(Workspace& w) {
   Body<Value> X{};
   constexpr bool quick = bare<p>(first + 1, last);
   if constexpr (quick) meet<p>(w, last + 1, X);
-  for (int j = last; j >= first; --j) {
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
     if constexpr (!quick) meet<p>(w, j + 1, X);
-    step_inward<false>(w, single(j), X, [&](Body<Value>& near) {
+    step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j > first) add_bare_link(w, single(j - 1), near);
     });
-  }
+  });
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave<starts>(w, near, X);
 }
@@ -250,12 +258,13 @@ void inward_reversed(Workspace& w) {
   Body<Value> X{};
   constexpr bool quick = bare<p>(first + 1, last);
   if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
-  for (int j = first; j <= last; ++j) {
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
     if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
-    step_inward<true>(w, single(j), X, [&](Body<Value>& near) {
+    step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j < last) add_bare_link(w, single(j), near);
     });
-  }
+  });
   leave<starts>(w, last + 1, X);
 }
 

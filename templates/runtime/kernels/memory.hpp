@@ -10,7 +10,9 @@ struct Joints {
   int slot;  // of the first one
   int joint[kWidth<T>];
 
-  const JointConstants& any() const { return kJoints[static_cast<std::size_t>(joint[0])]; }
+  constexpr const JointConstants& any() const {
+    return kJoints[static_cast<std::size_t>(joint[0])];
+  }
 };
 constexpr int slot_of(int j) { return kAbreast ? kSlots[j] : j; }
 ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
@@ -93,6 +95,11 @@ struct Eliminated {
 };
 using Memory = Eliminated<Value>;
 
+// A bare link as it is added to columns (see inward_columns.hpp).
+struct alignas(64) LinkColumns {
+  Real tensor[8], moments[8], force[8];
+};
+
 // A link's orientation and how it moves, were all joint accelerations zero.
 template <class T>
 struct Frame {
@@ -111,6 +118,7 @@ struct Workspace : Cuts {
   std::array<Memory, kJointCount> joints{};
   std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
   std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
+  std::array<LinkColumns, kByColumns ? kBlockCount * kPerBlock : 0> columns{};  // by slot
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
@@ -168,7 +176,7 @@ ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
   return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
 }
 
-inline void fail(Workspace& w, Failure kind, int joint) {
+ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
@@ -209,11 +217,10 @@ ADAGEN_INLINE bool finite(const Value* x, int count) {
   return all_zero(sum) && all_zero(rest);
 }
 
-// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite;
-// place says where a joint's entries start.
-inline void require_finite(Workspace& w, const Value* x, int first, int count,
-                           int JointConstants::* place, Failure kind) {
-  if (__builtin_expect(finite(x + first, count), 1)) return;
+// Tells which of entries first .. is the first that is not finite; place says where a joint's
+// entries start.
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
+                               Failure kind) {
   while (finite(x + first, 1)) ++first;
   int joint = 0;
   for (int j = 0; j < kJointCount; ++j)
@@ -221,20 +228,29 @@ inline void require_finite(Workspace& w, const Value* x, int first, int count,
   fail(w, kind, joint);
 }
 
-template <class T>
-void require_length(Workspace& w, const T& squared, int joint) {
-  if (!all_positive(squared - std::numeric_limits<Real>::min()) ||
-      !all_positive(std::numeric_limits<Real>::max() - squared))
-    fail(w, kZeroQuaternion, joint);
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::* place, Failure kind) {
+  if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
 }
 
-// A joint that an elimination failed for: one whose number is not positive.
 template <class T>
-int culprit(const Joints<T>& joints, [[maybe_unused]] const T& x) {
-  if constexpr (kWidth<T> > 1)
-    for (int k = 0; k < kWidth<T>; ++k)
-      if (!(x[k] > 0)) return joints.joint[k];
-  return joints.joint[0];
+ADAGEN_INLINE bool has_length(const T& squared) {
+  return all_positive(squared - std::numeric_limits<Real>::min()) &&
+         all_positive(std::numeric_limits<Real>::max() - squared);
+}
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!has_length(squared)) fail(w, kZeroQuaternion, joint);
+}
+
+// An elimination failed for one of the joints: for that whose number is not positive.
+template <class T>
+ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]] const T& x) {
+  int lane = 0;
+  if constexpr (kWidth < T >> 1)
+    while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
+  fail(w, kFactorization, joints.joint[lane]);
 }
 
 // The torque of a joint with one freedom that reaches the links: less damping, spring and friction.

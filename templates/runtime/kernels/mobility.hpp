@@ -138,7 +138,7 @@ void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias,
   const Mat6 half = passed<reversed>(w, j, near);
   far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
   Motion<Value> a = motion_of(near_bias);
-  move<reversed>(w, single(j), a);
+  move<reversed>(w, single(j), kJoints[static_cast<std::size_t>(j)].kind, a);
   far_bias = columns_of(a);
 }
 

@@ -48,26 +48,11 @@ ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
   return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
 }
 
-// The turn of a joint with a quaternion.
-template <int j>
-void orient(Workspace& w) {
-  constexpr const JointConstants& joint = kJoints[j];
-  const Value* q = w.q + joint.q + joint.nq - 4;
-  Matrix<Value> turn;
-  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  if constexpr (!is_identity(joint.rotation)) {
-    const Matrix<Real> P = placement(joint);
-    turn = {turn.x * P.x.x + turn.y * P.x.y + turn.z * P.x.z,
-            turn.x * P.y.x + turn.y * P.y.y + turn.z * P.y.z,
-            turn.x * P.z.x + turn.y * P.z.y + turn.z * P.z.z};
-  }
-  put_at(w.of(j, kTurn), turn);
-}
-
 // One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
 // with later is kept.
 template <bool kept, class T>
-ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, Frame<T>& at) {
+ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
+                                Frame<T>& at) {
   const JointConstants& joint = joints.any();
   const auto moved = [&](const Value* x, int JointConstants::* place) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
@@ -92,7 +77,7 @@ ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, Frame<T>&
     at.a += cross(omega + omega + spin, slide);
     at.alpha += turn_with(spin);
   };
-  switch (joint.kind) {
+  switch (kind) {
     case JointKind::kRevolute:
       ride_along();
       at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
@@ -135,7 +120,8 @@ template <int first, int last>
 void outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
   Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<true>(w, single(j), at);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, single(first + k), kind, at); });
 }
 
 // The same on the way to joints that are treated: only the last link's frame is kept.
@@ -143,6 +129,7 @@ template <int first, int last>
 void pass_outward(Workspace& w) {
   constexpr int parent = kJoints[first].parent - 1;
   Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-  for (int j = first; j <= last; ++j) step_outward<false>(w, single(j), at);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
   keep(w, slot_of(last), at);
 }

@@ -1,0 +1,128 @@
+// A body by columns of eight lanes, for what takes one joint at a time: each column a register.
+typedef Real Column __attribute__((vector_size(8 * sizeof(Real))));  // [angular, -, linear, -]
+
+#if defined(__AVX512F__)
+constexpr bool kInColumns = sizeof(Column) <= 64;
+#elif defined(__AVX2__)
+constexpr bool kInColumns = sizeof(Column) <= 32;
+#else
+constexpr bool kInColumns = false;
+#endif
+
+// An articulated body about a point: the columns of its inertia along three rotations and three
+// translations, and its bias force.
+struct Columns {
+  Column angular[3]{}, linear[3]{}, force{};
+};
+
+ADAGEN_INLINE void operator+=(Columns& a, const Columns& b) {
+  ADAGEN_FOR (k, 0, 3) {
+    a.angular[k] += b.angular[k];
+    a.linear[k] += b.linear[k];
+  }
+  a.force += b.force;
+}
+
+ADAGEN_INLINE Column column(const Vector<Real>& angular, const Vector<Real>& linear) {
+  return Column{angular.x, angular.y, angular.z, 0, linear.x, linear.y, linear.z, 0};
+}
+ADAGEN_INLINE Columns columns(const Body<Real>& X) {
+  const auto& [A, B, C, n, f] = X;
+  return {{column({A.xx, A.xy, A.xz}, B.x), column({A.xy, A.yy, A.yz}, B.y),
+           column({A.xz, A.yz, A.zz}, B.z)},
+          {column({B.x.x, B.y.x, B.z.x}, {C.xx, C.xy, C.xz}),
+           column({B.x.y, B.y.y, B.z.y}, {C.xy, C.yy, C.yz}),
+           column({B.x.z, B.y.z, B.z.z}, {C.xz, C.yz, C.zz})},
+          column(n, f)};
+}
+ADAGEN_INLINE Body<Real> body(const Columns& X) {
+  const Column &x = X.angular[0], &y = X.angular[1], &z = X.angular[2];
+  const Column &u = X.linear[0], &v = X.linear[1], &w = X.linear[2], &p = X.force;
+  return {{x[0], x[1], x[2], y[1], y[2], z[2]},
+          {{x[4], x[5], x[6]}, {y[4], y[5], y[6]}, {z[4], z[5], z[6]}},
+          {u[4], u[5], u[6], v[5], v[6], w[6]},
+          {p[0], p[1], p[2]},
+          {p[4], p[5], p[6]}};
+}
+
+// One number of a column in all lanes, and the linear half alone.
+template <int k>
+ADAGEN_INLINE Column spread(const Column& x) {
+  return __builtin_shufflevector(x, x, k, k, k, k, k, k, k, k);
+}
+ADAGEN_INLINE Column linear_half(const Column& x) {
+  typedef Bits ColumnBits __attribute__((vector_size(8 * sizeof(Bits))));
+  const ColumnBits kept = reinterpret_cast<ColumnBits>(x) & ColumnBits{0, 0, 0, 0, -1, -1, -1, -1};
+  return reinterpret_cast<Column>(kept);
+}
+
+// Rows x0 .. x7 of eight links' numbers become columns y of each.
+ADAGEN_INLINE void transpose(Column x0, Column x1, Column x2, Column x3, Column x4, Column x5,
+                             Column x6, Column x7, Column (&y)[8]) {
+  Column a[8], b[8];
+  const auto pairs = [](const Column& u, const Column& v, Column& even, Column& odd) {
+    even = __builtin_shufflevector(u, v, 0, 8, 2, 10, 4, 12, 6, 14);
+    odd = __builtin_shufflevector(u, v, 1, 9, 3, 11, 5, 13, 7, 15);
+  };
+  pairs(x0, x1, a[0], a[1]), pairs(x2, x3, a[2], a[3]);
+  pairs(x4, x5, a[4], a[5]), pairs(x6, x7, a[6], a[7]);
+  ADAGEN_FOR (half, 0, 2)
+    ADAGEN_FOR (k, 0, 2) {
+      const Column &u = a[4 * half + k], &v = a[4 * half + 2 + k];
+      b[4 * half + k] = __builtin_shufflevector(u, v, 0, 1, 8, 9, 4, 5, 12, 13);
+      b[4 * half + 2 + k] = __builtin_shufflevector(u, v, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+  ADAGEN_FOR (k, 0, 4) {
+    y[k] = __builtin_shufflevector(b[k], b[4 + k], 0, 1, 2, 3, 8, 9, 10, 11);
+    y[4 + k] = __builtin_shufflevector(b[k], b[4 + k], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+}
+
+// The lever arm r of a force: [n; f] becomes [n + r x f; f].
+struct Arm {
+  Column ahead, behind;  // y z x and z x y of r in the angular lanes
+  Vector<Real> r;
+};
+ADAGEN_INLINE Arm arm(const Vector<Real>& r) {
+  return {Column{r.y, r.z, r.x}, Column{r.z, r.x, r.y}, r};
+}
+ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
+  return x + arm.ahead * __builtin_shufflevector(x, x, 6, 4, 5, 7, 7, 7, 7, 7) -
+         arm.behind * __builtin_shufflevector(x, x, 5, 6, 4, 7, 7, 7, 7, 7);
+}
+
+// The body told about the point at -r from the one that it is told about: what forces become, then
+// what motions were. A body left by a spherical joint has no angular columns yet.
+template <bool by_mass_alone = false>
+ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
+  ADAGEN_FOR (k, 0, 3) {
+    if constexpr (!by_mass_alone) X.angular[k] = carried(arm, X.angular[k]);
+    X.linear[k] = carried(arm, X.linear[k]);
+  }
+  const auto& [x, y, z] = arm.r;
+  X.angular[0] += X.linear[2] * y - X.linear[1] * z;
+  X.angular[1] += X.linear[0] * z - X.linear[2] * x;
+  X.angular[2] += X.linear[1] * x - X.linear[0] * y;
+  X.force = carried(arm, X.force);
+}
+
+// U and 1 / D of the joint before: what is still to be subtracted from the body. So the next D need
+// not wait for that.
+struct Due {
+  Column U{};
+  Real inverse = 0;
+};
+
+// The inertia less e U^T.
+ADAGEN_INLINE void subtract(Columns& X, const Column& U, const Column& e) {
+  X.angular[0] -= e * spread<0>(U);
+  X.angular[1] -= e * spread<1>(U);
+  X.angular[2] -= e * spread<2>(U);
+  X.linear[0] -= e * spread<4>(U);
+  X.linear[1] -= e * spread<5>(U);
+  X.linear[2] -= e * spread<6>(U);
+}
+ADAGEN_INLINE void settle(Columns& X, Due& due) {
+  subtract(X, due.U, due.U * due.inverse);
+  due = {};
+}

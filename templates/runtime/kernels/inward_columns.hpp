@@ -1,0 +1,201 @@
+// Inwards by columns: a joint takes a few instructions for each. For runs of joints that nothing
+// lies beside; where no register holds a column, such runs are taken number by number.
+
+// What set_up_links found of the links of blocks first .. last - 1, as it is added to columns.
+template <int first, int last>
+void set_up_columns(Workspace& w) {
+  if constexpr (!kInColumns) return;
+  for (int slot = first * kPerBlock; slot < last * kPerBlock; slot += 8) {
+    const auto row = [&](int entry) {
+      return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
+    };
+    LinkColumns* const links = &w.columns[static_cast<std::size_t>(slot)];
+    const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
+      ADAGEN_FOR (k, 0, 8) std::memcpy(links[k].*place, &found[k], sizeof found[k]);
+    };
+    const auto& all = kBlockConstants[static_cast<std::size_t>(slot / kPerBlock)];
+    const Column mass = number_at<Column>(&all.mass[static_cast<std::size_t>(slot % kPerBlock)]);
+    const Column x = row(kMoments), y = row(kMoments + 1), z = row(kMoments + 2);
+    const Column none =
+        mass - mass;  // a zero that gcc 12 does not fold into shuffles: it errs there
+    constexpr int A = kRotational, n = kTorque, f = kForce;
+    Column found[8];
+    transpose(row(A), row(A + 1), row(A + 2), row(A + 3), row(A + 4), row(A + 5), mass, none,
+              found);
+    put(&LinkColumns::tensor, found);
+    transpose(x, y, z, -x, -y, -z, none, none, found);
+    put(&LinkColumns::moments, found);
+    transpose(row(n), row(n + 1), row(n + 2), none, row(f), row(f + 1), row(f + 2), none, found);
+    put(&LinkColumns::force, found);
+  }
+}
+
+ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Columns& X) {
+  const LinkColumns& own = w.columns[static_cast<std::size_t>(slot_of(link - 1))];
+  const Column a = number_at<Column>(own.tensor);   // xx xy xz yy yz zz m 0
+  const Column b = number_at<Column>(own.moments);  // x y z -x -y -z 0 0
+  X.angular[0] += __builtin_shufflevector(a, b, 0, 1, 2, 7, 7, 13, 9, 7);
+  X.angular[1] += __builtin_shufflevector(a, b, 1, 3, 4, 7, 10, 7, 11, 7);
+  X.angular[2] += __builtin_shufflevector(a, b, 2, 4, 5, 7, 12, 8, 7, 7);
+  X.linear[0] += __builtin_shufflevector(a, b, 7, 10, 12, 7, 6, 7, 7, 7);
+  X.linear[1] += __builtin_shufflevector(a, b, 13, 7, 8, 7, 7, 6, 7, 7);
+  X.linear[2] += __builtin_shufflevector(a, b, 9, 11, 7, 7, 7, 7, 6, 7);
+  X.force += number_at<Column>(own.force);
+}
+
+template <int p>
+ADAGEN_INLINE void meet(Workspace& w, int link, Columns& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += columns(w.bodies[static_cast<std::size_t>(link)]);
+  if (role.adds_own) add_bare_link(w, link, X);
+}
+
+// S^T x with S = [s; 0] or [0; s].
+template <bool along>
+ADAGEN_INLINE Real component(const Column& s, const Column& x) {
+  constexpr int first = along ? 4 : 0;
+  const Column part = s * x;
+  return (part[first] + part[first + 1]) + part[first + 2];
+}
+
+// See eliminate in inward.hpp. With X less U U^T / D due, S^T X S is less (S^T U)^2 / D.
+template <bool along, bool reversed, class Arrive>
+ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Arrive& arrive) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Vector<Real> axis = axis_at(w.of(j, kAxes));
+  const Column s = column(axis, axis);
+  const Arm lever = arm(reversed ? -memory.r : memory.r);
+  if constexpr (reversed) {
+    shift(X, lever);
+    due.U = carried(lever, due.U);
+  }
+  const Column(&side)[3] = along ? X.linear : X.angular;
+  const Column V = side[0] * axis.x + side[1] * axis.y + side[2] * axis.z;
+  const Real q = component<along>(s, due.U);
+  Real D = component<along>(s, V) - q * q * due.inverse;
+  if constexpr (kAnyPassive) D += joint.passive.rotor;
+  const Real inverse = 1 / D;
+  const Column before = due.U * due.inverse;
+  subtract(X, due.U, before);
+  Column U = V - before * q;
+  const Real tau = torque(w, joint);
+  const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
+  constexpr int first = along ? 4 : 0;  // D beside the trace tells what digits are left
+  const Real left = D - kLeast * (side[0][first] + side[1][first + 1] + side[2][first + 2]);
+  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, j);
+  if constexpr (!reversed) {
+    shift(X, lever);
+    U = carried(lever, U);
+  }
+  arrive(X);
+  const Column e = U * inverse;
+  Column kept = __builtin_shufflevector(e, e, 0, 1, 2, 4, 5, 6, 3, 7);
+  kept[6] = u, kept[7] = inverse;
+  std::memcpy(memory.e, &kept, sizeof kept);
+  due = {U, inverse};
+  X.force += U * u;
+}
+
+// See eliminate_rotations in inward.hpp: with A = L D L^T and L Y = B, the rows of Y are what the
+// angular columns become below the diagonal.
+template <bool reversed>
+ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Columns& X, Due& due) {
+  Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  Real* const e = memory.e;
+  const Arm lever = arm(reversed ? -memory.r : memory.r);
+  settle(X, due);
+  if constexpr (reversed) shift(X, lever);
+  const Column &a = X.angular[0], &b = X.angular[1], &c = X.angular[2];
+  Real* const factors = e + 12;
+  factorize_rotations(w, single(j), Symmetric<Real>{a[0], a[1], a[2], b[1], b[2], c[2]}, factors);
+  const Real *d = factors, *l = factors + 3;
+  const Real* const tau = w.tau + kJoints[static_cast<std::size_t>(j)].v;
+  Vector<Real> torque = matrix_at(w.of(j, kAxes)) * Vector<Real>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) torque = -torque;
+  const Vector<Real> n{X.force[0], X.force[1], X.force[2]};
+  const Vector<Real> y = solve_rotations(factors, torque - n);
+  const Column Y[3] = {a, b - a * l[0], c - a * l[1] - (b - a * l[0]) * l[2]};
+  const Column Z[3] = {Y[0] * d[0], Y[1] * d[1], Y[2] * d[2]};
+  X.force = linear_half(X.force + a * y.x + b * y.y + c * y.z) + column(torque, {});
+  ADAGEN_FOR (k, 0, 3) {
+    X.linear[0] -= Z[k] * spread<4>(Y[k]);
+    X.linear[1] -= Z[k] * spread<5>(Y[k]);
+    X.linear[2] -= Z[k] * spread<6>(Y[k]);
+  }
+  const Column K2 = Z[2], K1 = Z[1] - K2 * l[2], K0 = Z[0] - K1 * l[0] - K2 * l[1];
+  Real* to = e;
+  for (const Column& row : {K0, K1, K2}) {  // the fourth number is overwritten by what comes next
+    put_at(to, Four(__builtin_shufflevector(row, row, 4, 5, 6, 7)));
+    to += 3;
+  }
+  e[9] = y.x, e[10] = y.y, e[11] = y.z;
+  ADAGEN_FOR (k, 0, 3) {
+    X.angular[k] = Column{};
+    X.linear[k] = linear_half(X.linear[k]);
+  }
+  if constexpr (!reversed) shift<true>(X, lever);
+}
+
+template <bool reversed, class Arrive>
+ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, Due& due,
+                               const Arrive& arrive) {
+  switch (kind) {
+    case JointKind::kRevolute:
+      eliminate<false, reversed>(w, j, X, due, arrive);
+      return;
+    case JointKind::kPrismatic:
+      if constexpr (any_of(JointKind::kPrismatic)) eliminate<true, reversed>(w, j, X, due, arrive);
+      return;
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, j, X, due);
+      break;
+    default:
+      if constexpr (kAnyPlanar || kAnyFloating) {
+        settle(X, due);
+        Body<Real> whole = body(X);
+        step_inward<reversed>(w, single(j), kind, whole, [](const Body<Real>&) {});
+        X = columns(whole);
+      }
+  }
+  arrive(X);
+}
+
+// See inward in inward.hpp.
+template <int p, int first, int last, bool starts>
+void inward_in_columns(Workspace& w) {
+  if constexpr (!kInColumns) return inward<p, first, last, starts>(w);
+  constexpr bool quick = bare<p>(first + 1, last);
+  Columns X;
+  Due due;
+  if constexpr (quick) meet<p>(w, last + 1, X);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, j + 1, X);
+    step_inward<false>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
+      if (quick && j > first) add_bare_link(w, j, near);
+    });
+  });
+  settle(X, due);
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave<starts>(w, near, body(X));
+}
+
+// See inward_reversed in inward.hpp.
+template <int p, int first, int last, bool starts>
+void inward_in_columns_reversed(Workspace& w) {
+  if constexpr (!kInColumns) return inward_reversed<p, first, last, starts>(w);
+  constexpr bool quick = bare<p>(first + 1, last);
+  Columns X;
+  Due due;
+  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    step_inward<true>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
+      if (quick && j < last) add_bare_link(w, j + 1, near);
+    });
+  });
+  settle(X, due);
+  leave<starts>(w, last + 1, body(X));
+}
