@@ -19,6 +19,7 @@ HALVES = ["revolute"] * 10 + ["spherical"] * 10
 OTHERS = ["prismatic"] * 8 + ["planar"] * 8
 ROWS = ["revolute", "revolute", "revolute", "spherical", "spherical", "prismatic"]
 LIMB = ["spherical", "revolute", "spherical"]
+TURNED = ["floating", *["revolute"] * 13, *["spherical"] * 5, *["prismatic"] * 5]
 BODY = ["floating", *LIMB * 2, "spherical", *LIMB * 2, "spherical"]  # legs, trunk, arms, neck
 MIXED = ["revolute", "spherical", "revolute", "prismatic", "planar"]
 
@@ -41,7 +42,7 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
     arms = robot("arms", star(2, 6), ["revolute", *ROWS * 2], 10)
     rope = robot("rope", chain(40), ["revolute"], 12)
     body = robot("body", [0, 1, 2, 3, 1, 5, 6, 1, 8, 9, 10, 8, 12, 13, 8], BODY, 15)
-    turned = robot("turned", chain(20), ["floating", *MIXED * 4][:20], 8)
+    turned = robot("turned", chain(24), TURNED, 8)
     chosen = [
         ("segment", halves, 2, 1, "half"),
         ("segment", limbs, 2, 2, "shared"),

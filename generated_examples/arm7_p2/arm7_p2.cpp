@@ -2333,13 +2333,24 @@ ADAGEN_INLINE Body<Real> body(const Columns& X) {
           {p[4], p[5], p[6]}};
 }
 
+typedef Bits ColumnBits __attribute__((vector_size(8 * sizeof(Bits))));
+
+// Numbers of x, or beyond the eighth of y.
+template <int... k>
+ADAGEN_INLINE Column shuffled(const Column& x, const Column& y) {
+#if defined(__clang__)
+  return __builtin_shufflevector(x, y, k...);
+#else
+  return __builtin_shuffle(x, y, ColumnBits{k...});
+#endif
+}
+
 // One number of a column in all lanes, and the linear half alone.
 template <int k>
 ADAGEN_INLINE Column spread(const Column& x) {
-  return __builtin_shufflevector(x, x, k, k, k, k, k, k, k, k);
+  return shuffled<k, k, k, k, k, k, k, k>(x, x);
 }
 ADAGEN_INLINE Column linear_half(const Column& x) {
-  typedef Bits ColumnBits __attribute__((vector_size(8 * sizeof(Bits))));
   const ColumnBits kept = reinterpret_cast<ColumnBits>(x) & ColumnBits{0, 0, 0, 0, -1, -1, -1, -1};
   return reinterpret_cast<Column>(kept);
 }
@@ -2349,20 +2360,20 @@ ADAGEN_INLINE void transpose(Column x0, Column x1, Column x2, Column x3, Column 
                              Column x6, Column x7, Column (&y)[8]) {
   Column a[8], b[8];
   const auto pairs = [](const Column& u, const Column& v, Column& even, Column& odd) {
-    even = __builtin_shufflevector(u, v, 0, 8, 2, 10, 4, 12, 6, 14);
-    odd = __builtin_shufflevector(u, v, 1, 9, 3, 11, 5, 13, 7, 15);
+    even = shuffled<0, 8, 2, 10, 4, 12, 6, 14>(u, v);
+    odd = shuffled<1, 9, 3, 11, 5, 13, 7, 15>(u, v);
   };
   pairs(x0, x1, a[0], a[1]), pairs(x2, x3, a[2], a[3]);
   pairs(x4, x5, a[4], a[5]), pairs(x6, x7, a[6], a[7]);
   ADAGEN_FOR (half, 0, 2)
     ADAGEN_FOR (k, 0, 2) {
       const Column &u = a[4 * half + k], &v = a[4 * half + 2 + k];
-      b[4 * half + k] = __builtin_shufflevector(u, v, 0, 1, 8, 9, 4, 5, 12, 13);
-      b[4 * half + 2 + k] = __builtin_shufflevector(u, v, 2, 3, 10, 11, 6, 7, 14, 15);
+      b[4 * half + k] = shuffled<0, 1, 8, 9, 4, 5, 12, 13>(u, v);
+      b[4 * half + 2 + k] = shuffled<2, 3, 10, 11, 6, 7, 14, 15>(u, v);
     }
   ADAGEN_FOR (k, 0, 4) {
-    y[k] = __builtin_shufflevector(b[k], b[4 + k], 0, 1, 2, 3, 8, 9, 10, 11);
-    y[4 + k] = __builtin_shufflevector(b[k], b[4 + k], 4, 5, 6, 7, 12, 13, 14, 15);
+    y[k] = shuffled<0, 1, 2, 3, 8, 9, 10, 11>(b[k], b[4 + k]);
+    y[4 + k] = shuffled<4, 5, 6, 7, 12, 13, 14, 15>(b[k], b[4 + k]);
   }
 }
 
@@ -2375,8 +2386,8 @@ ADAGEN_INLINE Arm arm(const Vector<Real>& r) {
   return {Column{r.y, r.z, r.x}, Column{r.z, r.x, r.y}, r};
 }
 ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
-  return x + arm.ahead * __builtin_shufflevector(x, x, 6, 4, 5, 7, 7, 7, 7, 7) -
-         arm.behind * __builtin_shufflevector(x, x, 5, 6, 4, 7, 7, 7, 7, 7);
+  return x + arm.ahead * shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x) -
+         arm.behind * shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x);
 }
 
 // The body told about the point at -r from the one that it is told about: what forces become, then
@@ -2433,8 +2444,7 @@ void set_up_columns(Workspace& w) {
     const auto& all = kBlockConstants[static_cast<std::size_t>(slot / kPerBlock)];
     const Column mass = number_at<Column>(&all.mass[static_cast<std::size_t>(slot % kPerBlock)]);
     const Column x = row(kMoments), y = row(kMoments + 1), z = row(kMoments + 2);
-    const Column none =
-        mass - mass;  // a zero that gcc 12 does not fold into shuffles: it errs there
+    const Column none = mass - mass;  // a zero unknown to gcc 12, which errs in shuffles with it
     constexpr int A = kRotational, n = kTorque, f = kForce;
     Column found[8];
     transpose(row(A), row(A + 1), row(A + 2), row(A + 3), row(A + 4), row(A + 5), mass, none,
@@ -2451,12 +2461,12 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Columns& X) {
   const LinkColumns& own = w.columns[static_cast<std::size_t>(slot_of(link - 1))];
   const Column a = number_at<Column>(own.tensor);   // xx xy xz yy yz zz m 0
   const Column b = number_at<Column>(own.moments);  // x y z -x -y -z 0 0
-  X.angular[0] += __builtin_shufflevector(a, b, 0, 1, 2, 7, 7, 13, 9, 7);
-  X.angular[1] += __builtin_shufflevector(a, b, 1, 3, 4, 7, 10, 7, 11, 7);
-  X.angular[2] += __builtin_shufflevector(a, b, 2, 4, 5, 7, 12, 8, 7, 7);
-  X.linear[0] += __builtin_shufflevector(a, b, 7, 10, 12, 7, 6, 7, 7, 7);
-  X.linear[1] += __builtin_shufflevector(a, b, 13, 7, 8, 7, 7, 6, 7, 7);
-  X.linear[2] += __builtin_shufflevector(a, b, 9, 11, 7, 7, 7, 7, 6, 7);
+  X.angular[0] += shuffled<0, 1, 2, 7, 7, 13, 9, 7>(a, b);
+  X.angular[1] += shuffled<1, 3, 4, 7, 10, 7, 11, 7>(a, b);
+  X.angular[2] += shuffled<2, 4, 5, 7, 12, 8, 7, 7>(a, b);
+  X.linear[0] += shuffled<7, 10, 12, 7, 6, 7, 7, 7>(a, b);
+  X.linear[1] += shuffled<13, 7, 8, 7, 7, 6, 7, 7>(a, b);
+  X.linear[2] += shuffled<9, 11, 7, 7, 7, 7, 6, 7>(a, b);
   X.force += number_at<Column>(own.force);
 }
 
@@ -2507,7 +2517,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   }
   arrive(X);
   const Column e = U * inverse;
-  Column kept = __builtin_shufflevector(e, e, 0, 1, 2, 4, 5, 6, 3, 7);
+  Column kept = shuffled<0, 1, 2, 4, 5, 6, 3, 7>(e, e);
   kept[6] = u, kept[7] = inverse;
   std::memcpy(memory.e, &kept, sizeof kept);
   due = {U, inverse};
@@ -2543,7 +2553,7 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Columns& X, Due& due
   const Column K2 = Z[2], K1 = Z[1] - K2 * l[2], K0 = Z[0] - K1 * l[0] - K2 * l[1];
   Real* to = e;
   for (const Column& row : {K0, K1, K2}) {  // the fourth number is overwritten by what comes next
-    put_at(to, Four(__builtin_shufflevector(row, row, 4, 5, 6, 7)));
+    std::memcpy(to, reinterpret_cast<const Real*>(&row) + 4, 4 * sizeof(Real));
     to += 3;
   }
   e[9] = y.x, e[10] = y.y, e[11] = y.z;
@@ -4971,8 +4981,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 84.7, 0.429};
-constexpr Hop kMessageHop{21.8, 153, 0.538};
+constexpr Hop kWindowHop{0, 97.2, 0.413};
+constexpr Hop kMessageHop{20.4, 163, 0.571};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

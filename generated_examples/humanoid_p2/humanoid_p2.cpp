@@ -2,7 +2,7 @@
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// schedule  __base__@0-1(|left_hip_pitch(right_hip_pitch(waist_yaw(|waist_roll(|waist_pitch(|left_shoulder_pitch(neck_yaw(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch)))))))) | right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll))))))
+// schedule  __base__@0-1(|neck_yaw(right_shoulder_pitch(left_shoulder_pitch(left_ankle_roll@0(left_ankle_pitch(left_knee(left_hip_yaw(left_hip_roll(left_hip_pitch(right_ankle_roll(right_ankle_pitch(right_knee(right_hip_yaw(right_hip_roll(right_hip_pitch(waist_yaw(|waist_roll(|waist_pitch))|)|)|)|)|)|)|)|)|)|)|)|) | left_wrist_pitch@1(left_wrist_roll(left_elbow(left_shoulder_yaw(left_shoulder_roll|)|)|)|)) | right_wrist_pitch@1(right_wrist_roll(right_elbow(right_shoulder_yaw(right_shoulder_roll|)|)|)|)) | neck_pitch@1))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -113,7 +113,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 constexpr bool kBatch = false;  // whether many states are solved at once
 constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr int kPlanMessages = 0;
+[[maybe_unused]] constexpr int kPlanMessages = 2;
 constexpr std::size_t kCacheLine = 64;
 constexpr bool kFloatingBase = true;
 constexpr double kTolerance = 1e-09;
@@ -759,9 +759,11 @@ ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<
   return squared;
 }
 
-constexpr std::array<MessageInfo, 2> kMessages{ {
-    {0, 1, 0},  // 0: state
-    {1, 0, 0},  // 1: accelerations
+constexpr std::array<MessageInfo, 4> kMessages{ {
+    {0, 1, 27},  // 0: what hangs on "torso"
+    {1, 0, 27},  // 1: what hangs on "torso"
+    {0, 1, 61},  // 2: state
+    {1, 0, 14},  // 3: accelerations
 } };
 
 // What a process does in an evaluation as the others see it: the messages that it sends and
@@ -1173,10 +1175,10 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 } };
 
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns.
-constexpr int kSlotCount = 32;
+constexpr int kSlotCount = 30;
 constexpr bool kAbreast = true;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
-constexpr int kSlots[kJointCount]{ 24, 0, 4, 8, 12, 16, 20, 1, 5, 9, 13, 17, 21, 25, 26, 27, 2, 6, 10, 14, 18, 22, 28, 29, 3, 7, 11, 15, 19, 23 };
+constexpr int kSlots[kJointCount]{ 12, 0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9, 11, 13, 14, 15, 16, 18, 20, 22, 24, 26, 28, 29, 17, 19, 21, 23, 25, 27 };
 constexpr bool kByColumns = false;  // whether runs are taken by columns
 
 // What a process does at a link.
@@ -1187,8 +1189,8 @@ struct LinkRole {
   bool oriented;  // the quaternion of the joint above it is this process's to take
 };
 constexpr LinkRole kRoles[2][kLinkCount]{
-    {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
-    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
 };
 
 // What is kept where segments meet, with the joint that it belongs to.
@@ -2378,62 +2380,117 @@ void accelerate_abreast(Workspace& w) {
   });
 }
 
-// "left_hip_pitch" .. "left_ankle_roll", "right_hip_pitch" .. "right_ankle_roll", "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
-constexpr Limbs<4, 6> kLimbs0{0, {{1, 7, 16, 24}, {2, 8, 17, 25}, {3, 9, 18, 26}, {4, 10, 19, 27}, {5, 11, 20, 28}, {6, 12, 21, 29}}};
+// "left_hip_pitch" .. "left_ankle_roll", "right_hip_pitch" .. "right_ankle_roll"
+constexpr Limbs<2, 6> kLimbs0{0, {{1, 7}, {2, 8}, {3, 9}, {4, 10}, {5, 11}, {6, 12}}};
+
+// "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
+constexpr Limbs<2, 6> kLimbs1{16, {{16, 24}, {17, 25}, {18, 26}, {19, 27}, {20, 28}, {21, 29}}};
 
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 30 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
+// Process 0: 16 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 36, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 35, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 0, 35, &JointConstants::v, kNotFinite);
+  require_finite(w, w.q, 0, 22, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 21, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 21, &JointConstants::v, kNotFinite);
   stamp(0);
-  take_angles<0, 29>(w);
-  turn<block(0), block(29) + 1>(w);
+  take_angles<0, 15>(w);
+  turn<block(0), block(15) + 1>(w);
   free_base_frame<0>(w);
-  outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
   outward_abreast<kLimbs0>(w);
-  outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
   stamp(1);
-  set_up_links<block(0), block(29) + 1>(w);
+  set_up_links<block(0), block(14) + 1>(w);
   free_base<0, true>(w);
   {
     const auto X = inward_abreast<0, kLimbs0>(w);
     leave<false>(w, 1, lane(X, 0));
     leave<false>(w, 1, lane(X, 1));
-    leave<true>(w, 16, lane(X, 2));
-    leave<false>(w, 16, lane(X, 3));
   }
-  inward<0, 22, 23, false>(w);  // "neck_yaw" .. "neck_pitch"
-  inward<0, 13, 15, false>(w);  // "waist_yaw" .. "waist_pitch"
-  solve_root<0, 1>(w);
+  inward_reversed<0, 13, 15, true>(w);  // "waist_yaw" .. "waist_pitch"
   stamp(2);
-  accelerate<0, 13, 15>(w);  // "waist_yaw" .. "waist_pitch"
-  accelerate_abreast<0, kLimbs0>(w);
-  accelerate<0, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
-  free_acceleration<0>(w);
+  {  // to process 1: what hangs on "torso"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.bodies[16]);
+    channel.send(0, w.status);
+  }
   stamp(3);
-  require_finite(w, w.answer.data(), 0, 35, &JointConstants::v, kOverflow);
-  give(w, 0, 35);
+  {  // from process 1: what hangs on "torso"
+    const Real* from = channel.receive(1, w.status);
+    from = add(from, w.bodies[16]);
+  }
+  stamp(4);
+  solve_root<0, 16>(w);
+  stamp(5);
+  accelerate_reversed<0, 13, 15>(w);  // "waist_yaw" .. "waist_pitch"
+  accelerate_abreast<0, kLimbs0>(w);
+  free_acceleration<0>(w);
+  stamp(6);
+  require_finite(w, w.answer.data(), 0, 21, &JointConstants::v, kOverflow);
+  give(w, 0, 21);
 }
 
-// Process 1: has nothing to do
+// Process 1: 14 of 30 joints: "left_shoulder_pitch", "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", "left_wrist_pitch", ...; kinematics of 4 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 19, 17, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 18, 17, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 21, 14, &JointConstants::v, kNotFinite);
+  stamp(0);
+  take_angles<0, 0>(w);
+  take_angles<13, 29>(w);
+  turn<block(13), block(29) + 1>(w);
+  free_base_frame<0>(w);
+  pass_outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
+  outward_abreast<kLimbs1>(w);
+  outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  stamp(1);
+  set_up_links<block(15), block(29) + 1>(w);
+  place<16, true>(w);  // "torso" itself
+  {
+    const auto X = inward_abreast<1, kLimbs1>(w);
+    leave<false>(w, 16, lane(X, 0));
+    leave<false>(w, 16, lane(X, 1));
+  }
+  inward<1, 22, 23, false>(w);  // "neck_yaw" .. "neck_pitch"
+  stamp(2);
+  {  // to process 0: what hangs on "torso"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.bodies[16]);
+    channel.send(1, w.status);
+  }
+  stamp(3);
+  {  // from process 0: what hangs on "torso"
+    const Real* from = channel.receive(0, w.status);
+    from = add(from, w.bodies[16]);
+  }
+  stamp(4);
+  solve_root<1, 16>(w);
+  stamp(5);
+  accelerate_abreast<1, kLimbs1>(w);
+  accelerate<1, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  stamp(6);
+  require_finite(w, w.answer.data(), 21, 14, &JointConstants::v, kOverflow);
+  give(w, 21, 14);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<int, 36> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35};
-constexpr std::array<int, 35> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
-constexpr std::array<int, 35> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
-constexpr std::array<int, 35> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 22> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21};
+constexpr std::array<int, 21> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
+constexpr std::array<int, 21> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
+constexpr std::array<int, 21> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
+constexpr std::array<int, 24> kReadQ_1{0, 1, 2, 3, 4, 5, 6, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35};
+constexpr std::array<int, 23> kReadV_1{0, 1, 2, 3, 4, 5, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 14> kOwn_1{21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<int, 14> kTorque_1{21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {36, kReadQ_0.data(), 35, kReadV_0.data(), 35, kOwn_0.data(), 35, kTorque_0.data()},
-    {0, nullptr, 0, nullptr, 0, nullptr, 0, nullptr},
+    {22, kReadQ_0.data(), 21, kReadV_0.data(), 21, kOwn_0.data(), 21, kTorque_0.data()},
+    {24, kReadQ_1.data(), 23, kReadV_1.data(), 14, kOwn_1.data(), 14, kTorque_1.data()},
 } };
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
@@ -3874,13 +3931,24 @@ class Watch {
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 3> kStages_0{ {
-    {"kinematics", 29, -1},
-    {"assembly", 1, -1},
-    {"disassembly", 1, -1},
+constexpr std::array<Stage, 6> kStages_0{ {
+    {"kinematics", 15, -1},
+    {"assembly", 15, -1},
+    {"send", -1, 0},
+    {"receive", -1, 1},
+    {"assembly", -1, -1},
+    {"disassembly", 15, -1},
 } };
-constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), nullptr};
-constexpr std::array<int, kProcesses> kStageCount{3, 0};
+constexpr std::array<Stage, 6> kStages_1{ {
+    {"kinematics", 29, -1},
+    {"assembly", 16, -1},
+    {"send", -1, 1},
+    {"receive", -1, 0},
+    {"assembly", -1, -1},
+    {"disassembly", 16, -1},
+} };
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data()};
+constexpr std::array<int, kProcesses> kStageCount{6, 6};
 
 struct Statistics {
   double median = 0, least = 0, percentile99 = 0;
@@ -4239,8 +4307,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 84.7, 0.429};
-constexpr Hop kMessageHop{21.8, 153, 0.538};
+constexpr Hop kWindowHop{0, 97.2, 0.413};
+constexpr Hop kMessageHop{20.4, 163, 0.571};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

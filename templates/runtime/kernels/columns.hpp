@@ -45,13 +45,24 @@ ADAGEN_INLINE Body<Real> body(const Columns& X) {
           {p[4], p[5], p[6]}};
 }
 
+typedef Bits ColumnBits __attribute__((vector_size(8 * sizeof(Bits))));
+
+// Numbers of x, or beyond the eighth of y.
+template <int... k>
+ADAGEN_INLINE Column shuffled(const Column& x, const Column& y) {
+#if defined(__clang__)
+  return __builtin_shufflevector(x, y, k...);
+#else
+  return __builtin_shuffle(x, y, ColumnBits{k...});
+#endif
+}
+
 // One number of a column in all lanes, and the linear half alone.
 template <int k>
 ADAGEN_INLINE Column spread(const Column& x) {
-  return __builtin_shufflevector(x, x, k, k, k, k, k, k, k, k);
+  return shuffled<k, k, k, k, k, k, k, k>(x, x);
 }
 ADAGEN_INLINE Column linear_half(const Column& x) {
-  typedef Bits ColumnBits __attribute__((vector_size(8 * sizeof(Bits))));
   const ColumnBits kept = reinterpret_cast<ColumnBits>(x) & ColumnBits{0, 0, 0, 0, -1, -1, -1, -1};
   return reinterpret_cast<Column>(kept);
 }
@@ -61,20 +72,20 @@ ADAGEN_INLINE void transpose(Column x0, Column x1, Column x2, Column x3, Column 
                              Column x6, Column x7, Column (&y)[8]) {
   Column a[8], b[8];
   const auto pairs = [](const Column& u, const Column& v, Column& even, Column& odd) {
-    even = __builtin_shufflevector(u, v, 0, 8, 2, 10, 4, 12, 6, 14);
-    odd = __builtin_shufflevector(u, v, 1, 9, 3, 11, 5, 13, 7, 15);
+    even = shuffled<0, 8, 2, 10, 4, 12, 6, 14>(u, v);
+    odd = shuffled<1, 9, 3, 11, 5, 13, 7, 15>(u, v);
   };
   pairs(x0, x1, a[0], a[1]), pairs(x2, x3, a[2], a[3]);
   pairs(x4, x5, a[4], a[5]), pairs(x6, x7, a[6], a[7]);
   ADAGEN_FOR (half, 0, 2)
     ADAGEN_FOR (k, 0, 2) {
       const Column &u = a[4 * half + k], &v = a[4 * half + 2 + k];
-      b[4 * half + k] = __builtin_shufflevector(u, v, 0, 1, 8, 9, 4, 5, 12, 13);
-      b[4 * half + 2 + k] = __builtin_shufflevector(u, v, 2, 3, 10, 11, 6, 7, 14, 15);
+      b[4 * half + k] = shuffled<0, 1, 8, 9, 4, 5, 12, 13>(u, v);
+      b[4 * half + 2 + k] = shuffled<2, 3, 10, 11, 6, 7, 14, 15>(u, v);
     }
   ADAGEN_FOR (k, 0, 4) {
-    y[k] = __builtin_shufflevector(b[k], b[4 + k], 0, 1, 2, 3, 8, 9, 10, 11);
-    y[4 + k] = __builtin_shufflevector(b[k], b[4 + k], 4, 5, 6, 7, 12, 13, 14, 15);
+    y[k] = shuffled<0, 1, 2, 3, 8, 9, 10, 11>(b[k], b[4 + k]);
+    y[4 + k] = shuffled<4, 5, 6, 7, 12, 13, 14, 15>(b[k], b[4 + k]);
   }
 }
 
@@ -87,8 +98,8 @@ ADAGEN_INLINE Arm arm(const Vector<Real>& r) {
   return {Column{r.y, r.z, r.x}, Column{r.z, r.x, r.y}, r};
 }
 ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
-  return x + arm.ahead * __builtin_shufflevector(x, x, 6, 4, 5, 7, 7, 7, 7, 7) -
-         arm.behind * __builtin_shufflevector(x, x, 5, 6, 4, 7, 7, 7, 7, 7);
+  return x + arm.ahead * shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x) -
+         arm.behind * shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x);
 }
 
 // The body told about the point at -r from the one that it is told about: what forces become, then

@@ -16,8 +16,7 @@ void set_up_columns(Workspace& w) {
     const auto& all = kBlockConstants[static_cast<std::size_t>(slot / kPerBlock)];
     const Column mass = number_at<Column>(&all.mass[static_cast<std::size_t>(slot % kPerBlock)]);
     const Column x = row(kMoments), y = row(kMoments + 1), z = row(kMoments + 2);
-    const Column none =
-        mass - mass;  // a zero that gcc 12 does not fold into shuffles: it errs there
+    const Column none = mass - mass;  // a zero unknown to gcc 12, which errs in shuffles with it
     constexpr int A = kRotational, n = kTorque, f = kForce;
     Column found[8];
     transpose(row(A), row(A + 1), row(A + 2), row(A + 3), row(A + 4), row(A + 5), mass, none,
@@ -34,12 +33,12 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Columns& X) {
   const LinkColumns& own = w.columns[static_cast<std::size_t>(slot_of(link - 1))];
   const Column a = number_at<Column>(own.tensor);   // xx xy xz yy yz zz m 0
   const Column b = number_at<Column>(own.moments);  // x y z -x -y -z 0 0
-  X.angular[0] += __builtin_shufflevector(a, b, 0, 1, 2, 7, 7, 13, 9, 7);
-  X.angular[1] += __builtin_shufflevector(a, b, 1, 3, 4, 7, 10, 7, 11, 7);
-  X.angular[2] += __builtin_shufflevector(a, b, 2, 4, 5, 7, 12, 8, 7, 7);
-  X.linear[0] += __builtin_shufflevector(a, b, 7, 10, 12, 7, 6, 7, 7, 7);
-  X.linear[1] += __builtin_shufflevector(a, b, 13, 7, 8, 7, 7, 6, 7, 7);
-  X.linear[2] += __builtin_shufflevector(a, b, 9, 11, 7, 7, 7, 7, 6, 7);
+  X.angular[0] += shuffled<0, 1, 2, 7, 7, 13, 9, 7>(a, b);
+  X.angular[1] += shuffled<1, 3, 4, 7, 10, 7, 11, 7>(a, b);
+  X.angular[2] += shuffled<2, 4, 5, 7, 12, 8, 7, 7>(a, b);
+  X.linear[0] += shuffled<7, 10, 12, 7, 6, 7, 7, 7>(a, b);
+  X.linear[1] += shuffled<13, 7, 8, 7, 7, 6, 7, 7>(a, b);
+  X.linear[2] += shuffled<9, 11, 7, 7, 7, 7, 6, 7>(a, b);
   X.force += number_at<Column>(own.force);
 }
 
@@ -90,7 +89,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   }
   arrive(X);
   const Column e = U * inverse;
-  Column kept = __builtin_shufflevector(e, e, 0, 1, 2, 4, 5, 6, 3, 7);
+  Column kept = shuffled<0, 1, 2, 4, 5, 6, 3, 7>(e, e);
   kept[6] = u, kept[7] = inverse;
   std::memcpy(memory.e, &kept, sizeof kept);
   due = {U, inverse};
@@ -126,7 +125,7 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Columns& X, Due& due
   const Column K2 = Z[2], K1 = Z[1] - K2 * l[2], K0 = Z[0] - K1 * l[0] - K2 * l[1];
   Real* to = e;
   for (const Column& row : {K0, K1, K2}) {  // the fourth number is overwritten by what comes next
-    put_at(to, Four(__builtin_shufflevector(row, row, 4, 5, 6, 7)));
+    std::memcpy(to, reinterpret_cast<const Real*>(&row) + 4, 4 * sizeof(Real));
     to += 3;
   }
   e[9] = y.x, e[10] = y.y, e[11] = y.z;
