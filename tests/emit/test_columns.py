@@ -35,8 +35,8 @@ def divided(model: Model, processes: int, scalar: str = "double", meeting: str =
     return make_plan(model, schedule, meeting=meeting, scalar=scalar)
 
 
-def text_of(plan: Plan, **options: int) -> str:
-    files = emit(plan, name="x", shape="kernels", **options)
+def text_of(plan: Plan, batch: int = 0) -> str:
+    files = emit(plan, name="x", shape="kernels", batch=batch)
     return next(text for name, text in files.items() if name.endswith(".cpp"))
 
 
