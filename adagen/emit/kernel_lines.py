@@ -12,18 +12,17 @@ from adagen.emit.processes import describe_message
 from adagen.emit.runs import (
     Run,
     ends_of_run,
-    inward_runs,
     links_of_run,
     parts_of,
     pays_columns,
     runs,
     spans,
     sweep_of,
-    swept,
+    units_of_sweep,
 )
 from adagen.emit.stages import stamped_groups
 from adagen.emit.words import Words
-from adagen.plan.abreast import Limbs, ends_of, outward_order, placed_links
+from adagen.plan.abreast import Limbs, ends_of, inward_order, outward_order, placed_links
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -53,6 +52,7 @@ class KernelLines:
         self.gathers = set(self.placed)  # links at which paths meet inwards
         self.parts: set[int] = set()  # links at which paths part outwards
         self.oriented: set[int] = set()  # joints whose quaternions are taken
+        self.columns: set[int] = set()  # links that are added to columns
 
     def all_lines(self) -> list[str]:
         """Return the lines of the process."""
@@ -266,8 +266,8 @@ class KernelLines:
 
     def _Articulate(self, steps: list[Articulate]) -> list[str]:  # noqa: N802
         lines: list[str] = []
-        columns: set[int] = set()  # links that are added to them
-        for run in inward_runs(self.joints, steps, self.limbs):
+        columns: set[int] = set()
+        for run in units_of_sweep(self.joints, steps, self.limbs, inward_order):
             if isinstance(run, Limbs):
                 lines += self._inward_abreast(run)
                 continue
@@ -281,6 +281,7 @@ class KernelLines:
                 columns |= set(links_of_run(self.joints, run)) - {near}
             call = sweep_of(self.joints, run, verb, self.p, self._starts(near))
             lines.append(call + self._names(run))
+        self.columns |= columns
         blocks = self._blocks(link - 1 for link in columns & self._own_links())
         return [*(f"set_up_columns<{a}, {b}>(w);" for a, b in blocks), *lines]
 
@@ -301,17 +302,14 @@ class KernelLines:
 
     def _Accelerate(self, steps: list[Accelerate]) -> list[str]:  # noqa: N802
         lines = []
-        sweep = {s.joint: ends_of(self.joints, s.joint, s.reversed) for s in steps}
-        by_joint = {step.joint: step for step in steps}
-        for part in parts_of(outward_order(sweep, self.limbs)):
-            if isinstance(part, Limbs):
-                self.parts |= {self.joints[first].parent for first in part.rows[0]}
-                lines.append(f"accelerate_abreast<{self.p}, {self._number(part)}>(w);")
+        for run in units_of_sweep(self.joints, steps, self.limbs, outward_order):
+            if isinstance(run, Limbs):
+                self.parts |= {self.joints[first].parent for first in run.rows[0]}
+                lines.append(f"accelerate_abreast<{self.p}, {self._number(run)}>(w);")
                 continue
-            for run in swept(self.joints, [by_joint[j] for j in part]):
-                self.parts.add(ends_of_run(self.joints, run)[0])
-                call = sweep_of(self.joints, run, "accelerate", self.p)
-                lines.append(call + self._names(run))
+            self.parts.add(ends_of_run(self.joints, run)[0])
+            call = sweep_of(self.joints, run, "accelerate", self.p)
+            lines.append(call + self._names(run))
         return lines
 
     def _FreeAcceleration(self, steps: list[FreeAcceleration]) -> list[str]:  # noqa: N802

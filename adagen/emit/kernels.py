@@ -91,8 +91,8 @@ def values(words: Words) -> dict[str, object]:
         "recovery": lines[len(plan.processes) :],
         "slots": layout.slots,
         "slot_count": layout.count,
-        "quaternions": any("orient<" in line for own in lines for line in own),
-        "by_columns": any("_in_columns" in line for own in lines for line in own),
+        "quaternions": any(writer.oriented for writer in writers),
+        "by_columns": any(writer.columns for writer in writers),
         "limbs": [_limbs(words, layout, limbs) for limbs in layout.all_limbs],
         "prescribed_abreast": any(
             plan.joints[j].prescribed for limbs in layout.all_limbs for j in limbs.members()

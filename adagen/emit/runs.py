@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from adagen.plan.abreast import Limbs, Unit, ends_of, inward_order
+from adagen.plan.abreast import KINDS, Ends, Limbs, Unit, ends_of
 from adagen.plan.steps import Accelerate, Articulate
 from adagen.plan.types import PlanJoint
 
@@ -81,7 +81,7 @@ def pays_columns(joints: Sequence[PlanJoint], run: Run) -> bool:
     See templates/runtime/kernels/inward_columns.hpp.
     """
     own = joints[run.first : run.last + 1]
-    return sum(joint.kind in _BY_COLUMNS for joint in own) >= _FEWEST_IN_COLUMNS
+    return sum(joint.kind in KINDS for joint in own) >= _FEWEST_IN_COLUMNS
 
 
 def parts_of(units: Iterable[Unit]) -> Iterable[Limbs | list[int]]:
@@ -93,13 +93,20 @@ def parts_of(units: Iterable[Unit]) -> Iterable[Limbs | list[int]]:
             yield [unit for unit in group if isinstance(unit, int)]
 
 
-def inward_runs(
-    joints: Sequence[PlanJoint], steps: Sequence[Articulate], limbs: Sequence[Limbs]
+Order = Callable[[Mapping[int, Ends], Iterable[Limbs]], Iterable[Unit]]
+"""``inward_order`` or ``outward_order`` of adagen.plan.abreast."""
+
+
+def units_of_sweep(
+    joints: Sequence[PlanJoint],
+    steps: Sequence[Articulate | Accelerate],
+    limbs: Sequence[Limbs],
+    order: Order,
 ) -> Iterable[Limbs | Run]:
     """Limbs side by side, and the runs between them, in the order in which they are swept."""
     by_joint = {step.joint: step for step in steps}
     sweep = {s.joint: ends_of(joints, s.joint, s.reversed) for s in steps}
-    for part in parts_of(inward_order(sweep, limbs)):
+    for part in parts_of(order(sweep, limbs)):
         if isinstance(part, Limbs):
             yield part
         else:
@@ -118,4 +125,3 @@ def spans(joints: Iterable[int]) -> list[tuple[int, int]]:
 
 
 _FEWEST_IN_COLUMNS = 4
-_BY_COLUMNS = ("revolute", "prismatic", "spherical")

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import groupby
 
-from adagen.emit.runs import Run, inward_runs, pays_columns
+from adagen.emit.runs import Run, pays_columns, units_of_sweep
 from adagen.emit.shapes import SHAPES
 from adagen.model.kinds import KINDS
-from adagen.plan.abreast import Limbs, limbs_abreast
+from adagen.plan.abreast import Limbs, inward_order, limbs_abreast
 from adagen.plan.steps import (
     Accelerate,
     AccelerateRoot,
@@ -139,7 +139,7 @@ def lanes_of(plan: Plan, process: Process, shape: str = "auto") -> Lanes:
     passed: dict[int, Limbs | Run] = {j: each for each in limbs for j in each.members()}
     for kind, steps in groupby(process.steps, type):
         if kind is Articulate:
-            for run in inward_runs(plan.joints, list(steps), limbs):  # type: ignore[arg-type]
+            for run in units_of_sweep(plan.joints, list(steps), limbs, inward_order):  # type: ignore[arg-type]
                 if isinstance(run, Run):
                     passed.update(dict.fromkeys(range(run.first, run.last + 1), run))
     return passed
@@ -156,13 +156,12 @@ def _row_features(step: Step, kind: str, limbs: Limbs) -> Features:
 
 def _run_features(step: Articulate, joints: Sequence[PlanJoint], run: Run) -> Features:
     """Of one joint of a run, with its share of the way into the run and out of it."""
-    found = {**features(step, joints), "articulate.run": 1 / (run.last - run.first + 1)}
+    found = features(step, joints)
     if pays_columns(joints, run):
-        kind = joints[step.joint].kind
-        found.pop(f"articulate.{kind}", None)
-        found.pop("articulate.ground", None)
-        found[f"articulate_columns.{kind}"] = 1
-    return found
+        found = {f"articulate_columns.{joints[step.joint].kind}": 1}
+        if step.reversed:
+            found["articulate.reversed"] = 1
+    return {**found, "articulate.run": 1 / (run.last - run.first + 1)}
 
 
 def work_features(
