@@ -20,7 +20,7 @@ from adagen.plan import Plan
 from adagen.plan.stages import Stage, stages
 from adagen.predict.features import Features, lanes_of, work_features
 from adagen.predict.straight import straight_features
-from adagen.schedule.costs import NAMES, PER_KIND, StepCosts
+from adagen.schedule.costs import NAMES, PER_KIND, PRESCRIBED, StepCosts
 
 Array = NDArray[np.float64]
 _STEADY = 1e-2
@@ -118,8 +118,9 @@ def _alike() -> Array:
     rows = []
     for group in PER_KIND:
         alone = group.split("_")[0]
-        for kind in KINDS:
-            others = KINDS if alone == group else (kind,)
+        priced = (*KINDS, *({PRESCRIBED} & set(PER_KIND[group])))
+        for kind in priced:
+            others = priced if alone == group else (kind,)
             row = np.zeros(len(NAMES))
             row[[NAMES.index(f"{alone}.{other}") for other in others]] = -1 / len(others)
             row[NAMES.index(f"{group}.{kind}")] += 1

@@ -77,6 +77,12 @@ def tree(joints: int, branching: float, seed: int) -> list[int]:
     return parents
 
 
+def prescribed(model: Model) -> Model:
+    """Return a robot with the motion of every second joint known, that on the ground left free."""
+    joints = [replace(joint, prescribed=j % 2 == 1) for j, joint in enumerate(model.joints)]
+    return replace(model, joints=tuple(joints))
+
+
 def squared(model: Model) -> Model:
     """Return a robot as robots are built: in right angles, its bodies symmetric about their axes.
 

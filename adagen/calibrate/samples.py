@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from adagen.calibrate.robots import chain, robot, squared, star, tree
+from adagen.calibrate.robots import chain, prescribed, robot, squared, star, tree
 from adagen.calibrate.schedules import random_schedule
 from adagen.model import Mimic, Model
 from adagen.plan import Plan, make_plan
@@ -43,6 +43,7 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
     rope = robot("rope", chain(40), ["revolute"], 12)
     body = robot("body", [0, 1, 2, 3, 1, 5, 6, 1, 8, 9, 10, 8, 12, 13, 8], BODY, 15)
     turned = robot("turned", chain(24), TURNED, 8)
+    driven = prescribed(robot("driven", chain(20), ROWS, 16))
     chosen = [
         ("segment", halves, 2, 1, "half"),
         ("segment", limbs, 2, 2, "shared"),
@@ -56,6 +57,8 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
         ("segment", body, 1, 1, ""),
         ("ada", figure, 2, 3, "mixed"),
         ("ada", halves, 2, 5, "half"),
+        ("segment", driven, 2, 1, "half"),
+        ("ada", driven, 2, 2, "half"),
     ]
     if not quick:
         chosen += [

@@ -22,6 +22,7 @@ from adagen.model.fuse import Run, settled
 from adagen.model.kinds import KINDS
 from adagen.plan.clusters import is_regular, spatial_inertia
 from adagen.plan.constants import joints_of
+from adagen.plan.edges import is_free_base
 from adagen.plan.fused_frame import joint_coordinates, run_motion
 from adagen.plan.growth import generic_configuration, lost_mobility
 from adagen.plan.placement import motion_transform, placement
@@ -94,7 +95,9 @@ class _Robot:
         if len(run) > 1:
             n = sum(KINDS[self.members[j].kind].nv for j in run)
             free, constrained = list(range(n)), list(range(n, 6))
-        alone = len(run) == 1 and first.parent == 0 and kind.name == "floating"
+        if first.prescribed:  # to forces it is rigid
+            free, constrained = [], list(range(6))
+        alone = len(run) == 1 and is_free_base(first)
         return _Joint(run, first.parent, run[-1] + 1, free, constrained, alone)
 
     def mass_ratios(self) -> Array:

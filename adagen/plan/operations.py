@@ -100,8 +100,9 @@ def _of_joint(
 
 
 def _freedom(plan: Plan, joint: int) -> tuple[int, int]:
-    kind = KINDS[plan.joints[joint].kind]
-    return kind.nv, 6 - kind.nv
+    """Return how many ways a joint leaves free to forces, and how many it holds."""
+    n = 0 if plan.joints[joint].prescribed else KINDS[plan.joints[joint].kind].nv
+    return n, 6 - n
 
 
 def _solve(n: int) -> int:

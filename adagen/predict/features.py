@@ -37,13 +37,10 @@ from adagen.plan.steps import (
     Step,
 )
 from adagen.plan.types import Plan, PlanJoint, Process
-from adagen.schedule.costs import StepCosts
+from adagen.schedule.costs import PRESCRIBED, StepCosts, block_rows
 
 Features = dict[str, float]
 """How often each coefficient counts; names as in ``adagen.schedule.costs.NAMES``.
-
-Blocks count by the rows of Z in their products: a joint of one freedom, with five constraints,
-counts in full.
 """
 
 _PLAIN: dict[type, str] = {
@@ -75,10 +72,11 @@ def features(step: Step, joints: Sequence[PlanJoint]) -> Features:
     plain = _PLAIN.get(type(step))
     if plain is not None:
         return {plain: 1}
-    kind = joints[step.joint].kind  # type: ignore[union-attr]
+    joint = joints[step.joint]  # type: ignore[union-attr]
+    kind = PRESCRIBED if joint.prescribed else joint.kind
     match step:
         case Kinematics():
-            return {f"kinematics.{kind}": 1}
+            return {f"kinematics.{joint.kind}": 1}
         case FusedJoin():
             freedoms = sum(KINDS[joints[j].kind].nv for j in step.run)
             own = _join(step, "spherical" if freedoms < 6 else "floating")
@@ -88,7 +86,9 @@ def features(step: Step, joints: Sequence[PlanJoint]) -> Features:
         case Disassemble():
             return {f"disassemble.{kind}": 1, "disassemble.coupling": len(step.forces)}
         case Articulate():
-            grounded = not step.reversed and joints[step.joint].parent == 0
+            grounded = not step.reversed and joint.parent == 0
+            if grounded and joint.prescribed:  # nothing is handed to the ground
+                return {}
             return _turned("articulate", "ground" if grounded else kind, step.reversed)
         case Propagate():
             first = "ground" if step.near is None else kind
@@ -105,7 +105,7 @@ def _join(step: Join, kind: str) -> Features:
     grounded = step.a is None and kind != "floating"
     on_a = sum(coupling.side == "A" for coupling in step.couplings)
     across = sum(block.across for block in step.blocks)
-    rows = (1 + len(KINDS[kind].constrained)) / 6
+    rows = block_rows(kind)
     return {
         f"join.{'ground' if grounded else kind}": 1,
         "join.coupling_a": on_a,
@@ -157,6 +157,8 @@ def _row_features(step: Step, kind: str, limbs: Limbs) -> Features:
 def _run_features(step: Articulate, joints: Sequence[PlanJoint], run: Run) -> Features:
     """Of one joint of a run, with its share of the way into the run and out of it."""
     found = features(step, joints)
+    if joints[step.joint].prescribed:  # no loop
+        return found
     if pays_columns(joints, run):
         found = {f"articulate_columns.{joints[step.joint].kind}": 1}
         if step.reversed:

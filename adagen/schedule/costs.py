@@ -16,17 +16,20 @@ from functools import cached_property
 from adagen.errors import InputError
 from adagen.model.kinds import KINDS
 
+PRESCRIBED = "prescribed"
+"""What a joint of known acceleration is priced as, whatever its kind: to forces it is rigid."""
+
 LIMIT = 1e6
 """Most microseconds that a coefficient may be."""
 
 PER_KIND: dict[str, tuple[str, ...]] = {
     "kinematics": (),
-    "join": ("ground", "coupling_a", "coupling_b", "block", "across"),
-    "disassemble": ("coupling",),
-    "articulate": ("ground", "reversed", "run"),
-    "propagate": ("ground", "reversed", "spread"),
-    "deliver": ("reversed", "load"),
-    "accelerate": ("reversed",),
+    "join": (PRESCRIBED, "ground", "coupling_a", "coupling_b", "block", "across"),
+    "disassemble": (PRESCRIBED, "coupling"),
+    "articulate": (PRESCRIBED, "ground", "reversed", "run"),
+    "propagate": (PRESCRIBED, "ground", "reversed", "spread"),
+    "deliver": (PRESCRIBED, "reversed", "load"),
+    "accelerate": (PRESCRIBED, "reversed"),
     **{
         f"{group}_{number}": ()
         for group in ("kinematics", "articulate", "accelerate")
@@ -36,7 +39,8 @@ PER_KIND: dict[str, tuple[str, ...]] = {
 }
 """Groups with a coefficient per joint kind, and what else each has.
 
-A joint on the ground costs ``ground`` whatever its kind; ``reversed`` is added where the segment's
+A joint of known acceleration costs ``prescribed`` whatever its kind, and one on the ground
+``ground``; ``reversed`` is added where the segment's
 root lies below the joint, ``run`` once for every run of joints; the others are per handle, block or
 coupling. What ends on a number prices a row of as many joints, passed side by side; the limbs that
 they belong to cost something besides, once (``limbs``). ``articulate_columns`` is for joints of
@@ -138,6 +142,18 @@ class StepCosts:
     def kinds(self) -> tuple[str, ...]:
         """The joint kinds that are priced."""
         return tuple(KINDS)
+
+
+def block_rows(kind: str) -> float:
+    """Return how much of a block with five constraints one across a joint is.
+
+    Blocks count by the rows of Z in their products.
+
+    Args:
+        kind: name of the joint's kind, or ``PRESCRIBED``.
+    """
+    constraints = 6 if kind == PRESCRIBED else len(KINDS[kind].constrained)
+    return (1 + constraints) / 6
 
 
 def check(name: str, value: float) -> None:

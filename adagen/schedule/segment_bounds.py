@@ -17,8 +17,8 @@ from math import log2
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.model.kinds import KINDS
 from adagen.schedule.chains import Chain
+from adagen.schedule.costs import block_rows
 from adagen.schedule.profile import TICKS
 from adagen.schedule.segment_options import Options, divisions
 from adagen.schedule.segment_prices import Price
@@ -100,7 +100,7 @@ class SegmentBounds:
     def _rates(self, costs: SegmentCosts) -> None:
         """Note what couplings cost at each joint, and what any message does."""
         table = costs.costs
-        self._pairs = np.array([(1 + len(KINDS[kind].constrained)) / 6 for kind in costs.kinds])
+        self._pairs = np.array([block_rows(kind) for kind in costs.priced_as])
         self._per_handle = [
             (table[name] * TICKS, table["disassemble.coupling"] * TICKS)
             for name in ("join.coupling_a", "join.coupling_b")

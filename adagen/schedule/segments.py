@@ -11,9 +11,8 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from itertools import accumulate
 
-from adagen.model.kinds import KINDS
 from adagen.schedule.chains import Chain, Chains
-from adagen.schedule.costs import StepCosts
+from adagen.schedule.costs import PRESCRIBED, StepCosts, block_rows
 from adagen.schedule.profile import TICKS, CostProfile
 from adagen.schedule.segment_paths import Way, way_between
 from adagen.schedule.segment_prices import Price, SegmentPrice, Transit
@@ -25,6 +24,7 @@ class SegmentCosts:
 
     Attributes:
         chains: the robot, renumbered by position.
+        priced_as: per position, the kind of its joint, or that it is prescribed.
         own: per position, the kinematics of its joint.
         alone: per position, what its joint takes inside a chain besides, its child link included.
         outward: per position, what it takes to carry mobility across it and loads back, without
@@ -40,12 +40,14 @@ class SegmentCosts:
         assert profile.steps is not None  # whoever asks for segments has looked
         self.chains = Chains(topology, profile)
         self.costs: StepCosts = profile.steps
-        self.kinds = [topology.kind(j) for j in self.chains.original]
+        kinds = [topology.kind(j) for j in self.chains.original]
+        self.priced_as = [topology.priced_as(j) for j in self.chains.original]
         parent = self.chains.parent
         grounded = [above == 0 for above in parent]
-        self.free = [g and kind == "floating" for g, kind in zip(grounded, self.kinds, strict=True)]
-        rows = list(zip(self.kinds, grounded, self.free, strict=True))
-        self.own = [self._ticks(f"kinematics.{kind}") for kind in self.kinds]
+        floats = [kind == "floating" for kind in self.priced_as]
+        self.free = [g and f for g, f in zip(grounded, floats, strict=True)]
+        rows = list(zip(self.priced_as, grounded, self.free, strict=True))
+        self.own = [self._ticks(f"kinematics.{kind}") for kind in kinds]
         self.alone = [self._alone(*row) for row in rows]
         self.outward = [self._outward(*row) for row in rows]
         self.join = [
@@ -80,8 +82,10 @@ class SegmentCosts:
     def _alone(self, kind: str, grounded: bool, free: bool) -> Price:
         if free:
             return Price(self._ticks("link.start", "free.base"), self._ticks("free.acceleration"))
-        articulate = "articulate.ground" if grounded else f"articulate.{kind}"
-        return Price(self._ticks("link.start", articulate), self._ticks(f"accelerate.{kind}"))
+        sweep = [f"articulate.{'ground' if grounded else kind}"]
+        if grounded and kind == PRESCRIBED:
+            sweep = []  # nothing is handed to the ground, and nothing gives way
+        return Price(self._ticks("link.start", *sweep), self._ticks(f"accelerate.{kind}"))
 
     def _outward(self, kind: str, grounded: bool, free: bool) -> Price:
         if free:
@@ -208,7 +212,7 @@ class SegmentCosts:
 
     def coupled(self, position: int, a: int, b: int) -> Price:
         """Return what a join costs more with so many handles on its two sides."""
-        rows = (1 + len(KINDS[self.kinds[position]].constrained)) / 6
+        rows = block_rows(self.priced_as[position])
         same = rows * (a * (a + 1) + b * (b + 1)) / 2
         extra = (
             a * self.costs["join.coupling_a"]

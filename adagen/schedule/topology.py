@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from adagen.model import Model
+from adagen.schedule.costs import PRESCRIBED
 
 
 @dataclass(frozen=True)
@@ -19,12 +20,14 @@ class Topology:
         dofs: degrees of freedom n_i of each joint, 1 to 6; length N.
         names: name of each joint, all different; length N.
         kinds: name of each joint's kind; length N, or empty where only degrees of freedom matter.
+        prescribed: joints of known acceleration: what they cost is another matter.
     """
 
     parents: tuple[int, ...]
     dofs: tuple[int, ...]
     names: tuple[str, ...]
     kinds: tuple[str, ...] = ()
+    prescribed: frozenset[int] = frozenset()
 
     def __post_init__(self) -> None:
         if not len(self.parents) == len(self.dofs) == len(self.names):
@@ -47,6 +50,7 @@ class Topology:
             tuple(joint.kind.nv for joint in model.joints),
             tuple(joint.name for joint in model.joints),
             tuple(joint.kind.name for joint in model.joints),
+            frozenset(j for j, joint in enumerate(model.joints) if joint.prescribed),
         )
 
     @staticmethod
@@ -66,6 +70,10 @@ class Topology:
             return self.kinds[joint]
         dofs = self.dofs[joint]
         return "revolute" if dofs == 1 else "spherical" if dofs < 6 else "floating"
+
+    def priced_as(self, joint: int) -> str:
+        """Return what a joint is priced as, but for its kinematics: its kind, or prescribed."""
+        return PRESCRIBED if joint in self.prescribed else self.kind(joint)
 
     def __len__(self) -> int:
         """Return N, the number of joints."""

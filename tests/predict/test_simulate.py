@@ -8,16 +8,18 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from adagen.model.kinds import REVOLUTE
+from adagen.calibrate.schedules import random_schedule
+from adagen.model.kinds import KINDS, REVOLUTE
 from adagen.plan import Plan, make_plan
 from adagen.plan.stages import stages
-from adagen.plan.steps import Receive, Send
+from adagen.plan.steps import Articulate, Receive, Send
 from adagen.plan.types import Message, Process
 from adagen.predict import features, predict, step_time
 from adagen.schedule import Topology, find_schedule, load_profile
 from adagen.schedule.costs import NAMES
 from tests.models import human_figure, random_tree, serial_chain
 from tests.predict.costs import WINDOW, step_costs, step_profile
+from tests.scene.held import held
 
 
 def plan(processes: int, form: str = "segment", seed: int = 3) -> Plan:
@@ -101,6 +103,35 @@ def test_slaved_joints_make_every_step_dearer() -> None:
     assert made.slaved
     without = step_profile(slaved__column=0.0)
     assert predict(made, step_profile()).makespan > predict(made, without).makespan
+
+
+@pytest.mark.parametrize("form", ["ada", "segment"])
+def test_joints_of_prescribed_motion_have_prices_of_their_own(form: str) -> None:
+    """Whatever their kind: only their kinematics are those of joints that move freely."""
+    model = random_tree(np.random.default_rng(6), 16)
+    schedule = random_schedule(Topology.of(model), 2, step_profile(), 3)
+    known = held(model, range(1, 16, 2))
+    made = make_plan(known, schedule, form=form)
+    names = {
+        name
+        for process in made.processes
+        for step in process.steps
+        if made.joints[getattr(step, "joint", 0)].prescribed
+        for name in features(step, made.joints)
+    }
+    kinds = {name for name in names if name.split(".")[1] in KINDS}
+    assert kinds and all(name.startswith("kinematics.") for name in kinds)
+    own = "join.prescribed" if form == "ada" else "articulate.prescribed"
+    assert own in names
+    dear = step_profile((), **{own.replace(".", "__"): 1.0})
+    assert predict(made, dear).makespan > predict(made, step_profile()).makespan + 0.5
+
+
+def test_nothing_is_swept_onto_the_ground_by_a_joint_of_prescribed_motion() -> None:
+    known = held(serial_chain(2), [0])
+    made = make_plan(known, find_schedule(Topology.of(known), 1, profile=load_profile("default")))
+    swept = [step for step in made.processes[0].steps if isinstance(step, Articulate)]
+    assert [features(step, made.joints) for step in swept] == [{"articulate.revolute": 1}, {}]
 
 
 def test_the_paper_profile_has_no_steps_to_predict_with() -> None:

@@ -16,6 +16,7 @@ from adagen.scene import apply_scene, read_scene
 from adagen.schedule import Topology, find_schedule, load_profile, named_schedule
 from adagen.urdf import read_robot
 from tests.models import binary, serial_chain
+from tests.scene.held import held
 from tests.scene.texts import reduced
 
 MODELS = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
@@ -61,6 +62,14 @@ def test_a_left_out_limb_costs_nothing(tmp_path: Path) -> None:
     assert len(small.joints) * 2 == len(model.joints)
     whole = operations(plan_of(model, 1))
     assert operations(plan_of(small, 1)) * 2 == whole
+
+
+def test_a_joint_of_prescribed_motion_is_not_solved_for() -> None:
+    """It has no inertia to be divided by; a body of known motion takes nothing of its joint."""
+    model = serial_chain(10)
+    free = operations(plan_of(model, 1))
+    assert operations(plan_of(held(model, [5]), 1)) < free
+    assert operations(plan_of(held(model, range(1, 10)), 1)) < 0.95 * free
 
 
 def test_operations_grow_with_the_chain_not_faster() -> None:

@@ -22,6 +22,7 @@ from adagen.schedule.draft import Draft
 from adagen.schedule.segment_schedule import segment_bound
 from tests.models import human_figure, random_tree, serial_chain, star
 from tests.predict.costs import step_profile
+from tests.scene.held import held
 
 PROFILE = step_profile((), process__evaluation=0.05, root__invert=0.08, join__revolute=0.15)
 
@@ -88,12 +89,18 @@ def test_the_search_is_exact(data: st.DataObject) -> None:
     kinds = tuple(data.draw(st.sampled_from(["revolute", "spherical"])) for _ in range(joints))
     if data.draw(st.booleans()):
         kinds = ("floating", *kinds[1:])
+    prescribed = data.draw(st.sets(st.integers(0, joints - 1), max_size=2))
     topology = Topology(
-        parents, tuple(KINDS[k].nv for k in kinds), tuple("abcdefg"[:joints]), kinds
+        parents,
+        tuple(KINDS[k].nv for k in kinds),
+        tuple("abcdefg"[:joints]),
+        kinds,
+        frozenset(prescribed),
     )
     processes = data.draw(st.integers(1, 4 if joints < 6 else 3))
     speeds = st.lists(st.sampled_from([0.5, 1.0, 1.3]), max_size=4).map(tuple)
-    dear = ("kinematics__revolute", "articulate__revolute", "join__revolute", "root__invert")
+    dear = "kinematics__revolute articulate__revolute join__revolute root__invert".split()
+    dear += ["articulate__prescribed", "join__prescribed"]
     changes = {name: data.draw(COSTS) for name in dear}
     profile = step_profile(data.draw(speeds), **changes)
     found = find_schedule(topology, processes, profile=profile)
@@ -107,11 +114,13 @@ def test_the_search_is_exact(data: st.DataObject) -> None:
 @pytest.mark.parametrize("seed", range(8))
 @pytest.mark.parametrize("processes", [2, 3, 5, 8])
 @pytest.mark.parametrize("cores", [(), (0.5, 1.0, 1.0, 2.0)])
+@pytest.mark.parametrize("prescribed", [(), (0, 3, 4)])
 def test_the_plan_takes_what_the_tree_says(
-    seed: int, processes: int, cores: tuple[float, ...]
+    seed: int, processes: int, cores: tuple[float, ...], prescribed: tuple[int, ...]
 ) -> None:
     """The prices follow the plan: kinematics, reversed roots, couplings, messages, waiting."""
     model = random_tree(np.random.default_rng(seed), 10 + 2 * seed, floating=seed % 3 == 0)
+    model = held(model, prescribed)
     profile = step_profile(cores)
     schedule = random_schedule(Topology.of(model), processes, profile, seed)
     line = predict(make_plan(model, schedule, form="segment"), profile, "joints")
