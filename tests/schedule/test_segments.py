@@ -99,7 +99,7 @@ def test_the_search_is_exact(data: st.DataObject) -> None:
     )
     processes = data.draw(st.integers(1, 4 if joints < 6 else 3))
     speeds = st.lists(st.sampled_from([0.5, 1.0, 1.3]), max_size=4).map(tuple)
-    dear = "kinematics__revolute articulate__revolute join__revolute root__invert".split()
+    dear = ["kinematics__revolute", "articulate__revolute", "join__revolute", "root__invert"]
     dear += ["articulate__prescribed", "join__prescribed"]
     changes = {name: data.draw(COSTS) for name in dear}
     profile = step_profile(data.draw(speeds), **changes)
