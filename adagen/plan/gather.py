@@ -19,7 +19,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from adagen.model.kinds import KINDS
 from adagen.plan.ada import Chain
 from adagen.plan.edges import Edge, edges_from, joints_at
 from adagen.plan.gather_trees import Tree, laid_out_trees
@@ -60,7 +59,7 @@ def why_not_gather(joints: Sequence[PlanJoint]) -> str | None:
         if joint.mimic is not None:
             return f'joint "{joint.name}" is slaved to another'
         own = joint.damping or joint.friction or joint.stiffness or joint.rotor_inertia
-        if own and KINDS[joint.kind].nv > 1:
+        if own and joint.kind in ("planar", "floating"):
             return f'joint "{joint.name}" has several freedoms and effects of its own'
     return None
 

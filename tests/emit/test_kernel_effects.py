@@ -9,12 +9,20 @@ import numpy as np
 import pytest
 
 from adagen.emit import emit
-from adagen.emit.shapes import chosen_shape
+from adagen.emit.shapes import SHAPES, chosen_shape
 from adagen.model import Model, Passive
+from adagen.model.kinds import REVOLUTE, SPHERICAL
 from adagen.plan import Plan, make_plan
 from adagen.plan.abreast import limbs_abreast, placed_links
 from adagen.plan.interpret import interpret
-from adagen.plan.steps import Disassemble, HoldMobility, Propagate, SolveMobility
+from adagen.plan.steps import (
+    Articulate,
+    Disassemble,
+    HoldMobility,
+    Join,
+    Propagate,
+    SolveMobility,
+)
 from adagen.predict import best_schedule, predict
 from adagen.schedule import Topology, load_profile, named_schedule
 from adagen.states import random_states, write_states
@@ -196,3 +204,51 @@ def test_outer_forces_act_once_each_and_at_their_links_alone() -> None:
     ]
     wanted = [f'push<{k}>(w);  // on link "{w.frame.name}"' for k, w in enumerate(model.wrenches)]
     assert sorted(calls) == wanted
+
+
+def driven(model: Model) -> Model:
+    """The robot with rotors on two joints of three, and damping on every second one."""
+    joints = [
+        replace(joint, passive=Passive(damping=0.4 * (j % 2), rotor_inertia=0.1 * (j % 3)))
+        if joint.kind in (SPHERICAL, REVOLUTE)
+        else joint
+        for j, joint in enumerate(model.joints)
+    ]
+    return replace(model, joints=tuple(joints))
+
+
+def geared_balls(plan: Plan) -> set[int]:
+    return {j for j, x in enumerate(plan.joints) if x.rotor_inertia and x.kind == "spherical"}
+
+
+def test_spherical_joints_have_damping_and_rotors(builder: Builder, tmp_path: Path) -> None:
+    """Limbs side by side among them."""
+    model = driven(human_figure())
+    plan = make_plan(model, best_schedule(model, 1, PROFILE))
+    abreast = {j for limbs in limbs_abreast(plan, plan.processes[0]) for j in limbs.members()}
+    assert geared_balls(plan) & abreast
+    assert chosen_shape(plan) == "kernels"
+    require_right(plan, model, builder, tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("processes", "meeting", "floating"),
+    [(1, "join", False), (3, "join", False), (2, "join", True), (2, "gather", True)],
+)
+def test_processes_share_spherical_joints_with_rotors(
+    processes: int, meeting: str, floating: bool, builder: Builder, tmp_path: Path
+) -> None:
+    """In runs that are taken by columns, at cuts, on the way from cuts to roots, turned round."""
+    kinds = (SPHERICAL, SPHERICAL if floating else REVOLUTE)
+    rng = np.random.default_rng(5)
+    model = driven(random_tree(rng, 15, kinds, branching=0, floating=floating))
+    plan = balanced(model, processes, meeting)
+    steps = [step for process in plan.processes for step in process.steps]
+    balls = geared_balls(plan)
+    if processes == 3:
+        assert balls & {step.joint for step in steps if isinstance(step, Join)}
+        assert balls & {step.joint for step in steps if isinstance(step, Propagate)}
+    if floating:
+        assert balls & {s.joint for s in steps if isinstance(s, Articulate) and s.reversed}
+    assert SHAPES["kernels"].why_not(plan) is None
+    require_right(plan, model, builder, tmp_path)

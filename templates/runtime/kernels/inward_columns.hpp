@@ -109,8 +109,7 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Columns& X, Due& due
   Real* const factors = e + 12;
   factorize_rotations(w, single(j), Symmetric<Real>{a[0], a[1], a[2], b[1], b[2], c[2]}, factors);
   const Real *d = factors, *l = factors + 3;
-  const Real* const tau = w.tau + kJoints[static_cast<std::size_t>(j)].v;
-  Vector<Real> torque = matrix_at(w.of(j, kAxes)) * Vector<Real>{tau[0], tau[1], tau[2]};
+  Vector<Real> torque = matrix_at(w.of(j, kAxes)) * spherical_torque(w, single(j));
   if constexpr (reversed) torque = -torque;
   const Vector<Real> n{X.force[0], X.force[1], X.force[2]};
   const Vector<Real> y = solve_rotations(factors, torque - n);
@@ -139,6 +138,12 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Columns& X, Due& due
 template <bool reversed, class Arrive>
 ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, Due& due,
                                const Arrive& arrive) {
+  [[maybe_unused]] const auto number_by_number = [&] {
+    settle(X, due);
+    Body<Real> whole = body(X);
+    step_inward<reversed>(w, single(j), kind, whole, [](const Body<Real>&) {});
+    X = columns(whole);
+  };
   switch (kind) {
     case JointKind::kRevolute:
       eliminate<false, reversed>(w, j, X, due, arrive);
@@ -147,15 +152,13 @@ ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, 
       if constexpr (any_of(JointKind::kPrismatic)) eliminate<true, reversed>(w, j, X, due, arrive);
       return;
     case JointKind::kSpherical:
-      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, j, X, due);
+      if constexpr (kSphericalRotors)
+        number_by_number();
+      else if constexpr (kAnySpherical)
+        eliminate_rotations<reversed>(w, j, X, due);
       break;
     default:
-      if constexpr (kAnyPlanar || kAnyFloating) {
-        settle(X, due);
-        Body<Real> whole = body(X);
-        step_inward<reversed>(w, single(j), kind, whole, [](const Body<Real>&) {});
-        X = columns(whole);
-      }
+      if constexpr (kAnyPlanar || kAnyFloating) number_by_number();
   }
   arrive(X);
 }

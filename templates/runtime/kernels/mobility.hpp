@@ -58,9 +58,11 @@ ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a) {
   if (kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) {
       if constexpr (!reversed) carry(a, memory.r);
-      const Vector<Lanes> v = a.linear;
+      const Vector<Lanes> v = a.linear, spin = a.angular;
       a.angular = {-(e[0] * v.x + e[1] * v.y + e[2] * v.z), -(e[3] * v.x + e[4] * v.y + e[5] * v.z),
                    -(e[6] * v.x + e[7] * v.y + e[8] * v.z)};
+      if constexpr (kSphericalRotors)
+        a.angular += solve_rotations(e + 12, spin) * rotor_of(single(j));
       if constexpr (reversed) carry(a, -memory.r);
     }
     return;
@@ -156,7 +158,7 @@ void deliver(Workspace& w, int j, const Columns6& load, Columns6& handed) {
       e[9] += y.x, e[10] += y.y, e[11] += y.z;
       const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
       f += -transposed_times(K, n);
-      n = Vector<Value>{};
+      n = kSphericalRotors ? y * rotor_of(single(j)) : Vector<Value>{};
       if constexpr (!reversed) n += cross(memory.r, f);
     }
   } else {
