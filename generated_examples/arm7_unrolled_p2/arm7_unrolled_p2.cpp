@@ -708,6 +708,13 @@ struct Workspace {
 // What straight lines of numbers need.
 inline bool all(bool good, bool also = true) { return good && also; }
 
+// Zero for finite numbers only: x - x is.
+inline Real unlike_zero(const Real* x, int count) {
+  Real sum = 0;
+  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
+  return sum;
+}
+
 // Sine and cosine by the polynomials of fdlibm on [-pi/4, pi/4], after taking multiples of pi/2
 // away in three parts. No branch: a loop over it is done in SIMD lanes.
 inline void sine_and_cosine(double angle, double& sine, double& cosine) {
@@ -754,13 +761,6 @@ inline void take_sines_and_cosines(const Real* angle, Real* sine, Real* cosine) 
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
-}
-
-// Zero for finite numbers only: x - x is.
-inline Value unlike_zero(const Value* x, int count) {
-  Value sum{};
-  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
-  return sum;
 }
 
 // A state was found not to be finite: which joint's?
@@ -6734,7 +6734,7 @@ class Program {
 
   // What processes have met that costs digits but is no failure, told once.
   void collect_warnings() {
-    int joint = near_lock(session_.solver.w, 0);
+    int joint = near_lock(session_.solver, 0);
     MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
     if (joint == 0) return;
     warning_ = "joints " + names_of_run(joint - 1) +
@@ -6743,12 +6743,12 @@ class Program {
   }
 
   // Shapes that join no runs of joints as one have nothing to tell.
-  template <class W>
-  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
-    return w.near_lock;
+  template <class S>
+  static auto near_lock(const S& solver, int) -> decltype(solver.w.near_lock) {
+    return solver.w.near_lock;
   }
-  template <class W>
-  static int near_lock(const W&, long) {
+  template <class S>
+  static int near_lock(const S&, long) {
     return 0;
   }
 

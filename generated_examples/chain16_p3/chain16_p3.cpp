@@ -474,15 +474,22 @@ struct Trigonometry<float> {
 
 template <std::size_t n>
 ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
-  Lanes result = coefficients[0] + 0 * x;
+  Lanes result = Lanes{} + coefficients[0];
   ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
   return result;
 }
 
+// Half by half: compilers take lanes apart one by one if they are left to it.
 ADAGEN_INLINE bool any_of(const LaneBits& x) {
-  Bits any = 0;
-  for (int k = 0; k < kLanes; ++k) any |= x[k];
-  return any != 0;
+  typedef std::int64_t Half __attribute__((vector_size(32)));
+  typedef std::int64_t Quarter __attribute__((vector_size(16)));
+  Half halves[2];
+  std::memcpy(halves, &x, sizeof x);
+  const Half half = halves[0] | halves[1];
+  Quarter quarters[2];
+  std::memcpy(quarters, &half, sizeof half);
+  const Quarter quarter = quarters[0] | quarters[1];
+  return (quarter[0] | quarter[1]) != 0;
 }
 ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
                                          Lanes& cosine) {
@@ -490,7 +497,8 @@ ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lan
     if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
 }
 
-ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+// Of angles that are not too large.
+ADAGEN_INLINE void near_sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
   using Table = Trigonometry<Real>;
   const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
   const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
@@ -509,7 +517,16 @@ ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosin
       ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
   sine = reinterpret_cast<Lanes>(sine_bits);
   cosine = reinterpret_cast<Lanes>(cosine_bits);
-  const LaneBits beyond = (angle > Table::kLargestAngle) | (angle < -Table::kLargestAngle);
+}
+
+ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
+  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
+  return (angle > kLargest) | (angle < -kLargest);
+}
+
+ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  near_sine_and_cosine(angle, sine, cosine);
+  const LaneBits beyond = too_large(angle);
   if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
 }
 
@@ -2418,6 +2435,37 @@ void solve_root(Workspace& w) {
   if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
 }
 
+// Numbers of x, or beyond its last one of y.
+template <int... k, class V>
+ADAGEN_INLINE V shuffled(const V& x, const V& y) {
+#if defined(__clang__)
+  return __builtin_shufflevector(x, y, k...);
+#else
+  return __builtin_shuffle(x, y, decltype(x < y){k...});
+#endif
+}
+
+// Rows x and y of a square: what lies in columns apart by a distance changes places.
+template <int distance, class V, std::size_t... column>
+ADAGEN_INLINE void exchange(V& x, V& y, std::index_sequence<column...>) {
+  constexpr int n = sizeof...(column);
+  const V row = shuffled<(column & distance ? n + column - distance : column)...>(x, y);
+  y = shuffled<(column & distance ? n + column : column + distance)...>(x, y);
+  x = row;
+}
+
+// A square of as many rows as each has numbers becomes its transpose: blocks of one number, then of
+// two by two, and so on.
+template <int distance = 1, class V, std::size_t n>
+ADAGEN_INLINE void transpose(V (&rows)[n]) {
+  if constexpr (distance < static_cast<int>(n)) {
+    ADAGEN_FOR (k, 0, static_cast<int>(n))
+      if ((k & distance) == 0)
+        exchange<distance>(rows[k], rows[k + distance], std::make_index_sequence<n>{});
+    transpose<2 * distance>(rows);
+  }
+}
+
 // A body by columns of eight lanes, for what takes one joint at a time: each column a register.
 typedef Real Column __attribute__((vector_size(8 * sizeof(Real))));  // [angular, -, linear, -]
 
@@ -2467,16 +2515,6 @@ ADAGEN_INLINE Body<Real> body(const Columns& X) {
 
 typedef Bits ColumnBits __attribute__((vector_size(8 * sizeof(Bits))));
 
-// Numbers of x, or beyond the eighth of y.
-template <int... k>
-ADAGEN_INLINE Column shuffled(const Column& x, const Column& y) {
-#if defined(__clang__)
-  return __builtin_shufflevector(x, y, k...);
-#else
-  return __builtin_shuffle(x, y, ColumnBits{k...});
-#endif
-}
-
 // One number of a column in all lanes, and the linear half alone.
 template <int k>
 ADAGEN_INLINE Column spread(const Column& x) {
@@ -2485,28 +2523,6 @@ ADAGEN_INLINE Column spread(const Column& x) {
 ADAGEN_INLINE Column linear_half(const Column& x) {
   const ColumnBits kept = reinterpret_cast<ColumnBits>(x) & ColumnBits{0, 0, 0, 0, -1, -1, -1, -1};
   return reinterpret_cast<Column>(kept);
-}
-
-// Rows x0 .. x7 of eight links' numbers become columns y of each.
-ADAGEN_INLINE void transpose(Column x0, Column x1, Column x2, Column x3, Column x4, Column x5,
-                             Column x6, Column x7, Column (&y)[8]) {
-  Column a[8], b[8];
-  const auto pairs = [](const Column& u, const Column& v, Column& even, Column& odd) {
-    even = shuffled<0, 8, 2, 10, 4, 12, 6, 14>(u, v);
-    odd = shuffled<1, 9, 3, 11, 5, 13, 7, 15>(u, v);
-  };
-  pairs(x0, x1, a[0], a[1]), pairs(x2, x3, a[2], a[3]);
-  pairs(x4, x5, a[4], a[5]), pairs(x6, x7, a[6], a[7]);
-  ADAGEN_FOR (half, 0, 2)
-    ADAGEN_FOR (k, 0, 2) {
-      const Column &u = a[4 * half + k], &v = a[4 * half + 2 + k];
-      b[4 * half + k] = shuffled<0, 1, 8, 9, 4, 5, 12, 13>(u, v);
-      b[4 * half + 2 + k] = shuffled<2, 3, 10, 11, 6, 7, 14, 15>(u, v);
-    }
-  ADAGEN_FOR (k, 0, 4) {
-    y[k] = shuffled<0, 1, 2, 3, 8, 9, 10, 11>(b[k], b[4 + k]);
-    y[4 + k] = shuffled<4, 5, 6, 7, 12, 13, 14, 15>(b[k], b[4 + k]);
-  }
 }
 
 // The lever arm r of a force: [n; f] becomes [n + r x f; f].
@@ -2578,14 +2594,15 @@ void set_up_columns(Workspace& w) {
     const Column x = row(kMoments), y = row(kMoments + 1), z = row(kMoments + 2);
     const Column none = mass - mass;  // a zero unknown to gcc 12, which errs in shuffles with it
     constexpr int A = kRotational, n = kTorque, f = kForce;
-    Column found[8];
-    transpose(row(A), row(A + 1), row(A + 2), row(A + 3), row(A + 4), row(A + 5), mass, none,
-              found);
-    put(&LinkColumns::tensor, found);
-    transpose(x, y, z, -x, -y, -z, none, none, found);
-    put(&LinkColumns::moments, found);
-    transpose(row(n), row(n + 1), row(n + 2), none, row(f), row(f + 1), row(f + 2), none, found);
-    put(&LinkColumns::force, found);
+    Column tensor[]{row(A), row(A + 1), row(A + 2), row(A + 3), row(A + 4), row(A + 5), mass, none};
+    transpose(tensor);
+    put(&LinkColumns::tensor, tensor);
+    Column moments[]{x, y, z, -x, -y, -z, none, none};
+    transpose(moments);
+    put(&LinkColumns::moments, moments);
+    Column force[]{row(n), row(n + 1), row(n + 2), none, row(f), row(f + 1), row(f + 2), none};
+    transpose(force);
+    put(&LinkColumns::force, force);
   }
 }
 
@@ -6074,7 +6091,7 @@ class Program {
 
   // What processes have met that costs digits but is no failure, told once.
   void collect_warnings() {
-    int joint = near_lock(session_.solver.w, 0);
+    int joint = near_lock(session_.solver, 0);
     MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
     if (joint == 0) return;
     warning_ = "joints " + names_of_run(joint - 1) +
@@ -6083,12 +6100,12 @@ class Program {
   }
 
   // Shapes that join no runs of joints as one have nothing to tell.
-  template <class W>
-  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
-    return w.near_lock;
+  template <class S>
+  static auto near_lock(const S& solver, int) -> decltype(solver.w.near_lock) {
+    return solver.w.near_lock;
   }
-  template <class W>
-  static int near_lock(const W&, long) {
+  template <class S>
+  static int near_lock(const S&, long) {
     return 0;
   }
 

@@ -4728,7 +4728,7 @@ class Program {
 
   // What processes have met that costs digits but is no failure, told once.
   void collect_warnings() {
-    int joint = near_lock(session_.solver.w, 0);
+    int joint = near_lock(session_.solver, 0);
     MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
     if (joint == 0) return;
     warning_ = "joints " + names_of_run(joint - 1) +
@@ -4737,12 +4737,12 @@ class Program {
   }
 
   // Shapes that join no runs of joints as one have nothing to tell.
-  template <class W>
-  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
-    return w.near_lock;
+  template <class S>
+  static auto near_lock(const S& solver, int) -> decltype(solver.w.near_lock) {
+    return solver.w.near_lock;
   }
-  template <class W>
-  static int near_lock(const W&, long) {
+  template <class S>
+  static int near_lock(const S&, long) {
     return 0;
   }
 

@@ -565,15 +565,22 @@ struct Trigonometry<float> {
 
 template <std::size_t n>
 ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
-  Lanes result = coefficients[0] + 0 * x;
+  Lanes result = Lanes{} + coefficients[0];
   ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
   return result;
 }
 
+// Half by half: compilers take lanes apart one by one if they are left to it.
 ADAGEN_INLINE bool any_of(const LaneBits& x) {
-  Bits any = 0;
-  for (int k = 0; k < kLanes; ++k) any |= x[k];
-  return any != 0;
+  typedef std::int64_t Half __attribute__((vector_size(32)));
+  typedef std::int64_t Quarter __attribute__((vector_size(16)));
+  Half halves[2];
+  std::memcpy(halves, &x, sizeof x);
+  const Half half = halves[0] | halves[1];
+  Quarter quarters[2];
+  std::memcpy(quarters, &half, sizeof half);
+  const Quarter quarter = quarters[0] | quarters[1];
+  return (quarter[0] | quarter[1]) != 0;
 }
 ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
                                          Lanes& cosine) {
@@ -581,7 +588,8 @@ ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lan
     if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
 }
 
-ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+// Of angles that are not too large.
+ADAGEN_INLINE void near_sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
   using Table = Trigonometry<Real>;
   const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
   const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
@@ -600,7 +608,16 @@ ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosin
       ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
   sine = reinterpret_cast<Lanes>(sine_bits);
   cosine = reinterpret_cast<Lanes>(cosine_bits);
-  const LaneBits beyond = (angle > Table::kLargestAngle) | (angle < -Table::kLargestAngle);
+}
+
+ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
+  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
+  return (angle > kLargest) | (angle < -kLargest);
+}
+
+ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  near_sine_and_cosine(angle, sine, cosine);
+  const LaneBits beyond = too_large(angle);
   if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
 }
 
@@ -2293,7 +2310,7 @@ void free_acceleration(Workspace& w) {
 // ---- 5. processes -------------------------------------------------------------------------------
 
 // Each process: 30 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+void run_0([[maybe_unused]] Workspace& w) {
   require_finite(w, w.q, 0, 36, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 35, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 0, 35, &JointConstants::v, kNotFinite);
@@ -2327,7 +2344,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   give(w, 0, 35);
 }
 
-[[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_0};
+constexpr std::array kParts{run_0};  // what is done for a group of states, in order
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
@@ -2499,11 +2516,93 @@ class Handout {
   std::array<Taken, 2> taken_;
 };
 
+// Numbers of x, or beyond its last one of y.
+template <int... k, class V>
+ADAGEN_INLINE V shuffled(const V& x, const V& y) {
+#if defined(__clang__)
+  return __builtin_shufflevector(x, y, k...);
+#else
+  return __builtin_shuffle(x, y, decltype(x < y){k...});
+#endif
+}
+
+// Rows x and y of a square: what lies in columns apart by a distance changes places.
+template <int distance, class V, std::size_t... column>
+ADAGEN_INLINE void exchange(V& x, V& y, std::index_sequence<column...>) {
+  constexpr int n = sizeof...(column);
+  const V row = shuffled<(column & distance ? n + column - distance : column)...>(x, y);
+  y = shuffled<(column & distance ? n + column : column + distance)...>(x, y);
+  x = row;
+}
+
+// A square of as many rows as each has numbers becomes its transpose: blocks of one number, then of
+// two by two, and so on.
+template <int distance = 1, class V, std::size_t n>
+ADAGEN_INLINE void transpose(V (&rows)[n]) {
+  if constexpr (distance < static_cast<int>(n)) {
+    ADAGEN_FOR (k, 0, static_cast<int>(n))
+      if ((k & distance) == 0)
+        exchange<distance>(rows[k], rows[k + distance], std::make_index_sequence<n>{});
+    transpose<2 * distance>(rows);
+  }
+}
+
+// As many states as there are lanes, one in each, and what they are solved with.
+struct Group {
+  Workspace w;
+  std::array<Value, kNq> q{};
+  std::array<Value, kNv> v{}, qdd{};
+  std::array<Value, kNtau> tau{};
+};
+
+// Groups that go through each part before the next one, so that its instructions are fetched once
+// for all: as many as caches of the second level hold.
+constexpr int kGroups =
+    kParts.size() == 1 ? 1 : std::clamp(static_cast<int>((1 << 19) / sizeof(Group)), 1, 8);
+
+// Rows of numbers, one for each state, become lanes; lanes without a state repeat the last one.
+template <std::size_t width>
+void to_lanes(int states, const Number* rows, std::array<Value, width>& lanes) {
+  static_assert(std::is_same_v<Number, Real>);
+  constexpr std::size_t kSquare = static_cast<std::size_t>(kLanes);
+  if constexpr (width >= kSquare) {
+    for (std::size_t k = 0; k < width && states == kLanes; k += kSquare) {
+      const std::size_t first = std::min(k, width - kSquare);  // the last ones overlap
+      Lanes square[kLanes];
+      ADAGEN_FOR (s, 0, kLanes) load(rows + static_cast<std::size_t>(s) * width + first, square[s]);
+      transpose(square);
+      ADAGEN_FOR (s, 0, kLanes) lanes[first + static_cast<std::size_t>(s)] = square[s];
+    }
+    if (states == kLanes) return;
+  }
+  for (std::size_t k = 0; k < width; ++k)
+    ADAGEN_FOR (s, 0, kLanes)
+      lanes[k][s] = rows[static_cast<std::size_t>(std::min(s, states - 1)) * width + k];
+}
+
+// Lanes become rows of numbers.
+template <std::size_t width>
+void to_rows(int states, const std::array<Value, width>& lanes, Number* rows) {
+  constexpr std::size_t kSquare = static_cast<std::size_t>(kLanes);
+  if constexpr (width >= kSquare) {
+    for (std::size_t k = 0; k < width && states == kLanes; k += kSquare) {
+      const std::size_t first = std::min(k, width - kSquare);
+      Lanes square[kLanes];
+      ADAGEN_FOR (s, 0, kLanes) square[s] = lanes[first + static_cast<std::size_t>(s)];
+      transpose(square);
+      ADAGEN_FOR (s, 0, kLanes)
+        store(square[s], rows + static_cast<std::size_t>(s) * width + first);
+    }
+    if (states == kLanes) return;
+  }
+  for (int s = 0; s < states; ++s)
+    for (std::size_t k = 0; k < width; ++k) *rows++ = lanes[k][s];
+}
+
 // Solves many states at once, one in each lane of a register. Each process solves states of its
 // own; where process 0 has them all, it hands them out (handout.hpp).
 class Solver {
  public:
-  Workspace w;
   Channel channel;
   std::string text;  // of the last failure
 
@@ -2563,29 +2662,49 @@ class Solver {
   // Returns whether all states could be solved.
   bool solve_rows(int count, const Number* q, const Number* v, const Number* tau, Number* qdd) {
     bool good = true;
-    for (int first = 0, states; first < count; first += states) {
-      states = std::min(kLanes, count - first);
-      const long row = first;
-      spread(states, q + row * kNq, kNq, q_.data());
-      spread(states, v + row * kNv, kNv, v_.data());
-      spread(states, tau + row * kNtau, kNtau, tau_.data());
-      if (run() == kFine) {
-        for (int s = 0; s < states; ++s) take(s, qdd + (row + s) * kNv);
-        continue;
+    for (int first = 0; first < count; first += kGroups * kLanes) {
+      const int groups = std::min(kGroups, (count - first + kLanes - 1) / kLanes);
+      for (int g = 0; g < groups; ++g) {
+        const int at = first + g * kLanes;
+        take(groups_[size(g)], at, std::min(kLanes, count - at), q, v, tau);
       }
-      good = false;
-      const auto all_q = q_;
-      const auto all_v = v_;
-      const auto all_tau = tau_;
-      for (int s = 0; s < states; ++s) {
-        everywhere(q_, all_q, s), everywhere(v_, all_v, s), everywhere(tau_, all_tau, s);
-        if (run() == kFine)
-          take(s, qdd + (row + s) * kNv);
-        else
-          std::fill_n(qdd + (row + s) * kNv, kNv, std::numeric_limits<Number>::quiet_NaN());
+      run(groups);
+      for (int g = 0; g < groups; ++g) {
+        const int at = first + g * kLanes;
+        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNv);
       }
     }
     return good;
+  }
+
+  // The states from the one numbered first on.
+  static void take(Group& group, int first, int states, const Number* q, const Number* v,
+                   const Number* tau) {
+    to_lanes(states, q + size(first) * kNq, group.q);
+    to_lanes(states, v + size(first) * kNv, group.v);
+    to_lanes(states, tau + size(first) * kNtau, group.tau);
+  }
+
+  // Where a group fails, each of its states is tried once more, by itself; returns whether all were
+  // solved.
+  bool give(Group& group, int states, Number* qdd) {
+    if (group.w.status == kFine) {
+      to_rows(states, group.qdd, qdd);
+      return true;
+    }
+    Group& alone = groups_.front();
+    const auto all_q = group.q;
+    const auto all_v = group.v;
+    const auto all_tau = group.tau;
+    for (int s = 0; s < states; ++s, qdd += kNv) {
+      everywhere(alone.q, all_q, s), everywhere(alone.v, all_v, s);
+      everywhere(alone.tau, all_tau, s);
+      if (run(1) == kFine)
+        to_rows(1, alone.qdd, qdd);
+      else
+        std::fill_n(qdd, kNv, std::numeric_limits<Number>::quiet_NaN());
+    }
+    return false;
   }
 
   // Tries the states that have no accelerations once more, each by itself; returns the first
@@ -2593,12 +2712,10 @@ class Solver {
   int name_failures(int count, const Number* q, const Number* v, const Number* tau,
                     const Number* qdd) {
     for (int s = 0; s < count; ++s) {
-      const long row = s;
-      if (qdd[row * kNv] == qdd[row * kNv]) continue;
-      spread(1, q + row * kNq, kNq, q_.data());
-      spread(1, v + row * kNv, kNv, v_.data());
-      spread(1, tau + row * kNtau, kNtau, tau_.data());
-      failures_.push_back({s, run()});
+      const Number first = qdd[size(s) * kNv];
+      if (first == first) continue;
+      take(groups_.front(), s, 1, q, v, tau);
+      failures_.push_back({s, run(1)});
     }
     text = in_words(failures_.front());
     if (failures_.size() > 1)
@@ -2610,37 +2727,26 @@ class Solver {
     return "state " + std::to_string(failed.state + 1) + ": " + describe(failed.status);
   }
 
-  // Rows of numbers into lanes; lanes without a state repeat the last one.
-  static void spread(int states, const Number* rows, int width, Value* lanes) {
-    if (states == kLanes) {
-      for (int k = 0; k < width; ++k)
-        ADAGEN_FOR (s, 0, kLanes) lanes[k][s] = rows[s * width + k];
-      return;
-    }
-    for (int k = 0; k < width; ++k)
-      for (int s = 0; s < kLanes; ++s) lanes[k][s] = rows[std::min(s, states - 1) * width + k];
-  }
-
   // One lane of some values in all lanes.
   template <class Values>
   static void everywhere(Values& lanes, const Values& all, int s) {
     for (std::size_t k = 0; k < lanes.size(); ++k) lanes[k] = Value{} + all[k][s];
   }
 
-  void take(int s, Number* qdd) const {
-    for (int k = 0; k < kNv; ++k) qdd[k] = qdd_[size(k)][s];
+  // Returns how the first group fares.
+  int run(int groups) {
+    for (int g = 0; g < groups; ++g) {
+      Group& group = groups_[size(g)];
+      group.w.q = group.q.data(), group.w.v = group.v.data();
+      group.w.tau = group.tau.data(), group.w.qdd = group.qdd.data();
+      group.w.status = kFine;
+    }
+    for (const auto part : kParts)
+      for (int g = 0; g < groups; ++g) part(groups_[size(g)].w);
+    return groups_.front().w.status;
   }
 
-  int run() {
-    w.q = q_.data(), w.v = v_.data(), w.tau = tau_.data(), w.qdd = qdd_.data();
-    w.status = kFine;
-    run_0(w, channel);
-    return w.status;
-  }
-
-  std::array<Value, kNq> q_{};
-  std::array<Value, kNv> v_{}, qdd_{};
-  std::array<Value, kNtau> tau_{};
+  std::array<Group, kGroups> groups_;
   std::vector<FailedState> failures_;
   Handout handout_;
 };
@@ -5201,7 +5307,7 @@ class Program {
 
   // What processes have met that costs digits but is no failure, told once.
   void collect_warnings() {
-    int joint = near_lock(session_.solver.w, 0);
+    int joint = near_lock(session_.solver, 0);
     MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
     if (joint == 0) return;
     warning_ = "joints " + names_of_run(joint - 1) +
@@ -5210,12 +5316,12 @@ class Program {
   }
 
   // Shapes that join no runs of joints as one have nothing to tell.
-  template <class W>
-  static auto near_lock(const W& w, int) -> decltype(w.near_lock) {
-    return w.near_lock;
+  template <class S>
+  static auto near_lock(const S& solver, int) -> decltype(solver.w.near_lock) {
+    return solver.w.near_lock;
   }
-  template <class W>
-  static int near_lock(const W&, long) {
+  template <class S>
+  static int near_lock(const S&, long) {
     return 0;
   }
 

@@ -2,7 +2,6 @@
 // own; where process 0 has them all, it hands them out (handout.hpp).
 class Solver {
  public:
-  Workspace w;
   Channel channel;
   std::string text;  // of the last failure
 
@@ -62,29 +61,49 @@ class Solver {
   // Returns whether all states could be solved.
   bool solve_rows(int count, const Number* q, const Number* v, const Number* tau, Number* qdd) {
     bool good = true;
-    for (int first = 0, states; first < count; first += states) {
-      states = std::min(kLanes, count - first);
-      const long row = first;
-      spread(states, q + row * kNq, kNq, q_.data());
-      spread(states, v + row * kNv, kNv, v_.data());
-      spread(states, tau + row * kNtau, kNtau, tau_.data());
-      if (run() == kFine) {
-        for (int s = 0; s < states; ++s) take(s, qdd + (row + s) * kNv);
-        continue;
+    for (int first = 0; first < count; first += kGroups * kLanes) {
+      const int groups = std::min(kGroups, (count - first + kLanes - 1) / kLanes);
+      for (int g = 0; g < groups; ++g) {
+        const int at = first + g * kLanes;
+        take(groups_[size(g)], at, std::min(kLanes, count - at), q, v, tau);
       }
-      good = false;
-      const auto all_q = q_;
-      const auto all_v = v_;
-      const auto all_tau = tau_;
-      for (int s = 0; s < states; ++s) {
-        everywhere(q_, all_q, s), everywhere(v_, all_v, s), everywhere(tau_, all_tau, s);
-        if (run() == kFine)
-          take(s, qdd + (row + s) * kNv);
-        else
-          std::fill_n(qdd + (row + s) * kNv, kNv, std::numeric_limits<Number>::quiet_NaN());
+      run(groups);
+      for (int g = 0; g < groups; ++g) {
+        const int at = first + g * kLanes;
+        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNv);
       }
     }
     return good;
+  }
+
+  // The states from the one numbered first on.
+  static void take(Group& group, int first, int states, const Number* q, const Number* v,
+                   const Number* tau) {
+    to_lanes(states, q + size(first) * kNq, group.q);
+    to_lanes(states, v + size(first) * kNv, group.v);
+    to_lanes(states, tau + size(first) * kNtau, group.tau);
+  }
+
+  // Where a group fails, each of its states is tried once more, by itself; returns whether all were
+  // solved.
+  bool give(Group& group, int states, Number* qdd) {
+    if (group.w.status == kFine) {
+      to_rows(states, group.qdd, qdd);
+      return true;
+    }
+    Group& alone = groups_.front();
+    const auto all_q = group.q;
+    const auto all_v = group.v;
+    const auto all_tau = group.tau;
+    for (int s = 0; s < states; ++s, qdd += kNv) {
+      everywhere(alone.q, all_q, s), everywhere(alone.v, all_v, s);
+      everywhere(alone.tau, all_tau, s);
+      if (run(1) == kFine)
+        to_rows(1, alone.qdd, qdd);
+      else
+        std::fill_n(qdd, kNv, std::numeric_limits<Number>::quiet_NaN());
+    }
+    return false;
   }
 
   // Tries the states that have no accelerations once more, each by itself; returns the first
@@ -92,12 +111,10 @@ class Solver {
   int name_failures(int count, const Number* q, const Number* v, const Number* tau,
                     const Number* qdd) {
     for (int s = 0; s < count; ++s) {
-      const long row = s;
-      if (qdd[row * kNv] == qdd[row * kNv]) continue;
-      spread(1, q + row * kNq, kNq, q_.data());
-      spread(1, v + row * kNv, kNv, v_.data());
-      spread(1, tau + row * kNtau, kNtau, tau_.data());
-      failures_.push_back({s, run()});
+      const Number first = qdd[size(s) * kNv];
+      if (first == first) continue;
+      take(groups_.front(), s, 1, q, v, tau);
+      failures_.push_back({s, run(1)});
     }
     text = in_words(failures_.front());
     if (failures_.size() > 1)
@@ -109,37 +126,26 @@ class Solver {
     return "state " + std::to_string(failed.state + 1) + ": " + describe(failed.status);
   }
 
-  // Rows of numbers into lanes; lanes without a state repeat the last one.
-  static void spread(int states, const Number* rows, int width, Value* lanes) {
-    if (states == kLanes) {
-      for (int k = 0; k < width; ++k)
-        ADAGEN_FOR (s, 0, kLanes) lanes[k][s] = rows[s * width + k];
-      return;
-    }
-    for (int k = 0; k < width; ++k)
-      for (int s = 0; s < kLanes; ++s) lanes[k][s] = rows[std::min(s, states - 1) * width + k];
-  }
-
   // One lane of some values in all lanes.
   template <class Values>
   static void everywhere(Values& lanes, const Values& all, int s) {
     for (std::size_t k = 0; k < lanes.size(); ++k) lanes[k] = Value{} + all[k][s];
   }
 
-  void take(int s, Number* qdd) const {
-    for (int k = 0; k < kNv; ++k) qdd[k] = qdd_[size(k)][s];
+  // Returns how the first group fares.
+  int run(int groups) {
+    for (int g = 0; g < groups; ++g) {
+      Group& group = groups_[size(g)];
+      group.w.q = group.q.data(), group.w.v = group.v.data();
+      group.w.tau = group.tau.data(), group.w.qdd = group.qdd.data();
+      group.w.status = kFine;
+    }
+    for (const auto part : kParts)
+      for (int g = 0; g < groups; ++g) part(groups_[size(g)].w);
+    return groups_.front().w.status;
   }
 
-  int run() {
-    w.q = q_.data(), w.v = v_.data(), w.tau = tau_.data(), w.qdd = qdd_.data();
-    w.status = kFine;
-    run_0(w, channel);
-    return w.status;
-  }
-
-  std::array<Value, kNq> q_{};
-  std::array<Value, kNv> v_{}, qdd_{};
-  std::array<Value, kNtau> tau_{};
+  std::array<Group, kGroups> groups_;
   std::vector<FailedState> failures_;
   Handout handout_;
 };

@@ -10,13 +10,6 @@ inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
-// Zero for finite numbers only: x - x is.
-inline Value unlike_zero(const Value* x, int count) {
-  Value sum{};
-  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
-  return sum;
-}
-
 // A state was found not to be finite: which joint's?
 template <std::size_t reads, std::size_t owns>
 [[gnu::cold]] ADAGEN_NOINLINE void name_what_is_not_finite(Workspace& w,

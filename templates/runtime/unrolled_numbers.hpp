@@ -1,6 +1,13 @@
 // What straight lines of numbers need.
 inline bool all(bool good, bool also = true) { return good && also; }
 
+// Zero for finite numbers only: x - x is.
+inline Real unlike_zero(const Real* x, int count) {
+  Real sum = 0;
+  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
+  return sum;
+}
+
 // Sine and cosine by the polynomials of fdlibm on [-pi/4, pi/4], after taking multiples of pi/2
 // away in three parts. No branch: a loop over it is done in SIMD lanes.
 inline void sine_and_cosine(double angle, double& sine, double& cosine) {

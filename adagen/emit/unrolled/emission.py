@@ -69,8 +69,11 @@ class _ProcessText:
     def values(self) -> dict[str, object]:
         """Return what the template is told of the process."""
         owned = list(self.process.owns)
+        batch = self.words.batch
         return {
+            "begin": self._prologue() if batch else [],
             "run": self._run(),
+            "end": self._give() if batch else [],
             "functions": self.functions,
             "operations": self.operations,
             "read": sorted({self._source(j) for j in self.process.reads}),

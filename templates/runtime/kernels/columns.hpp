@@ -47,16 +47,6 @@ ADAGEN_INLINE Body<Real> body(const Columns& X) {
 
 typedef Bits ColumnBits __attribute__((vector_size(8 * sizeof(Bits))));
 
-// Numbers of x, or beyond the eighth of y.
-template <int... k>
-ADAGEN_INLINE Column shuffled(const Column& x, const Column& y) {
-#if defined(__clang__)
-  return __builtin_shufflevector(x, y, k...);
-#else
-  return __builtin_shuffle(x, y, ColumnBits{k...});
-#endif
-}
-
 // One number of a column in all lanes, and the linear half alone.
 template <int k>
 ADAGEN_INLINE Column spread(const Column& x) {
@@ -65,28 +55,6 @@ ADAGEN_INLINE Column spread(const Column& x) {
 ADAGEN_INLINE Column linear_half(const Column& x) {
   const ColumnBits kept = reinterpret_cast<ColumnBits>(x) & ColumnBits{0, 0, 0, 0, -1, -1, -1, -1};
   return reinterpret_cast<Column>(kept);
-}
-
-// Rows x0 .. x7 of eight links' numbers become columns y of each.
-ADAGEN_INLINE void transpose(Column x0, Column x1, Column x2, Column x3, Column x4, Column x5,
-                             Column x6, Column x7, Column (&y)[8]) {
-  Column a[8], b[8];
-  const auto pairs = [](const Column& u, const Column& v, Column& even, Column& odd) {
-    even = shuffled<0, 8, 2, 10, 4, 12, 6, 14>(u, v);
-    odd = shuffled<1, 9, 3, 11, 5, 13, 7, 15>(u, v);
-  };
-  pairs(x0, x1, a[0], a[1]), pairs(x2, x3, a[2], a[3]);
-  pairs(x4, x5, a[4], a[5]), pairs(x6, x7, a[6], a[7]);
-  ADAGEN_FOR (half, 0, 2)
-    ADAGEN_FOR (k, 0, 2) {
-      const Column &u = a[4 * half + k], &v = a[4 * half + 2 + k];
-      b[4 * half + k] = shuffled<0, 1, 8, 9, 4, 5, 12, 13>(u, v);
-      b[4 * half + 2 + k] = shuffled<2, 3, 10, 11, 6, 7, 14, 15>(u, v);
-    }
-  ADAGEN_FOR (k, 0, 4) {
-    y[k] = shuffled<0, 1, 2, 3, 8, 9, 10, 11>(b[k], b[4 + k]);
-    y[4 + k] = shuffled<4, 5, 6, 7, 12, 13, 14, 15>(b[k], b[4 + k]);
-  }
 }
 
 // The lever arm r of a force: [n; f] becomes [n + r x f; f].

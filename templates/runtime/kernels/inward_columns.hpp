@@ -18,14 +18,15 @@ void set_up_columns(Workspace& w) {
     const Column x = row(kMoments), y = row(kMoments + 1), z = row(kMoments + 2);
     const Column none = mass - mass;  // a zero unknown to gcc 12, which errs in shuffles with it
     constexpr int A = kRotational, n = kTorque, f = kForce;
-    Column found[8];
-    transpose(row(A), row(A + 1), row(A + 2), row(A + 3), row(A + 4), row(A + 5), mass, none,
-              found);
-    put(&LinkColumns::tensor, found);
-    transpose(x, y, z, -x, -y, -z, none, none, found);
-    put(&LinkColumns::moments, found);
-    transpose(row(n), row(n + 1), row(n + 2), none, row(f), row(f + 1), row(f + 2), none, found);
-    put(&LinkColumns::force, found);
+    Column tensor[]{row(A), row(A + 1), row(A + 2), row(A + 3), row(A + 4), row(A + 5), mass, none};
+    transpose(tensor);
+    put(&LinkColumns::tensor, tensor);
+    Column moments[]{x, y, z, -x, -y, -z, none, none};
+    transpose(moments);
+    put(&LinkColumns::moments, moments);
+    Column force[]{row(n), row(n + 1), row(n + 2), none, row(f), row(f + 1), row(f + 2), none};
+    transpose(force);
+    put(&LinkColumns::force, force);
   }
 }
 

@@ -81,15 +81,22 @@ struct Trigonometry<float> {
 
 template <std::size_t n>
 ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
-  Lanes result = coefficients[0] + 0 * x;
+  Lanes result = Lanes{} + coefficients[0];
   ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
   return result;
 }
 
+// Half by half: compilers take lanes apart one by one if they are left to it.
 ADAGEN_INLINE bool any_of(const LaneBits& x) {
-  Bits any = 0;
-  for (int k = 0; k < kLanes; ++k) any |= x[k];
-  return any != 0;
+  typedef std::int64_t Half __attribute__((vector_size(32)));
+  typedef std::int64_t Quarter __attribute__((vector_size(16)));
+  Half halves[2];
+  std::memcpy(halves, &x, sizeof x);
+  const Half half = halves[0] | halves[1];
+  Quarter quarters[2];
+  std::memcpy(quarters, &half, sizeof half);
+  const Quarter quarter = quarters[0] | quarters[1];
+  return (quarter[0] | quarter[1]) != 0;
 }
 ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
                                          Lanes& cosine) {
@@ -97,7 +104,8 @@ ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lan
     if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
 }
 
-ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+// Of angles that are not too large.
+ADAGEN_INLINE void near_sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
   using Table = Trigonometry<Real>;
   const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
   const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
@@ -116,6 +124,15 @@ ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosin
       ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
   sine = reinterpret_cast<Lanes>(sine_bits);
   cosine = reinterpret_cast<Lanes>(cosine_bits);
-  const LaneBits beyond = (angle > Table::kLargestAngle) | (angle < -Table::kLargestAngle);
+}
+
+ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
+  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
+  return (angle > kLargest) | (angle < -kLargest);
+}
+
+ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  near_sine_and_cosine(angle, sine, cosine);
+  const LaneBits beyond = too_large(angle);
   if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
 }
