@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import get_args
 
-import numpy as np
-
+from adagen.calibrate.schedules import random_schedule
 from adagen.emit import emit
 from adagen.emit.refine import MIXED_STEPS
 from adagen.emit.shapes import BASELINES
@@ -15,7 +14,7 @@ from adagen.errors import UsageError
 from adagen.model import Model
 from adagen.plan import SCALARS, Plan, make_plan
 from adagen.predict import best_schedule
-from adagen.schedule import Node, Schedule, Topology, load_profile, named_schedule, validate
+from adagen.schedule import Schedule, Topology, load_profile, named_schedule
 from adagen.schedule.tree import Named
 
 NAMES = {
@@ -138,67 +137,11 @@ def schedule_of(model: Model, variant: Variant, form: str) -> Schedule:
         # Shape kernels alone lets processes gather, and has no refinement.
         gather = not variant.refine and variant.shape in ("auto", "kernels")
         return best_schedule(model, variant.processes, profile, form, variant.scalar, gather=gather)
+    topology = Topology.of(model)
+    costs = profile.joins_only() if form == "ada" else profile
     if variant.schedule == "random":
-        return random_schedule(model, variant.processes, _SEED)
+        return random_schedule(topology, variant.processes, costs, _SEED, mixed=True)
     if variant.schedule in get_args(Named):
-        topology = Topology.of(model)
-        costs = profile.joins_only() if form == "ada" else profile
         name: Named = variant.schedule  # type: ignore[assignment]
         return named_schedule(name, topology, variant.processes, profile=costs)
     raise UsageError(f"unknown schedule '{variant.schedule}': expected {', '.join(SCHEDULES)}")
-
-
-def random_schedule(model: Model, processes: int, seed: int) -> Schedule:
-    """Return a schedule whose every cut, and division of processes, is drawn at random.
-
-    Args:
-        model: the robot.
-        processes: P, at least 1.
-        seed: at least 0; the same one gives the same schedule.
-    """
-    rng = np.random.default_rng(seed)
-    root = _random_node(model, frozenset(range(len(model.joints))), (0, processes), rng)
-    assert root is not None  # a robot has joints
-    schedule = Schedule(
-        root=root,
-        processes=processes,
-        makespan=0.0,
-        lower_bound=0.0,
-        profile="default",
-        tie="work",
-        tie_proven=False,
-        strategy="file",
-        split="free",
-        expanded=0,
-        loads=(0.0,) * processes,
-    )
-    validate(schedule, Topology.of(model))
-    return schedule
-
-
-def _random_node(
-    model: Model, joints: frozenset[int], span: tuple[int, int], rng: np.random.Generator
-) -> Node | None:
-    if not joints:
-        return None
-    cut = int(rng.choice(sorted(joints)))
-    end = {cut}
-    for j in sorted(joints):
-        if j > cut and model.joints[j].parent - 1 in end:
-            end.add(j)
-    end.discard(cut)
-    root, (first, last) = joints - end - {cut}, span
-    spans = span, span
-    if root and end and last - first > 1:
-        middle = int(rng.integers(first + 1, last))
-        spans = (first, middle), (middle, last)
-    sides = (
-        _random_node(model, root, spans[0], rng),
-        _random_node(model, frozenset(end), spans[1], rng),
-    )
-    links = {link for j in joints for link in (model.joints[j].parent, j + 1)}
-    boundary = sum(
-        j not in joints and bool({joint.parent, j + 1} & links)
-        for j, joint in enumerate(model.joints)
-    )
-    return Node(cut, span, *sides, cost=0.0, boundary=boundary)

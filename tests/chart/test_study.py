@@ -4,21 +4,24 @@ from __future__ import annotations
 
 import json
 import os
+from argparse import Namespace
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from adagen.chart import Study, Variant, chart_of, every_variant
+from adagen.chart import Point, Study, Variant, chart_of, every_variant
 from adagen.chart.motion import Played, Player, drifts, motion_chart
 from adagen.chart.truth import truth_of
-from adagen.chart.variants import REFERENCE, random_schedule
+from adagen.chart.variants import REFERENCE
+from adagen.cli import chart as chart_command
 from adagen.cli import main
+from adagen.emit import stem_of
 from adagen.model import Passive
-from adagen.schedule import Topology, schedule_to_json, validate
 from adagen.states import random_states
-from tests.emitted import Builder, plan_of
+from adagen.urdf import read_robot
+from tests.emitted import Builder, Solver, plan_of
 from tests.golden.make_models import MODELS
 from tests.models import random_tree, serial_chain, star
 
@@ -36,15 +39,6 @@ class TestVariants:
         assert set(found) < set(every_variant(whole=True))
         assert {v.refine for v in found if v.scalar == "mixed"} == {1, 2}
         assert {v.refine for v in every_variant(refinements=(0,)) if v.scalar == "mixed"} == {2}
-
-    @pytest.mark.parametrize("processes", [1, 2, 5])
-    def test_a_random_schedule_is_one(self, processes: int) -> None:
-        model = random_tree(np.random.default_rng(1), 9)
-        one, again, other = (random_schedule(model, processes, seed) for seed in (1, 1, 2))
-        topology = Topology.of(model)
-        validate(one, topology)
-        texts = [schedule_to_json(schedule, topology) for schedule in (one, again, other)]
-        assert texts[0] == texts[1] != texts[2]
 
     @pytest.mark.parametrize("schedule", ["auto", "balanced", "sequential", "random"])
     @pytest.mark.parametrize("algorithm", ["ada", "segment"])
@@ -110,12 +104,41 @@ def test_what_is_not_kept_has_no_drift() -> None:
     assert drifts(replace(model, joints=tuple(damped)), motion) == (None, None)
 
 
-@pytest.mark.slow
-def test_the_command_line_draws_and_emits_what_keeps_a_budget(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize(
+    "variant",
+    [
+        Variant("segment", "random", processes=2),
+        Variant("segment", processes=2, refine=1),
+        Variant("segment", scalar="float", shape="unrolled"),
+        Variant("ada", "balanced", scalar="mixed", processes=3, refine=2),
+    ],
+)
+def test_what_keeps_a_budget_is_emitted_as_it_was_measured(
+    variant: Variant, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    model, path = read_robot(MODELS / "arm7.urdf").model, MODELS / "arm7.urdf"
+    point = Point(variant.label, "adagen", **vars(variant), time_ns=1234.0, error=1e-12)
+    chart_command._answer(point, model, Namespace(model=str(path), out=tmp_path))
+    assert capsys.readouterr().out == f"{variant.label}: 1.23 us, error 1.0e-12\n"
+    _, plan = variant.plan(model)
+    measured = variant.files(plan)[f"{stem_of(plan)}.cpp"]
+    emitted = (tmp_path / f"arm7_p{variant.processes}.cpp").read_text()
+    assert _code(emitted) == _code(measured)
+
+
+def _code(text: str) -> str:
+    """A program but for what its header and usage say of where the robot was read."""
+    return text[text.index("#include") :]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("budget", ["error<1e-10", "time<1s"])
+def test_the_command_line_draws_and_emits_what_keeps_a_budget(
+    budget: str, builder: Builder, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """To the emitted program's own check of its answers."""
     words = [str(MODELS / "chain16.urdf"), "--quick", "--procs", "1", "--scalars", "double"]
-    words += ["--algorithms", "segment,crba", "--budget", "error<1e-10", "--out", str(tmp_path)]
+    words += ["--algorithms", "segment,crba", "--budget", budget, "--out", str(tmp_path)]
     assert main(["chart", *words]) == 0
     assert "form segment: " in capsys.readouterr().out
     names = {path.name for path in tmp_path.iterdir()}
@@ -124,3 +147,7 @@ def test_the_command_line_draws_and_emits_what_keeps_a_budget(
     data = json.loads((tmp_path / "chart_chain16.json").read_text())
     assert {p["algorithm"] for p in data["points"]} == {"segment", "crba"}
     assert all(p["time_ns"] > 0 for p in data["points"])
+    source = (tmp_path / "chain16_p1.cpp").read_text()
+    solver = Solver(builder.compile(source, "chain16_p1"), 1, builder.toolchain)
+    done = solver.run("--check")
+    assert (done.status, done.stdout.count("right")) == (0, 1)
