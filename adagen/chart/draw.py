@@ -24,6 +24,7 @@ _PEER_COLOURS = ("#009e73", "#56b4e9", "#e69f00", "#b09000")
 _MARKERS = ("o", "^", "D", "v", "P")  # by steps of refinement
 _FACES = {"float": ("white", "hollow"), "mixed": ("0.8", "grey inside")}
 _CLOSE = 0.05  # of an axis: two numbers so near each other cannot be told apart
+_STEPS = ((1.8, (1.0, 2.0, 5.0)), (3.2, (1.0, 3.0)))  # decades of an axis, and where labels are
 _LEAST = 1e-17  # errors below are drawn here
 _LINES = 11  # below the panels; the data has them all
 _TITLE, _PANELS, _GAP, _LINE, _LEGEND = 0.6, 5.2, 0.55, 0.155, 0.3  # heights in inches
@@ -129,7 +130,7 @@ def _panel(axes: Any, chart: Chart, what: str, colours: dict[str, str]) -> None:
     untimed = any(p.time_ns is None for p in chart.points)
     axes.set_xlim(min(times) / 1.5, right * 1.5 if untimed else max(times) * 1.5)
     axes.grid(alpha=0.25, which="major")
-    label_steps(axes.xaxis)
+    label_steps(axes)
     if untimed:
         axes.axvline(right / 1.4, color="black", lw=0.6, ls=":")
         axes.text(right, least / 200, "not\ntimed", ha="center", va="bottom", fontsize=7)
@@ -143,14 +144,20 @@ def _panel(axes: Any, chart: Chart, what: str, colours: dict[str, str]) -> None:
                   transform=axes.get_yaxis_transform())  # fmt: skip
 
 
-def label_steps(axis: Any) -> None:
-    """Label a logarithmic axis at 1, 2 and 5 times the powers of ten, in plain numbers."""
+def label_steps(axes: Any) -> None:
+    """Label a panel's logarithmic x axis in plain numbers, as many as there is room for.
+
+    That is at 1, 2 and 5 times the powers of ten, at 1 and 3 times, or at these alone.
+    """
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    axis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
-    axis.set_minor_formatter(NullFormatter())
-    axis.set_tick_params(labelsize=7)
+    low, high = axes.get_xlim()
+    decades = math.log10(high / low)
+    subs = next((subs for most, subs in _STEPS if decades <= most), (1.0,))
+    axes.xaxis.set_major_locator(LogLocator(subs=subs))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:.10g}"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.tick_params(axis="x", labelsize=7)
 
 
 def _height(point: Point, what: str) -> float:

@@ -67,5 +67,5 @@ def _panel(axes: Any, chart: MotionChart, across: str, what: str) -> None:
     axes.grid(alpha=0.25)
     axes.margins(0.08)
     axes.tick_params(axis="y", which="minor", left=False)
-    label_steps(axes.xaxis)
+    label_steps(axes)
     axes.legend(fontsize=8, ncols=2, frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1.0))

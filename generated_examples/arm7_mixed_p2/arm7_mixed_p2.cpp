@@ -2745,13 +2745,16 @@ constexpr double kSettled = kMixed ? 1e-10 : 16 * double(std::numeric_limits<Num
 
 // A correction must be smaller than the one before (the first, than all that accelerates), down to
 // rounding. A mixed solver owes the digits of a double: the last correction, made smaller by as
-// much as it was itself smaller than the one before, is the error that remains.
+// much as it was itself smaller than the one before, is the error that remains. The first is the
+// error beside all that accelerates, which may be far more than the answer; three times as much has
+// room for what an estimate may be off by.
 inline void require_convergence(Workspace& w, int k) {
   const Refinement& r = w.refinement;
   const double size = r.corrections[k], before = k > 0 ? r.corrections[k - 1] : 1;
   const bool settled = r.rounding < kSettled;
   if (!(settled || (k > 0 ? size < before / 2 : r.rounding < 0.5))) fail(w, kNotRefined, 0);
-  if (kMixed && k == kRefine - 1 && !(settled || size * size / before < kTolerance))
+  const double rate = k > 0 ? size / before : std::min(size, 3 * r.rounding);
+  if (kMixed && k == kRefine - 1 && !(settled || size * rate < kTolerance))
     fail(w, kTooFewSteps, 0);
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from adagen.emit import emit, stem_of
 from adagen.errors import UsageError
 from adagen.plan import make_plan, plan_from_json, plan_to_json
 from adagen.plan.cuts import cuttable_joints
+from adagen.reference import inverse_dynamics
 from adagen.states import random_states
 from tests.emit.test_refine import errors, refined, with_light_link
 from tests.emitted import Builder
@@ -70,6 +72,23 @@ def test_where_its_steps_are_too_few_it_says_so(builder: Builder) -> None:
     assert done.status == 1
     assert "refinement converges too slowly" in done.stderr
     assert refined(builder, plan, 4).run("--check").status == 0
+
+
+def test_one_step_does_where_what_is_held_up_is_more_than_what_accelerates(
+    builder: Builder, tmp_path: Path
+) -> None:
+    """The answer is a small difference, but each step makes it right by as much as any other."""
+    model = random_tree(np.random.default_rng(7), 5)
+    schedule = random_schedule(model, 1, np.random.default_rng(0))
+    plan = make_plan(model, schedule, form="ada", scalar="mixed")
+    states = random_states(model, 3, seed=3)
+    still, slow = np.zeros(model.nv), np.full(model.nv, 0.5)
+    torques = np.array([inverse_dynamics(model, q, still, slow) for q in states.q])
+    held = replace(states, v=np.zeros_like(states.v), tau=torques)
+    found = refined(builder, plan, 1).solve(model, held, tmp_path)
+    assert errors(model, held, found).max() < 1e-9
+    said = np.array(json.loads((tmp_path / "result.json").read_text())["corrections"])
+    assert said.max() > 1e-9**0.5  # which would be too slow, were it the rate of convergence
 
 
 def test_steps_are_two_unless_said_otherwise_and_never_none() -> None:
