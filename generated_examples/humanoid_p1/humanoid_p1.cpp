@@ -1104,7 +1104,7 @@ struct Stage {
 std::chrono::steady_clock::rep* trace_stamps =
     nullptr;  // where an evaluation puts them: its start, then each end
 
-inline void stamp(int k) {
+[[maybe_unused]] inline void stamp(int k) {
   if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
 }
 
