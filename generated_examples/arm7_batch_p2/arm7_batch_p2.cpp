@@ -944,6 +944,13 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x37 = sine[1] * 9.809999999933819;
   const Lanes x55 = x25 * x27;
   const Lanes x59 = x27 * x29;
+  // link 2 "upper_arm": force that the reference field takes
+  const Lanes x699 = x32 * 0.00558;
+  w.x[0] = x699;
+  const Lanes x706 = 1.1170584039787268e-05 - (x30 * 0.048670000000000005 + x59 * 0.04309);
+  w.x[1] = x706;
+  const Lanes x709 = x55 * 0.04309 + x37 * 0.31000000000000005;
+  w.x[2] = x709;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Lanes x80 = 3.673205103346574e-06 * x27 + 0.9999999999932537 * x29;
   const Lanes x89 = sine[2] * x80 - x25 * cosine[2];
@@ -964,6 +971,19 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x148 = x93 * x93;
   const Lanes x157 = x93 * x94;
   const Lanes x162 = x89 * x94;
+  // link 3 "elbow_housing": force that the reference field takes
+  const Lanes x745 = x97 * 0.0039325;
+  w.x[3] = x745;
+  const Lanes x750 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
+  w.x[4] = x750;
+  const Lanes x753 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
+  w.x[5] = x753;
+  const Lanes x757 = x139 * 2.6 - (x114 + x162) * 0.078;
+  w.x[6] = x757;
+  const Lanes x761 = x143 * 2.6 - (x157 - x111) * 0.078;
+  w.x[7] = x761;
+  const Lanes x766 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
+  w.x[8] = x766;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Lanes x174 = 0.9999999999932537 * x94 - 3.673205103346574e-06 * x93;
   const Lanes x183 = x89 * cosine[3] + sine[3] * x174;
@@ -990,6 +1010,23 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x256 = x211 + x254;
   const Lanes x259 = x183 * x188;
   const Lanes x260 = x214 + x259;
+  // link 4 "forearm": force that the reference field takes
+  const Lanes x808 = x199 * 0.037748300000000005 - x249 * 0.023998300000000004;
+  const Lanes x790 = x211 * 0.03224830000000001 + x254 * 0.029498300000000005 - x260 * 0.011000000000000003;
+  const Lanes x812 = x790 - x231 * 0.22000000000000003;
+  w.x[9] = x812;
+  const Lanes x800 = x256 * 0.011000000000000003 - (x214 * 0.00825 + x259 * 0.005500000000000001);
+  const Lanes x815 = x800 - x231 * 0.11000000000000001;
+  w.x[10] = x815;
+  const Lanes x820 = 0.011000000000000003 * (x252 - x247) + x808 - x239 * 0.11000000000000001;
+  const Lanes x821 = x820 - x235 * 0.22000000000000003;
+  w.x[11] = x821;
+  const Lanes x827 = x247 * 0.11000000000000001 + x250 * 0.22000000000000003 + x235 * 2.2;
+  w.x[12] = x827;
+  const Lanes x835 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
+  w.x[13] = x835;
+  const Lanes x843 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
+  w.x[14] = x843;
   // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Lanes x273 = 3.673205103346574e-06 * x187 + 0.9999999999932537 * x188;
   const Lanes x282 = x183 * cosine[4] - sine[4] * x273;
@@ -1014,6 +1051,25 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x374 = x356 + x287 * x287;
   const Lanes x376 = x282 * x289;
   const Lanes x378 = x313 + x376;
+  // link 5 "wrist_housing": force that the reference field takes
+  const Lanes x867 = x369 * 0.01347604 + 0.00136 * (x374 - x367);
+  const Lanes x889 = x310 * 0.01553729 + x867 + x341 * 0.017;
+  const Lanes x890 = x889 - x350 * 0.136;
+  w.x[15] = x890;
+  const Lanes x876 = x376 * 0.01364604 - x364 * 0.00136 + x313 * 0.01536729;
+  const Lanes x893 = x876 - x345 * 0.136;
+  w.x[16] = x893;
+  const Lanes x885 = x362 * 0.00017 - x299 * 0.00189125 + x378 * 0.00136;
+  const Lanes x896 = x885 - x345 * 0.017;
+  w.x[17] = x896;
+  const Lanes x902 = x364 * 0.017 - x378 * 0.136 + x345 * 1.7;
+  w.x[18] = x902;
+  const Lanes x909 = (x310 + x369) * 0.136 - x367 * 0.017;
+  const Lanes x910 = x909 - x350 * 1.7;
+  w.x[19] = x910;
+  const Lanes x915 = x341 * 1.7 + x374 * 0.136;
+  const Lanes x916 = (x310 - x369) * 0.017 + x915;
+  w.x[20] = x916;
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Lanes x387 = 3.673205103346574e-06 * x287 + 0.9999999999932537 * x289;
   const Lanes x395 = x282 * cosine[5] + sine[5] * x387;
@@ -1036,6 +1092,12 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x459 = x423 + x457;
   const Lanes x462 = x395 * x400;
   const Lanes x463 = x426 + x462;
+  // link 6 "wrist": force that the reference field takes
+  const Lanes x957 = x411 * 0.00351 + x452 * 0.0019500000000000001;
+  const Lanes x938 = x423 * 0.0014299999999999998 + x457 * 0.00013000000000000002 + x463 * 0.0005200000000000001;
+  const Lanes x949 = x426 * 0.00338 + x462 * 0.0020800000000000003 + x459 * 0.0005200000000000001;
+  const Lanes x968 = x957 - 0.0005200000000000001 * (x455 - x450) + x443 * 0.052000000000000005;
+  const Lanes x974 = (x452 - x411) * 0.013000000000000001 - x450 * 0.052000000000000005;
   // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
   const Lanes x474 = 0.9999999999932537 * x400 - 3.673205103346574e-06 * x399;
   const Lanes x483 = x395 * cosine[6] + sine[6] * x474;
@@ -1067,6 +1129,11 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x553 = x483 * x488;
   const Lanes x554 = x553 - x509;
   const Lanes x555 = x509 + x553;
+  // link 7 "hand": force that the reference field takes
+  const Lanes x1025 = x553 * 0.006916 - 0.00014399999999999992 * (x541 - x551);
+  const Lanes x1018 = x506 * 0.01009033 - (x548 * 0.00506167 + x545 * 0.00014399999999999992);
+  const Lanes x1043 = x509 * 0.008236 + x1025 + x525 * 0.007199999999999999;
+  const Lanes x1036 = x497 * 0.00317433 - x543 * 0.0018543300000000004 + x549 * 0.00014399999999999992;
   // joint 7 "left_finger_slide": placement, velocity and reference acceleration of its link
   const Lanes x560 = x555 * 0.13;
   const Lanes x565 = x549 * 0.13;
@@ -1075,11 +1142,19 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x574 = 2.0 * x488;
   const Lanes x576 = x550 * q[7] - x571 + 2.0 * x483 * v[7];
   const Lanes x579 = x529 + x544 * q[7] + x560 - v[7] * x574;
+  // link 8 "left_finger": force that the reference field takes
+  const Lanes x1082 = x497 * 8.33333e-06;
+  const Lanes x1097 = x548 * 5.333337e-05 + (x551 - x546) * 1.5e-05;
+  const Lanes x1089 = x1082 - x543 * 5e-06 - x555 * 1.5e-05;
+  const Lanes x1113 = x506 * 6.66667e-05 - x1097 + x576 * 0.0005;
+  const Lanes x1106 = x553 * 5.833337e-05 + x544 * 1.5e-05 + x509 * 6.16667e-05;
+  const Lanes x1122 = x550 * 0.0005 - x551 * 0.0015 + x576 * 0.05;
+  const Lanes x1127 = x555 * 0.0015 + x544 * 0.0005 + x579 * 0.05;
   // joint 8 "right_finger_slide": placement, velocity and reference acceleration of its link
   const Lanes x585 = q[8] * 2.65358979335273e-06;
-  w.x[0] = x585;
+  w.x[21] = x585;
   const Lanes x588 = q[8] * 0.9999999999964793;
-  w.x[1] = x588;
+  w.x[22] = x588;
   const Lanes x593 = x487 * 2.65358979335273e-06 - x483 * 0.9999999999964793;
   const Lanes x598 = x483 * 2.65358979335273e-06 + x487 * 0.9999999999964793;
   const Lanes x603 = x509 * 2.65358979335273e-06 - x506 * 0.9999999999964793;
@@ -1098,81 +1173,6 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x662 = x497 + x660;
   const Lanes x665 = x540 + x650;
   const Lanes x667 = x488 * x598;
-  // link 2 "upper_arm": force that the reference field takes
-  const Lanes x699 = x32 * 0.00558;
-  w.x[2] = x699;
-  const Lanes x706 = 1.1170584039787268e-05 - (x30 * 0.048670000000000005 + x59 * 0.04309);
-  w.x[3] = x706;
-  const Lanes x709 = x55 * 0.04309 + x37 * 0.31000000000000005;
-  w.x[4] = x709;
-  // link 3 "elbow_housing": force that the reference field takes
-  const Lanes x745 = x97 * 0.0039325;
-  w.x[5] = x745;
-  const Lanes x750 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
-  w.x[6] = x750;
-  const Lanes x753 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
-  w.x[7] = x753;
-  const Lanes x757 = x139 * 2.6 - (x114 + x162) * 0.078;
-  w.x[8] = x757;
-  const Lanes x761 = x143 * 2.6 - (x157 - x111) * 0.078;
-  w.x[9] = x761;
-  const Lanes x766 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
-  w.x[10] = x766;
-  // link 4 "forearm": force that the reference field takes
-  const Lanes x808 = x199 * 0.037748300000000005 - x249 * 0.023998300000000004;
-  const Lanes x790 = x211 * 0.03224830000000001 + x254 * 0.029498300000000005 - x260 * 0.011000000000000003;
-  const Lanes x812 = x790 - x231 * 0.22000000000000003;
-  w.x[11] = x812;
-  const Lanes x800 = x256 * 0.011000000000000003 - (x214 * 0.00825 + x259 * 0.005500000000000001);
-  const Lanes x815 = x800 - x231 * 0.11000000000000001;
-  w.x[12] = x815;
-  const Lanes x820 = 0.011000000000000003 * (x252 - x247) + x808 - x239 * 0.11000000000000001;
-  const Lanes x821 = x820 - x235 * 0.22000000000000003;
-  w.x[13] = x821;
-  const Lanes x827 = x247 * 0.11000000000000001 + x250 * 0.22000000000000003 + x235 * 2.2;
-  w.x[14] = x827;
-  const Lanes x835 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
-  w.x[15] = x835;
-  const Lanes x843 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
-  w.x[16] = x843;
-  // link 5 "wrist_housing": force that the reference field takes
-  const Lanes x867 = x369 * 0.01347604 + 0.00136 * (x374 - x367);
-  const Lanes x889 = x310 * 0.01553729 + x867 + x341 * 0.017;
-  const Lanes x890 = x889 - x350 * 0.136;
-  w.x[17] = x890;
-  const Lanes x876 = x376 * 0.01364604 - x364 * 0.00136 + x313 * 0.01536729;
-  const Lanes x893 = x876 - x345 * 0.136;
-  w.x[18] = x893;
-  const Lanes x885 = x362 * 0.00017 - x299 * 0.00189125 + x378 * 0.00136;
-  const Lanes x896 = x885 - x345 * 0.017;
-  w.x[19] = x896;
-  const Lanes x902 = x364 * 0.017 - x378 * 0.136 + x345 * 1.7;
-  w.x[20] = x902;
-  const Lanes x909 = (x310 + x369) * 0.136 - x367 * 0.017;
-  const Lanes x910 = x909 - x350 * 1.7;
-  w.x[21] = x910;
-  const Lanes x915 = x341 * 1.7 + x374 * 0.136;
-  const Lanes x916 = (x310 - x369) * 0.017 + x915;
-  w.x[22] = x916;
-  // link 6 "wrist": force that the reference field takes
-  const Lanes x957 = x411 * 0.00351 + x452 * 0.0019500000000000001;
-  const Lanes x938 = x423 * 0.0014299999999999998 + x457 * 0.00013000000000000002 + x463 * 0.0005200000000000001;
-  const Lanes x949 = x426 * 0.00338 + x462 * 0.0020800000000000003 + x459 * 0.0005200000000000001;
-  const Lanes x968 = x957 - 0.0005200000000000001 * (x455 - x450) + x443 * 0.052000000000000005;
-  const Lanes x974 = (x452 - x411) * 0.013000000000000001 - x450 * 0.052000000000000005;
-  // link 7 "hand": force that the reference field takes
-  const Lanes x1025 = x553 * 0.006916 - 0.00014399999999999992 * (x541 - x551);
-  const Lanes x1018 = x506 * 0.01009033 - (x548 * 0.00506167 + x545 * 0.00014399999999999992);
-  const Lanes x1043 = x509 * 0.008236 + x1025 + x525 * 0.007199999999999999;
-  const Lanes x1036 = x497 * 0.00317433 - x543 * 0.0018543300000000004 + x549 * 0.00014399999999999992;
-  // link 8 "left_finger": force that the reference field takes
-  const Lanes x1082 = x497 * 8.33333e-06;
-  const Lanes x1097 = x548 * 5.333337e-05 + (x551 - x546) * 1.5e-05;
-  const Lanes x1089 = x1082 - x543 * 5e-06 - x555 * 1.5e-05;
-  const Lanes x1113 = x506 * 6.66667e-05 - x1097 + x576 * 0.0005;
-  const Lanes x1106 = x553 * 5.833337e-05 + x544 * 1.5e-05 + x509 * 6.16667e-05;
-  const Lanes x1122 = x550 * 0.0005 - x551 * 0.0015 + x576 * 0.05;
-  const Lanes x1127 = x555 * 0.0015 + x544 * 0.0005 + x579 * 0.05;
   // link 9 "right_finger": force that the reference field takes
   const Lanes x1147 = x667 * 5.333337e-05 - 1.5e-05 * (x653 - x665);
   const Lanes x1140 = x1082 + x660 * 5e-06 - x657 * 1.5e-05;
@@ -1418,29 +1418,29 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
 
 ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   ADAGEN_INPUTS
-  const Lanes x585 = w.x[0];
-  const Lanes x588 = w.x[1];
-  const Lanes x699 = w.x[2];
-  const Lanes x706 = w.x[3];
-  const Lanes x709 = w.x[4];
-  const Lanes x745 = w.x[5];
-  const Lanes x750 = w.x[6];
-  const Lanes x753 = w.x[7];
-  const Lanes x757 = w.x[8];
-  const Lanes x761 = w.x[9];
-  const Lanes x766 = w.x[10];
-  const Lanes x812 = w.x[11];
-  const Lanes x815 = w.x[12];
-  const Lanes x821 = w.x[13];
-  const Lanes x827 = w.x[14];
-  const Lanes x835 = w.x[15];
-  const Lanes x843 = w.x[16];
-  const Lanes x890 = w.x[17];
-  const Lanes x893 = w.x[18];
-  const Lanes x896 = w.x[19];
-  const Lanes x902 = w.x[20];
-  const Lanes x910 = w.x[21];
-  const Lanes x916 = w.x[22];
+  const Lanes x585 = w.x[21];
+  const Lanes x588 = w.x[22];
+  const Lanes x699 = w.x[0];
+  const Lanes x706 = w.x[1];
+  const Lanes x709 = w.x[2];
+  const Lanes x745 = w.x[3];
+  const Lanes x750 = w.x[4];
+  const Lanes x753 = w.x[5];
+  const Lanes x757 = w.x[6];
+  const Lanes x761 = w.x[7];
+  const Lanes x766 = w.x[8];
+  const Lanes x812 = w.x[9];
+  const Lanes x815 = w.x[10];
+  const Lanes x821 = w.x[11];
+  const Lanes x827 = w.x[12];
+  const Lanes x835 = w.x[13];
+  const Lanes x843 = w.x[14];
+  const Lanes x890 = w.x[15];
+  const Lanes x893 = w.x[16];
+  const Lanes x896 = w.x[17];
+  const Lanes x902 = w.x[18];
+  const Lanes x910 = w.x[19];
+  const Lanes x916 = w.x[20];
   const Lanes x1192 = w.x[23];
   const Lanes x1369 = w.x[24];
   const Lanes x1425 = w.x[25];

@@ -698,7 +698,7 @@ struct Workspace {
   std::array<Value, kNv> result{};
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Value, 58> x{};
+  alignas(kCacheLine) std::array<Value, 134> x{};
 };
 
 // What straight lines of numbers need.
@@ -811,660 +811,800 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   ADAGEN_INPUTS
   // joint 1 "shoulder_pitch": placement, velocity and reference acceleration of its link
   const Real x20 = v[0] * 0.9999999999932537;
-  const Real x25 = sine[1] * x20;
-  const Real x27 = cosine[1] * x20;
   const Real x29 = v[1] - v[0] * 3.673205103346574e-06;
-  const Real x30 = v[1] * x27;
-  const Real x32 = v[1] * x25;
+  const Real x27 = cosine[1] * x20;
+  const Real x25 = sine[1] * x20;
   const Real x37 = sine[1] * 9.809999999933819;
-  const Real x55 = x25 * x27;
+  w.x[0] = x37;
+  const Real x30 = v[1] * x27;
+  w.x[1] = x30;
+  // joint 8 "right_finger_slide": placement, velocity and reference acceleration of its link
+  const Real x585 = q[8] * 2.65358979335273e-06;
+  w.x[2] = x585;
+  const Real x588 = q[8] * 0.9999999999964793;
+  w.x[3] = x588;
+  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
+  const Real x1285 = x585 * 1.3267948966763652e-09;
+  const Real x1251 = x588 * 0.0004999999999982397;
+  const Real x1247 = -0.0004999999999982397 - x588 * 0.05;
+  const Real x1250 = 1.3267948966763652e-09 + x585 * 0.05;
+  const Real x1244 = -1.3267948966763652e-09 - x585 * 3.5207693956928924e-13 - x588 * 1.3267948966716939e-07;
+  const Real x1234 = 0.0004999999999982397 + x585 * 1.3267948966716939e-07 + x588 * 0.04999999999964792;
+  const Real x1357 = 0.007199999999999999 + x1244;
+  const Real x1355 = -0.007199999999999999 + x1250;
+  const Real x1351 = x585 * 5.6332219911062896e-14 + 2.122871834682184e-10 + x588 * 2.1228718346747102e-08 + -0.00014399999999999992;
+  const Real x1308 = 8.33333e-06 + x1285 + x1251 - x585 * x1244;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Real x1375 = q[7] * 0.05;
+  const Real x1379 = q[7] * 0.0005;
+  const Real x1377 = -0.0005 - x1375;
+  const Real x1413 = x1234 + x1377;
+  const Real x1378 = 0.0005 + x1375;
+  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
+  const Real x1301 = x585 * 2.1228718346747102e-08 + 7.999999999971834e-05 + x588 * 0.007999999999943668;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Real x1410 = -8e-05 - q[7] * 0.008 + x1301;
+  const Real x1408 = x1247 + x1378;
+  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
+  const Real x1350 = x1251 + 2.166670000897794e-05 - x588 * x1247 + 0.01009033;
+  const Real x1356 = x588 * x1234 + x1308 + 0.00317433;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Real x1412 = 8.33333e-06 + x1379 - q[7] * x1377 + x1356;
+  require_more(w, x1412, 0.0, kFactorization, 6);
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1614 = 3.673205103346574e-06 * tau[6];
+  w.x[4] = x1614;
+  const Real x1609 = 0.9999999999932537 * tau[6];
+  w.x[5] = x1609;
+  const Real x1423 = 1 / x1412;
+  const Real x1515 = 2.0 * sine[6];
+  const Real x1474 = sine[6] * x1408 + cosine[6] * x1355;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1854 = 3.673205103346574e-06 * tau[5];
+  w.x[6] = x1854;
+  const Real x1849 = 0.9999999999932537 * tau[5];
+  w.x[7] = x1849;
+  const Real x1775 = 2.0 * sine[5];
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x2158 = 3.673205103346574e-06 * tau[4];
+  w.x[8] = x2158;
+  const Real x2154 = 0.9999999999932537 * tau[4];
+  w.x[9] = x2154;
+  const Real x2004 = 2.0 * sine[4];
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2441 = 3.673205103346574e-06 * tau[3];
+  w.x[10] = x2441;
+  const Real x2436 = 0.9999999999932537 * tau[3];
+  w.x[11] = x2436;
+  const Real x2323 = 2.0 * sine[3];
+  w.x[12] = x2323;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Real x2715 = 3.673205103346574e-06 * tau[2];
+  w.x[13] = x2715;
+  const Real x2710 = 0.9999999999932537 * tau[2];
+  w.x[14] = x2710;
+  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
+  const Real x2981 = 3.673205103346574e-06 * tau[1];
+  w.x[15] = x2981;
+  // joint 1 "shoulder_pitch": placement, velocity and reference acceleration of its link
+  const Real x32 = v[1] * x25;
+  w.x[16] = x32;
   const Real x59 = x27 * x29;
+  w.x[17] = x59;
+  const Real x55 = x25 * x27;
+  w.x[18] = x55;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Real x80 = 3.673205103346574e-06 * x27 + 0.9999999999932537 * x29;
-  const Real x89 = sine[2] * x80 - x25 * cosine[2];
-  const Real x93 = x25 * sine[2] + cosine[2] * x80;
-  const Real x94 = 0.9999999999932537 * x27 - 3.673205103346574e-06 * x29 + v[2];
   const Real x95 = 3.673205103346574e-06 * x32;
   const Real x97 = 0.9999999999932537 * x32;
-  const Real x111 = v[2] * x93 - (x30 * cosine[2] + sine[2] * x95);
-  const Real x114 = x30 * sine[2] - cosine[2] * x95 - v[2] * x89;
-  const Real x118 = x37 + x55 * 0.3;
+  w.x[19] = x97;
+  const Real x89 = sine[2] * x80 - x25 * cosine[2];
+  w.x[20] = x89;
+  const Real x93 = x25 * sine[2] + cosine[2] * x80;
+  w.x[21] = x93;
+  const Real x94 = 0.9999999999932537 * x27 - 3.673205103346574e-06 * x29 + v[2];
+  w.x[22] = x94;
   const Real x120 = (x25 * x25 + x29 * x29) * 0.3;
   const Real x122 = x120 - cosine[1] * 9.809999999933819;
   const Real x125 = -3.603414206382989e-05 + (x30 + x59) * 0.3;
+  const Real x114 = x30 * sine[2] - cosine[2] * x95 - v[2] * x89;
+  w.x[23] = x114;
+  const Real x118 = x37 + x55 * 0.3;
   const Real x129 = 0.9999999999932537 * x125 - 3.673205103346574e-06 * x122;
-  const Real x134 = 0.9999999999932537 * x122 + 3.673205103346574e-06 * x125;
-  const Real x139 = sine[2] * x129 - cosine[2] * x118;
-  const Real x143 = sine[2] * x118 + cosine[2] * x129;
-  const Real x148 = x93 * x93;
-  const Real x157 = x93 * x94;
   const Real x162 = x89 * x94;
+  w.x[24] = x162;
+  const Real x111 = v[2] * x93 - (x30 * cosine[2] + sine[2] * x95);
+  w.x[25] = x111;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Real x174 = 0.9999999999932537 * x94 - 3.673205103346574e-06 * x93;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1471 = cosine[6] * x1408 - sine[6] * x1355;
+  const Real x1428 = x1413 * x1423;
+  w.x[26] = x1428;
+  const Real x1429 = x1357 * x1423;
+  w.x[27] = x1429;
+  const Real x1426 = x1351 * x1423;
+  w.x[28] = x1426;
+  const Real x1427 = x1410 * x1423;
+  w.x[29] = x1427;
+  const Real x1453 = 0.9499999999996479 - x1413 * x1428;
+  const Real x1459 = 0.850000000000352 - x1357 * x1429;
+  const Real x1456 = -1.3267948966716939e-07 - x1413 * x1429;
+  const Real x1438 = 2.1228718346747102e-08 - x1351 * x1428;
+  const Real x1441 = -0.07540000000005632 - x1351 * x1429;
+  const Real x1447 = 0.09139999999994367 - x1410 * x1428;
+  const Real x1450 = -2.1228718346747102e-08 - x1410 * x1429;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Real x1407 = 2.16667e-05 + x1379 + q[7] * x1378 + x1350;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1432 = x1407 - x1351 * x1426;
+  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Real x1409 = x1285 + 0.001296666699991022 + x585 * x1250 + 0.008236 + 0.0012966667000000002;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1444 = x1409 - x1410 * x1427;
+  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
+  const Real x1273 = 3.3833269865128193e-09 - x588 * 1.3267948966763652e-09 + x585 * x1247;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1435 = x1273 - x1351 * x1427;
+  const Real x1541 = cosine[6] * (x1453 - x1459) - x1456 * x1515;
+  const Real x1480 = cosine[6] * (x1438 - x1450) - sine[6] * (x1441 + x1447);
+  const Real x1519 = cosine[6] * (x1432 - x1444) - x1435 * x1515;
+  const Real x1545 = cosine[6] * x1541;
+  const Real x1485 = cosine[6] * x1480;
+  const Real x1481 = sine[6] * x1480;
+  const Real x1523 = cosine[6] * x1519;
+  const Real x1547 = x1453 - x1545;
+  const Real x1487 = x1438 - x1485;
+  const Real x1483 = x1441 + x1481;
+  const Real x1525 = x1432 - x1523;
+  // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
+  const Real x134 = 0.9999999999932537 * x122 + 3.673205103346574e-06 * x125;
+  w.x[30] = x134;
+  const Real x143 = sine[2] * x118 + cosine[2] * x129;
+  w.x[31] = x143;
+  const Real x148 = x93 * x93;
+  w.x[32] = x148;
+  const Real x139 = sine[2] * x129 - cosine[2] * x118;
+  w.x[33] = x139;
+  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x193 = 3.673205103346574e-06 * x114 + 0.9999999999932537 * x97;
   const Real x183 = x89 * cosine[3] + sine[3] * x174;
   const Real x187 = cosine[3] * x174 - x89 * sine[3];
   const Real x188 = v[3] - (0.9999999999932537 * x93 + 3.673205103346574e-06 * x94);
-  const Real x193 = 3.673205103346574e-06 * x114 + 0.9999999999932537 * x97;
-  const Real x199 = 3.673205103346574e-06 * x97 - 0.9999999999932537 * x114;
-  const Real x211 = x111 * cosine[3] - sine[3] * x193 + v[3] * x187;
-  const Real x214 = x111 * sine[3] + cosine[3] * x193 + v[3] * x183;
-  const Real x218 = x139 - (x148 + x94 * x94) * 0.08;
   const Real x220 = x143 + (x89 * x93 - x97) * 0.08;
   const Real x222 = (x162 - x114) * 0.08 - x134;
-  const Real x226 = 0.9999999999932537 * x222 - 3.673205103346574e-06 * x220;
-  const Real x231 = 0.9999999999932537 * x220 + 3.673205103346574e-06 * x222;
-  const Real x235 = cosine[3] * x218 + sine[3] * x226;
-  const Real x239 = cosine[3] * x226 - sine[3] * x218;
+  const Real x199 = 3.673205103346574e-06 * x97 - 0.9999999999932537 * x114;
+  w.x[34] = x199;
+  const Real x214 = x111 * sine[3] + cosine[3] * x193 + v[3] * x183;
+  w.x[35] = x214;
   const Real x246 = x188 * x188;
-  const Real x247 = x187 * x187 + x246;
   const Real x249 = x183 * x187;
-  const Real x250 = x249 - x199;
-  const Real x251 = x199 + x249;
-  const Real x252 = x183 * x183 + x246;
-  const Real x254 = x187 * x188;
-  const Real x256 = x211 + x254;
+  w.x[36] = x249;
   const Real x259 = x183 * x188;
+  w.x[37] = x259;
+  const Real x211 = x111 * cosine[3] - sine[3] * x193 + v[3] * x187;
+  w.x[38] = x211;
+  const Real x218 = x139 - (x148 + x94 * x94) * 0.08;
+  const Real x226 = 0.9999999999932537 * x222 - 3.673205103346574e-06 * x220;
+  const Real x251 = x199 + x249;
+  w.x[39] = x251;
+  const Real x252 = x183 * x183 + x246;
+  w.x[40] = x252;
+  const Real x254 = x187 * x188;
+  w.x[41] = x254;
   const Real x260 = x214 + x259;
+  w.x[42] = x260;
   // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Real x273 = 3.673205103346574e-06 * x187 + 0.9999999999932537 * x188;
-  const Real x282 = x183 * cosine[4] - sine[4] * x273;
-  const Real x287 = x183 * sine[4] + cosine[4] * x273;
-  const Real x289 = 0.9999999999932537 * x187 - 3.673205103346574e-06 * x188 + v[4];
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1529 = 3.673205103346574e-06 * x1525;
+  const Real x1552 = 3.673205103346574e-06 * (x1547 - 0.95);
+  const Real x1505 = 3.673205103346574e-06 * x1487 + 0.9999999999932537 * x1474;
+  const Real x1534 = 3.673205103346574e-06 * x1529;
+  const Real x1556 = 3.673205103346574e-06 * x1552;
+  const Real x1554 = 0.9999999999932537 * x1552;
+  const Real x1507 = 0.9999999999932537 * x1505;
+  const Real x1510 = 3.673205103346574e-06 * x1505;
+  const Real x1558 = 0.95 + x1556;
+  const Real x1559 = x1547 - x1556;
+  const Real x1567 = 0.09 * x1554;
+  const Real x1495 = 3.673205103346574e-06 * x1483 + 0.9999999999932537 * x1471;
+  const Real x1512 = x1487 - x1510;
+  const Real x1509 = x1474 - x1507;
+  const Real x1522 = x1435 + sine[6] * x1519;
+  const Real x1569 = x1510 + x1567;
+  const Real x1571 = 0.09 * x1558 - x1507;
+  const Real x1574 = x1509 - 0.09 * x1559;
+  const Real x1599 = x1525 - x1534 - 0.09 * x1507 + 0.09 * x1571;
+  const Real x1646 = 0.00351 + x1599;
+  require_more(w, x1646, 0.0, kFactorization, 5);
+  const Real x1544 = x1456 + sine[6] * x1541;
+  const Real x1500 = 0.9999999999932537 * x1483 - 3.673205103346574e-06 * x1471;
+  const Real x1582 = 0.9999999999932537 * x1522 - 0.09 * x1495;
+  w.x[43] = x1582;
+  const Real x1594 = 0.09 * x1569 - (0.9999999999932537 * x1529 + 0.09 * x1512);
+  w.x[44] = x1594;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1660 = 1 / x1646;
+  w.x[45] = x1660;
+  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x231 = 0.9999999999932537 * x220 + 3.673205103346574e-06 * x222;
+  w.x[46] = x231;
+  const Real x256 = x211 + x254;
+  w.x[47] = x256;
+  const Real x239 = cosine[3] * x226 - sine[3] * x218;
+  w.x[48] = x239;
+  const Real x247 = x187 * x187 + x246;
+  w.x[49] = x247;
+  const Real x250 = x249 - x199;
+  w.x[50] = x250;
+  const Real x235 = cosine[3] * x218 + sine[3] * x226;
+  w.x[51] = x235;
+  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Real x294 = 3.673205103346574e-06 * x214 - 0.9999999999932537 * x199;
-  const Real x299 = 0.9999999999932537 * x214 + 3.673205103346574e-06 * x199;
-  const Real x310 = x211 * cosine[4] + sine[4] * x294 - v[4] * x287;
-  const Real x313 = cosine[4] * x294 - x211 * sine[4] - v[4] * x282;
-  const Real x318 = 0.08 * x247 + x250 * 0.38 + x235;
+  const Real x282 = x183 * cosine[4] - sine[4] * x273;
+  w.x[52] = x282;
+  const Real x287 = x183 * sine[4] + cosine[4] * x273;
+  w.x[53] = x287;
+  const Real x289 = 0.9999999999932537 * x187 - 3.673205103346574e-06 * x188 + v[4];
+  w.x[54] = x289;
   const Real x325 = x239 - (0.08 * x251 + x252 * 0.38);
   const Real x331 = x256 * 0.38 - (x231 + 0.08 * x260);
+  const Real x299 = 0.9999999999932537 * x214 + 3.673205103346574e-06 * x199;
+  w.x[55] = x299;
+  const Real x313 = cosine[4] * x294 - x211 * sine[4] - v[4] * x282;
+  w.x[56] = x313;
+  const Real x318 = 0.08 * x247 + x250 * 0.38 + x235;
   const Real x336 = 3.673205103346574e-06 * x325 + 0.9999999999932537 * x331;
-  const Real x341 = 0.9999999999932537 * x325 - 3.673205103346574e-06 * x331;
-  const Real x345 = cosine[4] * x318 - sine[4] * x336;
-  const Real x350 = sine[4] * x318 + cosine[4] * x336;
-  const Real x356 = x282 * x282;
-  const Real x362 = x282 * x287;
-  const Real x364 = x299 - x362;
-  const Real x367 = x356 + x289 * x289;
-  const Real x369 = x287 * x289;
-  const Real x374 = x356 + x287 * x287;
-  const Real x376 = x282 * x289;
-  const Real x378 = x313 + x376;
+  const Real x310 = x211 * cosine[4] + sine[4] * x294 - v[4] * x287;
+  w.x[57] = x310;
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x387 = 3.673205103346574e-06 * x287 + 0.9999999999932537 * x289;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1484 = x1447 + x1481;
+  const Real x1548 = 3.673205103346574e-06 * x1544;
+  const Real x1647 = 0.9999999999932537 * x1484 - 0.09 * x1548 + -0.013000000000000001;
+  w.x[58] = x1647;
+  const Real x1648 = 0.052000000000000005 + x1571;
+  w.x[59] = x1648;
+  const Real x1550 = 0.9999999999932537 * x1544;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1663 = x1582 * x1660;
+  w.x[60] = x1663;
+  const Real x1664 = x1594 * x1660;
+  w.x[61] = x1664;
+  const Real x1670 = x1444 + x1523 + 0.0014299999999999998 - x1582 * x1663;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1644 = x1534 - 0.09 * x1509 - 0.09 * x1574 + 0.00338;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1686 = x1644 - x1594 * x1664;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1642 = -0.0005200000000000001 - (3.673205103346574e-06 * x1522 + 0.09 * x1500);
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1673 = x1642 - x1582 * x1664;
+  const Real x1665 = x1647 * x1660;
+  w.x[62] = x1665;
+  const Real x1666 = x1648 * x1660;
+  w.x[63] = x1666;
+  const Real x1779 = cosine[5] * (x1670 - x1686) - x1673 * x1775;
+  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
+  const Real x341 = 0.9999999999932537 * x325 - 3.673205103346574e-06 * x331;
+  w.x[64] = x341;
+  const Real x350 = sine[4] * x318 + cosine[4] * x336;
+  w.x[65] = x350;
+  const Real x345 = cosine[4] * x318 - sine[4] * x336;
+  w.x[66] = x345;
+  // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
+  const Real x405 = 3.673205103346574e-06 * x313 + 0.9999999999932537 * x299;
   const Real x395 = x282 * cosine[5] + sine[5] * x387;
   const Real x399 = cosine[5] * x387 - x282 * sine[5];
+  w.x[67] = x399;
   const Real x400 = 0.9999999999932537 * x287 - 3.673205103346574e-06 * x289 + v[5];
-  const Real x405 = 3.673205103346574e-06 * x313 + 0.9999999999932537 * x299;
+  w.x[68] = x400;
   const Real x411 = 3.673205103346574e-06 * x299 - 0.9999999999932537 * x313;
-  const Real x423 = x310 * cosine[5] - sine[5] * x405 + v[5] * x399;
+  w.x[69] = x411;
   const Real x426 = x310 * sine[5] + cosine[5] * x405 + v[5] * x395;
+  w.x[70] = x426;
   const Real x431 = 3.673205103346574e-06 * x350 + 0.9999999999932537 * x341;
-  const Real x436 = 0.9999999999932537 * x350 - 3.673205103346574e-06 * x341;
-  const Real x439 = x345 * cosine[5] + sine[5] * x431;
-  const Real x443 = cosine[5] * x431 - x345 * sine[5];
-  const Real x449 = x400 * x400;
-  const Real x450 = x399 * x399 + x449;
   const Real x452 = x395 * x399;
-  const Real x454 = x411 + x452;
-  const Real x455 = x395 * x395 + x449;
-  const Real x457 = x399 * x400;
-  const Real x459 = x423 + x457;
+  w.x[71] = x452;
   const Real x462 = x395 * x400;
+  w.x[72] = x462;
+  const Real x454 = x411 + x452;
+  w.x[73] = x454;
   const Real x463 = x426 + x462;
+  w.x[74] = x463;
+  const Real x436 = 0.9999999999932537 * x350 - 3.673205103346574e-06 * x341;
+  w.x[75] = x436;
+  const Real x443 = cosine[5] * x431 - x345 * sine[5];
+  w.x[76] = x443;
+  const Real x449 = x400 * x400;
   // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
   const Real x474 = 0.9999999999932537 * x400 - 3.673205103346574e-06 * x399;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1575 = x1512 - x1567;
+  w.x[77] = x1575;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1699 = x1459 + x1545 + 1.3 - x1647 * x1665;
+  const Real x1709 = 1.3 + x1558 - x1648 * x1666;
+  const Real x1783 = cosine[5] * x1779;
+  const Real x1676 = x1450 + x1485 - x1582 * x1665;
+  const Real x1679 = x1495 + x1582 * x1666;
+  const Real x1689 = 3.673205103346574e-06 * x1484 + 0.09 * x1550 + x1594 * x1665;
+  const Real x1693 = x1569 - x1594 * x1666;
+  const Real x1702 = x1548 + x1647 * x1666;
+  const Real x1785 = x1670 - x1783;
+  const Real x1667 = x1575 * x1660;
+  w.x[78] = x1667;
+  const Real x1789 = 3.673205103346574e-06 * x1785;
+  const Real x1808 = cosine[5] * (x1699 - x1709) + x1702 * x1775;
+  const Real x1793 = 3.673205103346574e-06 * x1789;
+  const Real x1683 = 0.013000000000000001 + x1500 - x1582 * x1667;
+  const Real x1696 = -0.052000000000000005 + x1574 - x1594 * x1667;
+  const Real x1706 = x1550 - x1647 * x1667;
+  const Real x1712 = x1554 + x1648 * x1667;
+  const Real x1740 = cosine[5] * (x1676 - x1693) + sine[5] * (x1679 + x1689);
+  const Real x1812 = cosine[5] * x1808;
+  const Real x1716 = 1.3 + x1559 - x1575 * x1667;
+  // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
+  const Real x423 = x310 * cosine[5] - sine[5] * x405 + v[5] * x399;
+  w.x[79] = x423;
+  const Real x450 = x399 * x399 + x449;
+  w.x[80] = x450;
+  const Real x439 = x345 * cosine[5] + sine[5] * x431;
+  w.x[81] = x439;
+  // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
   const Real x483 = x395 * cosine[6] + sine[6] * x474;
   const Real x487 = cosine[6] * x474 - x395 * sine[6];
   const Real x488 = v[6] - (0.9999999999932537 * x399 + 3.673205103346574e-06 * x400);
   const Real x492 = 3.673205103346574e-06 * x426 + 0.9999999999932537 * x411;
-  const Real x497 = 0.9999999999932537 * x426 - 3.673205103346574e-06 * x411;
-  const Real x506 = x423 * cosine[6] + sine[6] * x492 + v[6] * x487;
-  const Real x509 = cosine[6] * x492 - x423 * sine[6] - v[6] * x483;
-  const Real x512 = x439 - x450 * 0.09;
   const Real x514 = x443 + x454 * 0.09;
   const Real x516 = x436 + x463 * 0.09;
-  const Real x520 = 0.9999999999932537 * x516 - 3.673205103346574e-06 * x514;
-  const Real x525 = 0.9999999999932537 * x514 + 3.673205103346574e-06 * x516;
-  const Real x529 = cosine[6] * x512 + sine[6] * x520;
-  const Real x533 = cosine[6] * x520 - sine[6] * x512;
+  const Real x497 = 0.9999999999932537 * x426 - 3.673205103346574e-06 * x411;
   const Real x538 = x483 * x483;
   const Real x539 = x487 * x487;
   const Real x540 = x488 * x488;
-  const Real x541 = x539 + x540;
   const Real x543 = x483 * x487;
+  const Real x512 = x439 - x450 * 0.09;
+  const Real x520 = 0.9999999999932537 * x516 - 3.673205103346574e-06 * x514;
+  const Real x541 = x539 + x540;
   const Real x544 = x543 - x497;
   const Real x545 = x497 + x543;
   const Real x546 = x538 + x540;
+  const Real x506 = x423 * cosine[6] + sine[6] * x492 + v[6] * x487;
+  const Real x509 = cosine[6] * x492 - x423 * sine[6] - v[6] * x483;
   const Real x548 = x487 * x488;
-  const Real x549 = x548 - x506;
-  const Real x550 = x506 + x548;
-  const Real x551 = x538 + x539;
   const Real x553 = x483 * x488;
-  const Real x554 = x553 - x509;
+  const Real x529 = cosine[6] * x512 + sine[6] * x520;
+  const Real x533 = cosine[6] * x520 - sine[6] * x512;
+  const Real x549 = x548 - x506;
   const Real x555 = x509 + x553;
   // joint 7 "left_finger_slide": placement, velocity and reference acceleration of its link
   const Real x560 = x555 * 0.13;
   const Real x565 = x549 * 0.13;
-  const Real x567 = x533 - x546 * q[7] + x565;
-  const Real x571 = x525 + x551 * 0.13;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1745 = cosine[5] * x1740;
+  const Real x1814 = x1699 - x1812;
+  const Real x1880 = x1785 - x1793 + 0.00189125;
+  require_more(w, x1880, 0.0, kFactorization, 4);
+  const Real x1733 = sine[5] * x1683 + cosine[5] * x1696;
+  const Real x1741 = sine[5] * x1740;
+  const Real x1747 = x1676 - x1745;
+  const Real x1803 = sine[5] * x1706 - cosine[5] * x1712;
+  const Real x1744 = x1741 - x1689;
+  const Real x1765 = 3.673205103346574e-06 * x1747 + 0.9999999999932537 * x1733;
+  const Real x1831 = 3.673205103346574e-06 * (x1814 - x1716) + x1803 * 1.9999999999865075;
+  const Real x1767 = 0.9999999999932537 * x1765;
+  w.x[82] = x1767;
+  const Real x1836 = 3.673205103346574e-06 * x1831;
+  const Real x1881 = -0.017 + 0.9999999999932537 * x1744;
+  w.x[83] = x1881;
+  const Real x1730 = cosine[5] * x1683 - sine[5] * x1696;
+  const Real x1743 = x1741 - x1679;
+  const Real x1782 = x1673 + sine[5] * x1779;
+  const Real x1799 = cosine[5] * x1706 + sine[5] * x1712;
+  const Real x1811 = sine[5] * x1808 - x1702;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x1892 = 1 / x1880;
+  w.x[84] = x1892;
+  const Real x1897 = x1881 * x1892;
+  w.x[85] = x1897;
+  const Real x1898 = x1767 * x1892;
+  w.x[86] = x1898;
+  // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
+  const Real x551 = x538 + x539;
+  const Real x525 = 0.9999999999932537 * x514 + 3.673205103346574e-06 * x516;
+  const Real x554 = x553 - x509;
+  const Real x550 = x506 + x548;
+  // joint 7 "left_finger_slide": placement, velocity and reference acceleration of its link
   const Real x574 = 2.0 * x488;
-  const Real x576 = x550 * q[7] - x571 + 2.0 * x483 * v[7];
-  const Real x579 = x529 + x544 * q[7] + x560 - v[7] * x574;
+  const Real x571 = x525 + x551 * 0.13;
   // joint 8 "right_finger_slide": placement, velocity and reference acceleration of its link
-  const Real x585 = q[8] * 2.65358979335273e-06;
-  w.x[0] = x585;
-  const Real x588 = q[8] * 0.9999999999964793;
-  w.x[1] = x588;
   const Real x593 = x487 * 2.65358979335273e-06 - x483 * 0.9999999999964793;
   const Real x598 = x483 * 2.65358979335273e-06 + x487 * 0.9999999999964793;
-  const Real x603 = x509 * 2.65358979335273e-06 - x506 * 0.9999999999964793;
-  const Real x608 = x506 * 2.65358979335273e-06 + x509 * 0.9999999999964793;
   const Real x616 = x541 * x585 - x544 * x588 + x529 + x560;
   const Real x623 = x546 * x588 - x545 * x585 + x533 + x565;
+  const Real x608 = x506 * 2.65358979335273e-06 + x509 * 0.9999999999964793;
+  const Real x655 = x488 * x593;
+  const Real x660 = x593 * x598;
+  const Real x657 = x655 - x608;
+  const Real x662 = x497 + x660;
+  const Real x603 = x509 * 2.65358979335273e-06 - x506 * 0.9999999999964793;
+  const Real x649 = 2.65358979335273e-06 * x623 - 0.9999999999964793 * x616 - x574 * v[8];
+  const Real x650 = x593 * x593;
+  const Real x667 = x488 * x598;
+  const Real x653 = x650 + x598 * x598;
+  const Real x665 = x540 + x650;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1788 = 0.9999999999932537 * x1782;
+  w.x[87] = x1788;
+  const Real x1878 = 0.00136 - 0.9999999999932537 * x1789;
+  w.x[88] = x1878;
+  const Real x1770 = 3.673205103346574e-06 * x1765;
+  const Real x1772 = x1747 - x1770;
+  w.x[89] = x1772;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x1895 = x1788 * x1892;
+  w.x[90] = x1895;
+  const Real x1896 = x1878 * x1892;
+  w.x[91] = x1896;
+  const Real x1931 = x1709 + x1812 + 1.7 - x1881 * x1897;
+  const Real x1940 = x1716 + x1836 + 1.7 - x1767 * x1898;
+  const Real x1934 = x1881 * x1898 - (3.673205103346574e-06 * x1811 + 0.9999999999932537 * x1799);
+  const Real x1900 = x1772 * x1892;
+  w.x[92] = x1900;
+  const Real x1903 = x1686 + x1783 + 0.01553729 - x1788 * x1895;
+  const Real x1910 = x1693 + x1745 - x1788 * x1897;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1875 = 0.136 - (3.673205103346574e-06 * x1743 + 0.9999999999932537 * x1730);
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x1913 = x1875 + x1788 * x1898;
+  const Real x1919 = 0.01536729 + x1793 - x1878 * x1896;
+  w.x[93] = x1919;
+  const Real x1922 = -0.136 - 3.673205103346574e-06 * x1744 - x1878 * x1897;
+  const Real x1925 = x1770 + x1878 * x1898;
+  const Real x1906 = 3.673205103346574e-06 * x1782 + x1788 * x1896;
+  const Real x2037 = cosine[4] * (x1931 - x1940) - x1934 * x2004;
+  // joint 7 "left_finger_slide": placement, velocity and reference acceleration of its link
+  const Real x579 = x529 + x544 * q[7] + x560 - v[7] * x574;
+  const Real x567 = x533 - x546 * q[7] + x565;
+  // joint 8 "right_finger_slide": placement, velocity and reference acceleration of its link
   const Real x640 = 2.65358979335273e-06 * x616 + 0.9999999999964793 * x623;
   const Real x630 = x571 + x554 * x585 + x550 * x588;
   const Real x646 = v[8] * (2.0 * x593) - x630;
-  const Real x649 = 2.65358979335273e-06 * x623 - 0.9999999999964793 * x616 - x574 * v[8];
-  const Real x650 = x593 * x593;
-  const Real x653 = x650 + x598 * x598;
-  const Real x655 = x488 * x593;
-  const Real x657 = x655 - x608;
-  const Real x660 = x593 * x598;
-  const Real x662 = x497 + x660;
-  const Real x665 = x540 + x650;
-  const Real x667 = x488 * x598;
-  // link 2 "upper_arm": force that the reference field takes
-  const Real x699 = x32 * 0.00558;
-  w.x[2] = x699;
-  const Real x706 = 1.1170584039787268e-05 - (x30 * 0.048670000000000005 + x59 * 0.04309);
-  w.x[3] = x706;
-  const Real x709 = x55 * 0.04309 + x37 * 0.31000000000000005;
-  w.x[4] = x709;
-  // link 3 "elbow_housing": force that the reference field takes
-  const Real x745 = x97 * 0.0039325;
-  w.x[5] = x745;
-  const Real x750 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
-  w.x[6] = x750;
-  const Real x753 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
-  w.x[7] = x753;
-  const Real x757 = x139 * 2.6 - (x114 + x162) * 0.078;
-  w.x[8] = x757;
-  const Real x761 = x143 * 2.6 - (x157 - x111) * 0.078;
-  w.x[9] = x761;
-  const Real x766 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
-  w.x[10] = x766;
-  // link 4 "forearm": force that the reference field takes
-  const Real x808 = x199 * 0.037748300000000005 - x249 * 0.023998300000000004;
-  const Real x790 = x211 * 0.03224830000000001 + x254 * 0.029498300000000005 - x260 * 0.011000000000000003;
-  const Real x812 = x790 - x231 * 0.22000000000000003;
-  w.x[11] = x812;
-  const Real x800 = x256 * 0.011000000000000003 - (x214 * 0.00825 + x259 * 0.005500000000000001);
-  const Real x815 = x800 - x231 * 0.11000000000000001;
-  w.x[12] = x815;
-  const Real x820 = 0.011000000000000003 * (x252 - x247) + x808 - x239 * 0.11000000000000001;
-  const Real x821 = x820 - x235 * 0.22000000000000003;
-  w.x[13] = x821;
-  const Real x827 = x247 * 0.11000000000000001 + x250 * 0.22000000000000003 + x235 * 2.2;
-  w.x[14] = x827;
-  const Real x835 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
-  w.x[15] = x835;
-  const Real x843 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
-  w.x[16] = x843;
-  // link 5 "wrist_housing": force that the reference field takes
-  const Real x867 = x369 * 0.01347604 + 0.00136 * (x374 - x367);
-  const Real x889 = x310 * 0.01553729 + x867 + x341 * 0.017;
-  const Real x890 = x889 - x350 * 0.136;
-  w.x[17] = x890;
-  const Real x876 = x376 * 0.01364604 - x364 * 0.00136 + x313 * 0.01536729;
-  const Real x893 = x876 - x345 * 0.136;
-  w.x[18] = x893;
-  const Real x885 = x362 * 0.00017 - x299 * 0.00189125 + x378 * 0.00136;
-  const Real x896 = x885 - x345 * 0.017;
-  w.x[19] = x896;
-  const Real x902 = x364 * 0.017 - x378 * 0.136 + x345 * 1.7;
-  w.x[20] = x902;
-  const Real x909 = (x310 + x369) * 0.136 - x367 * 0.017;
-  const Real x910 = x909 - x350 * 1.7;
-  w.x[21] = x910;
-  const Real x915 = x341 * 1.7 + x374 * 0.136;
-  const Real x916 = (x310 - x369) * 0.017 + x915;
-  w.x[22] = x916;
-  // link 6 "wrist": force that the reference field takes
-  const Real x957 = x411 * 0.00351 + x452 * 0.0019500000000000001;
-  const Real x938 = x423 * 0.0014299999999999998 + x457 * 0.00013000000000000002 + x463 * 0.0005200000000000001;
-  const Real x949 = x426 * 0.00338 + x462 * 0.0020800000000000003 + x459 * 0.0005200000000000001;
-  const Real x968 = x957 - 0.0005200000000000001 * (x455 - x450) + x443 * 0.052000000000000005;
-  const Real x974 = (x452 - x411) * 0.013000000000000001 - x450 * 0.052000000000000005;
-  // link 7 "hand": force that the reference field takes
-  const Real x1025 = x553 * 0.006916 - 0.00014399999999999992 * (x541 - x551);
-  const Real x1018 = x506 * 0.01009033 - (x548 * 0.00506167 + x545 * 0.00014399999999999992);
-  const Real x1043 = x509 * 0.008236 + x1025 + x525 * 0.007199999999999999;
-  const Real x1036 = x497 * 0.00317433 - x543 * 0.0018543300000000004 + x549 * 0.00014399999999999992;
   // link 8 "left_finger": force that the reference field takes
   const Real x1082 = x497 * 8.33333e-06;
-  const Real x1097 = x548 * 5.333337e-05 + (x551 - x546) * 1.5e-05;
-  const Real x1089 = x1082 - x543 * 5e-06 - x555 * 1.5e-05;
-  const Real x1113 = x506 * 6.66667e-05 - x1097 + x576 * 0.0005;
-  const Real x1106 = x553 * 5.833337e-05 + x544 * 1.5e-05 + x509 * 6.16667e-05;
-  const Real x1122 = x550 * 0.0005 - x551 * 0.0015 + x576 * 0.05;
-  const Real x1127 = x555 * 0.0015 + x544 * 0.0005 + x579 * 0.05;
   // link 9 "right_finger": force that the reference field takes
+  const Real x1178 = x657 * 0.0015 - x662 * 0.0005 + x649 * 0.05;
+  const Real x1185 = (x603 + x667) * 0.0015 + x665 * 0.0005;
   const Real x1147 = x667 * 5.333337e-05 - 1.5e-05 * (x653 - x665);
   const Real x1140 = x1082 + x660 * 5e-06 - x657 * 1.5e-05;
+  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
+  const Real x1329 = 2.65358979335273e-06 * x1178 - 0.9999999999964793 * tau[8];
+  const Real x1324 = 0.9999999999964793 * x1178 + 2.65358979335273e-06 * tau[8];
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x1937 = 0.9999999999932537 * x1811 - 3.673205103346574e-06 * x1799 - x1881 * x1900;
+  const Real x1943 = x1803 - 0.9999999999932537 * x1831 + x1767 * x1900;
+  const Real x2041 = cosine[4] * x2037;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1876 = 0.9999999999932537 * x1743 - 3.673205103346574e-06 * x1730 + 0.017;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x1916 = x1876 - x1788 * x1900;
+  const Real x1928 = x1733 - x1767 - x1878 * x1900;
+  const Real x1946 = x1814 - x1836 + 1.7 - x1772 * x1900;
+  const Real x1970 = cosine[4] * (x1910 - x1925) - sine[4] * (x1913 + x1922);
+  const Real x2008 = cosine[4] * (x1903 - x1919) + x1906 * x2004;
+  const Real x2043 = x1931 - x2041;
+  w.x[94] = x2043;
+  const Real x1975 = cosine[4] * x1970;
+  const Real x2012 = cosine[4] * x2008;
+  w.x[95] = x2012;
+  const Real x2032 = sine[4] * x1937 + cosine[4] * x1943;
+  const Real x1964 = sine[4] * x1916 + cosine[4] * x1928;
+  w.x[96] = x1964;
+  const Real x1971 = sine[4] * x1970;
+  const Real x1977 = x1910 - x1975;
+  const Real x2014 = x1903 - x2012;
+  const Real x2029 = cosine[4] * x1937 - sine[4] * x1943;
+  const Real x2040 = x1934 + sine[4] * x2037;
+  const Real x1974 = x1922 + x1971;
+  // joint 7 "left_finger_slide": placement, velocity and reference acceleration of its link
+  const Real x576 = x550 * q[7] - x571 + 2.0 * x483 * v[7];
+  // link 7 "hand": force that the reference field takes
+  const Real x1036 = x497 * 0.00317433 - x543 * 0.0018543300000000004 + x549 * 0.00014399999999999992;
+  const Real x1025 = x553 * 0.006916 - 0.00014399999999999992 * (x541 - x551);
+  // link 8 "left_finger": force that the reference field takes
+  const Real x1127 = x555 * 0.0015 + x544 * 0.0005 + x579 * 0.05;
+  const Real x1089 = x1082 - x543 * 5e-06 - x555 * 1.5e-05;
+  const Real x1097 = x548 * 5.333337e-05 + (x551 - x546) * 1.5e-05;
+  const Real x1122 = x550 * 0.0005 - x551 * 0.0015 + x576 * 0.05;
+  // link 9 "right_finger": force that the reference field takes
   const Real x1163 = x603 * 6.66667e-05 + x1147 + x646 * 0.0005;
   const Real x1156 = x655 * 5.833337e-05 - x662 * 1.5e-05 - x608 * 6.16667e-05;
   const Real x1166 = x1156 + x649 * 0.0015;
   const Real x1171 = (x603 - x667) * 0.0005 - x653 * 0.0015;
   const Real x1172 = x646 * 0.05 + x1171;
-  const Real x1178 = x657 * 0.0015 - x662 * 0.0005 + x649 * 0.05;
-  const Real x1185 = (x603 + x667) * 0.0015 + x665 * 0.0005;
   // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
   const Real x1192 = 20.0 * (x640 * 0.05 + x1185 + tau[8]);
-  w.x[23] = x1192;
+  w.x[97] = x1192;
+  const Real x1348 = x1140 - x649 * 0.0005 - x585 * x1329;
   const Real x1197 = x640 * 0.0015 + x1163 - 0.0015 * x1192;
-  const Real x1234 = 0.0004999999999982397 + x585 * 1.3267948966716939e-07 + x588 * 0.04999999999964792;
-  const Real x1244 = -1.3267948966763652e-09 - x585 * 3.5207693956928924e-13 - x588 * 1.3267948966716939e-07;
-  const Real x1247 = -0.0004999999999982397 - x588 * 0.05;
-  const Real x1250 = 1.3267948966763652e-09 + x585 * 0.05;
-  const Real x1251 = x588 * 0.0004999999999982397;
-  const Real x1285 = x585 * 1.3267948966763652e-09;
-  const Real x1308 = 8.33333e-06 + x1285 + x1251 - x585 * x1244;
-  const Real x1324 = 0.9999999999964793 * x1178 + 2.65358979335273e-06 * tau[8];
-  const Real x1329 = 2.65358979335273e-06 * x1178 - 0.9999999999964793 * tau[8];
+  // link 8 "left_finger": force that the reference field takes
+  const Real x1133 = x549 * 0.0015 - x546 * 0.0005 + x567 * 0.05;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x2019 = 3.673205103346574e-06 * x2014;
+  w.x[98] = x2019;
+  const Real x2042 = x1940 + x2041;
+  w.x[99] = x2042;
+  const Real x2058 = 1.9999999999865075 * x2032 - 3.673205103346574e-06 * (x2043 - x1946);
+  const Real x1980 = 0.9999999999932537 * x1974;
+  const Real x1995 = 0.9999999999932537 * x1964 - 3.673205103346574e-06 * x1977;
+  const Real x2023 = 3.673205103346574e-06 * x2019;
+  w.x[100] = x2023;
+  const Real x2047 = 0.9999999999932537 * x2029 - 3.673205103346574e-06 * x2040;
+  w.x[101] = x2047;
+  const Real x2061 = 3.673205103346574e-06 * x2058;
+  w.x[102] = x2061;
+  const Real x1996 = 0.9999999999932537 * x1995;
+  w.x[103] = x1996;
+  const Real x2063 = x1946 - x2061;
+  w.x[104] = x2063;
+  const Real x2078 = x1980 + 0.38 * x2042 + 0.08 * x2047;
+  // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
+  const Real x455 = x395 * x395 + x449;
+  w.x[105] = x455;
+  // link 6 "wrist": force that the reference field takes
+  const Real x955 = 0.0005200000000000001 * (x455 - x450);
+  w.x[106] = x955;
+  const Real x957 = x411 * 0.00351 + x452 * 0.0019500000000000001;
+  w.x[107] = x957;
+  // link 7 "hand": force that the reference field takes
+  const Real x1018 = x506 * 0.01009033 - (x548 * 0.00506167 + x545 * 0.00014399999999999992);
+  const Real x1043 = x509 * 0.008236 + x1025 + x525 * 0.007199999999999999;
+  // link 8 "left_finger": force that the reference field takes
+  const Real x1113 = x506 * 6.66667e-05 - x1097 + x576 * 0.0005;
+  const Real x1106 = x553 * 5.833337e-05 + x544 * 1.5e-05 + x509 * 6.16667e-05;
+  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
   const Real x1314 = 0.9999999999964793 * x1197 + 2.65358979335273e-06 * x1166;
   const Real x1319 = 2.65358979335273e-06 * x1197 - 0.9999999999964793 * x1166;
-  const Real x1348 = x1140 - x649 * 0.0005 - x585 * x1329;
-  const Real x1351 = x585 * 5.6332219911062896e-14 + 2.122871834682184e-10 + x588 * 2.1228718346747102e-08 + -0.00014399999999999992;
-  const Real x1355 = -0.007199999999999999 + x1250;
-  const Real x1357 = 0.007199999999999999 + x1244;
-  const Real x1336 = x588 * x1172 + 0.13 * x1329 + x1314;
-  const Real x1343 = x585 * x1172 - 0.13 * x1324 + x1319;
   // link 7 "hand": force that the reference field takes
   const Real x1052 = x555 * 0.0754 - x541 * 0.007199999999999999 + x529 * 0.85;
   const Real x1057 = x545 * 0.007199999999999999 + x549 * 0.0754 + x533 * 0.85;
+  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
+  const Real x1336 = x588 * x1172 + 0.13 * x1329 + x1314;
+  const Real x1343 = x585 * x1172 - 0.13 * x1324 + x1319;
+  // link 7 "hand": force that the reference field takes
   const Real x1065 = x554 * 0.007199999999999999 - (x525 * 0.85 + x551 * 0.0754);
-  // link 8 "left_finger": force that the reference field takes
-  const Real x1133 = x549 * 0.0015 - x546 * 0.0005 + x567 * 0.05;
   // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
   const Real x1369 = 20.0 * (tau[7] - x1133);
-  w.x[24] = x1369;
-  const Real x1375 = q[7] * 0.05;
-  const Real x1377 = -0.0005 - x1375;
-  const Real x1378 = 0.0005 + x1375;
-  const Real x1379 = q[7] * 0.0005;
-  const Real x1372 = x1113 - x567 * 0.0015 - 0.0015 * x1369;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1350 = x1251 + 2.166670000897794e-05 - x588 * x1247 + 0.01009033;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1408 = x1247 + x1378;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1301 = x585 * 2.1228718346747102e-08 + 7.999999999971834e-05 + x588 * 0.007999999999943668;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1410 = -8e-05 - q[7] * 0.008 + x1301;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1356 = x588 * x1234 + x1308 + 0.00317433;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1412 = 8.33333e-06 + x1379 - q[7] * x1377 + x1356;
-  require_more(w, x1412, 0.0, kFactorization, 6);
-  const Real x1413 = x1234 + x1377;
-  const Real x1401 = q[7] * x1122 - 0.13 * tau[7] + x1372;
-  const Real x1403 = x1106 + x579 * 0.0015 + 0.13 * x1127;
+  w.x[108] = x1369;
   // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
   const Real x1363 = x1036 + x533 * 0.007199999999999999 + (x1348 - x588 * x1324);
   // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  const Real x1372 = x1113 - x567 * 0.0015 - 0.0015 * x1369;
+  const Real x1401 = q[7] * x1122 - 0.13 * tau[7] + x1372;
+  const Real x1403 = x1106 + x579 * 0.0015 + 0.13 * x1127;
   const Real x1421 = x1065 + x1172 + x1122;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1423 = 1 / x1412;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
+  w.x[109] = x1421;
   const Real x1418 = x1089 - x579 * 0.0005 - q[7] * x1127 + x1363;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Real x1425 = x1423 * (tau[6] - x1418);
-  w.x[25] = x1425;
-  const Real x1426 = x1351 * x1423;
-  w.x[26] = x1426;
-  const Real x1427 = x1410 * x1423;
-  w.x[27] = x1427;
-  const Real x1428 = x1413 * x1423;
-  w.x[28] = x1428;
-  const Real x1429 = x1357 * x1423;
-  w.x[29] = x1429;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1407 = 2.16667e-05 + x1379 + q[7] * x1378 + x1350;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1432 = x1407 - x1351 * x1426;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1273 = 3.3833269865128193e-09 - x588 * 1.3267948966763652e-09 + x585 * x1247;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1435 = x1273 - x1351 * x1427;
-  const Real x1438 = 2.1228718346747102e-08 - x1351 * x1428;
-  const Real x1441 = -0.07540000000005632 - x1351 * x1429;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1409 = x1285 + 0.001296666699991022 + x585 * x1250 + 0.008236 + 0.0012966667000000002;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1444 = x1409 - x1410 * x1427;
-  const Real x1447 = 0.09139999999994367 - x1410 * x1428;
-  const Real x1450 = -2.1228718346747102e-08 - x1410 * x1429;
-  const Real x1453 = 0.9499999999996479 - x1413 * x1428;
-  const Real x1456 = -1.3267948966716939e-07 - x1413 * x1429;
-  const Real x1459 = 0.850000000000352 - x1357 * x1429;
+  w.x[110] = x1425;
+  const Real x1465 = x1052 - x1324 + x1127 + x1413 * x1425;
+  w.x[111] = x1465;
+  const Real x1467 = x1057 + x1329 + tau[7] + x1357 * x1425;
+  w.x[112] = x1467;
   // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
   const Real x1416 = x1018 - x533 * 0.0754 - x1336 + x1401;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Real x1461 = x1416 + x1351 * x1425;
+  w.x[113] = x1461;
   // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
   const Real x1417 = x529 * 0.0754 + x1043 + x1343 + x1403;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Real x1463 = x1417 + x1410 * x1425;
-  const Real x1465 = x1052 - x1324 + x1127 + x1413 * x1425;
-  const Real x1467 = x1057 + x1329 + tau[7] + x1357 * x1425;
-  const Real x1471 = cosine[6] * x1408 - sine[6] * x1355;
-  const Real x1474 = sine[6] * x1408 + cosine[6] * x1355;
-  const Real x1480 = cosine[6] * (x1438 - x1450) - sine[6] * (x1441 + x1447);
-  const Real x1481 = sine[6] * x1480;
-  const Real x1483 = x1441 + x1481;
-  const Real x1484 = x1447 + x1481;
-  const Real x1485 = cosine[6] * x1480;
-  const Real x1487 = x1438 - x1485;
-  const Real x1495 = 3.673205103346574e-06 * x1483 + 0.9999999999932537 * x1471;
-  const Real x1500 = 0.9999999999932537 * x1483 - 3.673205103346574e-06 * x1471;
-  const Real x1505 = 3.673205103346574e-06 * x1487 + 0.9999999999932537 * x1474;
-  const Real x1507 = 0.9999999999932537 * x1505;
-  const Real x1509 = x1474 - x1507;
-  const Real x1510 = 3.673205103346574e-06 * x1505;
-  const Real x1512 = x1487 - x1510;
-  const Real x1515 = 2.0 * sine[6];
-  const Real x1519 = cosine[6] * (x1432 - x1444) - x1435 * x1515;
-  const Real x1522 = x1435 + sine[6] * x1519;
-  const Real x1523 = cosine[6] * x1519;
-  const Real x1525 = x1432 - x1523;
-  const Real x1529 = 3.673205103346574e-06 * x1525;
-  const Real x1534 = 3.673205103346574e-06 * x1529;
-  const Real x1541 = cosine[6] * (x1453 - x1459) - x1456 * x1515;
-  const Real x1544 = x1456 + sine[6] * x1541;
-  const Real x1545 = cosine[6] * x1541;
-  const Real x1547 = x1453 - x1545;
-  const Real x1548 = 3.673205103346574e-06 * x1544;
-  const Real x1550 = 0.9999999999932537 * x1544;
-  const Real x1552 = 3.673205103346574e-06 * (x1547 - 0.95);
-  const Real x1554 = 0.9999999999932537 * x1552;
-  const Real x1556 = 3.673205103346574e-06 * x1552;
-  const Real x1558 = 0.95 + x1556;
-  const Real x1559 = x1547 - x1556;
-  const Real x1567 = 0.09 * x1554;
-  const Real x1569 = x1510 + x1567;
-  const Real x1571 = 0.09 * x1558 - x1507;
-  const Real x1574 = x1509 - 0.09 * x1559;
-  const Real x1575 = x1512 - x1567;
-  const Real x1582 = 0.9999999999932537 * x1522 - 0.09 * x1495;
-  const Real x1594 = 0.09 * x1569 - (0.9999999999932537 * x1529 + 0.09 * x1512);
-  const Real x1606 = sine[6] * x1461 + cosine[6] * x1463;
+  w.x[114] = x1463;
   const Real x1623 = sine[6] * x1465 + cosine[6] * x1467;
-  const Real x1628 = 3.673205103346574e-06 * x1623 + 0.9999999999932537 * x1421;
-  const Real x1633 = 0.9999999999932537 * x1623 - 3.673205103346574e-06 * x1421;
-  const Real x1599 = x1525 - x1534 - 0.09 * x1507 + 0.09 * x1571;
-  const Real x1646 = 0.00351 + x1599;
-  require_more(w, x1646, 0.0, kFactorization, 5);
-  const Real x1647 = 0.9999999999932537 * x1484 - 0.09 * x1548 + -0.013000000000000001;
-  const Real x1648 = 0.052000000000000005 + x1571;
-  const Real x1603 = cosine[6] * x1461 - sine[6] * x1463;
-  const Real x1636 = 3.673205103346574e-06 * x1606 + 0.9999999999932537 * tau[6] + 0.09 * x1633;
-  const Real x1640 = 0.9999999999932537 * x1606 - 3.673205103346574e-06 * tau[6] - 0.09 * x1628;
-  const Real x1620 = cosine[6] * x1465 - sine[6] * x1467;
-  // link 6 "wrist": force that the reference field takes
-  const Real x981 = x454 * 0.052000000000000005 - x455 * 0.013000000000000001 + x443 * 1.3;
-  const Real x986 = x436 * 1.3 + x463 * 0.052000000000000005 + x459 * 0.013000000000000001;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1660 = 1 / x1646;
-  const Real x1662 = x1660 * (tau[5] - (x968 - x439 * 0.013000000000000001 + x1640));
-  w.x[30] = x1662;
-  const Real x1663 = x1582 * x1660;
-  w.x[31] = x1663;
-  const Real x1664 = x1594 * x1660;
-  w.x[32] = x1664;
-  const Real x1665 = x1647 * x1660;
-  w.x[33] = x1665;
-  const Real x1666 = x1648 * x1660;
-  w.x[34] = x1666;
-  const Real x1667 = x1575 * x1660;
-  w.x[35] = x1667;
-  const Real x1670 = x1444 + x1523 + 0.0014299999999999998 - x1582 * x1663;
-  w.x[36] = x1670;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1642 = -0.0005200000000000001 - (3.673205103346574e-06 * x1522 + 0.09 * x1500);
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1673 = x1642 - x1582 * x1664;
-  w.x[37] = x1673;
-  const Real x1676 = x1450 + x1485 - x1582 * x1665;
-  const Real x1679 = x1495 + x1582 * x1666;
-  const Real x1683 = 0.013000000000000001 + x1500 - x1582 * x1667;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1644 = x1534 - 0.09 * x1509 - 0.09 * x1574 + 0.00338;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1686 = x1644 - x1594 * x1664;
-  w.x[38] = x1686;
-  const Real x1689 = 3.673205103346574e-06 * x1484 + 0.09 * x1550 + x1594 * x1665;
-  const Real x1693 = x1569 - x1594 * x1666;
-  const Real x1696 = -0.052000000000000005 + x1574 - x1594 * x1667;
-  const Real x1699 = x1459 + x1545 + 1.3 - x1647 * x1665;
-  w.x[39] = x1699;
-  const Real x1702 = x1548 + x1647 * x1666;
-  w.x[40] = x1702;
-  const Real x1706 = x1550 - x1647 * x1667;
-  w.x[41] = x1706;
-  const Real x1709 = 1.3 + x1558 - x1648 * x1666;
-  w.x[42] = x1709;
-  const Real x1712 = x1554 + x1648 * x1667;
-  w.x[43] = x1712;
-  const Real x1716 = 1.3 + x1559 - x1575 * x1667;
-  w.x[44] = x1716;
-  const Real x1718 = x938 + x436 * 0.013000000000000001 + x1603 + x1582 * x1662;
-  w.x[45] = x1718;
-  const Real x1720 = x1594 * x1662 - (x949 + x436 * 0.052000000000000005 + x1636);
-  w.x[46] = x1720;
-  const Real x1722 = x439 * 1.3 + x974 + x1620 + x1647 * x1662;
-  w.x[47] = x1722;
-  const Real x1724 = x981 - x1628 + x1648 * x1662;
-  w.x[48] = x1724;
-  const Real x1726 = x986 + x1633 + x1575 * x1662;
-  w.x[49] = x1726;
-  const Real x1730 = cosine[5] * x1683 - sine[5] * x1696;
-  const Real x1733 = sine[5] * x1683 + cosine[5] * x1696;
-  w.x[50] = x1733;
-  const Real x1740 = cosine[5] * (x1676 - x1693) + sine[5] * (x1679 + x1689);
-  const Real x1741 = sine[5] * x1740;
-  const Real x1743 = x1741 - x1679;
-  const Real x1744 = x1741 - x1689;
-  const Real x1745 = cosine[5] * x1740;
-  const Real x1746 = x1693 + x1745;
-  w.x[51] = x1746;
-  const Real x1747 = x1676 - x1745;
-  w.x[52] = x1747;
-  const Real x1748 = 3.673205103346574e-06 * x1744;
-  w.x[53] = x1748;
-  const Real x1750 = 0.9999999999932537 * x1744;
-  w.x[54] = x1750;
-  const Real x1755 = 3.673205103346574e-06 * x1743 + 0.9999999999932537 * x1730;
-  w.x[55] = x1755;
-  const Real x1760 = 0.9999999999932537 * x1743 - 3.673205103346574e-06 * x1730;
-  w.x[56] = x1760;
-  const Real x1765 = 3.673205103346574e-06 * x1747 + 0.9999999999932537 * x1733;
-  w.x[57] = x1765;
+  w.x[115] = x1623;
+  const Real x1606 = sine[6] * x1461 + cosine[6] * x1463;
+  w.x[116] = x1606;
+  const Real x1624 = 3.673205103346574e-06 * x1623;
+  w.x[117] = x1624;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x2091 = x1996 + 0.38 * x2047 + 0.08 * x2063;
+  const Real x2142 = x2014 - x2023 + 0.38 * x1980 + 0.08 * x1996;
+  const Real x2198 = 0.38 * x2078 + x2142 + 0.08 * x2091 + 0.037748300000000005;
+  require_more(w, x2198, 0.0, kFactorization, 3);
+  const Real x1973 = x1913 + x1971;
+  w.x[118] = x1973;
+  const Real x1961 = cosine[4] * x1916 - sine[4] * x1928;
+  w.x[119] = x1961;
+  const Real x1999 = 3.673205103346574e-06 * x1995;
+  w.x[120] = x1999;
+  const Real x2052 = 0.9999999999932537 * x2040 + 3.673205103346574e-06 * x2029;
+  w.x[121] = x2052;
+  const Real x1976 = x1925 + x1975;
+  w.x[122] = x1976;
+  const Real x1978 = 3.673205103346574e-06 * x1974;
+  w.x[123] = x1978;
+  const Real x1982 = 3.673205103346574e-06 * x1973;
+  w.x[124] = x1982;
+  const Real x1984 = 0.9999999999932537 * x1961;
+  w.x[125] = x1984;
+  const Real x2001 = x1977 + x1999;
+  w.x[126] = x2001;
+  const Real x2011 = sine[4] * x2008 - x1906;
+  w.x[127] = x2011;
+  const Real x2060 = x2032 - 0.9999999999932537 * x2058;
+  w.x[128] = x2060;
+  const Real x2065 = 0.38 * x2052;
+  w.x[129] = x2065;
+  const Real x2068 = 0.08 * x2052;
+  w.x[130] = x2068;
+  const Real x2199 = -0.22000000000000003 - x2078;
+  w.x[131] = x2199;
+  const Real x2200 = -0.11000000000000001 - x2091;
+  w.x[132] = x2200;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2211 = 1 / x2198;
+  w.x[133] = x2211;
 }
 
 ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   ADAGEN_INPUTS
-  const Real x585 = w.x[0];
-  const Real x588 = w.x[1];
-  const Real x699 = w.x[2];
-  const Real x706 = w.x[3];
-  const Real x709 = w.x[4];
-  const Real x745 = w.x[5];
-  const Real x750 = w.x[6];
-  const Real x753 = w.x[7];
-  const Real x757 = w.x[8];
-  const Real x761 = w.x[9];
-  const Real x766 = w.x[10];
-  const Real x812 = w.x[11];
-  const Real x815 = w.x[12];
-  const Real x821 = w.x[13];
-  const Real x827 = w.x[14];
-  const Real x835 = w.x[15];
-  const Real x843 = w.x[16];
-  const Real x890 = w.x[17];
-  const Real x893 = w.x[18];
-  const Real x896 = w.x[19];
-  const Real x902 = w.x[20];
-  const Real x910 = w.x[21];
-  const Real x916 = w.x[22];
-  const Real x1192 = w.x[23];
-  const Real x1369 = w.x[24];
-  const Real x1425 = w.x[25];
-  const Real x1426 = w.x[26];
-  const Real x1427 = w.x[27];
-  const Real x1428 = w.x[28];
-  const Real x1429 = w.x[29];
-  const Real x1662 = w.x[30];
-  const Real x1663 = w.x[31];
-  const Real x1664 = w.x[32];
-  const Real x1665 = w.x[33];
-  const Real x1666 = w.x[34];
-  const Real x1667 = w.x[35];
-  const Real x1670 = w.x[36];
-  const Real x1673 = w.x[37];
-  const Real x1686 = w.x[38];
-  const Real x1699 = w.x[39];
-  const Real x1702 = w.x[40];
-  const Real x1706 = w.x[41];
-  const Real x1709 = w.x[42];
-  const Real x1712 = w.x[43];
-  const Real x1716 = w.x[44];
-  const Real x1718 = w.x[45];
-  const Real x1720 = w.x[46];
-  const Real x1722 = w.x[47];
-  const Real x1724 = w.x[48];
-  const Real x1726 = w.x[49];
-  const Real x1733 = w.x[50];
-  const Real x1746 = w.x[51];
-  const Real x1747 = w.x[52];
-  const Real x1748 = w.x[53];
-  const Real x1750 = w.x[54];
-  const Real x1755 = w.x[55];
-  const Real x1760 = w.x[56];
-  const Real x1765 = w.x[57];
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1767 = 0.9999999999932537 * x1765;
-  const Real x1770 = 3.673205103346574e-06 * x1765;
-  const Real x1772 = x1747 - x1770;
-  const Real x1775 = 2.0 * sine[5];
-  const Real x1779 = cosine[5] * (x1670 - x1686) - x1673 * x1775;
-  const Real x1782 = x1673 + sine[5] * x1779;
-  const Real x1783 = cosine[5] * x1779;
-  const Real x1785 = x1670 - x1783;
-  const Real x1788 = 0.9999999999932537 * x1782;
-  const Real x1789 = 3.673205103346574e-06 * x1785;
-  const Real x1793 = 3.673205103346574e-06 * x1789;
-  const Real x1799 = cosine[5] * x1706 + sine[5] * x1712;
-  const Real x1803 = sine[5] * x1706 - cosine[5] * x1712;
-  const Real x1808 = cosine[5] * (x1699 - x1709) + x1702 * x1775;
-  const Real x1811 = sine[5] * x1808 - x1702;
-  const Real x1812 = cosine[5] * x1808;
-  const Real x1814 = x1699 - x1812;
-  const Real x1831 = 3.673205103346574e-06 * (x1814 - x1716) + x1803 * 1.9999999999865075;
-  const Real x1836 = 3.673205103346574e-06 * x1831;
-  const Real x1846 = sine[5] * x1718 + cosine[5] * x1720;
-  const Real x1863 = sine[5] * x1722 + cosine[5] * x1724;
-  const Real x1878 = 0.00136 - 0.9999999999932537 * x1789;
-  const Real x1880 = x1785 - x1793 + 0.00189125;
-  require_more(w, x1880, 0.0, kFactorization, 4);
-  const Real x1881 = -0.017 + x1750;
+  const Real x30 = w.x[1];
+  const Real x32 = w.x[16];
+  const Real x37 = w.x[0];
+  const Real x55 = w.x[18];
+  const Real x59 = w.x[17];
+  const Real x89 = w.x[20];
+  const Real x93 = w.x[21];
+  const Real x94 = w.x[22];
+  const Real x97 = w.x[19];
+  const Real x111 = w.x[25];
+  const Real x114 = w.x[23];
+  const Real x134 = w.x[30];
+  const Real x139 = w.x[33];
+  const Real x143 = w.x[31];
+  const Real x148 = w.x[32];
+  const Real x162 = w.x[24];
+  const Real x199 = w.x[34];
+  const Real x211 = w.x[38];
+  const Real x214 = w.x[35];
+  const Real x231 = w.x[46];
+  const Real x235 = w.x[51];
+  const Real x239 = w.x[48];
+  const Real x247 = w.x[49];
+  const Real x249 = w.x[36];
+  const Real x250 = w.x[50];
+  const Real x251 = w.x[39];
+  const Real x252 = w.x[40];
+  const Real x254 = w.x[41];
+  const Real x256 = w.x[47];
+  const Real x259 = w.x[37];
+  const Real x260 = w.x[42];
+  const Real x282 = w.x[52];
+  const Real x287 = w.x[53];
+  const Real x289 = w.x[54];
+  const Real x299 = w.x[55];
+  const Real x310 = w.x[57];
+  const Real x313 = w.x[56];
+  const Real x341 = w.x[64];
+  const Real x345 = w.x[66];
+  const Real x350 = w.x[65];
+  const Real x399 = w.x[67];
+  const Real x400 = w.x[68];
+  const Real x411 = w.x[69];
+  const Real x423 = w.x[79];
+  const Real x426 = w.x[70];
+  const Real x436 = w.x[75];
+  const Real x439 = w.x[81];
+  const Real x443 = w.x[76];
+  const Real x450 = w.x[80];
+  const Real x452 = w.x[71];
+  const Real x454 = w.x[73];
+  const Real x455 = w.x[105];
+  const Real x462 = w.x[72];
+  const Real x463 = w.x[74];
+  const Real x585 = w.x[2];
+  const Real x588 = w.x[3];
+  const Real x955 = w.x[106];
+  const Real x957 = w.x[107];
+  const Real x1192 = w.x[97];
+  const Real x1369 = w.x[108];
+  const Real x1421 = w.x[109];
+  const Real x1425 = w.x[110];
+  const Real x1426 = w.x[28];
+  const Real x1427 = w.x[29];
+  const Real x1428 = w.x[26];
+  const Real x1429 = w.x[27];
+  const Real x1461 = w.x[113];
+  const Real x1463 = w.x[114];
+  const Real x1465 = w.x[111];
+  const Real x1467 = w.x[112];
+  const Real x1575 = w.x[77];
+  const Real x1582 = w.x[43];
+  const Real x1594 = w.x[44];
+  const Real x1606 = w.x[116];
+  const Real x1609 = w.x[5];
+  const Real x1614 = w.x[4];
+  const Real x1623 = w.x[115];
+  const Real x1624 = w.x[117];
+  const Real x1647 = w.x[58];
+  const Real x1648 = w.x[59];
+  const Real x1660 = w.x[45];
+  const Real x1663 = w.x[60];
+  const Real x1664 = w.x[61];
+  const Real x1665 = w.x[62];
+  const Real x1666 = w.x[63];
+  const Real x1667 = w.x[78];
+  const Real x1767 = w.x[82];
+  const Real x1772 = w.x[89];
+  const Real x1788 = w.x[87];
+  const Real x1849 = w.x[7];
+  const Real x1854 = w.x[6];
+  const Real x1878 = w.x[88];
+  const Real x1881 = w.x[83];
+  const Real x1892 = w.x[84];
+  const Real x1895 = w.x[90];
+  const Real x1896 = w.x[91];
+  const Real x1897 = w.x[85];
+  const Real x1898 = w.x[86];
+  const Real x1900 = w.x[92];
+  const Real x1919 = w.x[93];
+  const Real x1961 = w.x[119];
+  const Real x1964 = w.x[96];
+  const Real x1973 = w.x[118];
+  const Real x1976 = w.x[122];
+  const Real x1978 = w.x[123];
+  const Real x1982 = w.x[124];
+  const Real x1984 = w.x[125];
+  const Real x1996 = w.x[103];
+  const Real x1999 = w.x[120];
+  const Real x2001 = w.x[126];
+  const Real x2011 = w.x[127];
+  const Real x2012 = w.x[95];
+  const Real x2019 = w.x[98];
+  const Real x2023 = w.x[100];
+  const Real x2042 = w.x[99];
+  const Real x2043 = w.x[94];
+  const Real x2047 = w.x[101];
+  const Real x2052 = w.x[121];
+  const Real x2060 = w.x[128];
+  const Real x2061 = w.x[102];
+  const Real x2063 = w.x[104];
+  const Real x2065 = w.x[129];
+  const Real x2068 = w.x[130];
+  const Real x2154 = w.x[9];
+  const Real x2158 = w.x[8];
+  const Real x2199 = w.x[131];
+  const Real x2200 = w.x[132];
+  const Real x2211 = w.x[133];
+  const Real x2323 = w.x[12];
+  const Real x2436 = w.x[11];
+  const Real x2441 = w.x[10];
+  const Real x2710 = w.x[14];
+  const Real x2715 = w.x[13];
+  const Real x2981 = w.x[15];
+  // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
+  const Real x457 = x399 * x400;
+  const Real x459 = x423 + x457;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1628 = x1624 + 0.9999999999932537 * x1421;
+  const Real x1633 = 0.9999999999932537 * x1623 - 3.673205103346574e-06 * x1421;
+  // link 6 "wrist": force that the reference field takes
+  const Real x969 = x957 - x955 + x443 * 0.052000000000000005 - x439 * 0.013000000000000001;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1655 = 0.9999999999932537 * x1606 - x1614 - 0.09 * x1628 + x969;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1892 = 1 / x1880;
-  const Real x1893 = tau[4] - (0.9999999999932537 * x1846 - 3.673205103346574e-06 * tau[5] + x896);
-  const Real x1894 = x1892 * x1893;
-  const Real x1895 = x1788 * x1892;
-  const Real x1896 = x1878 * x1892;
-  const Real x1897 = x1881 * x1892;
-  const Real x1898 = x1767 * x1892;
-  const Real x1900 = x1772 * x1892;
-  const Real x1903 = x1686 + x1783 + 0.01553729 - x1788 * x1895;
-  const Real x1906 = 3.673205103346574e-06 * x1782 + x1788 * x1896;
-  const Real x1910 = x1746 - x1788 * x1897;
-  const Real x1913 = 0.136 - x1755 + x1788 * x1898;
-  const Real x1916 = 0.017 + x1760 - x1788 * x1900;
-  const Real x1919 = 0.01536729 + x1793 - x1878 * x1896;
-  const Real x1922 = -0.136 - x1748 - x1878 * x1897;
-  const Real x1925 = x1770 + x1878 * x1898;
-  const Real x1928 = x1733 - x1767 - x1878 * x1900;
-  const Real x1931 = x1709 + x1812 + 1.7 - x1881 * x1897;
-  const Real x1934 = x1881 * x1898 - (3.673205103346574e-06 * x1811 + 0.9999999999932537 * x1799);
-  const Real x1937 = 0.9999999999932537 * x1811 - 3.673205103346574e-06 * x1799 - x1881 * x1900;
-  const Real x1940 = x1716 + x1836 + 1.7 - x1767 * x1898;
-  const Real x1943 = x1803 - 0.9999999999932537 * x1831 + x1767 * x1900;
-  const Real x1946 = x1814 - x1836 + 1.7 - x1772 * x1900;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1885 = cosine[5] * x1718 - sine[5] * x1720 + x890;
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1948 = x1885 + x1788 * x1894;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1886 = x893 - (3.673205103346574e-06 * x1846 + 0.9999999999932537 * tau[5]);
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1950 = x1886 + x1878 * x1894;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1888 = cosine[5] * x1722 - sine[5] * x1724 + x902;
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1952 = x1888 + x1881 * x1894;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1889 = x910 - (3.673205103346574e-06 * x1863 + 0.9999999999932537 * x1726);
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1955 = x1889 - x1767 * x1894;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1890 = 0.9999999999932537 * x1863 - 3.673205103346574e-06 * x1726 + x916;
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1957 = x1890 + x1772 * x1894;
-  const Real x1961 = cosine[4] * x1916 - sine[4] * x1928;
-  const Real x1964 = sine[4] * x1916 + cosine[4] * x1928;
-  const Real x1970 = cosine[4] * (x1910 - x1925) - sine[4] * (x1913 + x1922);
-  const Real x1971 = sine[4] * x1970;
-  const Real x1973 = x1913 + x1971;
-  const Real x1974 = x1922 + x1971;
-  const Real x1975 = cosine[4] * x1970;
-  const Real x1977 = x1910 - x1975;
-  const Real x1980 = 0.9999999999932537 * x1974;
-  const Real x1990 = 0.9999999999932537 * x1973 + 3.673205103346574e-06 * x1961;
-  const Real x1995 = 0.9999999999932537 * x1964 - 3.673205103346574e-06 * x1977;
-  const Real x1996 = 0.9999999999932537 * x1995;
-  const Real x1997 = x1964 - x1996;
-  const Real x1999 = 3.673205103346574e-06 * x1995;
-  const Real x2001 = x1977 + x1999;
-  const Real x2004 = 2.0 * sine[4];
-  const Real x2008 = cosine[4] * (x1903 - x1919) + x1906 * x2004;
-  const Real x2011 = sine[4] * x2008 - x1906;
-  const Real x2012 = cosine[4] * x2008;
-  const Real x2014 = x1903 - x2012;
-  const Real x2019 = 3.673205103346574e-06 * x2014;
-  const Real x2023 = 3.673205103346574e-06 * x2019;
-  const Real x2029 = cosine[4] * x1937 - sine[4] * x1943;
-  const Real x2032 = sine[4] * x1937 + cosine[4] * x1943;
-  const Real x2037 = cosine[4] * (x1931 - x1940) - x1934 * x2004;
-  const Real x2040 = x1934 + sine[4] * x2037;
-  const Real x2041 = cosine[4] * x2037;
-  const Real x2042 = x1940 + x2041;
-  const Real x2043 = x1931 - x2041;
-  const Real x2047 = 0.9999999999932537 * x2029 - 3.673205103346574e-06 * x2040;
-  const Real x2052 = 0.9999999999932537 * x2040 + 3.673205103346574e-06 * x2029;
-  const Real x2058 = 1.9999999999865075 * x2032 - 3.673205103346574e-06 * (x2043 - x1946);
-  const Real x2060 = x2032 - 0.9999999999932537 * x2058;
-  const Real x2061 = 3.673205103346574e-06 * x2058;
-  const Real x2063 = x1946 - x2061;
   const Real x2064 = x2043 + x2061;
-  const Real x2065 = 0.38 * x2052;
-  const Real x2067 = x1925 + x1975 - x2065;
-  const Real x2070 = 3.673205103346574e-06 * x1974 + 0.08 * x2052;
-  const Real x2078 = x1980 + 0.38 * x2042 + 0.08 * x2047;
-  const Real x2081 = 0.9999999999932537 * x1961 - 3.673205103346574e-06 * x1973 + 0.38 * x2060;
+  const Real x2067 = x1976 - x2065;
+  const Real x2070 = x1978 + x2068;
   const Real x2082 = 0.08 * x2060;
+  const Real x1990 = 0.9999999999932537 * x1973 + 3.673205103346574e-06 * x1961;
+  const Real x1997 = x1964 - x1996;
+  const Real x2081 = x1984 - x1982 + 0.38 * x2060;
   const Real x2084 = x2082 - x1999;
-  const Real x2091 = x1996 + 0.38 * x2047 + 0.08 * x2063;
   const Real x2094 = 0.38 * x2064 - x1990;
   const Real x2097 = x1997 + 0.08 * x2064;
   const Real x2099 = x2001 + x2065 - x2082;
@@ -1472,184 +1612,273 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x2117 = x2116 - 0.08 * x2081;
   const Real x2131 = 0.9999999999932537 * x2019 + 0.08 * x2001 + 0.38 * x2070;
   const Real x2132 = x2131 - 0.08 * x2084;
-  const Real x2142 = x2014 - x2023 + 0.38 * x1980 + 0.08 * x1996;
-  const Real x2151 = sine[4] * x1948 + cosine[4] * x1950;
-  const Real x2165 = cosine[4] * x1952 - sine[4] * x1955;
-  const Real x2168 = sine[4] * x1952 + cosine[4] * x1955;
-  const Real x2172 = 0.9999999999932537 * x1957 - 3.673205103346574e-06 * x2168;
-  const Real x2177 = 0.9999999999932537 * x2168 + 3.673205103346574e-06 * x1957;
-  const Real x2189 = 0.9999999999932537 * x2151 + 3.673205103346574e-06 * tau[4] + 0.38 * x2165;
-  const Real x2104 = x1919 + x2012 - 0.38 * x1990 + 0.38 * x2094;
-  const Real x2109 = 0.38 * x1997 - 3.673205103346574e-06 * x2011 + 0.08 * x2094;
-  const Real x2198 = 0.38 * x2078 + x2142 + 0.08 * x2091 + 0.037748300000000005;
-  require_more(w, x2198, 0.0, kFactorization, 3);
-  const Real x2199 = -0.22000000000000003 - x2078;
-  const Real x2200 = -0.11000000000000001 - x2091;
-  const Real x2181 = cosine[4] * x1948 - sine[4] * x1950 - 0.38 * x2177;
-  const Real x2184 = 0.9999999999932537 * tau[4] - 3.673205103346574e-06 * x2151 - 0.08 * x2177;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2211 = 1 / x2198;
-  const Real x2213 = x2211 * (tau[3] - (x821 - (0.08 * x2172 + x2189)));
-  const Real x2214 = x2117 * x2211;
-  const Real x2215 = x2132 * x2211;
   const Real x2216 = x2199 * x2211;
   const Real x2217 = x2200 * x2211;
+  const Real x2249 = 2.2 + x2042 - x2199 * x2216;
+  const Real x2259 = 2.2 + x2063 - x2200 * x2217;
+  const Real x2252 = x2047 - x2199 * x2217;
+  const Real x2214 = x2117 * x2211;
+  const Real x2215 = x2132 * x2211;
   const Real x2218 = x2099 * x2211;
-  const Real x2221 = 0.03224830000000001 + x2104 - x2117 * x2214;
-  const Real x2224 = 0.011000000000000003 + x2109 - x2117 * x2215;
+  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
+  const Real x356 = x282 * x282;
+  const Real x362 = x282 * x287;
+  const Real x376 = x282 * x289;
+  const Real x367 = x356 + x289 * x289;
+  const Real x374 = x356 + x287 * x287;
+  const Real x378 = x313 + x376;
+  const Real x369 = x287 * x289;
+  // link 6 "wrist": force that the reference field takes
+  const Real x938 = x423 * 0.0014299999999999998 + x457 * 0.00013000000000000002 + x463 * 0.0005200000000000001;
+  const Real x949 = x426 * 0.00338 + x462 * 0.0020800000000000003 + x459 * 0.0005200000000000001;
+  const Real x974 = (x452 - x411) * 0.013000000000000001 - x450 * 0.052000000000000005;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1603 = cosine[6] * x1461 - sine[6] * x1463;
+  const Real x1636 = 3.673205103346574e-06 * x1606 + x1609 + 0.09 * x1633;
+  const Real x1620 = cosine[6] * x1465 - sine[6] * x1467;
+  // link 6 "wrist": force that the reference field takes
+  const Real x981 = x454 * 0.052000000000000005 - x455 * 0.013000000000000001 + x443 * 1.3;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1662 = x1660 * (tau[5] - x1655);
+  const Real x1718 = x938 + x436 * 0.013000000000000001 + x1603 + x1582 * x1662;
+  const Real x1720 = x1594 * x1662 - (x949 + x436 * 0.052000000000000005 + x1636);
+  const Real x1846 = sine[5] * x1718 + cosine[5] * x1720;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x2104 = x1919 + x2012 - 0.38 * x1990 + 0.38 * x2094;
+  const Real x2109 = 0.38 * x1997 - 3.673205103346574e-06 * x2011 + 0.08 * x2094;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2227 = x2067 - x2117 * x2216;
   const Real x2230 = x2081 - x2117 * x2217;
-  const Real x2233 = 0.22000000000000003 + x2094 - x2117 * x2218;
+  const Real x2239 = x2070 + x2132 * x2216;
+  const Real x2243 = x2084 - x2132 * x2217;
+  const Real x2358 = cosine[3] * (x2249 - x2259) - x2252 * x2323;
+  const Real x2221 = 0.03224830000000001 + x2104 - x2117 * x2214;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Real x2196 = x2023 + 0.08 * x1997 + 0.08 * x2097 + 0.00825;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2236 = x2196 - x2132 * x2215;
-  const Real x2239 = x2070 + x2132 * x2216;
-  const Real x2243 = x2084 - x2132 * x2217;
-  const Real x2246 = 0.11000000000000001 + x2097 - x2132 * x2218;
-  const Real x2249 = 2.2 + x2042 - x2199 * x2216;
-  const Real x2252 = x2047 - x2199 * x2217;
   const Real x2255 = x2052 + x2199 * x2218;
-  const Real x2259 = 2.2 + x2063 - x2200 * x2217;
   const Real x2262 = x2060 - x2200 * x2218;
-  const Real x2265 = 2.2 + x2064 - x2099 * x2218;
-  const Real x2267 = x812 + x2181 + x2117 * x2213;
-  const Real x2269 = x815 + x2184 + x2132 * x2213;
-  const Real x2271 = x827 + x2165 + x2199 * x2213;
-  const Real x2273 = x835 + x2172 + x2200 * x2213;
-  const Real x2275 = x843 - x2177 + x2099 * x2213;
-  const Real x2279 = cosine[3] * x2233 - sine[3] * x2246;
-  const Real x2282 = sine[3] * x2233 + cosine[3] * x2246;
-  const Real x2288 = cosine[3] * (x2227 - x2243) - sine[3] * (x2230 - x2239);
-  const Real x2289 = sine[3] * x2288;
-  const Real x2291 = x2230 + x2289;
-  const Real x2292 = x2289 - x2239;
-  const Real x2293 = cosine[3] * x2288;
-  const Real x2295 = x2227 - x2293;
-  const Real x2303 = 3.673205103346574e-06 * x2291 + 0.9999999999932537 * x2279;
-  const Real x2308 = 0.9999999999932537 * x2291 - 3.673205103346574e-06 * x2279;
-  const Real x2313 = 3.673205103346574e-06 * x2295 + 0.9999999999932537 * x2282;
-  const Real x2315 = 0.9999999999932537 * x2313;
-  const Real x2317 = x2282 - x2315;
-  const Real x2318 = 3.673205103346574e-06 * x2313;
-  const Real x2320 = x2295 - x2318;
-  const Real x2323 = 2.0 * sine[3];
-  const Real x2327 = cosine[3] * (x2221 - x2236) - x2224 * x2323;
-  const Real x2330 = x2224 + sine[3] * x2327;
-  const Real x2331 = cosine[3] * x2327;
-  const Real x2333 = x2221 - x2331;
-  const Real x2337 = 3.673205103346574e-06 * x2333;
-  const Real x2341 = 3.673205103346574e-06 * x2337;
-  const Real x2348 = cosine[3] * x2255 + sine[3] * x2262;
-  const Real x2353 = cosine[3] * x2262 - sine[3] * x2255;
-  const Real x2358 = cosine[3] * (x2249 - x2259) - x2252 * x2323;
-  const Real x2361 = x2252 + sine[3] * x2358;
   const Real x2362 = cosine[3] * x2358;
+  const Real x2224 = 0.011000000000000003 + x2109 - x2117 * x2215;
+  const Real x2265 = 2.2 + x2064 - x2099 * x2218;
   const Real x2364 = x2249 - x2362;
-  const Real x2369 = 0.9999999999932537 * x2348 - 3.673205103346574e-06 * x2361;
-  const Real x2373 = 0.9999999999932537 * x2361 + 3.673205103346574e-06 * x2348;
+  const Real x2233 = 0.22000000000000003 + x2094 - x2117 * x2218;
+  const Real x2246 = 0.11000000000000001 + x2097 - x2132 * x2218;
+  const Real x2288 = cosine[3] * (x2227 - x2243) - sine[3] * (x2230 - x2239);
+  const Real x2353 = cosine[3] * x2262 - sine[3] * x2255;
+  const Real x2293 = cosine[3] * x2288;
+  const Real x2327 = cosine[3] * (x2221 - x2236) - x2224 * x2323;
+  const Real x2282 = sine[3] * x2233 + cosine[3] * x2246;
+  const Real x2295 = x2227 - x2293;
+  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
+  const Real x364 = x299 - x362;
+  // link 5 "wrist_housing": force that the reference field takes
+  const Real x885 = x362 * 0.00017 - x299 * 0.00189125 + x378 * 0.00136;
+  const Real x867 = x369 * 0.01347604 + 0.00136 * (x374 - x367);
+  const Real x889 = x310 * 0.01553729 + x867 + x341 * 0.017;
+  const Real x876 = x376 * 0.01364604 - x364 * 0.00136 + x313 * 0.01536729;
+  const Real x909 = (x310 + x369) * 0.136 - x367 * 0.017;
+  const Real x915 = x341 * 1.7 + x374 * 0.136;
+  // link 6 "wrist": force that the reference field takes
+  const Real x986 = x436 * 1.3 + x463 * 0.052000000000000005 + x459 * 0.013000000000000001;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1722 = x439 * 1.3 + x974 + x1620 + x1647 * x1662;
+  const Real x1724 = x981 - x1628 + x1648 * x1662;
+  const Real x1726 = x986 + x1633 + x1575 * x1662;
+  const Real x1863 = sine[5] * x1722 + cosine[5] * x1724;
+  const Real x1843 = cosine[5] * x1718 - sine[5] * x1720;
+  // link 5 "wrist_housing": force that the reference field takes
+  const Real x902 = x364 * 0.017 - x378 * 0.136 + x345 * 1.7;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1868 = 3.673205103346574e-06 * x1863 + 0.9999999999932537 * x1726;
+  const Real x1887 = x885 - x345 * 0.017 + (0.9999999999932537 * x1846 - x1854);
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x1894 = x1892 * (tau[4] - x1887);
+  const Real x1948 = x889 - x350 * 0.136 + x1843 + x1788 * x1894;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1886 = x876 - x345 * 0.136 - (3.673205103346574e-06 * x1846 + x1849);
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x1950 = x1886 + x1878 * x1894;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1888 = cosine[5] * x1722 - sine[5] * x1724 + x902;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x1952 = x1888 + x1881 * x1894;
+  const Real x1955 = x909 - x350 * 1.7 - x1868 - x1767 * x1894;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2331 = cosine[3] * x2327;
   const Real x2379 = 3.673205103346574e-06 * (x2364 - x2265) + 1.9999999999865075 * x2353;
-  const Real x2383 = x2353 - 0.9999999999932537 * x2379;
+  const Real x2333 = x2221 - x2331;
   const Real x2384 = 3.673205103346574e-06 * x2379;
+  const Real x2313 = 3.673205103346574e-06 * x2295 + 0.9999999999932537 * x2282;
+  const Real x2337 = 3.673205103346574e-06 * x2333;
   const Real x2386 = x2265 + x2384;
-  const Real x2387 = x2364 - x2384;
-  const Real x2393 = 0.9999999999932537 * x2292 + 0.08 * x2369;
-  const Real x2394 = 0.08 * x2383;
-  const Real x2396 = x2318 - x2394;
+  const Real x2315 = 0.9999999999932537 * x2313;
+  const Real x2341 = 3.673205103346574e-06 * x2337;
   const Real x2398 = 0.08 * x2386 - x2315;
-  const Real x2401 = x2317 - 0.08 * x2387;
-  const Real x2402 = x2320 + x2394;
-  const Real x2409 = 0.9999999999932537 * x2330 - 0.08 * x2303;
-  const Real x2421 = 0.08 * x2396 - (0.9999999999932537 * x2337 + 0.08 * x2320);
-  const Real x2433 = sine[3] * x2267 + cosine[3] * x2269;
-  const Real x2450 = sine[3] * x2271 + cosine[3] * x2273;
-  const Real x2455 = 3.673205103346574e-06 * x2450 + 0.9999999999932537 * x2275;
-  const Real x2460 = 0.9999999999932537 * x2450 - 3.673205103346574e-06 * x2275;
+  const Real x2289 = sine[3] * x2288;
+  const Real x2318 = 3.673205103346574e-06 * x2313;
+  // link 4 "forearm": force that the reference field takes
+  const Real x808 = x199 * 0.037748300000000005 - x249 * 0.023998300000000004;
+  const Real x820 = 0.011000000000000003 * (x252 - x247) + x808 - x239 * 0.11000000000000001;
+  // link 5 "wrist_housing": force that the reference field takes
+  const Real x916 = (x310 - x369) * 0.017 + x915;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1890 = 0.9999999999932537 * x1863 - 3.673205103346574e-06 * x1726 + x916;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x1957 = x1890 + x1772 * x1894;
+  const Real x2151 = sine[4] * x1948 + cosine[4] * x1950;
+  const Real x2168 = sine[4] * x1952 + cosine[4] * x1955;
+  const Real x2165 = cosine[4] * x1952 - sine[4] * x1955;
+  const Real x2172 = 0.9999999999932537 * x1957 - 3.673205103346574e-06 * x2168;
+  const Real x2189 = 0.9999999999932537 * x2151 + x2158 + 0.38 * x2165;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2279 = cosine[3] * x2233 - sine[3] * x2246;
+  const Real x2291 = x2230 + x2289;
+  const Real x2383 = x2353 - 0.9999999999932537 * x2379;
   const Real x2426 = x2333 - x2341 - 0.08 * x2315 + 0.08 * x2398;
   const Real x2472 = 0.0039325 + x2426;
   require_more(w, x2472, 0.0, kFactorization, 2);
-  const Real x2463 = 3.673205103346574e-06 * x2433 + 0.9999999999932537 * tau[3] + 0.08 * x2460;
-  const Real x2467 = 0.9999999999932537 * x2433 - 3.673205103346574e-06 * tau[3] - 0.08 * x2455;
+  const Real x2320 = x2295 - x2318;
+  const Real x2348 = cosine[3] * x2255 + sine[3] * x2262;
+  const Real x2361 = x2252 + sine[3] * x2358;
+  const Real x2387 = x2364 - x2384;
+  const Real x2394 = 0.08 * x2383;
+  const Real x2303 = 3.673205103346574e-06 * x2291 + 0.9999999999932537 * x2279;
+  const Real x2317 = x2282 - x2315;
+  const Real x2330 = x2224 + sine[3] * x2327;
+  const Real x2396 = x2318 - x2394;
+  const Real x2292 = x2289 - x2239;
+  const Real x2369 = 0.9999999999932537 * x2348 - 3.673205103346574e-06 * x2361;
+  const Real x2401 = x2317 - 0.08 * x2387;
+  const Real x2373 = 0.9999999999932537 * x2361 + 3.673205103346574e-06 * x2348;
+  const Real x2409 = 0.9999999999932537 * x2330 - 0.08 * x2303;
+  const Real x2421 = 0.08 * x2396 - (0.9999999999932537 * x2337 + 0.08 * x2320);
+  const Real x2308 = 0.9999999999932537 * x2291 - 3.673205103346574e-06 * x2279;
+  const Real x2393 = 0.9999999999932537 * x2292 + 0.08 * x2369;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Real x2483 = 1 / x2472;
-  const Real x2485 = x2483 * (tau[2] - (x2467 - x745));
   const Real x2486 = x2409 * x2483;
   const Real x2487 = x2421 * x2483;
   const Real x2488 = x2393 * x2483;
   const Real x2489 = x2398 * x2483;
-  const Real x2490 = x2402 * x2483;
+  // link 4 "forearm": force that the reference field takes
+  const Real x790 = x211 * 0.03224830000000001 + x254 * 0.029498300000000005 - x260 * 0.011000000000000003;
+  const Real x800 = x256 * 0.011000000000000003 - (x214 * 0.00825 + x259 * 0.005500000000000001);
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x2177 = 0.9999999999932537 * x2168 + 3.673205103346574e-06 * x1957;
+  // link 4 "forearm": force that the reference field takes
+  const Real x827 = x247 * 0.11000000000000001 + x250 * 0.22000000000000003 + x235 * 2.2;
+  const Real x835 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x2181 = cosine[4] * x1948 - sine[4] * x1950 - 0.38 * x2177;
+  const Real x2184 = x2154 - 3.673205103346574e-06 * x2151 - 0.08 * x2177;
+  // link 4 "forearm": force that the reference field takes
+  const Real x843 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x2206 = x820 - x235 * 0.22000000000000003 - (0.08 * x2172 + x2189);
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2213 = x2211 * (tau[3] - x2206);
+  const Real x2402 = x2320 + x2394;
+  const Real x2271 = x827 + x2165 + x2199 * x2213;
+  const Real x2273 = x835 + x2172 + x2200 * x2213;
+  const Real x2267 = x790 - x231 * 0.22000000000000003 + x2181 + x2117 * x2213;
+  const Real x2269 = x800 - x231 * 0.11000000000000001 + x2184 + x2132 * x2213;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Real x2493 = x2236 + x2331 + 0.01132625 - x2409 * x2486;
-  const Real x2496 = 3.673205103346574e-06 * x2330 + 0.08 * x2308 + x2409 * x2487;
-  const Real x2500 = x2243 + x2293 - x2409 * x2488;
-  const Real x2503 = 0.078 - x2303 - x2409 * x2489;
-  const Real x2506 = x2308 - x2409 * x2490;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2470 = x2341 - 0.08 * x2317 - 0.08 * x2401 + 0.01132625;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Real x2509 = x2470 - x2421 * x2487;
+  const Real x2496 = 3.673205103346574e-06 * x2330 + 0.08 * x2308 + x2409 * x2487;
+  const Real x2500 = x2243 + x2293 - x2409 * x2488;
+  const Real x2503 = 0.078 - x2303 - x2409 * x2489;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2471 = -0.078 - (3.673205103346574e-06 * x2292 + 0.08 * x2373);
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Real x2512 = x2471 - x2421 * x2488;
   const Real x2515 = x2396 - x2421 * x2489;
-  const Real x2518 = x2401 - x2421 * x2490;
   const Real x2521 = x2259 + x2362 + 2.6 - x2393 * x2488;
-  const Real x2524 = x2369 - x2393 * x2489;
-  const Real x2527 = x2373 - x2393 * x2490;
   const Real x2530 = 2.6 + x2386 - x2398 * x2489;
+  const Real x2594 = 2.0 * sine[2];
+  const Real x2524 = x2369 - x2393 * x2489;
+  const Real x2598 = cosine[2] * (x2493 - x2509) + x2496 * x2594;
+  const Real x2490 = x2402 * x2483;
+  const Real x2559 = cosine[2] * (x2500 - x2515) - sine[2] * (x2503 + x2512);
+  const Real x2602 = cosine[2] * x2598;
+  const Real x2626 = cosine[2] * (x2521 - x2530) - x2524 * x2594;
+  const Real x2560 = sine[2] * x2559;
+  const Real x2604 = x2493 - x2602;
+  // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
+  const Real x157 = x93 * x94;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2275 = x843 - x2177 + x2099 * x2213;
+  const Real x2450 = sine[3] * x2271 + cosine[3] * x2273;
+  const Real x2433 = sine[3] * x2267 + cosine[3] * x2269;
+  const Real x2455 = 3.673205103346574e-06 * x2450 + 0.9999999999932537 * x2275;
+  const Real x2460 = 0.9999999999932537 * x2450 - 3.673205103346574e-06 * x2275;
+  const Real x2467 = 0.9999999999932537 * x2433 - x2441 - 0.08 * x2455;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Real x2630 = cosine[2] * x2626;
+  const Real x2506 = x2308 - x2409 * x2490;
+  const Real x2518 = x2401 - x2421 * x2490;
+  const Real x2527 = x2373 - x2393 * x2490;
   const Real x2533 = x2383 - x2398 * x2490;
+  const Real x2563 = x2512 + x2560;
+  const Real x2608 = 3.673205103346574e-06 * x2604;
+  const Real x2564 = cosine[2] * x2559;
+  const Real x2632 = x2521 - x2630;
+  const Real x2569 = 0.9999999999932537 * x2563;
+  const Real x2612 = 3.673205103346574e-06 * x2608;
+  const Real x2553 = sine[2] * x2506 + cosine[2] * x2518;
+  const Real x2566 = x2500 - x2564;
+  const Real x2584 = 3.673205103346574e-06 * x2566 + 0.9999999999932537 * x2553;
+  const Real x2644 = 3.673205103346574e-06 * (x2632 - (2.6 + x2387 - x2402 * x2490));
+  const Real x2697 = 0.3 * (x2569 + 0.3 * (x2530 + x2630));
+  const Real x2640 = 3.673205103346574e-06 * (cosine[2] * x2527 - sine[2] * x2533);
+  const Real x2648 = x2644 + 1.9999999999865075 * (sine[2] * x2527 + cosine[2] * x2533);
+  const Real x2744 = x2604 - x2612 + 0.3 * x2569 + x2697 + 0.048670000000000005;
+  require_more(w, x2744, 0.0, kFactorization, 1);
+  const Real x2601 = sine[2] * x2598 - x2496;
+  const Real x2577 = 3.673205103346574e-06 * (cosine[2] * x2506 - sine[2] * x2518);
+  const Real x2579 = 0.9999999999932537 * (x2503 + x2560) - x2577;
+  const Real x2657 = 0.3 * (0.9999999999932537 * (x2524 + sine[2] * x2626) - x2640);
+  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
+  const Real x2756 = 1 / x2744;
+  // link 3 "elbow_housing": force that the reference field takes
+  const Real x750 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
+  const Real x753 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
+  const Real x757 = x139 * 2.6 - (x114 + x162) * 0.078;
+  const Real x766 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Real x2485 = x2483 * (tau[2] - (x2467 - x97 * 0.0039325));
+  const Real x2689 = 0.9999999999932537 * x2601 - 0.3 * (x2566 - 3.673205103346574e-06 * x2584);
+  const Real x2690 = 0.3 * (x2515 + x2564 - x2657) + x2689;
+  const Real x2693 = 0.9999999999932537 * x2608 + 0.3 * (3.673205103346574e-06 * x2563);
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2476 = cosine[3] * x2267 - sine[3] * x2269 + x750;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Real x2538 = x2476 + x2409 * x2485;
-  const Real x2540 = x753 - x2463 + x2421 * x2485;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2477 = x753 - (3.673205103346574e-06 * x2433 + x2436 + 0.08 * x2460);
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Real x2540 = x2477 + x2421 * x2485;
+  const Real x2677 = 0.3 * (x2579 - 0.3 * (x2632 - 3.673205103346574e-06 * x2648));
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2479 = cosine[3] * x2271 - sine[3] * x2273 + x757;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Real x2542 = x2479 + x2393 * x2485;
-  const Real x2544 = x761 - x2455 + x2398 * x2485;
-  const Real x2553 = sine[2] * x2506 + cosine[2] * x2518;
-  const Real x2559 = cosine[2] * (x2500 - x2515) - sine[2] * (x2503 + x2512);
-  const Real x2560 = sine[2] * x2559;
-  const Real x2563 = x2512 + x2560;
-  const Real x2564 = cosine[2] * x2559;
-  const Real x2566 = x2500 - x2564;
-  const Real x2569 = 0.9999999999932537 * x2563;
-  const Real x2577 = 3.673205103346574e-06 * (cosine[2] * x2506 - sine[2] * x2518);
-  const Real x2579 = 0.9999999999932537 * (x2503 + x2560) - x2577;
-  const Real x2584 = 3.673205103346574e-06 * x2566 + 0.9999999999932537 * x2553;
-  const Real x2594 = 2.0 * sine[2];
-  const Real x2598 = cosine[2] * (x2493 - x2509) + x2496 * x2594;
-  const Real x2601 = sine[2] * x2598 - x2496;
-  const Real x2602 = cosine[2] * x2598;
-  const Real x2604 = x2493 - x2602;
-  const Real x2608 = 3.673205103346574e-06 * x2604;
-  const Real x2612 = 3.673205103346574e-06 * x2608;
-  const Real x2626 = cosine[2] * (x2521 - x2530) - x2524 * x2594;
-  const Real x2630 = cosine[2] * x2626;
-  const Real x2632 = x2521 - x2630;
-  const Real x2640 = 3.673205103346574e-06 * (cosine[2] * x2527 - sine[2] * x2533);
-  const Real x2644 = 3.673205103346574e-06 * (x2632 - (2.6 + x2387 - x2402 * x2490));
-  const Real x2648 = x2644 + 1.9999999999865075 * (sine[2] * x2527 + cosine[2] * x2533);
-  const Real x2657 = 0.3 * (0.9999999999932537 * (x2524 + sine[2] * x2626) - x2640);
-  const Real x2677 = 0.3 * (x2579 - 0.3 * (x2632 - 3.673205103346574e-06 * x2648));
-  const Real x2689 = 0.9999999999932537 * x2601 - 0.3 * (x2566 - 3.673205103346574e-06 * x2584);
-  const Real x2690 = 0.3 * (x2515 + x2564 - x2657) + x2689;
-  const Real x2693 = 0.9999999999932537 * x2608 + 0.3 * (3.673205103346574e-06 * x2563);
-  const Real x2697 = 0.3 * (x2569 + 0.3 * (x2530 + x2630));
-  const Real x2707 = sine[2] * x2538 + cosine[2] * x2540;
-  const Real x2731 = 0.9999999999932537 * (sine[2] * x2542 + cosine[2] * x2544);
-  const Real x2734 = x2731 - 3.673205103346574e-06 * (x766 + x2460 + x2402 * x2485);
-  const Real x2738 = 0.3 * (cosine[2] * x2542 - sine[2] * x2544);
-  const Real x2744 = x2604 - x2612 + 0.3 * x2569 + x2697 + 0.048670000000000005;
-  require_more(w, x2744, 0.0, kFactorization, 1);
-  const Real x2737 = cosine[2] * x2538 - sine[2] * x2540 - 0.3 * x2734;
-  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x2756 = 1 / x2744;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2480 = x143 * 2.6 - (x157 - x111) * 0.078 - x2455;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2751 = 0.9999999999932537 * x2707 - 3.673205103346574e-06 * tau[2] + x2738 - x709;
+  const Real x2544 = x2480 + x2398 * x2485;
+  const Real x2707 = sine[2] * x2538 + cosine[2] * x2540;
+  const Real x2738 = 0.3 * (cosine[2] * x2542 - sine[2] * x2544);
+  const Real x2731 = 0.9999999999932537 * (sine[2] * x2542 + cosine[2] * x2544);
+  const Real x2740 = 0.9999999999932537 * x2707 - x2715 + x2738;
+  const Real x2734 = x2731 - 3.673205103346574e-06 * (x766 + x2460 + x2402 * x2485);
   // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x2758 = x2756 * (tau[1] - x2751);
   const Real x2759 = x2690 * x2756;
   const Real x2760 = x2693 * x2756;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
@@ -1658,17 +1887,25 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x2768 = x2741 - x2690 * x2759;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Real x2683 = 3.673205103346574e-06 * x2601 + 0.3 * (x2553 - 0.9999999999932537 * x2584);
-  const Real x2750 = x699 - (3.673205103346574e-06 * x2707 + 0.9999999999932537 * tau[2]);
   // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
   const Real x2868 = cosine[1] * (x2768 - (0.00558 + x2612 - x2693 * x2760));
   const Real x2873 = x2868 - (x2690 * x2760 - x2683) * (sine[1] * 2.0);
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Real x2737 = cosine[2] * x2538 - sine[2] * x2540 - 0.3 * x2734;
+  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
   const Real x2879 = x2768 - cosine[1] * x2873;
-  const Real x2972 = sine[1] * (x706 + x2737 + x2690 * x2758);
-  const Real x2979 = 0.9999999999932537 * (x2972 + cosine[1] * (x2750 - x2693 * x2758));
+  const Real x2757 = tau[1] - (x2740 - (x55 * 0.04309 + x37 * 0.31000000000000005));
+  const Real x2758 = x2756 * x2757;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Real x2749 = 1.1170584039787268e-05 - (x30 * 0.048670000000000005 + x59 * 0.04309) + x2737;
+  const Real x2750 = x32 * 0.00558 - (3.673205103346574e-06 * x2707 + x2710);
+  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
   const Real x3011 = x2879 - 3.673205103346574e-06 * (3.673205103346574e-06 * x2879) + 0.00882;
   require_more(w, x3011, 0.0, kFactorization, 0);
+  const Real x2972 = sine[1] * (x2749 + x2690 * x2758);
+  const Real x2979 = 0.9999999999932537 * (x2972 + cosine[1] * (x2750 - x2693 * x2758));
   // joint 0 "base_yaw": articulated-body inertia and bias force through it
-  const Real x3019 = 1 / x3011 * (x2979 + 3.673205103346574e-06 * tau[1] + tau[0]);
+  const Real x3019 = 1 / x3011 * (x2979 + x2981 + tau[0]);
   w.result[0] = x3019;
   // joint 1 "shoulder_pitch": its acceleration, and that of the link beyond
   const Real x3028 = 0.9999999999932537 * x3019;
@@ -1678,24 +1915,24 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x3042 = 3.673205103346574e-06 * x3019 + x3041;
   w.result[1] = x3042;
   // joint 2 "upper_arm_roll": its acceleration, and that of the link beyond
-  const Real x3043 = 0.3 * x3041;
   const Real x3044 = 0.3 * x3032;
-  const Real x3049 = 3.673205103346574e-06 * x3034 + 0.9999999999932537 * x3041;
-  const Real x3058 = sine[2] * x3049 - cosine[2] * x3032;
-  const Real x3062 = sine[2] * x3032 + cosine[2] * x3049;
   const Real x3063 = 0.9999999999932537 * x3044;
   const Real x3064 = 3.673205103346574e-06 * x3044;
+  const Real x3043 = 0.3 * x3041;
+  const Real x3049 = 3.673205103346574e-06 * x3034 + 0.9999999999932537 * x3041;
   const Real x3068 = cosine[2] * x3043 + sine[2] * x3063;
   const Real x3072 = cosine[2] * x3063 - sine[2] * x3043;
+  const Real x3058 = sine[2] * x3049 - cosine[2] * x3032;
+  const Real x3062 = sine[2] * x3032 + cosine[2] * x3049;
   const Real x3084 = x2485 + x2490 * x3064 - x2488 * x3068;
   const Real x3086 = x3084 - x2489 * x3072 - x2486 * x3058;
   const Real x3087 = x3086 - x2487 * x3062;
   const Real x3088 = x3087 - (0.9999999999932537 * x3034 - 3.673205103346574e-06 * x3041);
   w.result[2] = x3088;
   // joint 3 "elbow_pitch": its acceleration, and that of the link beyond
-  const Real x3091 = x3072 + 0.08 * x3087;
   const Real x3094 = x3064 + 0.08 * x3062;
   const Real x3099 = 0.9999999999932537 * x3087 - 3.673205103346574e-06 * x3062;
+  const Real x3091 = x3072 + 0.08 * x3087;
   const Real x3108 = cosine[3] * x3058 + sine[3] * x3099;
   const Real x3112 = cosine[3] * x3099 - sine[3] * x3058;
   const Real x3117 = 3.673205103346574e-06 * x3091 + 0.9999999999932537 * x3094;
@@ -1708,10 +1945,10 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x3149 = 0.9999999999932537 * x3062 + 3.673205103346574e-06 * x3087 + x3148;
   w.result[3] = x3149;
   // joint 4 "forearm_roll": its acceleration, and that of the link beyond
-  const Real x3153 = x3127 - 0.38 * x3148;
-  const Real x3156 = x3132 + 0.08 * x3148;
   const Real x3162 = x3123 + 0.08 * x3112 + 0.38 * x3108;
   const Real x3167 = 3.673205103346574e-06 * x3112 + 0.9999999999932537 * x3148;
+  const Real x3156 = x3132 + 0.08 * x3148;
+  const Real x3153 = x3127 - 0.38 * x3148;
   const Real x3176 = cosine[4] * x3108 - sine[4] * x3167;
   const Real x3181 = sine[4] * x3108 + cosine[4] * x3167;
   const Real x3187 = 3.673205103346574e-06 * x3156 - 0.9999999999932537 * x3162;
@@ -1724,24 +1961,24 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x3216 = x3215 - (0.9999999999932537 * x3112 - 3.673205103346574e-06 * x3148);
   w.result[4] = x3216;
   // joint 5 "wrist_pitch": its acceleration, and that of the link beyond
-  const Real x3220 = 3.673205103346574e-06 * x3181 + 0.9999999999932537 * x3215;
-  const Real x3228 = cosine[5] * x3176 + sine[5] * x3220;
-  const Real x3232 = cosine[5] * x3220 - sine[5] * x3176;
   const Real x3237 = 3.673205103346574e-06 * x3200 + 0.9999999999932537 * x3192;
   const Real x3243 = 3.673205103346574e-06 * x3192 - 0.9999999999932537 * x3200;
   const Real x3247 = cosine[5] * x3196 - sine[5] * x3237;
   const Real x3252 = sine[5] * x3196 + cosine[5] * x3237;
+  const Real x3220 = 3.673205103346574e-06 * x3181 + 0.9999999999932537 * x3215;
   const Real x3265 = x1662 - x1667 * x3243 - x1665 * x3247;
+  const Real x3228 = cosine[5] * x3176 + sine[5] * x3220;
+  const Real x3232 = cosine[5] * x3220 - sine[5] * x3176;
   const Real x3267 = x1666 * x3252 + x3265 - x1663 * x3228;
   const Real x3268 = x3267 - x1664 * x3232;
   const Real x3269 = x3268 - (0.9999999999932537 * x3181 - 3.673205103346574e-06 * x3215);
   w.result[5] = x3269;
   // joint 6 "flange_roll": its acceleration, and that of the link beyond
   const Real x3280 = 0.9999999999932537 * x3268 - 3.673205103346574e-06 * x3232;
-  const Real x3289 = cosine[6] * x3228 + sine[6] * x3280;
-  const Real x3293 = cosine[6] * x3280 - sine[6] * x3228;
   const Real x3296 = 0.9999999999932537 * (x3243 - 0.09 * x3232);
   const Real x3297 = x3296 - 3.673205103346574e-06 * (0.09 * x3268 - x3252);
+  const Real x3289 = cosine[6] * x3228 + sine[6] * x3280;
+  const Real x3293 = cosine[6] * x3280 - sine[6] * x3228;
   const Real x3306 = cosine[6] * x3247 + sine[6] * x3297;
   const Real x3310 = cosine[6] * x3297 - sine[6] * x3247;
   const Real x3320 = x1425 - x1426 * x3289 - x1427 * x3293;

@@ -61,7 +61,9 @@ class _ProcessText:
         self.process: Process = words.plan.processes[p]
         self.graph = simulated.machine.graph
         self.operations = simulated.operations
-        self.layout: Layout = laid_out(self.process, self.machine, simulated.ends, chunk)
+        self.layout: Layout = laid_out(
+            self.process, self.machine, simulated.ends, chunk, batch=words.batch
+        )
         self.text = Text(self.graph, words.plan.scalar, self._only_users())
         self.followers = self._followers()
         self.functions: list[dict[str, object]] = []
@@ -101,7 +103,7 @@ class _ProcessText:
             if pivot.constant is None or pivot.constant <= (least.constant or 0):
                 names = f"{self._name(pivot.index)}, {self._name(least.index)}"
                 line = f"require_more(w, {names}, {check.failure}, {check.joint});"
-                lines[(looked_at(self.machine, check) or [pivot.index])[-1]].append(line)
+                lines[(looked_at(check, self.layout.turns) or [pivot.index])[-1]].append(line)
         for number, content in self.machine.sent.items():
             for k, x in enumerate(content):
                 lines[x.index].append(f"w.to[{number}][{k}] = {self._name(x.index)};")

@@ -7,11 +7,12 @@ limited length. What a message needs comes before it is sent; everything else wa
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from adagen.emit.unrolled.checks import Check
 from adagen.emit.unrolled.machine import RECEIVED, Machine
+from adagen.emit.unrolled.order import in_order
 from adagen.graph import Node, live_nodes
 from adagen.plan.stages import Stage, stages
 from adagen.plan.types import Process
@@ -52,13 +53,17 @@ class Layout:
     Attributes:
         stretches: by the place of the stage that they precede; the last by the number of stages.
         places: values that the workspace holds at once.
+        turns: when a value is computed, by its index.
     """
 
     stretches: dict[int, Stretch]
     places: int
+    turns: dict[int, int]
 
 
-def laid_out(process: Process, machine: Machine, ends: Sequence[int], longest: int) -> Layout:
+def laid_out(
+    process: Process, machine: Machine, ends: Sequence[int], longest: int, *, batch: bool = False
+) -> Layout:
     """Return the layout of a process.
 
     Args:
@@ -66,6 +71,7 @@ def laid_out(process: Process, machine: Machine, ends: Sequence[int], longest: i
         machine: it, after all steps.
         ends: number of nodes in the graph after each step.
         longest: values of one function.
+        batch: whether many states are solved at once.
     """
     pending: list[int] = []
     done = 0
@@ -88,7 +94,7 @@ def laid_out(process: Process, machine: Machine, ends: Sequence[int], longest: i
             done += 1
         now = _needed(machine, pending, stage)
         pending = [k for k in pending if k not in now]
-        orders[place] = last_work, sorted(now)
+        orders[place] = last_work, in_order(machine.graph, process, now, batch=batch)
         last_work = None
     stretches = {
         place: Stretch(
@@ -97,7 +103,9 @@ def laid_out(process: Process, machine: Machine, ends: Sequence[int], longest: i
         for place, (work, order) in orders.items()
     }
     chunks = [chunk for stretch in stretches.values() for chunk in stretch.chunks]
-    return Layout(stretches, _assign_places(machine, chunks))
+    computed = (index for chunk in chunks for index in chunk.values)
+    turns = {index: turn for turn, index in enumerate(computed)}
+    return Layout(stretches, _assign_places(machine, chunks, turns), turns)
 
 
 def is_given(node: Node) -> bool:
@@ -116,16 +124,15 @@ def _needed(machine: Machine, pending: Iterable[int], stage: Stage | None) -> se
     return pending & wanted
 
 
-def looked_at(machine: Machine, check: Check) -> list[int]:
+def looked_at(check: Check, turns: Mapping[int, int]) -> list[int]:
     """What of a check is computed, in order: the last of it is where the check can be done."""
-    nodes = machine.graph.nodes
-    indices = sorted({check.pivot.index, check.least.index})
-    return [k for k in indices if nodes[k].op != "constant" and not is_given(nodes[k])]
+    indices = {check.pivot.index, check.least.index} & turns.keys()
+    return sorted(indices, key=turns.__getitem__)
 
 
-def _assign_places(machine: Machine, chunks: Sequence[Chunk]) -> int:
+def _assign_places(machine: Machine, chunks: Sequence[Chunk], turns: Mapping[int, int]) -> int:
     """Give each value that is used beyond its chunk a place; places are used again."""
-    users = _users_beyond(machine, chunks)
+    users = _users_beyond(machine, chunks, turns)
     free: list[int] = []
     count = 0
     place: dict[int, int] = {}
@@ -143,12 +150,14 @@ def _assign_places(machine: Machine, chunks: Sequence[Chunk]) -> int:
     return count
 
 
-def _users_beyond(machine: Machine, chunks: Sequence[Chunk]) -> dict[int, list[int]]:
+def _users_beyond(
+    machine: Machine, chunks: Sequence[Chunk], turns: Mapping[int, int]
+) -> dict[int, list[int]]:
     """By value, the chunks after its own that use it, in order."""
     home = {index: k for k, chunk in enumerate(chunks) for index in chunk.values}
     partners: dict[int, list[int]] = defaultdict(list)  # what is looked at together
     for check in machine.checks:
-        *others, last = looked_at(machine, check) or [-1]
+        *others, last = looked_at(check, turns) or [-1]
         partners[last] += others
     users: dict[int, list[int]] = defaultdict(list)
     for k, chunk in enumerate(chunks):

@@ -1,0 +1,75 @@
+"""The order of the statements in shape unrolled."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from adagen.emit.unrolled.order import in_order
+from adagen.emit.unrolled.simulate import simulate
+from adagen.graph import Graph, live_nodes
+from adagen.plan import make_plan
+from adagen.plan.steps import Kinematics
+from adagen.plan.types import Process
+from tests.emitted import plan_of
+from tests.models import random_tree, serial_chain
+from tests.schedules import random_schedule
+
+
+def most_alive(graph: Graph, order: Sequence[int]) -> int:
+    """Return how many values are alive at most: computed, and yet to be used."""
+    turn = {k: n for n, k in enumerate(order)}
+    last = dict(turn)
+    for user in order:
+        last.update({k: turn[user] for k in graph.nodes[user].args if k in turn})
+    ends = np.bincount(list(last.values()), minlength=len(order))
+    return int((np.arange(1, len(order) + 1) - np.cumsum(ends)).max())
+
+
+@settings(max_examples=25, deadline=None)
+@given(seed=st.integers(0, 10**6), processes=st.integers(1, 3), batch=st.booleans())
+def test_everything_is_computed_once_and_after_what_it_uses(
+    seed: int, processes: int, batch: bool
+) -> None:
+    rng = np.random.default_rng(seed)
+    model = random_tree(rng, int(rng.integers(1, 6)), floating=bool(rng.integers(2)))
+    form = ("segment", "ada")[seed % 2]
+    plan = make_plan(model, random_schedule(model, processes, rng), form=form)
+    for one, process in zip(simulate(plan), plan.processes, strict=True):
+        graph = one.machine.graph
+        live = live_nodes(graph, one.machine.roots())
+        values = {k for k in live if graph.nodes[k].op not in ("constant", "input")}
+        order = in_order(graph, process, values, batch=batch)
+        assert sorted(order) == sorted(values)
+        turn = {k: n for n, k in enumerate(order)}
+        assert all(turn[a] < turn[k] for k in order for a in graph.nodes[k].args if a in turn)
+
+
+@pytest.mark.parametrize("joints", [12, 40])
+def test_what_a_link_takes_is_computed_while_its_motion_is_at_hand(joints: int) -> None:
+    plan = plan_of(serial_chain(joints), 1)
+    one = simulate(plan)[0]
+    graph = one.machine.graph
+    live = live_nodes(graph, one.machine.roots())
+    values = {k for k in live if graph.nodes[k].op not in ("constant", "input")}
+    order = in_order(graph, plan.processes[0], values, batch=True)
+    assert most_alive(graph, order) < 0.8 * most_alive(graph, sorted(values))
+
+
+def test_of_a_single_state_what_most_waits_for_comes_first() -> None:
+    graph = Graph()
+    x = graph.input("x")
+    short = [x + k for k in range(1, 81)]
+    power = [x * x]
+    for _ in range(40):
+        power.append(power[-1] * x)
+    values = {value.index for value in (*short, *power)}
+    process = Process(steps=(Kinematics(0),), reads=(0,), owns=(0,))
+    alone = in_order(graph, process, values, batch=False)
+    assert alone[0] == power[0].index
+    assert set(alone[-3:]) == {value.index for value in power[-3:]}
+    assert in_order(graph, process, values, batch=True) == sorted(values)
