@@ -43,7 +43,7 @@ VARIANTS = (
 """What adagen is asked for, in its own command line's words; what it cannot do is skipped."""
 MOST_TURNS = 16
 """Processes that are timed in turns, by their stretches, where there are fewer cores."""
-MOST_TEXT = 2_000_000
+MOST_TEXT = 4_000_000
 """Characters of a source that is still built: with more, a contest would be one of compilers."""
 
 

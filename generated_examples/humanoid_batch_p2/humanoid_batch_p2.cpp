@@ -2556,9 +2556,14 @@ struct Group {
 };
 
 // Groups that go through each part before the next one, so that its instructions are fetched once
-// for all: as many as caches of the second level hold.
-constexpr int kGroups =
-    kParts.size() == 1 ? 1 : std::clamp(static_cast<int>((1 << 19) / sizeof(Group)), 1, 8);
+// for all: as many as fill half of the second-level cache, or many where not even the code fits.
+constexpr int kGroups = [] {
+  constexpr std::size_t kCache = 1 << 20, kCodeOfPart = 8 << 10, kMost = 8;
+  constexpr std::size_t kCode = kParts.size() * kCodeOfPart;
+  if (kParts.size() == 1) return 1;
+  if (kCode + sizeof(Group) > kCache) return static_cast<int>(kMost);
+  return static_cast<int>(std::clamp<std::size_t>(kCache / 2 / sizeof(Group), 1, kMost));
+}();
 
 // Rows of numbers, one for each state, become lanes; lanes without a state repeat the last one.
 template <std::size_t width>

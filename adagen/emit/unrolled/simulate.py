@@ -12,7 +12,7 @@ from adagen.model.kinds import KINDS
 from adagen.plan import Plan
 
 _MOST_FREEDOMS = 24
-_MOST_FREEDOMS_IN_LANES = 256
+_MOST_FREEDOMS_IN_LANES = 512
 _MOST_EACH_IN_LANES = 450
 _MOST_OPERATIONS = 3000  # of one process: about 20 kB of code
 _MOST_EACH = 250  # products and sums for each degree of freedom
