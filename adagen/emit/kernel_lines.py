@@ -12,17 +12,18 @@ from adagen.emit.processes import describe_message
 from adagen.emit.runs import (
     Run,
     ends_of_run,
+    is_base,
     links_of_run,
-    parts_of,
+    outward_units,
     pays_columns,
-    runs,
     spans,
     sweep_of,
     units_of_sweep,
 )
+from adagen.emit.segments import split
 from adagen.emit.stages import stamped_groups
 from adagen.emit.words import Words
-from adagen.plan.abreast import Limbs, ends_of, inward_order, outward_order, placed_links
+from adagen.plan.abreast import Limbs, inward_order, outward_order, placed_links
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -30,6 +31,7 @@ from adagen.plan.steps import (
     FreeBase,
     Kinematics,
     LoadRoot,
+    Propagate,
     Receive,
     Send,
     SolveRoot,
@@ -81,11 +83,11 @@ class KernelLines:
 
     def checks(self) -> list[str]:
         """Refuse a state that is not finite."""
-        reads, owns = self.process.reads, self.process.owns
+        reads = self.process.reads
         return [
             *self._finite("w.q", "q", reads, "kNotFinite"),
             *self._finite("w.v", "v", reads, "kNotFinite"),
-            *self._finite("w.tau", "v", sorted((*owns, *self.process.shares)), "kNotFinite"),
+            *self._finite("w.tau", "v", self.process.treated, "kNotFinite"),
         ]
 
     def results(self) -> list[str]:
@@ -120,7 +122,10 @@ class KernelLines:
         """Return the lines of the steps of a stage."""
         lines: list[str] = []
         for kind, group in groupby(steps, type):
-            if issubclass(kind, mobility.STEPS):
+            if kind is Propagate:
+                steps_out = [step for step in group if isinstance(step, Propagate)]
+                lines += mobility.propagations(self.words, self.process, steps_out)
+            elif issubclass(kind, mobility.STEPS):
                 for step in group:
                     if isinstance(step, LoadRoot):
                         self.parts.add(step.link)
@@ -134,50 +139,34 @@ class KernelLines:
         lines = self._angles(joints)
         turning = [j for j in joints if self.joints[j].kind not in ("spherical", "floating")]
         lines += [f"turn<{a}, {b}>(w);" for a, b in self._blocks(turning)]
-        bases = [j for j in joints if self._is_base(j)]
+        bases = [j for j in joints if is_base(self.joints[j])]
         oriented = [
             j for j in joints if self.words.kind(j).quaternion is not None and j not in bases
         ]
         self.oriented.update(oriented)
         lines += [f"orient<{self.p}, {a}, {b}>(w);" for a, b in self._blocks(oriented)]
         lines += [f"free_base_frame<{j}>(w);" for j in bases]
-        treated = {*self.process.owns, *self.process.shares}
-        sweep = {j: ends_of(self.joints, j) for j in joints if j not in bases}
-        for part in parts_of(outward_order(sweep, self.limbs)):
-            if isinstance(part, Limbs):
-                lines.append(f"outward_abreast<{self._number(part)}>(w);")
+        for unit in outward_units(self.joints, joints, self.limbs, self.process.treated):
+            if isinstance(unit, Limbs):
+                lines.append(f"outward_abreast<{self._number(unit)}>(w);")
                 continue
-            for verb, run in self._outward(part, treated):
-                lines.append(f"{verb}<{run.first}, {run.last}>(w);{self._names(run)}")
+            verb = "outward" if unit.treated else "pass_outward"
+            for run, in_segments in split(unit.run, self.layout.segments):
+                call = f"{verb}{'_in_segments' * in_segments}<{run.first}, {run.last}>(w);"
+                lines.append(call + self._names(run))
         return lines
 
     def _number(self, limbs: Limbs) -> str:
         return f"kLimbs{self.layout.all_limbs.index(limbs)}"
 
-    def _outward(self, joints: list[int], treated: set[int]) -> list[tuple[str, Run]]:
-        """Runs outwards: of joints that are treated, and of those only passed on the way."""
-        left = {self.joints[j].parent for j in joints if self.joints[j].parent != j}
-        found: list[tuple[str, Run]] = []
-        for run in runs(self.joints, joints):
-            first = run.first
-            for j in range(run.first, run.last + 1):
-                ends = j == run.last or (j in treated) != (j + 1 in treated) or j + 1 in left
-                if ends and j not in treated:
-                    found.append(("pass_outward", Run(first, j)))
-                elif j == run.last or (ends and j + 1 not in treated):
-                    found.append(("outward", Run(first, j)))
-                else:
-                    continue
-                first = j + 1
-        return found
-
-    def _is_base(self, j: int) -> bool:
-        return self.joints[j].kind == "floating" and self.joints[j].parent == 0
-
     def _angles(self, joints: list[int]) -> list[str]:
         """Copy the angles of joints that turn, as many at once as lie side by side."""
         if not self.layout.plain:
-            return [f"take_angles<{a}, {b}>(w);" for a, b in spans(joints)]
+            return [
+                f"take_angles{'_in_segments' * in_segments}<{run.first}, {run.last}>(w);"
+                for span in spans(joints)
+                for run, in_segments in split(Run(*span), self.layout.segments)
+            ]
         copies: list[tuple[int, int, int]] = []  # joint, place in q, count
         for j in joints:
             kind = self.joints[j].kind

@@ -4,25 +4,27 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from adagen.emit.runs import Run
+from adagen.emit.segments import LANES, segments_of, slots_of
 from adagen.plan import Plan
 from adagen.plan.abreast import Limbs, limbs_abreast
-
-_BLOCK = {"double": 8, "float": 16}  # slots in a block of the widest registers
 
 
 @dataclass(frozen=True)
 class Layout:
-    """The slots of all joints, and which limbs each process takes side by side.
+    """The slots of all joints, and what is taken side by side.
 
     Attributes:
         slots: of each joint; the joint beyond which a link lies stands for the link too.
         count: number of slots, some of which may be empty.
-        limbs: of each process.
+        limbs: those that each process takes side by side.
+        segments: runs that are passed outwards in segments, outwards from the base.
     """
 
     slots: tuple[int, ...]
     count: int
     limbs: tuple[tuple[Limbs, ...], ...]
+    segments: tuple[Run, ...]
 
     @property
     def all_limbs(self) -> list[Limbs]:
@@ -32,7 +34,7 @@ class Layout:
     @property
     def plain(self) -> bool:
         """Whether every joint lies at its own number."""
-        return not self.all_limbs
+        return self.slots == tuple(range(self.count))
 
     @staticmethod
     def of(plan: Plan, batch: bool) -> Layout:
@@ -40,17 +42,28 @@ class Layout:
         limbs = tuple(
             () if batch else tuple(limbs_abreast(plan, process)) for process in plan.processes
         )
-        count = len(plan.joints)
-        if not any(limbs):
-            return Layout(tuple(range(count)), count, limbs)
+        segments = () if batch else tuple(segments_of(plan, limbs))
+        count, width = len(plan.joints), LANES[plan.scalar]
+        if not segments and not any(limbs):
+            return Layout(tuple(range(count)), count, limbs, segments)
         slots, next_ = [-1] * count, 0
+        for run in segments:
+            own_slots = slots_of(run, width)
+            for j, slot in enumerate(own_slots, start=run.first):
+                slots[j] = next_ + slot
+            next_ = _up(next_ + max(own_slots) + 1, width)
         for process, own in zip(plan.processes, limbs, strict=True):
-            next_ = -(-next_ // _BLOCK[plan.scalar]) * _BLOCK[plan.scalar]  # blocks of its own
+            next_ = _up(next_, width)  # blocks of its own
             widest = sorted(own, key=lambda each: -each.count)  # so that all are aligned
-            taken = [j for each in widest for j in each.members()]
-            for j in (*taken, *(j for j in process.owns if j not in set(taken))):
-                slots[j], next_ = next_, next_ + 1
+            for j in (*(j for each in widest for j in each.members()), *process.owns):
+                if slots[j] < 0:
+                    slots[j], next_ = next_, next_ + 1
         for j in range(count):
             if slots[j] < 0:
                 slots[j], next_ = next_, next_ + 1
-        return Layout(tuple(slots), next_, limbs)
+        return Layout(tuple(slots), next_, limbs, segments)
+
+
+def _up(slot: int, width: int) -> int:
+    """Return where the next block begins."""
+    return -(-slot // width) * width

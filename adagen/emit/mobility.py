@@ -7,12 +7,14 @@ Blocks and biases are in the axes of the base; a join turns what it reads into i
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Sequence
 from dataclasses import replace
 
 from adagen.emit import effects, joins
 from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.edges import is_free_base
+from adagen.plan.responses import responses
 from adagen.plan.steps import (
     AccelerateRoot,
     Deliver,
@@ -106,13 +108,11 @@ def members(words: Words) -> dict[int, list[str]]:
 
 
 def lines_of(words: Words, p: int, step: Step) -> list[str]:
-    """Return the lines of one of ``STEPS`` on process p."""
+    """Return the lines of one of ``STEPS`` on process p; see ``propagations`` for Propagate."""
     match step:
         case InvertRoot():
             phi, b = words.block(step.block), words.bias(step.bias)
             return [f"invert_root<{p}, {step.link}>(w, {phi}, {b});"]
-        case Propagate():
-            return _propagate(words, step)
         case Join():
             turned = replace(step, velocity_product=False)
             return _scoped(
@@ -150,6 +150,20 @@ def lines_of(words: Words, p: int, step: Step) -> list[str]:
             phi, b = words.block(step.block), words.bias(step.bias)
             return [f"solve_mobility<{step.link}>(w, {phi}, {b});"]
     raise AssertionError(f"no code for {step}")
+
+
+def propagations(words: Words, process: Process, steps: Sequence[Propagate]) -> list[str]:
+    """Return the lines of steps that take mobilities outwards."""
+    lines: list[str] = []
+    for run in responses(words.plan, process, steps):
+        first, last = run[0], run[-1]
+        if len(run) == 1:
+            lines += _propagate(words, first)
+            continue
+        target = f"{words.block(last.block)}, {words.bias(last.bias)}"
+        names = words.span(first.joint, last.joint)
+        lines.append(f"respond<{first.joint}, {last.joint}>(w, {target});  // {names}")
+    return lines
 
 
 def _scoped(lines: list[str]) -> list[str]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from adagen.plan.abreast import KINDS, Ends, Limbs, Unit, ends_of
+from adagen.plan.abreast import KINDS, Ends, Limbs, Unit, ends_of, outward_order
 from adagen.plan.steps import Accelerate, Articulate
 from adagen.plan.types import PlanJoint
 
@@ -19,6 +19,11 @@ class Run:
     last: int
     reversed: bool = False
 
+    @property
+    def joints(self) -> int:
+        """How many joints."""
+        return self.last - self.first + 1
+
 
 def runs(joints: Sequence[PlanJoint], order: Iterable[int]) -> list[Run]:
     """Return the runs of joints passed outwards in an order."""
@@ -29,6 +34,60 @@ def runs(joints: Sequence[PlanJoint], order: Iterable[int]) -> list[Run]:
         else:
             found.append(Run(j, j))
     return found
+
+
+@dataclass(frozen=True)
+class Outward:
+    """A run passed outwards: with what its joints are treated with later, or only on the way."""
+
+    run: Run
+    treated: bool
+
+
+def outward_units(
+    joints: Sequence[PlanJoint],
+    passed: Sequence[int],
+    limbs: Sequence[Limbs],
+    treated: Collection[int],
+) -> Iterator[Limbs | Outward]:
+    """Limbs side by side, and the runs between them, as joints are passed outwards.
+
+    What floats on the ground is left out: its frame is its own.
+
+    Args:
+        joints: the plan's joints.
+        passed: those that are passed, in an order.
+        limbs: those that may be taken side by side.
+        treated: joints that are treated later.
+    """
+    sweep = {j: ends_of(joints, j) for j in passed if not is_base(joints[j])}
+    for part in parts_of(outward_order(sweep, limbs)):
+        if isinstance(part, Limbs):
+            yield part
+        else:
+            yield from _outward_runs(joints, part, treated)
+
+
+def is_base(joint: PlanJoint) -> bool:
+    """Whether a joint lets a link float on the ground."""
+    return joint.kind == "floating" and joint.parent == 0
+
+
+def _outward_runs(
+    joints: Sequence[PlanJoint], passed: list[int], treated: Collection[int]
+) -> Iterator[Outward]:
+    left = {joints[j].parent for j in passed if joints[j].parent != j}
+    for run in runs(joints, passed):
+        first = run.first
+        for j in range(run.first, run.last + 1):
+            ends = j == run.last or (j in treated) != (j + 1 in treated) or j + 1 in left
+            if ends and j not in treated:
+                yield Outward(Run(first, j), treated=False)
+            elif j == run.last or (ends and j + 1 not in treated):
+                yield Outward(Run(first, j), treated=True)
+            else:
+                continue
+            first = j + 1
 
 
 def swept(joints: Sequence[PlanJoint], steps: Sequence[Articulate | Accelerate]) -> list[Run]:

@@ -145,6 +145,11 @@ class Process:
     shares: tuple[int, ...] = ()
     recovery: tuple[Step, ...] = field(default=(), metadata=OPTIONAL)
 
+    @property
+    def treated(self) -> list[int]:
+        """Joints whose acceleration it computes, ascending."""
+        return sorted((*self.owns, *self.shares))
+
 
 @dataclass(frozen=True)
 class Plan:

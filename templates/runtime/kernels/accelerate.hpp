@@ -70,10 +70,9 @@ template <bool reversed, class T>
 ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
   const T* const e = w.memory(joints).e;
   const Vector<T>& r = w.memory(joints).r;
-  const Value* R = w.at(joints.slot, kAxes);
   switch (kind) {
     case JointKind::kRevolute: {
-      const Vector<T> axis = axis_at<T>(R);
+      const Vector<T> axis = axis_of(w, joints);
       const T x = freedom(e, a);
       answer(w, joints, 0, reversed ? -x : x);
       carry(a, reversed ? -r : r);
@@ -85,7 +84,7 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, M
       const T x = freedom(e, a);
       answer(w, joints, 0, reversed ? -x : x);
       carry(a, reversed ? -r : r);
-      a.linear += axis_at<T>(R) * x;
+      a.linear += axis_of(w, joints) * x;
       break;
     }
     case JointKind::kSpherical:

@@ -47,6 +47,16 @@ ADAGEN_INLINE Body<Real> body(const Columns& X) {
 
 typedef Bits ColumnBits __attribute__((vector_size(8 * sizeof(Bits))));
 
+// Eight lanes of a register that may hold more.
+template <int first>
+ADAGEN_INLINE Column eight(const Lanes& x) {
+  Real numbers[kLanes];
+  std::memcpy(numbers, &x, sizeof x);
+  Column result;
+  std::memcpy(&result, numbers + first, sizeof result);
+  return result;
+}
+
 // One number of a column in all lanes, and the linear half alone.
 template <int k>
 ADAGEN_INLINE Column spread(const Column& x) {
@@ -64,6 +74,10 @@ struct Arm {
 };
 ADAGEN_INLINE Arm arm(const Vector<Real>& r) {
   return {Column{r.y, r.z, r.x}, Column{r.z, r.x, r.y}, r};
+}
+// The same where x, too, has r as its linear half.
+ADAGEN_INLINE Arm arm(const Column& x, const Vector<Real>& r) {
+  return {shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x), shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x), r};
 }
 ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
   return x + arm.ahead * shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x) -

@@ -1,6 +1,15 @@
 // Inwards by columns: a joint takes a few instructions for each. For runs of joints that nothing
 // lies beside; where no register holds a column, such runs are taken number by number.
 
+// The joint that fills a slot.
+const std::array<std::size_t, kBlockCount* kPerBlock> kJointAt = [] {
+  std::array<std::size_t, kBlockCount * kPerBlock> result;
+  result.fill(kJointCount);
+  for (int j = 0; j < kJointCount; ++j)
+    result[static_cast<std::size_t>(slot_of(j))] = static_cast<std::size_t>(j);
+  return result;
+}();
+
 // What set_up_links found of the links of blocks first .. last - 1, as it is added to columns.
 template <int first, int last>
 void set_up_columns(Workspace& w) {
@@ -9,9 +18,11 @@ void set_up_columns(Workspace& w) {
     const auto row = [&](int entry) {
       return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
     };
-    LinkColumns* const links = &w.columns[static_cast<std::size_t>(slot)];
-    const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
-      ADAGEN_FOR (k, 0, 8) std::memcpy(links[k].*place, &found[k], sizeof found[k]);
+    const auto put = [&](Real(LinkColumns::*place)[8], const Column(&found)[8]) {
+      ADAGEN_FOR (k, 0, 8) {
+        LinkColumns& link = w.columns[kJointAt[static_cast<std::size_t>(slot + k)]];
+        std::memcpy(link.*place, &found[k], sizeof found[k]);
+      }
     };
     const auto& all = kBlockConstants[static_cast<std::size_t>(slot / kPerBlock)];
     const Column mass = number_at<Column>(&all.mass[static_cast<std::size_t>(slot % kPerBlock)]);
@@ -31,7 +42,7 @@ void set_up_columns(Workspace& w) {
 }
 
 ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Columns& X) {
-  const LinkColumns& own = w.columns[static_cast<std::size_t>(slot_of(link - 1))];
+  const LinkColumns& own = w.columns[static_cast<std::size_t>(link - 1)];
   const Column a = number_at<Column>(own.tensor);   // xx xy xz yy yz zz m 0
   const Column b = number_at<Column>(own.moments);  // x y z -x -y -z 0 0
   X.angular[0] += shuffled<0, 1, 2, 7, 7, 13, 9, 7>(a, b);
@@ -63,9 +74,12 @@ template <bool along, bool reversed, class Arrive>
 ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Arrive& arrive) {
   const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
   Memory& memory = w.joints[static_cast<std::size_t>(j)];
-  const Vector<Real> axis = axis_at(w.of(j, kAxes));
-  const Column s = column(axis, axis);
-  const Arm lever = arm(reversed ? -memory.r : memory.r);
+  const Vector<Real>& axis = memory.axis;
+  Column both;  // [axis, -, r, -]
+  std::memcpy(&both, &memory, sizeof both);
+  const Column s = shuffled<0, 1, 2, 3, 0, 1, 2, 3>(both, both);
+  if constexpr (reversed) both = -both;
+  const Arm lever = arm(both, reversed ? -memory.r : memory.r);
   if constexpr (reversed) {
     shift(X, lever);
     due.U = carried(lever, due.U);

@@ -14,7 +14,7 @@ struct Joints {
     return kJoints[static_cast<std::size_t>(joint[0])];
   }
 };
-constexpr int slot_of(int j) { return kAbreast ? kSlots[j] : j; }
+constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
 ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
 
 // The lanes of limbs side by side.
@@ -61,7 +61,7 @@ struct alignas(64) Block {
 // Three numbers of each of the joints, that follow each other in x.
 template <class T>
 ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
-                                    int JointConstants::* place) {
+                                    int JointConstants::*place) {
   const auto number = [&](int k) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
   };
@@ -86,12 +86,25 @@ ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
 }
 [[maybe_unused]] constexpr bool kAnyPassive = any_passive();
 
-// What is kept of a joint from the inward to the outward sweep.
+// Whether a joint's axis lies beside what it is treated with, and not with those of its block.
 template <class T>
+constexpr bool kWithAxis = kByColumns&& kWidth<T> == 1;
+// Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
+constexpr int kMostFactors = kAnyPlanar ? 24 : kAnySpherical ? 18 : 8;
+
+// What is kept of a joint from the inward to the outward sweep.
+template <class T, bool with_axis = kWithAxis<T>>
 struct Eliminated {
   Vector<T> r;  // from the parent link's origin to the child link's
-  // Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
-  T e[kAnyPlanar ? 24 : kAnySpherical ? 18 : 8];
+  T e[kMostFactors];
+};
+template <class T>
+struct alignas(64) Eliminated<T, true> {
+  Vector<T> axis;
+  T none;  // so that axis and r lie as the halves of a column
+  Vector<T> r;
+  T nothing;
+  T e[kMostFactors];
 };
 using Memory = Eliminated<Value>;
 
@@ -118,12 +131,15 @@ struct Workspace : Cuts {
   std::array<Memory, kJointCount> joints{};
   std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
   std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
-  std::array<LinkColumns, kByColumns ? kBlockCount * kPerBlock : 0> columns{};  // by slot
+  // Of the link beyond each joint, and one for slots that are not filled.
+  std::array<LinkColumns, kByColumns ? kJointCount + 1 : 0> columns{};
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
 
   Workspace() {
+    for (Block& block : blocks)  // slots that are not filled do not turn
+      for (const int k : {0, 4, 8}) std::fill_n(block.entries[kTurn + k], kPerBlock, Value{} + 1);
     for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
       for (int k = 0; k < 9; ++k)
         of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
@@ -175,6 +191,13 @@ template <class T = Value>
 ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
   return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
 }
+template <class T>
+ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
+  if constexpr (kWithAxis<T>)
+    return w.memory(joints).axis;
+  else
+    return axis_at<T>(w.at(joints.slot, kAxes));
+}
 
 ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -219,7 +242,7 @@ ADAGEN_INLINE bool finite(const Value* x, int count) {
 
 // Tells which of entries first .. is the first that is not finite; place says where a joint's
 // entries start.
-ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::*place,
                                Failure kind) {
   while (finite(x + first, 1)) ++first;
   int joint = 0;
@@ -230,7 +253,7 @@ ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int Join
 
 // Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
 inline void require_finite(Workspace& w, const Value* x, int first, int count,
-                           int JointConstants::* place, Failure kind) {
+                           int JointConstants::*place, Failure kind) {
   if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
 }
 

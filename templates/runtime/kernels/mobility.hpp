@@ -48,9 +48,10 @@ void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
   if (!invert(whole<p>(w, link), Phi, b)) fail(w, kFactorization, link - 1);
 }
 
-// Six columns of motions of a link, side by side: L times them are the far link's.
+// Motions of a link, side by side: what the far link does, with what drives the joint beyond L a
+// (of a joint with one freedom x).
 template <bool reversed>
-ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a) {
+ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a, const Vector<Lanes>& drive = {}) {
   const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
   const Memory& memory = w.joints[static_cast<std::size_t>(j)];
   const Value* const e = memory.e;
@@ -59,17 +60,18 @@ ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a) {
     if constexpr (kAnySpherical) {
       if constexpr (!reversed) carry(a, memory.r);
       const Vector<Lanes> v = a.linear, spin = a.angular;
-      a.angular = {-(e[0] * v.x + e[1] * v.y + e[2] * v.z), -(e[3] * v.x + e[4] * v.y + e[5] * v.z),
-                   -(e[6] * v.x + e[7] * v.y + e[8] * v.z)};
+      a.angular = {drive.x - (e[0] * v.x + e[1] * v.y + e[2] * v.z),
+                   drive.y - (e[3] * v.x + e[4] * v.y + e[5] * v.z),
+                   drive.z - (e[6] * v.x + e[7] * v.y + e[8] * v.z)};
       if constexpr (kSphericalRotors)
         a.angular += solve_rotations(e + 12, spin) * rotor_of(single(j));
       if constexpr (reversed) carry(a, -memory.r);
     }
     return;
   }
-  const Lanes x =
-      -((e[0] * a.angular.x + e[1] * a.angular.y) + (e[2] * a.angular.z + e[3] * a.linear.x) +
-        (e[4] * a.linear.y + e[5] * a.linear.z));
+  const Lanes x = drive.x - ((e[0] * a.angular.x + e[1] * a.angular.y) +
+                             (e[2] * a.angular.z + e[3] * a.linear.x) +
+                             (e[4] * a.linear.y + e[5] * a.linear.z));
   const Vector<Lanes> moved{axis.x * x, axis.y * x, axis.z * x};
   if constexpr (!reversed) carry(a, memory.r);
   if (kind == JointKind::kPrismatic)
@@ -144,31 +146,75 @@ void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias,
   far_bias = columns_of(a);
 }
 
-// A wrench on the far link: the joint feels S^T of it, the near link L^T.
-template <bool reversed>
-void deliver(Workspace& w, int j, const Columns6& load, Columns6& handed) {
+// A wrench on the far link becomes what the near link feels of it, L^T times it; what it drives the
+// joint with, D^-1 S^T times it, is returned.
+template <bool reversed, class T>
+ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f) {
   const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
-  Memory& memory = w.joints[static_cast<std::size_t>(j)];
-  Value* const e = memory.e;
-  Vector<Value> n{load[0], load[1], load[2]}, f{load[3], load[4], load[5]};
-  if constexpr (reversed) n += cross(f, memory.r);
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value>& r = memory.r;
+  if constexpr (reversed) n += cross(f, r);
+  Vector<T> driven{};
   if (kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) {
-      const Vector<Value> y = solve_rotations(e + 12, n);
-      e[9] += y.x, e[10] += y.y, e[11] += y.z;
-      const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
-      f += -transposed_times(K, n);
-      n = kSphericalRotors ? y * rotor_of(single(j)) : Vector<Value>{};
-      if constexpr (!reversed) n += cross(memory.r, f);
+      driven = solve_rotations(e + 12, n);
+      f.x -= e[0] * n.x + e[3] * n.y + e[6] * n.z;
+      f.y -= e[1] * n.x + e[4] * n.y + e[7] * n.z;
+      f.z -= e[2] * n.x + e[5] * n.y + e[8] * n.z;
+      n = kSphericalRotors ? driven * rotor_of(single(j)) : Vector<T>{};
+      if constexpr (!reversed) n += -cross(f, r);
     }
+    return driven;
+  }
+  const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_at(w.of(j, kAxes)));
+  driven.x = x * e[7];
+  if constexpr (!reversed) n += -cross(f, r);
+  n.x -= e[0] * x, n.y -= e[1] * x, n.z -= e[2] * x;
+  f.x -= e[3] * x, f.y -= e[4] * x, f.z -= e[5] * x;
+  return driven;
+}
+
+// A wrench on the far link: the joint and the near link are told.
+template <bool reversed>
+void deliver(Workspace& w, int j, const Columns6& load, Columns6& handed) {
+  Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  Vector<Value> n{load[0], load[1], load[2]}, f{load[3], load[4], load[5]};
+  const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
+  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
   } else {
-    const Value x = dot(axis_at(w.of(j, kAxes)), kind == JointKind::kPrismatic ? f : n);
-    e[6] += x * e[7];
-    if constexpr (!reversed) n += cross(memory.r, f);
-    n += -(Vector<Value>{e[0], e[1], e[2]} * x);
-    f += -(Vector<Value>{e[3], e[4], e[5]} * x);
+    e[6] += driven.x;
   }
   handed += columns_of({n, f});
+}
+
+// Phi and b of the last of joints first .. last, which hang on the ground: what six wrenches on its
+// link make it do, one in each lane, and in a further lane what it does under none.
+template <int first, int last>
+void respond(Workspace& w, Mat6& Phi, Columns6& b) {
+  static_assert(sizeof(Value) == sizeof(Real));
+  Vector<Lanes> drives[last - first + 1], n{}, f{};
+  n.x[0] = n.y[1] = n.z[2] = f.x[3] = f.y[4] = f.z[5] = 1;
+  for (int j = last; j >= first; --j) {
+    Vector<Lanes>& own = drives[j - first] = hand_on<false>(w, j, n, f);
+    const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+    if (kJoints[static_cast<std::size_t>(j)].kind != JointKind::kSpherical) {
+      own.x[6] = e[6];
+    } else if constexpr (kAnySpherical) {
+      own.x[6] = e[9], own.y[6] = e[10], own.z[6] = e[11];
+    }
+  }
+  Motion<Lanes> a{};
+  for (int j = first; j <= last; ++j) pass<false>(w, j, a, drives[j - first]);
+  const Vector<Lanes> halves[2] = {a.angular, a.linear};
+  ADAGEN_FOR (half, 0, 2) {
+    const Lanes* const rows[3] = {&halves[half].x, &halves[half].y, &halves[half].z};
+    ADAGEN_FOR (i, 0, 3) {
+      ADAGEN_FOR (k, 0, 6) Phi(3 * half + i, k) = (*rows[i])[k];
+      b[3 * half + i] = (*rows[i])[6];
+    }
+  }
 }
 
 // A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.

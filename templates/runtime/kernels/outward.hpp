@@ -54,7 +54,7 @@ template <bool kept, class T>
 ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
                                 Frame<T>& at) {
   const JointConstants& joint = joints.any();
-  const auto moved = [&](const Value* x, int JointConstants::* place) {
+  const auto moved = [&](const Value* x, int JointConstants::*place) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
   };
   const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
@@ -112,14 +112,21 @@ ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind
   at.R = R;
   if constexpr (!kept) return;
   w.memory(joints).r = r;
+  if constexpr (kWithAxis<T>) w.memory(joints).axis = axis;
   keep(w, joints.slot, at);
+}
+
+// The frame of the link that a joint is on.
+template <int j>
+ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
+  constexpr int parent = kJoints[j].parent - 1;
+  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
 }
 
 // Joints first .. last, each on the link of the one before.
 template <int first, int last>
 void outward(Workspace& w) {
-  constexpr int parent = kJoints[first].parent - 1;
-  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  Frame<Value> at = frame_near<first>(w);
   each_row<RunRows<first, last>, false>(
       [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, single(first + k), kind, at); });
 }
@@ -127,8 +134,7 @@ void outward(Workspace& w) {
 // The same on the way to joints that are treated: only the last link's frame is kept.
 template <int first, int last>
 void pass_outward(Workspace& w) {
-  constexpr int parent = kJoints[first].parent - 1;
-  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  Frame<Value> at = frame_near<first>(w);
   each_row<RunRows<first, last>, false>(
       [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
   keep(w, slot_of(last), at);

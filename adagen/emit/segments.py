@@ -1,0 +1,84 @@
+"""Long runs that are passed outwards in segments, one in each lane of the widest registers.
+
+See templates/runtime/kernels/segments.hpp.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby, pairwise
+
+from adagen.emit.runs import Run, outward_units
+from adagen.plan import Plan
+from adagen.plan.abreast import Limbs
+from adagen.plan.steps import Kinematics
+
+LANES = {"double": 8, "float": 16}
+"""Numbers in the widest registers."""
+
+_KINDS = frozenset({"revolute", "spherical"})
+_FEWEST_ROWS = 2  # of a run's joints, a segment's k-th ones in each
+
+
+def segments_of(plan: Plan, limbs: Sequence[Sequence[Limbs]]) -> list[Run]:
+    """Return the runs that every process that passes them outwards passes in segments.
+
+    Args:
+        plan: what is carried out.
+        limbs: those that each process takes side by side; their joints are left out.
+    """
+    taken = {j for own in limbs for each in own for j in each.members()}
+    passed = [run for p, own in enumerate(limbs) for run in _outward(plan, p, own)]
+    ends = sorted({end for run in passed for end in (run.first, run.last + 1)})
+    pieces = {
+        Run(first, beyond - 1)
+        for run in passed
+        for first, beyond in pairwise(end for end in ends if run.first <= end <= run.last + 1)
+    }
+    fewest = _FEWEST_ROWS * LANES[plan.scalar]
+    return sorted(
+        (run for run in pieces if run.joints >= fewest and _may_lie(plan, run, taken)),
+        key=lambda run: run.first,
+    )
+
+
+def _outward(plan: Plan, p: int, limbs: Sequence[Limbs]) -> Iterator[Run]:
+    """Yield the runs that a process passes outwards, joint by joint."""
+    process = plan.processes[p]
+    for kind, steps in groupby(process.steps, type):
+        if kind is Kinematics:
+            joints = [step.joint for step in steps if isinstance(step, Kinematics)]
+            for unit in outward_units(plan.joints, joints, limbs, process.treated):
+                if not isinstance(unit, Limbs):
+                    yield unit.run
+
+
+def _may_lie(plan: Plan, run: Run, taken: Iterable[int]) -> bool:
+    own = range(run.first, run.last + 1)
+    return all(plan.joints[j].kind in _KINDS for j in own) and not set(own) & set(taken)
+
+
+def slots_of(run: Run, lanes: int) -> list[int]:
+    """Return where the joints of a run lie, from its first slot on: rows of segments' k-th joints.
+
+    The last segments may be a joint shorter than the first.
+    """
+    rows = -(-run.joints // lanes)
+    longer = run.joints - (rows - 1) * lanes
+    return [row * lanes + lane for lane in range(lanes) for row in range(rows - (lane >= longer))]
+
+
+def split(run: Run, segments: Iterable[Run]) -> list[tuple[Run, bool]]:
+    """Part a run into those that are passed in segments, and the rest."""
+    found: list[tuple[Run, bool]] = []
+    next_ = run.first
+    for own in segments:
+        if not (next_ <= own.first and own.last <= run.last):
+            continue
+        if own.first > next_:
+            found.append((Run(next_, own.first - 1), False))
+        found.append((own, True))
+        next_ = own.last + 1
+    if next_ <= run.last:
+        found.append((Run(next_, run.last), False))
+    return found

@@ -1,0 +1,63 @@
+"""Runs from the ground whose mobility is asked for at their last link only.
+
+It is what wrenches there make that link do: no mobility of the links before is needed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import fields, is_dataclass
+
+from adagen.plan.steps import Block, HoldMobility, Propagate
+from adagen.plan.types import Plan, Process
+
+
+def responses(
+    plan: Plan, process: Process, steps: Sequence[Propagate]
+) -> Iterator[Sequence[Propagate]]:
+    """Part steps that follow each other into runs of which the last one's mobility is asked for.
+
+    A run leads outwards from the ground, each joint on the link of the one before; any other step
+    is a part by itself.
+
+    Args:
+        plan: the plan.
+        process: the process that has the steps.
+        steps: some of its steps, in order.
+    """
+    held = {step.block for step in process.steps if isinstance(step, HoldMobility)}
+    first = 0
+    for k, step in enumerate(steps):
+        if k + 1 < len(steps) and _goes_on(plan, process, step, steps[k + 1], k == first):
+            continue
+        yield steps[first : k + 1]
+        first = k + 1
+
+
+def _goes_on(
+    plan: Plan, process: Process, step: Propagate, after: Propagate, begins: bool
+) -> bool:
+    """Whether a step's mobility serves the next one alone."""
+    if begins and step.near is not None:
+        return False
+    for each in (step, after):
+        if each.reversed or each.spreads or plan.joints[each.joint].prescribed:
+            return False
+    follows = plan.joints[after.joint].parent == step.joint + 1 == after.joint
+    return follows and after.near == step.block and _mentions(plan, process, step.block) == 2
+
+
+def _mentions(plan: Plan, process: Process, block: Block) -> int:
+    """How often a process's steps and the messages name a block."""
+    return sum(found == block for found in _blocks((*process.steps, *plan.messages)))
+
+
+def _blocks(of: object) -> Iterator[Block]:
+    if isinstance(of, Block):
+        yield of
+    elif isinstance(of, tuple):
+        for each in of:
+            yield from _blocks(each)
+    elif is_dataclass(of):
+        for field in fields(of):
+            yield from _blocks(getattr(of, field.name))
