@@ -18,7 +18,7 @@ from adagen.calibrate.nnls import nnls
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
 from adagen.plan.stages import Stage, stages
-from adagen.predict.features import Features, lanes_of, work_features
+from adagen.predict.features import Features, passed_together, work_features
 from adagen.predict.straight import straight_features
 from adagen.schedule.costs import NAMES, PER_KIND, PRESCRIBED, StepCosts
 
@@ -59,12 +59,12 @@ class Sample:
     def equations(self) -> list[Equation]:
         """Return one equation for each stage of work."""
         found = []
-        for p, process in enumerate(self.plan.processes):
-            lanes = lanes_of(self.plan, process)
+        passed = passed_together(self.plan)
+        for p, (process, together) in enumerate(zip(self.plan.processes, passed, strict=True)):
             for stage, time in self._timed(p):
                 if stage.message is None and stage.what != "slaved":
                     steps = process.steps[stage.first : stage.last]
-                    total = work_features(steps, self.plan.joints, lanes)
+                    total = work_features(steps, self.plan.joints, together)
                     found.append(Equation(stage.what, total, time))
         return found
 
@@ -113,7 +113,7 @@ def _alike() -> Array:
     """Return rows that are zero where coefficients that resemble each other are equal.
 
     Those of the joint kinds of a group do, and that of a row of joints side by side, or of a joint
-    taken by columns, resembles that of one such joint.
+    of a run that is passed together, resembles that of one such joint.
     """
     rows = []
     for group in PER_KIND:

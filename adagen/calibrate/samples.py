@@ -40,6 +40,7 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
     wings = robot("wings", star(2, 9), ["revolute"], 14)
     feet = robot("feet", star(4, 4), ["revolute", *ROWS[2:] * 4], 11)
     arms = robot("arms", star(2, 6), ["revolute", *ROWS * 2], 10)
+    cable = robot("cable", chain(120), ["revolute"] * 90 + ["spherical"] * 30, 17)
     rope = robot("rope", chain(40), ["revolute"], 12)
     body = robot("body", [0, 1, 2, 3, 1, 5, 6, 1, 8, 9, 10, 8, 12, 13, 8], BODY, 15)
     turned = robot("turned", chain(24), TURNED, 8)
@@ -49,6 +50,7 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
         ("segment", limbs, 2, 2, "shared"),
         ("segment", limbs, 1, 1, ""),
         ("segment", rope, 1, 1, ""),
+        ("segment", cable, 2, 1, "gathered"),
         ("segment", legs, 1, 1, ""),
         ("segment", paws, 1, 1, ""),
         ("segment", wings, 1, 1, ""),
@@ -100,10 +102,12 @@ def _plan(
         processes,
         profile,
         seed,
-        share={"half": 0.45, "mixed": 0.3, "shared": 0.3}.get(how, 0.2),
+        share={"half": 0.45, "gathered": 0.45, "mixed": 0.3, "shared": 0.3}.get(how, 0.2),
         mixed=how == "mixed",
         shared=how == "shared",
     )
+    if how == "gathered":
+        schedule = replace(schedule, meeting="gather")
     return make_plan(model, schedule, form=form)
 
 

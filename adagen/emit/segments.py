@@ -12,6 +12,7 @@ from adagen.emit.runs import Run, outward_units
 from adagen.plan import Plan
 from adagen.plan.abreast import Limbs
 from adagen.plan.steps import Kinematics
+from adagen.plan.types import PlanJoint
 
 LANES = {"double": 8, "float": 16}
 """Numbers in the widest registers."""
@@ -35,11 +36,21 @@ def segments_of(plan: Plan, limbs: Sequence[Sequence[Limbs]]) -> list[Run]:
         for run in passed
         for first, beyond in pairwise(end for end in ends if run.first <= end <= run.last + 1)
     }
-    fewest = _FEWEST_ROWS * LANES[plan.scalar]
     return sorted(
-        (run for run in pieces if run.joints >= fewest and _may_lie(plan, run, taken)),
+        (
+            run
+            for run in pieces
+            if pays_segments(plan.joints, run, plan.scalar)
+            and taken.isdisjoint(range(run.first, run.last + 1))
+        ),
         key=lambda run: run.first,
     )
+
+
+def pays_segments(joints: Sequence[PlanJoint], run: Run, scalar: str) -> bool:
+    """Whether a run is long enough for segments, and of kinds that all lanes can take at once."""
+    own = joints[run.first : run.last + 1]
+    return len(own) >= _FEWEST_ROWS * LANES[scalar] and all(j.kind in _KINDS for j in own)
 
 
 def _outward(plan: Plan, p: int, limbs: Sequence[Limbs]) -> Iterator[Run]:
@@ -51,11 +62,6 @@ def _outward(plan: Plan, p: int, limbs: Sequence[Limbs]) -> Iterator[Run]:
             for unit in outward_units(plan.joints, joints, limbs, process.treated):
                 if not isinstance(unit, Limbs):
                     yield unit.run
-
-
-def _may_lie(plan: Plan, run: Run, taken: Iterable[int]) -> bool:
-    own = range(run.first, run.last + 1)
-    return all(plan.joints[j].kind in _KINDS for j in own) and not set(own) & set(taken)
 
 
 def slots_of(run: Run, lanes: int) -> list[int]:

@@ -17,26 +17,25 @@ def responses(
 ) -> Iterator[Sequence[Propagate]]:
     """Part steps that follow each other into runs of which the last one's mobility is asked for.
 
-    A run leads outwards from the ground, each joint on the link of the one before; any other step
-    is a part by itself.
+    A run leads outwards from the ground, each joint on the link of the one before, and what is
+    beyond is held by its last link's mobility, which then has digits to lose; any other step is a
+    part by itself.
 
     Args:
         plan: the plan.
         process: the process that has the steps.
         steps: some of its steps, in order.
     """
-    held = {step.block for step in process.steps if isinstance(step, HoldMobility)}
+    holds = any(isinstance(step, HoldMobility) for step in process.steps)
     first = 0
     for k, step in enumerate(steps):
-        if k + 1 < len(steps) and _goes_on(plan, process, step, steps[k + 1], k == first):
+        if holds and k + 1 < len(steps) and _goes_on(plan, process, step, steps[k + 1], k == first):
             continue
         yield steps[first : k + 1]
         first = k + 1
 
 
-def _goes_on(
-    plan: Plan, process: Process, step: Propagate, after: Propagate, begins: bool
-) -> bool:
+def _goes_on(plan: Plan, process: Process, step: Propagate, after: Propagate, begins: bool) -> bool:
     """Whether a step's mobility serves the next one alone."""
     if begins and step.near is not None:
         return False

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import groupby
 
-from adagen.emit.runs import Run, pays_columns, units_of_sweep
+from adagen.emit.runs import Run, pays_columns, runs, units_of_sweep
+from adagen.emit.segments import pays_segments, segments_of
 from adagen.emit.shapes import SHAPES
 from adagen.model.kinds import KINDS
 from adagen.plan.abreast import Limbs, inward_order, limbs_abreast
+from adagen.plan.responses import responses
 from adagen.plan.steps import (
     Accelerate,
     AccelerateRoot,
@@ -119,36 +122,104 @@ def _turned(group: str, key: str, turned: bool) -> Features:
     return {f"{group}.{key}": 1, **({f"{group}.reversed": 1} if turned else {})}
 
 
-Lanes = Mapping[int, Limbs | Run]
-"""What a joint of shape kernels is passed with: limbs side by side, or a run on its way inwards."""
+@dataclass(frozen=True)
+class Together:
+    """What joints are passed with in shape kernels; those that are passed by themselves are not in.
 
-_SWEPT = (Kinematics, Articulate, Accelerate)
-_SIDE_BY_SIDE: dict[type, str] = {
+    Attributes:
+        limbs: limbs side by side.
+        inward: the run that a joint is passed inwards with.
+        outward: the run that it is passed outwards with in segments.
+        responding: joints of runs whose mobility is asked for at the last link only.
+    """
+
+    limbs: Mapping[int, Limbs]
+    inward: Mapping[int, Run]
+    outward: Mapping[int, Run]
+    responding: Container[int]
+
+
+_NUMBERS = {2: "two", 4: "four"}
+SIDE_BY_SIDE: dict[type, str] = {
     Kinematics: "kinematics",
     Articulate: "articulate",
     Accelerate: "accelerate",
 }
-_NUMBERS = {2: "two", 4: "four"}
+"""Steps that limbs take side by side, and the groups that price them."""
 
 
-def lanes_of(plan: Plan, process: Process, shape: str = "auto") -> Lanes:
-    """Return which joints a process passes in lanes; none where the shape does not do that."""
+def passed_together(plan: Plan, shape: str = "auto") -> list[Together]:
+    """Return what each process passes its joints with; nothing where the shape does not do that."""
     if shape not in ("auto", "kernels") or SHAPES["kernels"].why_not(plan) is not None:
-        return {}
-    limbs = limbs_abreast(plan, process)
-    passed: dict[int, Limbs | Run] = {j: each for each in limbs for j in each.members()}
+        return [Together({}, {}, {}, ()) for _ in plan.processes]
+    limbs = [limbs_abreast(plan, process) for process in plan.processes]
+    outward = _by_joint(segments_of(plan, limbs))
+    return [
+        Together(
+            {j: each for each in own for j in each.members()},
+            _by_joint(_inward(plan, process, own)),
+            outward,
+            _responding(plan, process),
+        )
+        for process, own in zip(plan.processes, limbs, strict=True)
+    ]
+
+
+def in_runs(joints: Sequence[PlanJoint]) -> Together:
+    """Return what joints are passed with where nothing lies side by side."""
+    found = runs(joints, range(len(joints)))
+    outward = (run for run in found if pays_segments(joints, run, "double"))
+    return Together({}, _by_joint(found), _by_joint(outward), ())
+
+
+def _by_joint(own: Iterable[Run]) -> dict[int, Run]:
+    return {j: run for run in own for j in range(run.first, run.last + 1)}
+
+
+def _inward(plan: Plan, process: Process, limbs: Sequence[Limbs]) -> Iterator[Run]:
     for kind, steps in groupby(process.steps, type):
         if kind is Articulate:
             for run in units_of_sweep(plan.joints, list(steps), limbs, inward_order):  # type: ignore[arg-type]
                 if isinstance(run, Run):
-                    passed.update(dict.fromkeys(range(run.first, run.last + 1), run))
-    return passed
+                    yield run
+
+
+def _responding(plan: Plan, process: Process) -> set[int]:
+    return {
+        step.joint
+        for kind, steps in groupby(process.steps, type)
+        if kind is Propagate
+        for run in responses(plan, process, list(steps))  # type: ignore[arg-type]
+        if len(run) > 1
+        for step in run
+    }
+
+
+def _shared_features(
+    step: Step, joints: Sequence[PlanJoint], together: Together
+) -> Features | None:
+    """Of a joint that is passed with others, with its share of what they take once."""
+    if not isinstance(step, Kinematics | Articulate | Accelerate | Propagate):
+        return None
+    j, kind = step.joint, joints[step.joint].kind
+    if isinstance(step, Propagate):
+        return {f"propagate_run.{kind}": 1} if j in together.responding else None
+    if j in together.limbs:
+        return _row_features(step, kind, together.limbs[j])
+    if isinstance(step, Articulate) and j in together.inward:
+        return _run_features(step, joints, together.inward[j])
+    if isinstance(step, Kinematics) and j in together.outward:
+        return {
+            f"kinematics_segments.{kind}": 1,
+            "kinematics_segments.run": 1 / together.outward[j].joints,
+        }
+    return None
 
 
 def _row_features(step: Step, kind: str, limbs: Limbs) -> Features:
     """Of one joint of a row: the row's features, shared out."""
     number = _NUMBERS[limbs.count]
-    found = {f"{_SIDE_BY_SIDE[type(step)]}_{number}.{kind}": 1 / limbs.count}
+    found = {f"{SIDE_BY_SIDE[type(step)]}_{number}.{kind}": 1 / limbs.count}
     if isinstance(step, Articulate):
         found[f"limbs.{number}"] = 1 / (limbs.count * len(limbs.rows))
     return found
@@ -157,17 +228,15 @@ def _row_features(step: Step, kind: str, limbs: Limbs) -> Features:
 def _run_features(step: Articulate, joints: Sequence[PlanJoint], run: Run) -> Features:
     """Of one joint of a run, with its share of the way into the run and out of it."""
     found = features(step, joints)
-    if joints[step.joint].prescribed:  # no loop
-        return found
     if pays_columns(joints, run):
         found = {f"articulate_columns.{joints[step.joint].kind}": 1}
         if step.reversed:
             found["articulate.reversed"] = 1
-    return {**found, "articulate.run": 1 / (run.last - run.first + 1)}
+    return {**found, "articulate.run": 1 / run.joints}
 
 
 def work_features(
-    steps: Iterable[Step], joints: Sequence[PlanJoint], lanes: Lanes | None = None
+    steps: Iterable[Step], joints: Sequence[PlanJoint], together: Together | None = None
 ) -> Features:
     """Return what steps of one process, done without a message between them, are made of.
 
@@ -177,17 +246,13 @@ def work_features(
     Args:
         steps: some steps of a process, in order.
         joints: the plan's joints.
-        lanes: those that are passed in lanes.
+        together: what joints are passed with.
     """
     total: Features = {}
     for step in steps:
-        found = features(step, joints)
-        if lanes and isinstance(step, _SWEPT) and step.joint in lanes:
-            passed = lanes[step.joint]
-            if isinstance(passed, Limbs):
-                found = _row_features(step, joints[step.joint].kind, passed)
-            elif isinstance(step, Articulate):
-                found = _run_features(step, joints, passed)
+        found = _shared_features(step, joints, together) if together else None
+        if found is None:
+            found = features(step, joints)
         for name, count in found.items():
             total[name] = total.get(name, 0) + count
     return total
@@ -198,7 +263,7 @@ def work_time(
     joints: Sequence[PlanJoint],
     costs: StepCosts,
     slaved: int = 0,
-    lanes: Lanes | None = None,
+    together: Together | None = None,
 ) -> float:
     """Return what steps of one process take together on a core of speed 1, microseconds.
 
@@ -207,9 +272,11 @@ def work_time(
         joints: the plan's joints.
         costs: the machine's coefficients.
         slaved: number of slaved joints, each of which adds a right-hand side to every step.
-        lanes: joints that are passed in lanes.
+        together: what joints are passed with.
     """
-    return costs.total(work_features(steps, joints, lanes)) * (1 + slaved * costs["slaved.column"])
+    return costs.total(work_features(steps, joints, together)) * (
+        1 + slaved * costs["slaved.column"]
+    )
 
 
 def step_time(step: Step, joints: Sequence[PlanJoint], costs: StepCosts, slaved: int = 0) -> float:

@@ -19,8 +19,8 @@ from adagen.plan.constants import joints_of
 from adagen.plan.edges import is_free_base, joints_at
 from adagen.plan.gather import SMALL_CORE
 from adagen.plan.gather_trees import HELD_FREEDOMS
-from adagen.plan.steps import Accelerate, Articulate, Kinematics, StartLink
-from adagen.predict.features import step_time
+from adagen.plan.steps import Accelerate, Articulate, Kinematics, StartLink, Step
+from adagen.predict.features import SIDE_BY_SIDE, in_runs, step_time, work_time
 from adagen.predict.simulate import predict
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.costs import StepCosts
@@ -100,24 +100,25 @@ def gathering(
         )
 
 
+def _steps(joint: int) -> tuple[Step, ...]:
+    """What a joint takes on one process."""
+    return (
+        Kinematics(joint),
+        StartLink(joint + 1),
+        Articulate(joint, False),
+        Accelerate(joint, False),
+    )
+
+
 class _Limbs:
     def __init__(self, model: Model, processes: int, profile: CostProfile) -> None:
         assert profile.steps is not None  # as the caller has made sure
         self.joints = joints_of(model)
+        self.in_runs = in_runs(self.joints)
+        self.found: dict[tuple[int, int], list[Limb]] = {}
         self.topology, self.profile, self.processes = Topology.of(model), profile, processes
         costs = profile.steps
-        self.weight = [
-            sum(
-                step_time(step, self.joints, costs)
-                for step in (
-                    Kinematics(j),
-                    StartLink(j + 1),
-                    Articulate(j, False),
-                    Accelerate(j, False),
-                )
-            )
-            for j in range(len(self.joints))
-        ]
+        self.weight = [self._alone(costs, *_steps(j)) for j in range(len(self.joints))]
         self.rate = sum(costs.speed(p) for p in range(processes))
         self.bases = [j for j, joint in enumerate(self.joints) if joint.parent == 0]
         self.floats = len(self.bases) == 1 and is_free_base(self.joints[self.bases[0]])
@@ -125,6 +126,10 @@ class _Limbs:
             self.joints,
             (j for j in range(len(self.joints)) if not (self.floats and j in self.bases)),
         )
+
+    def _alone(self, costs: StepCosts, *steps: Step) -> float:
+        """What steps take where nothing lies side by side, microseconds."""
+        return work_time(steps, self.joints, costs, together=self.in_runs)
 
     def evenly(self) -> float:
         """Time in which all processes together could do the work of all joints, microseconds."""
@@ -134,13 +139,17 @@ class _Limbs:
 
     def _least(self, joint: int, costs: StepCosts) -> float:
         """What a joint takes at best, by itself or beside others, microseconds."""
-        kind, others = self.joints[joint].kind, self.weight[joint]
-        for group in ("kinematics", "articulate", "accelerate"):
-            rows = [costs[f"{group}_two.{kind}"] / 2, costs[f"{group}_four.{kind}"] / 4]
-            if group == "articulate":
-                rows.append(costs[f"articulate_columns.{kind}"])
-            others -= max(0.0, costs[f"{group}.{kind}"] - min(rows))
-        return max(0.0, others)
+        kind, time = self.joints[joint].kind, 0.0
+        for step in _steps(joint):
+            ways = [step_time(step, self.joints, costs)]
+            if group := SIDE_BY_SIDE.get(type(step)):
+                ways += [costs[f"{group}_two.{kind}"] / 2, costs[f"{group}_four.{kind}"] / 4]
+            if isinstance(step, Articulate):
+                ways.append(costs[f"articulate_columns.{kind}"])
+            if isinstance(step, Kinematics):
+                ways.append(costs[f"kinematics_segments.{kind}"])
+            time += min(ways)
+        return time
 
     def layouts(self, roots: Sequence[int]) -> Iterator[Layout]:
         """Yield layouts around links that may be roots, each with a core that grows."""
@@ -169,19 +178,20 @@ class _Limbs:
     def _as_base(self, limb: Limb, root: int) -> Limb:
         """Weigh the limb on the way to the base by what it spares its process, and by the ground.
 
-        Whoever has it does the kinematics of that way anyhow; others do it besides. Where it holds
-        the ground, the mobility of the first links is inverted.
+        Whoever has it does the kinematics of that way anyhow; others do it besides. It is swept
+        from the base on, and where it holds the ground, the mobility of the first links is
+        inverted.
         """
         if root == 0 or limb.joints[0] != root - 1:
             return limb
         assert self.profile.steps is not None
-        weight, link = limb.weight, root
+        costs, weight, link = self.profile.steps, limb.weight, root
         while link > 0:
-            weight -= step_time(Kinematics(link - 1), self.joints, self.profile.steps)
+            weight -= self._alone(costs, Kinematics(link - 1))
+            weight += costs["articulate.reversed"] + costs["accelerate.reversed"]
             link = self.joints[link - 1].parent
         if not self.floats:
-            costs = self.profile.steps
-            weight += HELD_FREEDOMS * costs["propagate.revolute"] + costs["root.invert"]
+            weight += HELD_FREEDOMS * costs["propagate_run.revolute"] + costs["root.invert"]
         return replace(limb, weight=max(0.0, weight))
 
     def _far(self, joint: int, near: int) -> int:
@@ -190,6 +200,11 @@ class _Limbs:
 
     def _limbs(self, link: int, came: int) -> list[Limb]:
         """The limbs on a link but for the one beyond joint ``came``."""
+        if (link, came) not in self.found:
+            self.found[link, came] = self._find_limbs(link, came)
+        return self.found[link, came]
+
+    def _find_limbs(self, link: int, came: int) -> list[Limb]:
         found = []
         for first in self.at.get(link, []):
             if first == came:

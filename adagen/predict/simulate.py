@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from adagen.plan import Plan
 from adagen.plan.stages import Stage, stages
 from adagen.plan.types import Message
-from adagen.predict.features import lanes_of, work_time
+from adagen.predict.features import passed_together, work_time
 from adagen.predict.straight import goes_straight, straight_timeline
 from adagen.schedule.costs import ChannelCosts, StepCosts
 from adagen.schedule.profile import CostProfile
@@ -57,7 +57,7 @@ class _Run:
         self.channel: ChannelCosts = self.costs.channel(self.plan.channel)
         count = len(self.plan.processes)
         self.stages = [stages(process) for process in self.plan.processes]
-        self.lanes = [lanes_of(self.plan, own, self.shape) for own in self.plan.processes]
+        self.together = passed_together(self.plan, self.shape)
         self.at = [0] * count  # next stage of each process
         first = self.costs["process.evaluation"]
         busy = [bool(process.steps) for process in self.plan.processes]
@@ -85,7 +85,7 @@ class _Run:
         if stage.message is None:
             joints, slaved = self.plan.joints, len(self.plan.slaved)
             steps = self.plan.processes[p].steps[stage.first : stage.last]
-            time = work_time(steps, joints, self.costs, slaved, self.lanes[p])
+            time = work_time(steps, joints, self.costs, slaved, self.together[p])
             self._note(p, stage, start, start + time / self.costs.speed(p))
             return True
         message = self.plan.messages[stage.message]

@@ -36,6 +36,8 @@ PER_KIND: dict[str, tuple[str, ...]] = {
         for number in ("two", "four")
     },
     "articulate_columns": (),
+    "kinematics_segments": ("run",),
+    "propagate_run": (),
 }
 """Groups with a coefficient per joint kind, and what else each has.
 
@@ -44,7 +46,8 @@ A joint of known acceleration costs ``prescribed`` whatever its kind, and one on
 root lies below the joint, ``run`` once for every run of joints; the others are per handle, block or
 coupling. What ends on a number prices a row of as many joints, passed side by side; the limbs that
 they belong to cost something besides, once (``limbs``). ``articulate_columns`` is for joints of
-runs that are taken by columns.
+runs that are taken by columns, ``kinematics_segments`` of runs passed outwards in segments, and
+``propagate_run`` of runs from the ground whose mobility is asked for at the last link only.
 """
 
 OTHERS: dict[str, tuple[str, ...]] = {

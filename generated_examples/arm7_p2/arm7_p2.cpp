@@ -1354,10 +1354,12 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {6.0000035e-05, 0.0, 1.5e-05, 1.666665e-06, 0.0, 6.666665e-06}},
 } };
 
-// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns.
+// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
+// segments of long runs.
 constexpr int kSlotCount = 9;
 constexpr bool kAbreast = false;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
+constexpr bool kReordered = false;  // whether joints lie in another order than they have
 constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8 };
 constexpr bool kByColumns = true;  // whether runs are taken by columns
 
@@ -1418,7 +1420,7 @@ struct Joints {
     return kJoints[static_cast<std::size_t>(joint[0])];
   }
 };
-constexpr int slot_of(int j) { return kAbreast ? kSlots[j] : j; }
+constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
 ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
 
 // The lanes of limbs side by side.
@@ -1465,7 +1467,7 @@ struct alignas(64) Block {
 // Three numbers of each of the joints, that follow each other in x.
 template <class T>
 ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
-                                    int JointConstants::* place) {
+                                    int JointConstants::*place) {
   const auto number = [&](int k) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
   };
@@ -1490,12 +1492,25 @@ ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
 }
 [[maybe_unused]] constexpr bool kAnyPassive = any_passive();
 
-// What is kept of a joint from the inward to the outward sweep.
+// Whether a joint's axis lies beside what it is treated with, and not with those of its block.
 template <class T>
+constexpr bool kWithAxis = kByColumns&& kWidth<T> == 1;
+// Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
+constexpr int kMostFactors = kAnyPlanar ? 24 : kAnySpherical ? 18 : 8;
+
+// What is kept of a joint from the inward to the outward sweep.
+template <class T, bool with_axis = kWithAxis<T>>
 struct Eliminated {
   Vector<T> r;  // from the parent link's origin to the child link's
-  // Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
-  T e[kAnyPlanar ? 24 : kAnySpherical ? 18 : 8];
+  T e[kMostFactors];
+};
+template <class T>
+struct alignas(64) Eliminated<T, true> {
+  Vector<T> axis;
+  T none;  // so that axis and r lie as the halves of a column
+  Vector<T> r;
+  T nothing;
+  T e[kMostFactors];
 };
 using Memory = Eliminated<Value>;
 
@@ -1522,12 +1537,15 @@ struct Workspace : Cuts {
   std::array<Memory, kJointCount> joints{};
   std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
   std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
-  std::array<LinkColumns, kByColumns ? kBlockCount * kPerBlock : 0> columns{};  // by slot
+  // Of the link beyond each joint, and one for slots that are not filled.
+  std::array<LinkColumns, kByColumns ? kJointCount + 1 : 0> columns{};
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
 
   Workspace() {
+    for (Block& block : blocks)  // slots that are not filled do not turn
+      for (const int k : {0, 4, 8}) std::fill_n(block.entries[kTurn + k], kPerBlock, Value{} + 1);
     for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
       for (int k = 0; k < 9; ++k)
         of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
@@ -1579,6 +1597,13 @@ template <class T = Value>
 ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
   return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
 }
+template <class T>
+ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
+  if constexpr (kWithAxis<T>)
+    return w.memory(joints).axis;
+  else
+    return axis_at<T>(w.at(joints.slot, kAxes));
+}
 
 ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -1623,7 +1648,7 @@ ADAGEN_INLINE bool finite(const Value* x, int count) {
 
 // Tells which of entries first .. is the first that is not finite; place says where a joint's
 // entries start.
-ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::*place,
                                Failure kind) {
   while (finite(x + first, 1)) ++first;
   int joint = 0;
@@ -1634,7 +1659,7 @@ ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int Join
 
 // Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
 inline void require_finite(Workspace& w, const Value* x, int first, int count,
-                           int JointConstants::* place, Failure kind) {
+                           int JointConstants::*place, Failure kind) {
   if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
 }
 
@@ -1745,6 +1770,8 @@ struct alignas(64) BlockConstants {
 
 const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
   std::array<BlockConstants, kBlockCount> result{};
+  for (BlockConstants& block : result)  // slots that are not filled do not turn
+    for (const int k : {0, 4}) block.rotation[k].fill(1);
   for (int j = 0; j < kJointCount; ++j) {
     BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
     const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
@@ -1763,7 +1790,7 @@ const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
 
 // Constants of each of the joints.
 template <class T>
-ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
+ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::*member) {
   const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
   return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
 }
@@ -1929,7 +1956,7 @@ template <bool kept, class T>
 ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
                                 Frame<T>& at) {
   const JointConstants& joint = joints.any();
-  const auto moved = [&](const Value* x, int JointConstants::* place) {
+  const auto moved = [&](const Value* x, int JointConstants::*place) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
   };
   const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
@@ -1987,14 +2014,21 @@ ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind
   at.R = R;
   if constexpr (!kept) return;
   w.memory(joints).r = r;
+  if constexpr (kWithAxis<T>) w.memory(joints).axis = axis;
   keep(w, joints.slot, at);
+}
+
+// The frame of the link that a joint is on.
+template <int j>
+ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
+  constexpr int parent = kJoints[j].parent - 1;
+  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
 }
 
 // Joints first .. last, each on the link of the one before.
 template <int first, int last>
 void outward(Workspace& w) {
-  constexpr int parent = kJoints[first].parent - 1;
-  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  Frame<Value> at = frame_near<first>(w);
   each_row<RunRows<first, last>, false>(
       [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, single(first + k), kind, at); });
 }
@@ -2002,8 +2036,7 @@ void outward(Workspace& w) {
 // The same on the way to joints that are treated: only the last link's frame is kept.
 template <int first, int last>
 void pass_outward(Workspace& w) {
-  constexpr int parent = kJoints[first].parent - 1;
-  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  Frame<Value> at = frame_near<first>(w);
   each_row<RunRows<first, last>, false>(
       [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
   keep(w, slot_of(last), at);
@@ -2424,6 +2457,16 @@ ADAGEN_INLINE Body<Real> body(const Columns& X) {
 
 typedef Bits ColumnBits __attribute__((vector_size(8 * sizeof(Bits))));
 
+// Eight lanes of a register that may hold more.
+template <int first>
+ADAGEN_INLINE Column eight(const Lanes& x) {
+  Real numbers[kLanes];
+  std::memcpy(numbers, &x, sizeof x);
+  Column result;
+  std::memcpy(&result, numbers + first, sizeof result);
+  return result;
+}
+
 // One number of a column in all lanes, and the linear half alone.
 template <int k>
 ADAGEN_INLINE Column spread(const Column& x) {
@@ -2441,6 +2484,10 @@ struct Arm {
 };
 ADAGEN_INLINE Arm arm(const Vector<Real>& r) {
   return {Column{r.y, r.z, r.x}, Column{r.z, r.x, r.y}, r};
+}
+// The same where x, too, has r as its linear half.
+ADAGEN_INLINE Arm arm(const Column& x, const Vector<Real>& r) {
+  return {shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x), shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x), r};
 }
 ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
   return x + arm.ahead * shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x) -
@@ -2486,6 +2533,15 @@ ADAGEN_INLINE void settle(Columns& X, Due& due) {
 // Inwards by columns: a joint takes a few instructions for each. For runs of joints that nothing
 // lies beside; where no register holds a column, such runs are taken number by number.
 
+// The joint that fills a slot.
+const std::array<std::size_t, kBlockCount* kPerBlock> kJointAt = [] {
+  std::array<std::size_t, kBlockCount * kPerBlock> result;
+  result.fill(kJointCount);
+  for (int j = 0; j < kJointCount; ++j)
+    result[static_cast<std::size_t>(slot_of(j))] = static_cast<std::size_t>(j);
+  return result;
+}();
+
 // What set_up_links found of the links of blocks first .. last - 1, as it is added to columns.
 template <int first, int last>
 void set_up_columns(Workspace& w) {
@@ -2494,9 +2550,11 @@ void set_up_columns(Workspace& w) {
     const auto row = [&](int entry) {
       return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
     };
-    LinkColumns* const links = &w.columns[static_cast<std::size_t>(slot)];
-    const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
-      ADAGEN_FOR (k, 0, 8) std::memcpy(links[k].*place, &found[k], sizeof found[k]);
+    const auto put = [&](Real(LinkColumns::*place)[8], const Column(&found)[8]) {
+      ADAGEN_FOR (k, 0, 8) {
+        LinkColumns& link = w.columns[kJointAt[static_cast<std::size_t>(slot + k)]];
+        std::memcpy(link.*place, &found[k], sizeof found[k]);
+      }
     };
     const auto& all = kBlockConstants[static_cast<std::size_t>(slot / kPerBlock)];
     const Column mass = number_at<Column>(&all.mass[static_cast<std::size_t>(slot % kPerBlock)]);
@@ -2516,7 +2574,7 @@ void set_up_columns(Workspace& w) {
 }
 
 ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Columns& X) {
-  const LinkColumns& own = w.columns[static_cast<std::size_t>(slot_of(link - 1))];
+  const LinkColumns& own = w.columns[static_cast<std::size_t>(link - 1)];
   const Column a = number_at<Column>(own.tensor);   // xx xy xz yy yz zz m 0
   const Column b = number_at<Column>(own.moments);  // x y z -x -y -z 0 0
   X.angular[0] += shuffled<0, 1, 2, 7, 7, 13, 9, 7>(a, b);
@@ -2548,9 +2606,12 @@ template <bool along, bool reversed, class Arrive>
 ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Arrive& arrive) {
   const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
   Memory& memory = w.joints[static_cast<std::size_t>(j)];
-  const Vector<Real> axis = axis_at(w.of(j, kAxes));
-  const Column s = column(axis, axis);
-  const Arm lever = arm(reversed ? -memory.r : memory.r);
+  const Vector<Real>& axis = memory.axis;
+  Column both;  // [axis, -, r, -]
+  std::memcpy(&both, &memory, sizeof both);
+  const Column s = shuffled<0, 1, 2, 3, 0, 1, 2, 3>(both, both);
+  if constexpr (reversed) both = -both;
+  const Arm lever = arm(both, reversed ? -memory.r : memory.r);
   if constexpr (reversed) {
     shift(X, lever);
     due.U = carried(lever, due.U);
@@ -2760,10 +2821,9 @@ template <bool reversed, class T>
 ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
   const T* const e = w.memory(joints).e;
   const Vector<T>& r = w.memory(joints).r;
-  const Value* R = w.at(joints.slot, kAxes);
   switch (kind) {
     case JointKind::kRevolute: {
-      const Vector<T> axis = axis_at<T>(R);
+      const Vector<T> axis = axis_of(w, joints);
       const T x = freedom(e, a);
       answer(w, joints, 0, reversed ? -x : x);
       carry(a, reversed ? -r : r);
@@ -2775,7 +2835,7 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, M
       const T x = freedom(e, a);
       answer(w, joints, 0, reversed ? -x : x);
       carry(a, reversed ? -r : r);
-      a.linear += axis_at<T>(R) * x;
+      a.linear += axis_of(w, joints) * x;
       break;
     }
     case JointKind::kSpherical:
@@ -2891,9 +2951,11 @@ void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
   if (!invert(whole<p>(w, link), Phi, b)) fail(w, kFactorization, link - 1);
 }
 
-// Six columns of motions of a link, side by side: L times them are the far link's.
+// Motions of a link, side by side: what the far link does, with what drives the joint beyond L a
+// (of a joint with one freedom x).
 template <bool reversed>
-ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a) {
+ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a,
+                        const Vector<Lanes>& drive = Vector<Lanes>{}) {
   const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
   const Memory& memory = w.joints[static_cast<std::size_t>(j)];
   const Value* const e = memory.e;
@@ -2902,17 +2964,18 @@ ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a) {
     if constexpr (kAnySpherical) {
       if constexpr (!reversed) carry(a, memory.r);
       const Vector<Lanes> v = a.linear, spin = a.angular;
-      a.angular = {-(e[0] * v.x + e[1] * v.y + e[2] * v.z), -(e[3] * v.x + e[4] * v.y + e[5] * v.z),
-                   -(e[6] * v.x + e[7] * v.y + e[8] * v.z)};
+      a.angular = {drive.x - (e[0] * v.x + e[1] * v.y + e[2] * v.z),
+                   drive.y - (e[3] * v.x + e[4] * v.y + e[5] * v.z),
+                   drive.z - (e[6] * v.x + e[7] * v.y + e[8] * v.z)};
       if constexpr (kSphericalRotors)
         a.angular += solve_rotations(e + 12, spin) * rotor_of(single(j));
       if constexpr (reversed) carry(a, -memory.r);
     }
     return;
   }
-  const Lanes x =
-      -((e[0] * a.angular.x + e[1] * a.angular.y) + (e[2] * a.angular.z + e[3] * a.linear.x) +
-        (e[4] * a.linear.y + e[5] * a.linear.z));
+  const Lanes x = drive.x - ((e[0] * a.angular.x + e[1] * a.angular.y) +
+                             (e[2] * a.angular.z + e[3] * a.linear.x) +
+                             (e[4] * a.linear.y + e[5] * a.linear.z));
   const Vector<Lanes> moved{axis.x * x, axis.y * x, axis.z * x};
   if constexpr (!reversed) carry(a, memory.r);
   if (kind == JointKind::kPrismatic)
@@ -2987,31 +3050,75 @@ void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias,
   far_bias = columns_of(a);
 }
 
-// A wrench on the far link: the joint feels S^T of it, the near link L^T.
-template <bool reversed>
-void deliver(Workspace& w, int j, const Columns6& load, Columns6& handed) {
+// A wrench on the far link becomes what the near link feels of it, L^T times it; what it drives the
+// joint with, D^-1 S^T times it, is returned.
+template <bool reversed, class T>
+ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f) {
   const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
-  Memory& memory = w.joints[static_cast<std::size_t>(j)];
-  Value* const e = memory.e;
-  Vector<Value> n{load[0], load[1], load[2]}, f{load[3], load[4], load[5]};
-  if constexpr (reversed) n += cross(f, memory.r);
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value>& r = memory.r;
+  if constexpr (reversed) n += cross(f, r);
+  Vector<T> driven{};
   if (kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) {
-      const Vector<Value> y = solve_rotations(e + 12, n);
-      e[9] += y.x, e[10] += y.y, e[11] += y.z;
-      const Matrix<Value> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
-      f += -transposed_times(K, n);
-      n = kSphericalRotors ? y * rotor_of(single(j)) : Vector<Value>{};
-      if constexpr (!reversed) n += cross(memory.r, f);
+      driven = solve_rotations(e + 12, n);
+      f.x -= e[0] * n.x + e[3] * n.y + e[6] * n.z;
+      f.y -= e[1] * n.x + e[4] * n.y + e[7] * n.z;
+      f.z -= e[2] * n.x + e[5] * n.y + e[8] * n.z;
+      n = kSphericalRotors ? driven * rotor_of(single(j)) : Vector<T>{};
+      if constexpr (!reversed) n += -cross(f, r);
     }
+    return driven;
+  }
+  const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_at(w.of(j, kAxes)));
+  driven.x = x * e[7];
+  if constexpr (!reversed) n += -cross(f, r);
+  n.x -= e[0] * x, n.y -= e[1] * x, n.z -= e[2] * x;
+  f.x -= e[3] * x, f.y -= e[4] * x, f.z -= e[5] * x;
+  return driven;
+}
+
+// A wrench on the far link: the joint and the near link are told.
+template <bool reversed>
+void deliver(Workspace& w, int j, const Columns6& load, Columns6& handed) {
+  Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  Vector<Value> n{load[0], load[1], load[2]}, f{load[3], load[4], load[5]};
+  const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
+  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
   } else {
-    const Value x = dot(axis_at(w.of(j, kAxes)), kind == JointKind::kPrismatic ? f : n);
-    e[6] += x * e[7];
-    if constexpr (!reversed) n += cross(memory.r, f);
-    n += -(Vector<Value>{e[0], e[1], e[2]} * x);
-    f += -(Vector<Value>{e[3], e[4], e[5]} * x);
+    e[6] += driven.x;
   }
   handed += columns_of({n, f});
+}
+
+// Phi and b of the last of joints first .. last, which hang on the ground: what six wrenches on its
+// link make it do, one in each lane, and in a further lane what it does under none.
+template <int first, int last>
+void respond(Workspace& w, Mat6& Phi, Columns6& b) {
+  static_assert(sizeof(Value) == sizeof(Real));
+  Vector<Lanes> drives[last - first + 1], n{}, f{};
+  n.x[0] = n.y[1] = n.z[2] = f.x[3] = f.y[4] = f.z[5] = 1;
+  for (int j = last; j >= first; --j) {
+    Vector<Lanes>& own = drives[j - first] = hand_on<false>(w, j, n, f);
+    const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+    if (kJoints[static_cast<std::size_t>(j)].kind != JointKind::kSpherical) {
+      own.x[6] = e[6];
+    } else if constexpr (kAnySpherical) {
+      own.x[6] = e[9], own.y[6] = e[10], own.z[6] = e[11];
+    }
+  }
+  Motion<Lanes> a{};
+  for (int j = first; j <= last; ++j) pass<false>(w, j, a, drives[j - first]);
+  const Vector<Lanes> halves[2] = {a.angular, a.linear};
+  ADAGEN_FOR (half, 0, 2) {
+    const Lanes* const rows[3] = {&halves[half].x, &halves[half].y, &halves[half].z};
+    ADAGEN_FOR (i, 0, 3) {
+      ADAGEN_FOR (k, 0, 6) Phi(3 * half + i, k) = (*rows[i])[k];
+      b[3 * half + i] = (*rows[i])[6];
+    }
+  }
 }
 
 // A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
@@ -5045,8 +5152,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 97.2, 0.413};
-constexpr Hop kMessageHop{20.4, 163, 0.571};
+constexpr Hop kWindowHop{0, 101, 0.37};
+constexpr Hop kMessageHop{21.2, 161, 0.585};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

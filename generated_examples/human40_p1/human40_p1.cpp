@@ -3880,8 +3880,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 97.2, 0.413};
-constexpr Hop kMessageHop{20.4, 163, 0.571};
+constexpr Hop kWindowHop{0, 101, 0.37};
+constexpr Hop kMessageHop{21.2, 161, 0.585};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

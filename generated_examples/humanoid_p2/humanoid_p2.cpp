@@ -2,7 +2,7 @@
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// schedule  __base__@0-1(|neck_yaw(right_shoulder_pitch(left_shoulder_pitch(left_ankle_roll@0(left_ankle_pitch(left_knee(left_hip_yaw(left_hip_roll(left_hip_pitch(right_ankle_roll(right_ankle_pitch(right_knee(right_hip_yaw(right_hip_roll(right_hip_pitch(waist_yaw(|waist_roll(|waist_pitch))|)|)|)|)|)|)|)|)|)|)|)|) | left_wrist_pitch@1(left_wrist_roll(left_elbow(left_shoulder_yaw(left_shoulder_roll|)|)|)|)) | right_wrist_pitch@1(right_wrist_roll(right_elbow(right_shoulder_yaw(right_shoulder_roll|)|)|)|)) | neck_pitch@1))
+// schedule  __base__@0-1(|neck_yaw(left_shoulder_pitch(right_shoulder_pitch(left_ankle_roll@0(left_ankle_pitch(left_knee(left_hip_yaw(left_hip_roll(left_hip_pitch(right_ankle_roll(right_ankle_pitch(right_knee(right_hip_yaw(right_hip_roll(right_hip_pitch(waist_yaw(|waist_roll(|waist_pitch))|)|)|)|)|)|)|)|)|)|)|)|) | right_wrist_pitch@1(right_wrist_roll(right_elbow(right_shoulder_yaw(right_shoulder_roll|)|)|)|)) | left_wrist_pitch@1(left_wrist_roll(left_elbow(left_shoulder_yaw(left_shoulder_roll|)|)|)|)) | neck_pitch@1))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
@@ -1191,10 +1191,12 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
 } };
 
-// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns.
+// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
+// segments of long runs.
 constexpr int kSlotCount = 30;
 constexpr bool kAbreast = true;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
+constexpr bool kReordered = true;  // whether joints lie in another order than they have
 constexpr int kSlots[kJointCount]{ 12, 0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9, 11, 13, 14, 15, 16, 18, 20, 22, 24, 26, 28, 29, 17, 19, 21, 23, 25, 27 };
 constexpr bool kByColumns = false;  // whether runs are taken by columns
 
@@ -1230,7 +1232,7 @@ struct Joints {
     return kJoints[static_cast<std::size_t>(joint[0])];
   }
 };
-constexpr int slot_of(int j) { return kAbreast ? kSlots[j] : j; }
+constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
 ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
 
 // The lanes of limbs side by side.
@@ -1277,7 +1279,7 @@ struct alignas(64) Block {
 // Three numbers of each of the joints, that follow each other in x.
 template <class T>
 ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
-                                    int JointConstants::* place) {
+                                    int JointConstants::*place) {
   const auto number = [&](int k) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
   };
@@ -1302,12 +1304,25 @@ ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
 }
 [[maybe_unused]] constexpr bool kAnyPassive = any_passive();
 
-// What is kept of a joint from the inward to the outward sweep.
+// Whether a joint's axis lies beside what it is treated with, and not with those of its block.
 template <class T>
+constexpr bool kWithAxis = kByColumns&& kWidth<T> == 1;
+// Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
+constexpr int kMostFactors = kAnyPlanar ? 24 : kAnySpherical ? 18 : 8;
+
+// What is kept of a joint from the inward to the outward sweep.
+template <class T, bool with_axis = kWithAxis<T>>
 struct Eliminated {
   Vector<T> r;  // from the parent link's origin to the child link's
-  // Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
-  T e[kAnyPlanar ? 24 : kAnySpherical ? 18 : 8];
+  T e[kMostFactors];
+};
+template <class T>
+struct alignas(64) Eliminated<T, true> {
+  Vector<T> axis;
+  T none;  // so that axis and r lie as the halves of a column
+  Vector<T> r;
+  T nothing;
+  T e[kMostFactors];
 };
 using Memory = Eliminated<Value>;
 
@@ -1334,12 +1349,15 @@ struct Workspace : Cuts {
   std::array<Memory, kJointCount> joints{};
   std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
   std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
-  std::array<LinkColumns, kByColumns ? kBlockCount * kPerBlock : 0> columns{};  // by slot
+  // Of the link beyond each joint, and one for slots that are not filled.
+  std::array<LinkColumns, kByColumns ? kJointCount + 1 : 0> columns{};
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
 
   Workspace() {
+    for (Block& block : blocks)  // slots that are not filled do not turn
+      for (const int k : {0, 4, 8}) std::fill_n(block.entries[kTurn + k], kPerBlock, Value{} + 1);
     for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
       for (int k = 0; k < 9; ++k)
         of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
@@ -1391,6 +1409,13 @@ template <class T = Value>
 ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
   return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
 }
+template <class T>
+ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
+  if constexpr (kWithAxis<T>)
+    return w.memory(joints).axis;
+  else
+    return axis_at<T>(w.at(joints.slot, kAxes));
+}
 
 ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -1435,7 +1460,7 @@ ADAGEN_INLINE bool finite(const Value* x, int count) {
 
 // Tells which of entries first .. is the first that is not finite; place says where a joint's
 // entries start.
-ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::*place,
                                Failure kind) {
   while (finite(x + first, 1)) ++first;
   int joint = 0;
@@ -1446,7 +1471,7 @@ ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int Join
 
 // Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
 inline void require_finite(Workspace& w, const Value* x, int first, int count,
-                           int JointConstants::* place, Failure kind) {
+                           int JointConstants::*place, Failure kind) {
   if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
 }
 
@@ -1557,6 +1582,8 @@ struct alignas(64) BlockConstants {
 
 const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
   std::array<BlockConstants, kBlockCount> result{};
+  for (BlockConstants& block : result)  // slots that are not filled do not turn
+    for (const int k : {0, 4}) block.rotation[k].fill(1);
   for (int j = 0; j < kJointCount; ++j) {
     BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
     const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
@@ -1575,7 +1602,7 @@ const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
 
 // Constants of each of the joints.
 template <class T>
-ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
+ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::*member) {
   const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
   return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
 }
@@ -1741,7 +1768,7 @@ template <bool kept, class T>
 ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
                                 Frame<T>& at) {
   const JointConstants& joint = joints.any();
-  const auto moved = [&](const Value* x, int JointConstants::* place) {
+  const auto moved = [&](const Value* x, int JointConstants::*place) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
   };
   const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
@@ -1799,14 +1826,21 @@ ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind
   at.R = R;
   if constexpr (!kept) return;
   w.memory(joints).r = r;
+  if constexpr (kWithAxis<T>) w.memory(joints).axis = axis;
   keep(w, joints.slot, at);
+}
+
+// The frame of the link that a joint is on.
+template <int j>
+ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
+  constexpr int parent = kJoints[j].parent - 1;
+  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
 }
 
 // Joints first .. last, each on the link of the one before.
 template <int first, int last>
 void outward(Workspace& w) {
-  constexpr int parent = kJoints[first].parent - 1;
-  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  Frame<Value> at = frame_near<first>(w);
   each_row<RunRows<first, last>, false>(
       [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, single(first + k), kind, at); });
 }
@@ -1814,8 +1848,7 @@ void outward(Workspace& w) {
 // The same on the way to joints that are treated: only the last link's frame is kept.
 template <int first, int last>
 void pass_outward(Workspace& w) {
-  constexpr int parent = kJoints[first].parent - 1;
-  Frame<Value> at = parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  Frame<Value> at = frame_near<first>(w);
   each_row<RunRows<first, last>, false>(
       [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
   keep(w, slot_of(last), at);
@@ -2228,10 +2261,9 @@ template <bool reversed, class T>
 ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
   const T* const e = w.memory(joints).e;
   const Vector<T>& r = w.memory(joints).r;
-  const Value* R = w.at(joints.slot, kAxes);
   switch (kind) {
     case JointKind::kRevolute: {
-      const Vector<T> axis = axis_at<T>(R);
+      const Vector<T> axis = axis_of(w, joints);
       const T x = freedom(e, a);
       answer(w, joints, 0, reversed ? -x : x);
       carry(a, reversed ? -r : r);
@@ -2243,7 +2275,7 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, M
       const T x = freedom(e, a);
       answer(w, joints, 0, reversed ? -x : x);
       carry(a, reversed ? -r : r);
-      a.linear += axis_at<T>(R) * x;
+      a.linear += axis_of(w, joints) * x;
       break;
     }
     case JointKind::kSpherical:
@@ -4366,8 +4398,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 97.2, 0.413};
-constexpr Hop kMessageHop{20.4, 163, 0.571};
+constexpr Hop kWindowHop{0, 101, 0.37};
+constexpr Hop kMessageHop{21.2, 161, 0.585};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

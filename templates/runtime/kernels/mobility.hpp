@@ -51,7 +51,8 @@ void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
 // Motions of a link, side by side: what the far link does, with what drives the joint beyond L a
 // (of a joint with one freedom x).
 template <bool reversed>
-ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a, const Vector<Lanes>& drive = {}) {
+ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a,
+                        const Vector<Lanes>& drive = Vector<Lanes>{}) {
   const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
   const Memory& memory = w.joints[static_cast<std::size_t>(j)];
   const Value* const e = memory.e;

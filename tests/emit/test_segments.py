@@ -1,0 +1,146 @@
+"""Shape kernels: long runs passed outwards in segments, one in each lane of a register."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from adagen.emit import emit
+from adagen.emit.layout import Layout
+from adagen.emit.runs import Run
+from adagen.emit.segments import LANES, slots_of, split
+from adagen.model import KINDS, Model
+from adagen.plan import Plan, make_plan
+from adagen.schedule import Topology, load_profile, named_schedule
+from adagen.states import random_states
+from tests.emitted import QUICK, Builder, forward_error, truth_of
+from tests.models import random_tree, serial_chain
+from tests.schedules import random_schedule
+
+PROFILE = load_profile("default")
+OPTIMISED = ("-O3", *QUICK[1:])
+NARROW = ("-O1", "-march=x86-64-v2", "-DNDEBUG", "-fno-math-errno")  # no register for all lanes
+TURNING = [KINDS["revolute"], KINDS["spherical"]]
+
+
+def balls_and_hinges(joints: int, seed: int = 3) -> Model:
+    return random_tree(np.random.default_rng(seed), joints, branching=0.0, kinds=TURNING)
+
+
+def divided(model: Model, processes: int, scalar: str = "double", meeting: str = "join") -> Plan:
+    schedule = named_schedule("balanced", Topology.of(model), processes, profile=PROFILE)
+    return make_plan(model, schedule, meeting=meeting, scalar=scalar)
+
+
+def text_of(plan: Plan, batch: int = 0) -> str:
+    files = emit(plan, name="x", shape="kernels", batch=batch)
+    return next(text for name, text in files.items() if name.endswith(".cpp"))
+
+
+@given(st.integers(1, 200), st.sampled_from(sorted(LANES.values())))
+def test_segments_take_turns_in_rows(joints: int, lanes: int) -> None:
+    slots = slots_of(Run(7, 6 + joints), lanes)
+    lane_of = [[j for j, slot in enumerate(slots) if slot % lanes == lane] for lane in range(lanes)]
+    assert [j for own in lane_of for j in own] == list(range(joints))
+    for own in lane_of:
+        assert [slots[j] // lanes for j in own] == list(range(len(own)))
+    lengths = [len(own) for own in lane_of]
+    assert lengths == sorted(lengths, reverse=True)
+    assert max(lengths) - min(lengths) <= 1
+
+
+@given(
+    st.integers(0, 40),
+    st.integers(0, 40),
+    st.lists(st.tuples(st.integers(0, 40), st.integers(0, 12)), max_size=4),
+)
+def test_a_run_is_split_without_losing_a_joint(
+    first: int, more: int, drawn: list[tuple[int, int]]
+) -> None:
+    segments: list[Run] = []
+    for start, length in sorted(drawn):
+        if not segments or start > segments[-1].last:
+            segments.append(Run(start, start + length))
+    parts = split(Run(first, first + more), segments)
+    joints = [j for run, _ in parts for j in range(run.first, run.last + 1)]
+    assert joints == list(range(first, first + more + 1))
+    inside = [run for run in segments if run.first >= first and run.last <= first + more]
+    assert [run for run, in_segments in parts if in_segments] == inside
+
+
+def test_only_long_runs_of_turning_joints_are_passed_in_segments() -> None:
+    assert "outward_in_segments<0, 15>(w);" in text_of(divided(serial_chain(16), 1))
+    assert "_in_segments" not in text_of(divided(serial_chain(15), 1))
+    assert "_in_segments" not in text_of(divided(serial_chain(16), 1, "float"))  # of 16 lanes
+    sliding = random_tree(np.random.default_rng(1), 24, branching=0.0, kinds=[KINDS["prismatic"]])
+    assert "_in_segments" not in text_of(divided(sliding, 1))
+
+
+def test_states_of_a_batch_keep_their_lanes() -> None:
+    assert "_in_segments" not in text_of(divided(serial_chain(24), 1), batch=1)
+
+
+def test_processes_agree_on_the_runs_in_segments() -> None:
+    plan = divided(serial_chain(70), 3)
+    layout = Layout.of(plan, batch=False)
+    assert len(layout.segments) == 3
+    assert sorted(layout.slots) == sorted(set(layout.slots))
+    text = text_of(plan)
+    for run in layout.segments:
+        assert f"  outward_in_segments<{run.first}, {run.last}>(w);" in text
+    ways = [run for run in layout.segments if run.last < 69]
+    for run in ways:  # others pass them on their way to the ground
+        assert f"  pass_outward_in_segments<{run.first}, {run.last}>(w);" in text
+
+
+@pytest.mark.parametrize("flags", [QUICK, OPTIMISED, NARROW], ids=["wide", "optimised", "narrow"])
+@pytest.mark.parametrize(("scalar", "limit"), [("double", 1e-9), ("float", 5e-2)])
+def test_chains_that_leave_lanes_empty_are_solved(
+    flags: tuple[str, ...], scalar: str, limit: float, builder: Builder, tmp_path: Path
+) -> None:
+    model = balls_and_hinges(35)
+    plan = divided(model, 1, scalar)
+    assert "outward_in_segments<0, 34>(w);" in text_of(plan)
+    states = random_states(model, 4, seed=5)
+    solver = builder.solver(plan, flags, name="segments", shape="kernels")
+    found = solver.solve(model, states, tmp_path)
+    assert forward_error(found, truth_of(model, states)) < limit
+
+
+@pytest.mark.parametrize("joints", [16, 17, 31])
+def test_hinges_in_order_are_solved(joints: int, builder: Builder, tmp_path: Path) -> None:
+    model = serial_chain(joints)
+    states = random_states(model, 4, seed=joints)
+    solver = builder.solver(divided(model, 1), name="segments", shape="kernels")
+    found = solver.solve(model, states, tmp_path, "--check")
+    assert forward_error(found, truth_of(model, states)) < 1e-9
+
+
+@pytest.mark.parametrize(("processes", "meeting"), [(2, "join"), (3, "join"), (2, "gather")])
+def test_segments_on_the_way_to_others_are_solved(
+    processes: int, meeting: str, builder: Builder, tmp_path: Path
+) -> None:
+    model = balls_and_hinges(56, seed=6)
+    plan = divided(model, processes, meeting=meeting)
+    assert "pass_outward_in_segments<" in text_of(plan)
+    states = random_states(model, 4, seed=processes)
+    solver = builder.solver(plan, name="segments", shape="kernels")
+    found = solver.solve(model, states, tmp_path, "--check")
+    assert forward_error(found, truth_of(model, states)) < 1e-9
+
+
+@pytest.mark.parametrize(("seed", "processes"), [(1, 1), (4, 2)])
+def test_segments_beside_limbs_are_solved(
+    seed: int, processes: int, builder: Builder, tmp_path: Path
+) -> None:
+    model = random_tree(np.random.default_rng(seed), 60, branching=0.04, kinds=TURNING)
+    plan = make_plan(model, random_schedule(model, processes, np.random.default_rng(seed)))
+    assert "outward_in_segments<" in text_of(plan)
+    states = random_states(model, 3, seed=seed)
+    solver = builder.solver(plan, name="segments", shape="kernels")
+    found = solver.solve(model, states, tmp_path, "--check")
+    assert forward_error(found, truth_of(model, states)) < 1e-9
