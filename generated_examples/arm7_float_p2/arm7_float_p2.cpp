@@ -1467,7 +1467,7 @@ struct alignas(64) Block {
 // Three numbers of each of the joints, that follow each other in x.
 template <class T>
 ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
-                                    int JointConstants::*place) {
+                                    int JointConstants::* place) {
   const auto number = [&](int k) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
   };
@@ -1494,7 +1494,7 @@ ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
 
 // Whether a joint's axis lies beside what it is treated with, and not with those of its block.
 template <class T>
-constexpr bool kWithAxis = kByColumns&& kWidth<T> == 1;
+constexpr bool kWithAxis = kByColumns && kWidth<T> == 1;
 // Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
 constexpr int kMostFactors = kAnyPlanar ? 24 : kAnySpherical ? 18 : 8;
 
@@ -1648,7 +1648,7 @@ ADAGEN_INLINE bool finite(const Value* x, int count) {
 
 // Tells which of entries first .. is the first that is not finite; place says where a joint's
 // entries start.
-ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::*place,
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
                                Failure kind) {
   while (finite(x + first, 1)) ++first;
   int joint = 0;
@@ -1659,7 +1659,7 @@ ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int Join
 
 // Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
 inline void require_finite(Workspace& w, const Value* x, int first, int count,
-                           int JointConstants::*place, Failure kind) {
+                           int JointConstants::* place, Failure kind) {
   if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
 }
 
@@ -1790,7 +1790,7 @@ const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
 
 // Constants of each of the joints.
 template <class T>
-ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::*member) {
+ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
   const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
   return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
 }
@@ -1956,7 +1956,7 @@ template <bool kept, class T>
 ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
                                 Frame<T>& at) {
   const JointConstants& joint = joints.any();
-  const auto moved = [&](const Value* x, int JointConstants::*place) {
+  const auto moved = [&](const Value* x, int JointConstants::* place) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
   };
   const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
@@ -2534,7 +2534,7 @@ ADAGEN_INLINE void settle(Columns& X, Due& due) {
 // lies beside; where no register holds a column, such runs are taken number by number.
 
 // The joint that fills a slot.
-const std::array<std::size_t, kBlockCount* kPerBlock> kJointAt = [] {
+const std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
   std::array<std::size_t, kBlockCount * kPerBlock> result;
   result.fill(kJointCount);
   for (int j = 0; j < kJointCount; ++j)
@@ -2550,7 +2550,7 @@ void set_up_columns(Workspace& w) {
     const auto row = [&](int entry) {
       return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
     };
-    const auto put = [&](Real(LinkColumns::*place)[8], const Column(&found)[8]) {
+    const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
       ADAGEN_FOR (k, 0, 8) {
         LinkColumns& link = w.columns[kJointAt[static_cast<std::size_t>(slot + k)]];
         std::memcpy(link.*place, &found[k], sizeof found[k]);

@@ -2,7 +2,7 @@
 // lies beside; where no register holds a column, such runs are taken number by number.
 
 // The joint that fills a slot.
-const std::array<std::size_t, kBlockCount* kPerBlock> kJointAt = [] {
+const std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
   std::array<std::size_t, kBlockCount * kPerBlock> result;
   result.fill(kJointCount);
   for (int j = 0; j < kJointCount; ++j)
@@ -18,7 +18,7 @@ void set_up_columns(Workspace& w) {
     const auto row = [&](int entry) {
       return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
     };
-    const auto put = [&](Real(LinkColumns::*place)[8], const Column(&found)[8]) {
+    const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
       ADAGEN_FOR (k, 0, 8) {
         LinkColumns& link = w.columns[kJointAt[static_cast<std::size_t>(slot + k)]];
         std::memcpy(link.*place, &found[k], sizeof found[k]);

@@ -31,7 +31,7 @@ const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
 
 // Constants of each of the joints.
 template <class T>
-ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::*member) {
+ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
   const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
   return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
 }

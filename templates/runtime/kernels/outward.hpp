@@ -54,7 +54,7 @@ template <bool kept, class T>
 ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
                                 Frame<T>& at) {
   const JointConstants& joint = joints.any();
-  const auto moved = [&](const Value* x, int JointConstants::*place) {
+  const auto moved = [&](const Value* x, int JointConstants::* place) {
     return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
   };
   const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));

@@ -31,7 +31,7 @@ struct Segments {
     return true;
   }
   // Whether numbers of the state follow each other as the joints do, one each.
-  static constexpr bool in_order(int JointConstants::*place) {
+  static constexpr bool in_order(int JointConstants::* place) {
     for (int j = first; j <= last; ++j)
       if (kJoints[j].*place != kJoints[first].*place + j - first) return false;
     return all_revolute();
