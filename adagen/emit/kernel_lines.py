@@ -27,6 +27,7 @@ from adagen.plan.abreast import Limbs, inward_order, outward_order, placed_links
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
+    Deliver,
     FreeAcceleration,
     FreeBase,
     Kinematics,
@@ -122,16 +123,14 @@ class KernelLines:
         """Return the lines of the steps of a stage."""
         lines: list[str] = []
         for kind, group in groupby(steps, type):
-            if kind is Propagate:
-                steps_out = [step for step in group if isinstance(step, Propagate)]
-                lines += mobility.propagations(self.words, self.process, steps_out)
-            elif issubclass(kind, mobility.STEPS):
-                for step in group:
-                    if isinstance(step, LoadRoot):
-                        self.parts.add(step.link)
-                    lines += mobility.lines_of(self.words, self.p, step)
-            else:
-                lines += getattr(self, f"_{kind.__name__}")(list(group))
+            together = getattr(self, f"_{kind.__name__}", None)
+            if together is not None:
+                lines += together(list(group))
+                continue
+            for step in group:
+                if isinstance(step, LoadRoot):
+                    self.parts.add(step.link)
+                lines += mobility.lines_of(self.words, self.p, step)
         return lines
 
     def _Kinematics(self, steps: list[Kinematics]) -> list[str]:  # noqa: N802
@@ -285,6 +284,12 @@ class KernelLines:
             if near > 0
         ]
         return ["{", f"  const auto X = {sweep}", *left, "}"] if left else [sweep]
+
+    def _Propagate(self, steps: list[Propagate]) -> list[str]:  # noqa: N802
+        return mobility.propagations(self.words, self.process, steps)
+
+    def _Deliver(self, steps: list[Deliver]) -> list[str]:  # noqa: N802
+        return mobility.deliveries(self.words, steps)
 
     def _SolveRoot(self, steps: list[SolveRoot]) -> list[str]:  # noqa: N802
         return [f"solve_root<{self.p}, {step.link}>(w);" for step in steps]

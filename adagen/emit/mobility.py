@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from adagen.emit import effects, joins
+from adagen.emit.runs import ends_of_run, swept
 from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.edges import is_free_base
@@ -108,7 +109,10 @@ def members(words: Words) -> dict[int, list[str]]:
 
 
 def lines_of(words: Words, p: int, step: Step) -> list[str]:
-    """Return the lines of one of ``STEPS`` on process p; see ``propagations`` for Propagate."""
+    """Return the lines of one of ``STEPS`` on process p.
+
+    What is carried out run by run has functions of its own: ``propagations``, ``deliveries``.
+    """
     match step:
         case InvertRoot():
             phi, b = words.block(step.block), words.bias(step.bias)
@@ -138,10 +142,6 @@ def lines_of(words: Words, p: int, step: Step) -> list[str]:
         case HoldMobility():
             phi, b = words.block(step.block), words.bias(step.bias)
             return [f"hold<{step.link}>(w, {phi}, {b});"]
-        case Deliver():
-            near, far = _ends(words.plan, step)
-            call = f"{_of(words, step, 'deliver')}(w, {step.joint}, w.loads[{far}]"
-            return [f"{call}, w.loads[{near}]);"]
         case AccelerateRoot():
             b, phi = words.bias(step.bias), words.block(step.block)
             load = f"w.loads[{step.link}]"
@@ -166,19 +166,29 @@ def propagations(words: Words, process: Process, steps: Sequence[Propagate]) -> 
     return lines
 
 
+def deliveries(words: Words, steps: Sequence[Deliver]) -> list[str]:
+    """Return the lines of steps that bring handle forces back, run by run."""
+    joints = words.plan.joints
+    lines = []
+    for run in swept(joints, steps):
+        if joints[run.first].prescribed:
+            near, far = ends_of_run(joints, run)
+            turned = "true" if run.reversed else "false"
+            call = f"deliver_prescribed<{turned}>(w, {run.first}, w.loads[{far}], w.loads[{near}]);"
+        else:
+            call = f"deliver{'_reversed' * run.reversed}<{run.first}, {run.last}>(w);"
+        lines.append(f"{call}  // {words.span(run.first, run.last)}")
+    return lines
+
+
 def _scoped(lines: list[str]) -> list[str]:
     return ["{", *(f"  {line}" for line in lines), "}"]
 
 
-def _of(words: Words, step: Propagate | Deliver, verb: str) -> str:
+def _of(words: Words, step: Propagate, verb: str) -> str:
     """The function that takes something across a joint."""
     prescribed = "_prescribed" if words.plan.joints[step.joint].prescribed else ""
     return f"{verb}{prescribed}<{'true' if step.reversed else 'false'}>"
-
-
-def _ends(plan: Plan, step: Deliver) -> tuple[int, int]:
-    parent, child = plan.joints[step.joint].parent, step.joint + 1
-    return (child, parent) if step.reversed else (parent, child)
 
 
 def _join_of(plan: Plan, joint: int) -> Join:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from adagen.plan.abreast import KINDS, Ends, Limbs, Unit, ends_of, outward_order
-from adagen.plan.steps import Accelerate, Articulate
+from adagen.plan.steps import Accelerate, Articulate, Deliver
 from adagen.plan.types import PlanJoint
 
 
@@ -90,7 +90,9 @@ def _outward_runs(
             first = j + 1
 
 
-def swept(joints: Sequence[PlanJoint], steps: Sequence[Articulate | Accelerate]) -> list[Run]:
+def swept(
+    joints: Sequence[PlanJoint], steps: Sequence[Articulate | Accelerate | Deliver]
+) -> list[Run]:
     """Return the runs of a sweep, in its order; a sweep is either inwards or outwards.
 
     A joint of prescribed motion is a run by itself.

@@ -3079,18 +3079,45 @@ ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f)
   return driven;
 }
 
-// A wrench on the far link: the joint and the near link are told.
+// What a link is loaded with is added to what is handed on to it.
+ADAGEN_INLINE void take_load(const Workspace& w, int link, Vector<Value>& n, Vector<Value>& f) {
+  const Columns6& load = w.loads[static_cast<std::size_t>(link)];
+  n += Vector<Value>{load[0], load[1], load[2]};
+  f += Vector<Value>{load[3], load[4], load[5]};
+}
+
+// A wrench on the far link: the joint is told, and what the near link feels is left.
 template <bool reversed>
-void deliver(Workspace& w, int j, const Columns6& load, Columns6& handed) {
+ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
   Value* const e = w.joints[static_cast<std::size_t>(j)].e;
-  Vector<Value> n{load[0], load[1], load[2]}, f{load[3], load[4], load[5]};
   const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
   if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
   } else {
     e[6] += driven.x;
   }
-  handed += columns_of({n, f});
+}
+
+// The loads of links beyond joints first .. last, each on the link of the one before, from the last
+// link to the one that the first joint is on.
+template <int first, int last>
+void deliver(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = last; j >= first; --j) {
+    take_load(w, j + 1, n, f);
+    deliver<false>(w, j, n, f);
+  }
+  w.loads[kJoints[first].parent] += columns_of({n, f});
+}
+// The same where the ground's side lies beyond: from the first joint's link to the last one's.
+template <int first, int last>
+void deliver_reversed(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = first; j <= last; ++j) {
+    take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
+    deliver<true>(w, j, n, f);
+  }
+  w.loads[last + 1] += columns_of({n, f});
 }
 
 // Phi and b of the last of joints first .. last, which hang on the ground: what six wrenches on its
@@ -3273,10 +3300,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.loads[2] = Columns6::Zero();
   w.loads[3] = Columns6::Zero();
   w.loads[4] = w.j_shoulder_pitch.F_on_forearm;
-  deliver<false>(w, 3, w.loads[4], w.loads[3]);
-  deliver<false>(w, 2, w.loads[3], w.loads[2]);
-  deliver<false>(w, 1, w.loads[2], w.loads[1]);
-  deliver<false>(w, 0, w.loads[1], w.loads[0]);
+  deliver<0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   accelerate<0, 0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   stamp(7);
   require_finite(w, w.answer.data(), 0, 5, &JointConstants::v, kOverflow);

@@ -3170,18 +3170,45 @@ ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f)
   return driven;
 }
 
-// A wrench on the far link: the joint and the near link are told.
+// What a link is loaded with is added to what is handed on to it.
+ADAGEN_INLINE void take_load(const Workspace& w, int link, Vector<Value>& n, Vector<Value>& f) {
+  const Columns6& load = w.loads[static_cast<std::size_t>(link)];
+  n += Vector<Value>{load[0], load[1], load[2]};
+  f += Vector<Value>{load[3], load[4], load[5]};
+}
+
+// A wrench on the far link: the joint is told, and what the near link feels is left.
 template <bool reversed>
-void deliver(Workspace& w, int j, const Columns6& load, Columns6& handed) {
+ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
   Value* const e = w.joints[static_cast<std::size_t>(j)].e;
-  Vector<Value> n{load[0], load[1], load[2]}, f{load[3], load[4], load[5]};
   const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
   if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
   } else {
     e[6] += driven.x;
   }
-  handed += columns_of({n, f});
+}
+
+// The loads of links beyond joints first .. last, each on the link of the one before, from the last
+// link to the one that the first joint is on.
+template <int first, int last>
+void deliver(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = last; j >= first; --j) {
+    take_load(w, j + 1, n, f);
+    deliver<false>(w, j, n, f);
+  }
+  w.loads[kJoints[first].parent] += columns_of({n, f});
+}
+// The same where the ground's side lies beyond: from the first joint's link to the last one's.
+template <int first, int last>
+void deliver_reversed(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = first; j <= last; ++j) {
+    take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
+    deliver<true>(w, j, n, f);
+  }
+  w.loads[last + 1] += columns_of({n, f});
 }
 
 // Phi and b of the last of joints first .. last, which hang on the ground: what six wrenches on its
@@ -3370,13 +3397,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.loads[5] = Columns6::Zero();
   w.loads[6] = Columns6::Zero();
   w.loads[7] = w.j_joint04.F_on_rod07;
-  deliver<false>(w, 6, w.loads[7], w.loads[6]);
-  deliver<false>(w, 5, w.loads[6], w.loads[5]);
-  deliver<false>(w, 4, w.loads[5], w.loads[4]);
-  deliver<false>(w, 3, w.loads[4], w.loads[3]);
-  deliver<false>(w, 2, w.loads[3], w.loads[2]);
-  deliver<false>(w, 1, w.loads[2], w.loads[1]);
-  deliver<false>(w, 0, w.loads[1], w.loads[0]);
+  deliver<0, 6>(w);  // "joint01" .. "joint07"
   accelerate<0, 0, 6>(w);  // "joint01" .. "joint07"
   stamp(7);
   require_finite(w, w.answer.data(), 0, 8, &JointConstants::v, kOverflow);
@@ -3457,9 +3478,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.loads[9] = Columns6::Zero();
   w.loads[10] = Columns6::Zero();
   w.loads[11] = w.j_joint10.F_on_rod11;
-  deliver<false>(w, 10, w.loads[11], w.loads[10]);
-  deliver<false>(w, 9, w.loads[10], w.loads[9]);
-  deliver<false>(w, 8, w.loads[9], w.loads[8]);
+  deliver<8, 10>(w);  // "joint09" .. "joint11"
   w.motions[8] = motion_of(w.j_joint10.b_rod08 + w.j_joint10.Phi_rod08 * w.loads[8]);
   accelerate<1, 8, 10>(w);  // "joint09" .. "joint11"
   stamp(9);
