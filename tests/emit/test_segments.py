@@ -19,7 +19,6 @@ from adagen.schedule import Topology, load_profile, named_schedule
 from adagen.states import random_states
 from tests.emitted import QUICK, Builder, forward_error, truth_of
 from tests.models import random_tree, serial_chain
-from tests.schedules import random_schedule
 
 PROFILE = load_profile("default")
 OPTIMISED = ("-O3", *QUICK[1:])
@@ -133,13 +132,15 @@ def test_segments_on_the_way_to_others_are_solved(
     assert forward_error(found, truth_of(model, states)) < 1e-9
 
 
-@pytest.mark.parametrize(("seed", "processes"), [(1, 1), (4, 2)])
+@pytest.mark.parametrize(("seed", "processes"), [(9, 1), (8, 2)])
 def test_segments_beside_limbs_are_solved(
     seed: int, processes: int, builder: Builder, tmp_path: Path
 ) -> None:
     model = random_tree(np.random.default_rng(seed), 60, branching=0.04, kinds=TURNING)
-    plan = make_plan(model, random_schedule(model, processes, np.random.default_rng(seed)))
-    assert "outward_in_segments<" in text_of(plan)
+    plan = divided(model, processes)
+    text = text_of(plan)
+    assert "  outward_in_segments<" in text
+    assert " kLimbs0{" in text
     states = random_states(model, 3, seed=seed)
     solver = builder.solver(plan, name="segments", shape="kernels")
     found = solver.solve(model, states, tmp_path, "--check")
