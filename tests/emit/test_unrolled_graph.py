@@ -19,7 +19,7 @@ from adagen.plan.interpret import interpret
 from adagen.states import random_states
 from tests.emitted import plan_of
 from tests.graph.evaluate import evaluate
-from tests.models import Part, assemble, random_tree, rod, serial_chain, vector
+from tests.models import Part, assemble, random_tree, rod, serial_chain, star, vector
 from tests.schedules import random_schedule
 
 Array = NDArray[np.float64]
@@ -149,3 +149,14 @@ def test_a_straight_line_pays_for_arms_and_not_for_crowds() -> None:
     assert pays_unrolled(plan_of(serial_chain(6), 1))
     assert not pays_unrolled(plan_of(oblique(7), 1))  # nothing to save
     assert not pays_unrolled(plan_of(serial_chain(30), 1))  # too long
+
+
+@pytest.mark.parametrize(("arms", "joints", "pays"), [(4, 2, True), (2, 3, True), (4, 3, False)])
+def test_a_straight_line_does_not_pay_where_most_limbs_lie_side_by_side(
+    arms: int, joints: int, pays: bool
+) -> None:
+    assert pays_unrolled(plan_of(star(arms, joints), 1)) == pays
+
+
+def test_form_ada_has_no_limbs_side_by_side() -> None:
+    assert pays_unrolled(plan_of(serial_chain(2), 1, form="ada"))

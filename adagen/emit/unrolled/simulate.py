@@ -10,12 +10,14 @@ from adagen.emit.unrolled.machine import Machine
 from adagen.graph import Operations, count_operations
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
+from adagen.plan.abreast import limbs_abreast
 
 _MOST_FREEDOMS = 24
 _MOST_FREEDOMS_IN_LANES = 512
 _MOST_EACH_IN_LANES = 450
 _MOST_OPERATIONS = 3000  # of one process: about 20 kB of code
 _MOST_EACH = 250  # products and sums for each degree of freedom
+_MOST_EACH_ABREAST = 325  # the same, limbs that loops pass side by side being counted once
 
 
 @dataclass(frozen=True)
@@ -66,13 +68,14 @@ def pays_unrolled(plan: Plan) -> bool:
     """Return whether a straight line is expected to be the fastest shape (docs/code_shapes.md).
 
     It wins by what structure saves: few operations for each degree of freedom, and code that stays
-    in the first-level cache.
+    in the first-level cache. Loops win by what lies side by side.
     """
     freedoms = _freedoms(plan)
     if freedoms > _MOST_FREEDOMS:
         return False
     work = [one.operations.arithmetic for one in simulate(plan)]
-    return max(work) <= _MOST_OPERATIONS and sum(work) <= _MOST_EACH * freedoms
+    most = min(_MOST_EACH * freedoms, _MOST_EACH_ABREAST * (freedoms - _saved_abreast(plan)))
+    return max(work) <= _MOST_OPERATIONS and sum(work) <= most
 
 
 def pays_unrolled_in_lanes(plan: Plan) -> bool:
@@ -90,3 +93,14 @@ def pays_unrolled_in_lanes(plan: Plan) -> bool:
 
 def _freedoms(plan: Plan) -> int:
     return sum(KINDS[joint.kind].nv for joint in plan.joints)
+
+
+def _saved_abreast(plan: Plan) -> int:
+    """Freedoms of limbs that shape kernels passes beside others, as no step of their own."""
+    return sum(
+        KINDS[plan.joints[j].kind].nv
+        for process in plan.processes
+        for limbs in limbs_abreast(plan, process)
+        for row in limbs.rows
+        for j in row[1:]
+    )
