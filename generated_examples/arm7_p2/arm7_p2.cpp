@@ -368,13 +368,29 @@ typedef Bits LaneBits __attribute__((vector_size(64)));
 ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
 ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
 
+// Whether any bit is set. Half by half: compilers take lanes apart one by one if left to it.
+typedef std::int64_t FourWords __attribute__((vector_size(32)));
+typedef std::int64_t TwoWords __attribute__((vector_size(16)));
+template <class T>
+ADAGEN_INLINE bool any_of(const T& x) {
+  if constexpr (sizeof x > sizeof(TwoWords)) {
+    typedef std::conditional_t<sizeof x == sizeof(FourWords), TwoWords, FourWords> Half;
+    Half halves[2];
+    std::memcpy(halves, &x, sizeof x);
+    const Half either = halves[0] | halves[1];
+    return any_of(either);
+  } else {
+    std::int64_t words[2]{};
+    std::memcpy(words, &x, sizeof x);
+    return (words[0] | words[1]) != 0;
+  }
+}
+
 // Whether all numbers are positive: false for NaN.
 ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
 template <class T>
 ADAGEN_INLINE bool all_positive(const T& x) {
-  bool result = true;
-  ADAGEN_FOR (k, 0, static_cast<int>(sizeof x / sizeof x[0])) result &= x[k] > 0;
-  return result;
+  return !any_of(~(x > T{}));
 }
 
 // One number or the other, lane by lane.
@@ -385,11 +401,7 @@ ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y
 }
 
 ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
-ADAGEN_INLINE bool all_zero(const Lanes& x) {
-  bool result = true;
-  for (int k = 0; k < kLanes; ++k) result &= x[k] == 0;
-  return result;
-}
+ADAGEN_INLINE bool all_zero(const Lanes& x) { return !any_of(x != Lanes{}); }
 
 ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
 ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
@@ -437,18 +449,6 @@ ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
   return result;
 }
 
-// Half by half: compilers take lanes apart one by one if they are left to it.
-ADAGEN_INLINE bool any_of(const LaneBits& x) {
-  typedef std::int64_t Half __attribute__((vector_size(32)));
-  typedef std::int64_t Quarter __attribute__((vector_size(16)));
-  Half halves[2];
-  std::memcpy(halves, &x, sizeof x);
-  const Half half = halves[0] | halves[1];
-  Quarter quarters[2];
-  std::memcpy(quarters, &half, sizeof half);
-  const Quarter quarter = quarters[0] | quarters[1];
-  return (quarter[0] | quarter[1]) != 0;
-}
 ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
                                          Lanes& cosine) {
   for (int k = 0; k < kLanes; ++k)
