@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import partial
 
 from adagen.emit import effects
 from adagen.emit.joints import function_of
+from adagen.emit.runs import spans
 from adagen.emit.stages import stage_rows, stamped_lines
 from adagen.emit.words import Words
 from adagen.plan.steps import (
@@ -34,7 +36,7 @@ def process_rows(words: Words) -> list[dict[str, object]]:
             "stages": stage_rows(process),
             "tables": _tables(words, p, process),
             "info": ", ".join(
-                f"{table['count']}, {table['name']}.data()" if table["count"] else "0, nullptr"
+                f"{{{table.count}, {table.name}.data()}}" if table.ranges else "{0, nullptr}"
                 for table in _tables(words, p, process)
             ),
         }
@@ -184,7 +186,23 @@ def _solve_coupling(words: Words) -> list[str]:
     return [*lines, f"  solve_coupling(w, {plan.slaved[0]}, rows, w.coupling);", "}"]
 
 
-def _tables(words: Words, p: int, process: Process) -> list[dict[str, object]]:
+@dataclass(frozen=True)
+class _Table:
+    """Entries of a vector that a process needs, as ranges (first, count)."""
+
+    name: str
+    ranges: list[tuple[int, int]]
+
+    @property
+    def count(self) -> int:
+        return len(self.ranges)
+
+    @property
+    def entries(self) -> int:
+        return sum(count for _, count in self.ranges)
+
+
+def _tables(words: Words, p: int, process: Process) -> list[_Table]:
     """What a process reads of q and v (a slaved joint's from its source), and its own entries."""
     joints = words.plan.joints
     read = []
@@ -201,12 +219,12 @@ def _tables(words: Words, p: int, process: Process) -> list[dict[str, object]]:
     links = {step.link for step in process.steps if isinstance(step, LinkBias | StartLink)}
     torques += effects.pushed_entries(words, links)
     return [
-        {"name": f"{name}_{p}", "count": len(entries), "entries": ", ".join(map(str, entries))}
+        _Table(f"{name}_{p}", [(first, last - first + 1) for first, last in spans(entries)])
         for name, entries in (("kReadQ", q), ("kReadV", v), ("kOwn", own), ("kTorque", torques))
     ]
 
 
 def table_sizes(words: Words, process: Process) -> tuple[int, int]:
     """Return the numbers that process 0 sends it of the state, and that it sends back."""
-    q, v, own, torques = (int(str(table["count"])) for table in _tables(words, 0, process))
+    q, v, own, torques = (table.entries for table in _tables(words, 0, process))
     return q + v + torques, own

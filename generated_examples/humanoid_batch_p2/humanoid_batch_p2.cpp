@@ -170,16 +170,18 @@ struct LinkConstants {
   Number tensor_inverse[9];  // J, its inverse
 };
 
-// What a process reads and owns of the state.
+// Entries first .. first + count - 1 of a vector.
+struct Range {
+  int first, count;
+};
+struct Ranges {
+  int count;
+  const Range* ranges;
+};
+
+// What a process reads of the state, and which velocity entries' accelerations it owns.
 struct ProcessInfo {
-  int q_count;
-  const int* q;
-  int v_read_count;
-  const int* v_read;
-  int v_count;
-  const int* v;
-  int tau_count;
-  const int* tau;  // entries of tau that it reads
+  Ranges q, v, own, tau;
 };
 
 // What goes from one process to another once in an evaluation.
@@ -2380,13 +2382,13 @@ constexpr std::array kParts{run_0};  // what is done for a group of states, in o
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<int, 36> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35};
-constexpr std::array<int, 35> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
-constexpr std::array<int, 35> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
-constexpr std::array<int, 35> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<Range, 1> kReadQ_0{ {{0, 36}} };
+constexpr std::array<Range, 1> kReadV_0{ {{0, 35}} };
+constexpr std::array<Range, 1> kOwn_0{ {{0, 35}} };
+constexpr std::array<Range, 1> kTorque_0{ {{0, 35}} };
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {36, kReadQ_0.data(), 35, kReadV_0.data(), 35, kOwn_0.data(), 35, kTorque_0.data()},
-    {36, kReadQ_0.data(), 35, kReadV_0.data(), 35, kOwn_0.data(), 35, kTorque_0.data()},
+    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
+    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
 } };
 
 // States of process 0, one after the other, and where their accelerations go.
@@ -5039,7 +5041,7 @@ class Simulation {
 
   // Evaluates for process 0 until that says that it is over.
   int serve() {
-    if (kProcess[static_cast<std::size_t>(on_.rank)].v_count == 0) return kDone;
+    if (kProcess[static_cast<std::size_t>(on_.rank)].own.count == 0) return kDone;
     for (int status = kFine; failure_kind(status) != kEnded;) {
       status = on_.solver.solve_at_root(nullptr, nullptr, nullptr, nullptr);
       on_.give_up_if_broken(status);

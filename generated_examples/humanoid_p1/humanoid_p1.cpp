@@ -160,16 +160,18 @@ struct LinkConstants {
   Number tensor_inverse[9];  // J, its inverse
 };
 
-// What a process reads and owns of the state.
+// Entries first .. first + count - 1 of a vector.
+struct Range {
+  int first, count;
+};
+struct Ranges {
+  int count;
+  const Range* ranges;
+};
+
+// What a process reads of the state, and which velocity entries' accelerations it owns.
 struct ProcessInfo {
-  int q_count;
-  const int* q;
-  int v_read_count;
-  const int* v_read;
-  int v_count;
-  const int* v;
-  int tau_count;
-  const int* tau;  // entries of tau that it reads
+  Ranges q, v, own, tau;
 };
 
 // What goes from one process to another once in an evaluation.
@@ -2508,13 +2510,28 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<int, 36> kReadQ_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35};
-constexpr std::array<int, 35> kReadV_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
-constexpr std::array<int, 35> kOwn_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
-constexpr std::array<int, 35> kTorque_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34};
+constexpr std::array<Range, 1> kReadQ_0{ {{0, 36}} };
+constexpr std::array<Range, 1> kReadV_0{ {{0, 35}} };
+constexpr std::array<Range, 1> kOwn_0{ {{0, 35}} };
+constexpr std::array<Range, 1> kTorque_0{ {{0, 35}} };
 constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {36, kReadQ_0.data(), 35, kReadV_0.data(), 35, kOwn_0.data(), 35, kTorque_0.data()},
+    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
 } };
+
+// The entries of a vector that a process needs, one after another, and back.
+inline Number* pack(Number* to, const Ranges& which, const Number* x) {
+  for (int k = 0; k < which.count; ++k)
+    to = std::copy_n(x + which.ranges[k].first, which.ranges[k].count, to);
+  return to;
+}
+inline const Number* unpack(const Number* from, const Ranges& which, Number* x) {
+  for (int k = 0; k < which.count; ++k) {
+    const auto& [first, count] = which.ranges[k];
+    std::copy_n(from, count, x + first);
+    from += count;
+  }
+  return from;
+}
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
 // first the state to each process, then the accelerations from each.
@@ -2560,17 +2577,17 @@ class Solver {
   int solve_for_root() {
     const int rank = channel.rank();
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
-    if (own.v_count == 0) return finish(kFine);
+    if (own.own.count == 0) return finish(kFine);
     int status = kFine;
     const Number* content = channel.receive(state_message(rank), status);
-    for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
-    for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
-    for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
+    content = unpack(content, own.q, q_.data());
+    content = unpack(content, own.v, v_.data());
+    unpack(content, own.tau, tau_.data());
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
     Number* result = channel.outgoing(result_message(rank), w.status);
-    for (int k = 0; k < own.v_count; ++k) result[k] = qdd_[own.v[k]];
+    pack(result, own.own, qdd_.data());
     channel.send(result_message(rank), w.status);
     return finish(w.status);
   }
@@ -2579,11 +2596,11 @@ class Solver {
                     int status = kFine) {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
-      if (other.v_count == 0) continue;
+      if (other.own.count == 0) continue;
       Number* content = channel.outgoing(state_message(p), status);
-      for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
-      for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
-      for (int k = 0; k < other.tau_count; ++k) *content++ = tau[other.tau[k]];
+      content = pack(content, other.q, q);
+      content = pack(content, other.v, v);
+      pack(content, other.tau, tau);
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -2591,9 +2608,9 @@ class Solver {
     run();
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
-      if (other.v_count == 0) continue;
+      if (other.own.count == 0) continue;
       const Number* result = channel.receive(result_message(p), w.status);
-      for (int k = 0; k < other.v_count; ++k) qdd_[other.v[k]] = result[k];
+      unpack(result, other.own, qdd_.data());
     }
     if (w.status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
     return finish(w.status);
@@ -4862,7 +4879,7 @@ class Simulation {
 
   // Evaluates for process 0 until that says that it is over.
   int serve() {
-    if (kProcess[static_cast<std::size_t>(on_.rank)].v_count == 0) return kDone;
+    if (kProcess[static_cast<std::size_t>(on_.rank)].own.count == 0) return kDone;
     for (int status = kFine; failure_kind(status) != kEnded;) {
       status = on_.solver.solve_at_root(nullptr, nullptr, nullptr, nullptr);
       on_.give_up_if_broken(status);

@@ -38,16 +38,18 @@ struct LinkConstants {
   Number tensor_inverse[9];  // J, its inverse
 };
 
-// What a process reads and owns of the state.
+// Entries first .. first + count - 1 of a vector.
+struct Range {
+  int first, count;
+};
+struct Ranges {
+  int count;
+  const Range* ranges;
+};
+
+// What a process reads of the state, and which velocity entries' accelerations it owns.
 struct ProcessInfo {
-  int q_count;
-  const int* q;
-  int v_read_count;
-  const int* v_read;
-  int v_count;
-  const int* v;
-  int tau_count;
-  const int* tau;  // entries of tau that it reads
+  Ranges q, v, own, tau;
 };
 
 // What goes from one process to another once in an evaluation.

@@ -66,7 +66,7 @@ class Simulation {
 
   // Evaluates for process 0 until that says that it is over.
   int serve() {
-    if (kProcess[static_cast<std::size_t>(on_.rank)].v_count == 0) return kDone;
+    if (kProcess[static_cast<std::size_t>(on_.rank)].own.count == 0) return kDone;
     for (int status = kFine; failure_kind(status) != kEnded;) {
       status = on_.solver.solve_at_root(nullptr, nullptr, nullptr, nullptr);
       on_.give_up_if_broken(status);

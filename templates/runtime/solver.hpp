@@ -1,3 +1,18 @@
+// The entries of a vector that a process needs, one after another, and back.
+inline Number* pack(Number* to, const Ranges& which, const Number* x) {
+  for (int k = 0; k < which.count; ++k)
+    to = std::copy_n(x + which.ranges[k].first, which.ranges[k].count, to);
+  return to;
+}
+inline const Number* unpack(const Number* from, const Ranges& which, Number* x) {
+  for (int k = 0; k < which.count; ++k) {
+    const auto& [first, count] = which.ranges[k];
+    std::copy_n(from, count, x + first);
+    from += count;
+  }
+  return from;
+}
+
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
 // first the state to each process, then the accelerations from each.
 class Solver {
@@ -42,17 +57,17 @@ class Solver {
   int solve_for_root() {
     const int rank = channel.rank();
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
-    if (own.v_count == 0) return finish(kFine);
+    if (own.own.count == 0) return finish(kFine);
     int status = kFine;
     const Number* content = channel.receive(state_message(rank), status);
-    for (int k = 0; k < own.q_count; ++k) q_[own.q[k]] = *content++;
-    for (int k = 0; k < own.v_read_count; ++k) v_[own.v_read[k]] = *content++;
-    for (int k = 0; k < own.tau_count; ++k) tau_[own.tau[k]] = *content++;
+    content = unpack(content, own.q, q_.data());
+    content = unpack(content, own.v, v_.data());
+    unpack(content, own.tau, tau_.data());
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
     Number* result = channel.outgoing(result_message(rank), w.status);
-    for (int k = 0; k < own.v_count; ++k) result[k] = qdd_[own.v[k]];
+    pack(result, own.own, qdd_.data());
     channel.send(result_message(rank), w.status);
     return finish(w.status);
   }
@@ -61,11 +76,11 @@ class Solver {
                     int status = kFine) {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
-      if (other.v_count == 0) continue;
+      if (other.own.count == 0) continue;
       Number* content = channel.outgoing(state_message(p), status);
-      for (int k = 0; k < other.q_count; ++k) *content++ = q[other.q[k]];
-      for (int k = 0; k < other.v_read_count; ++k) *content++ = v[other.v_read[k]];
-      for (int k = 0; k < other.tau_count; ++k) *content++ = tau[other.tau[k]];
+      content = pack(content, other.q, q);
+      content = pack(content, other.v, v);
+      pack(content, other.tau, tau);
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -73,9 +88,9 @@ class Solver {
     run();
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
-      if (other.v_count == 0) continue;
+      if (other.own.count == 0) continue;
       const Number* result = channel.receive(result_message(p), w.status);
-      for (int k = 0; k < other.v_count; ++k) qdd_[other.v[k]] = result[k];
+      unpack(result, other.own, qdd_.data());
     }
     if (w.status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
     return finish(w.status);
