@@ -50,6 +50,7 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
         ("segment", limbs, 2, 2, "shared"),
         ("segment", limbs, 1, 1, ""),
         ("segment", rope, 1, 1, ""),
+        ("segment", rope, 2, 1, "gathered"),
         ("segment", cable, 2, 1, "gathered"),
         ("segment", legs, 1, 1, ""),
         ("segment", paws, 1, 1, ""),

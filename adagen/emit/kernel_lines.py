@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from itertools import groupby
 
-from adagen.emit import mobility
+from adagen.emit import guards, mobility
 from adagen.emit.effects import push_calls
 from adagen.emit.layout import Layout
 from adagen.emit.processes import describe_message
@@ -60,7 +60,11 @@ class KernelLines:
     def all_lines(self) -> list[str]:
         """Return the lines of the process."""
         stages = stamped_groups(self.process, self.lines)
-        return [*self.checks(), *stages, *self.results()]
+        return [
+            *guards.checks(self.words, self.process),
+            *stages,
+            *guards.results(self.words, self.process),
+        ]
 
     def roles(self) -> list[dict[str, bool]]:
         """Return what the process does at each link, once its lines are written.
@@ -81,43 +85,6 @@ class KernelLines:
     def _own_links(self) -> set[int]:
         """Links that the process adds as its sweep passes them."""
         return {s.link for s in self.process.steps if isinstance(s, StartLink)} - self.placed
-
-    def checks(self) -> list[str]:
-        """Refuse a state that is not finite."""
-        reads = self.process.reads
-        return [
-            *self._finite("w.q", "q", reads, "kNotFinite"),
-            *self._finite("w.v", "v", reads, "kNotFinite"),
-            *self._finite("w.tau", "v", self.process.treated, "kNotFinite"),
-        ]
-
-    def results(self) -> list[str]:
-        """Give the accelerations, if all went well."""
-        owned = self._ranges("v", self.process.owns)
-        return [
-            *self._finite("w.answer.data()", "v", self.process.owns, "kOverflow"),
-            *(f"give(w, {first}, {count});" for first, count in owned),
-        ]
-
-    def _finite(self, array: str, place: str, joints: Iterable[int], failure: str) -> list[str]:
-        return [
-            f"require_finite(w, {array}, {first}, {count}, &JointConstants::{place}, {failure});"
-            for first, count in self._ranges(place, joints)
-        ]
-
-    def _ranges(self, name: str, joints: Iterable[int]) -> list[tuple[int, int]]:
-        """Ranges (start, count) of q or v that joints have, those that touch made one."""
-        found: list[tuple[int, int]] = []
-        for j in joints:
-            kind = self.words.kind(j)
-            start, count = (
-                (self.joints[j].q, kind.nq) if name == "q" else (self.joints[j].v, kind.nv)
-            )
-            if found and sum(found[-1]) == start:
-                start, count = found[-1][0], found[-1][1] + count
-                found.pop()
-            found.append((start, count))
-        return found
 
     def lines(self, steps: Sequence[Step]) -> list[str]:
         """Return the lines of the steps of a stage."""

@@ -1689,10 +1689,6 @@ ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
     return axis_at<T>(w.at(joints.slot, kAxes));
 }
 
-ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
-  Channel::fail(w.status, failure(kind, joint));
-}
-
 // A body in a message.
 [[maybe_unused]] constexpr int kBodyNumbers = 27;
 template <class T>
@@ -1718,6 +1714,46 @@ ADAGEN_INLINE Lanes wide(const Value* x) {
   Lanes result;
   std::memcpy(&result, x, sizeof result);
   return result;
+}
+
+// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
+  Value tau = w.tau[joint.v];
+  if constexpr (kAnyPassive) {
+    const Passive& own = joint.passive;
+    const Value& qd = w.v[joint.v];
+    if (own.damping != 0) tau -= own.damping * qd;
+    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
+  }
+  return tau;
+}
+
+// A joint of prescribed motion among limbs side by side gives way to nothing and moves as told.
+ADAGEN_INLINE Real immovable(const JointConstants& joint) {
+  return joint.passive.prescribed ? std::numeric_limits<Real>::infinity() : 0;
+}
+ADAGEN_INLINE Value prescribed(const Workspace& w, const JointConstants& joint) {
+  return joint.passive.prescribed ? w.tau[joint.v] : Value{};
+}
+
+// Accelerations are given only where all went well.
+inline void give(Workspace& w, int first, int count) {
+  if (w.status == kFine)
+    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
+}
+
+[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
+[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
+  for (int k = 0; k < 9; ++k)
+    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
+  return true;
+}
+
+// What cannot be solved is refused, with the joint at fault.
+
+ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
+  Channel::fail(w.status, failure(kind, joint));
 }
 
 // x - x is zero for finite x only.
@@ -1764,40 +1800,6 @@ ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]
   if constexpr (kWidth < T >> 1)
     while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
   fail(w, kFactorization, joints.joint[lane]);
-}
-
-// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
-  Value tau = w.tau[joint.v];
-  if constexpr (kAnyPassive) {
-    const Passive& own = joint.passive;
-    const Value& qd = w.v[joint.v];
-    if (own.damping != 0) tau -= own.damping * qd;
-    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
-    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
-  }
-  return tau;
-}
-
-// A joint of prescribed motion among limbs side by side gives way to nothing and moves as told.
-ADAGEN_INLINE Real immovable(const JointConstants& joint) {
-  return joint.passive.prescribed ? std::numeric_limits<Real>::infinity() : 0;
-}
-ADAGEN_INLINE Value prescribed(const Workspace& w, const JointConstants& joint) {
-  return joint.passive.prescribed ? w.tau[joint.v] : Value{};
-}
-
-// Accelerations are given only where all went well.
-inline void give(Workspace& w, int first, int count) {
-  if (w.status == kFine)
-    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
-}
-
-[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
-[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
-  for (int k = 0; k < 9; ++k)
-    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
-  return true;
 }
 
 // Loops over rows of joints: a run's joints, or those of limbs side by side, of one kind each.
@@ -2836,6 +2838,77 @@ void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias,
   far_bias = columns_of(a);
 }
 
+// A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
+template <int link>
+void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  const Body<Value>& X = w.bodies[link];
+  const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
+  w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
+}
+
+// The force that what was left at a link needs to move as the link does.
+template <int link>
+Columns6 force_on(Workspace& w) {
+  const Body<Value>& X = w.bodies[link];
+  return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
+}
+
+// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to
+// a singular matrix for that, angular and linear ones beside the largest of their kind.
+template <int link>
+void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
+  std::array<std::array<Real, 6>, 6> L, x{};
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) L[i][k] = Phi(i, k);
+    x[i][i] = 1;
+  }
+  bool good = factorize(L);  // leaves inverse roots of the pivots on the diagonal
+  const Real most[2] = {Phi.diagonal().template head<3>().maxCoeff(),
+                        Phi.diagonal().template tail<3>().maxCoeff()};
+  ADAGEN_FOR (i, 0, 6) good = good && L[i][i] * L[i][i] * kLeastPivot * most[i / 3] < 1;
+  if (!good) return fail(w, kSingularPose, link - 1);
+  forward_substitute(L, x);
+  const auto entry = [&x](int i, int k) {
+    Real sum = 0;
+    ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
+    return sum;
+  };
+  Body<Value>& X = w.bodies[link];
+  X.A = {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+  X.B = {{entry(0, 3), entry(0, 4), entry(0, 5)},
+         {entry(1, 3), entry(1, 4), entry(1, 5)},
+         {entry(2, 3), entry(2, 4), entry(2, 5)}};
+  X.C = {entry(3, 3), entry(3, 4), entry(3, 5), entry(4, 4), entry(4, 5), entry(5, 5)};
+  const Columns6 p = -(inertia_of(X) * b);
+  X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
+}
+
+// --- joins: adapters to the joints' own frames ---------------------------------------------------
+
+// From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
+[[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  X.E << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
+  Y.E = X.E;
+  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  X.r << r.x, r.y, r.z;
+  Y.r.setZero();
+}
+
+template <std::size_t n>
+void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
+  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
+}
+
+template <std::size_t n>
+void store_acceleration(Workspace& w, int, int v,
+                        const std::array<std::array<Real, kColumns>, n>& qdd) {
+  for (std::size_t k = 0; k < n; ++k) w.answer[static_cast<std::size_t>(v) + k] = qdd[k][0];
+}
+
+// Forces at handles: what they do inside a run.
+
 // A wrench on the far link becomes what the near link feels of it, L^T times it; what it drives the
 // joint with, D^-1 S^T times it, is returned.
 template <bool reversed, class T>
@@ -2932,75 +3005,6 @@ void respond(Workspace& w, Mat6& Phi, Columns6& b) {
       b[3 * half + i] = (*rows[i])[6];
     }
   }
-}
-
-// A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
-template <int link>
-void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
-  const Body<Value>& X = w.bodies[link];
-  const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
-  w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
-}
-
-// The force that what was left at a link needs to move as the link does.
-template <int link>
-Columns6 force_on(Workspace& w) {
-  const Body<Value>& X = w.bodies[link];
-  return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
-}
-
-// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to
-// a singular matrix for that, angular and linear ones beside the largest of their kind.
-template <int link>
-void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
-  constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
-  std::array<std::array<Real, 6>, 6> L, x{};
-  ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) L[i][k] = Phi(i, k);
-    x[i][i] = 1;
-  }
-  bool good = factorize(L);  // leaves inverse roots of the pivots on the diagonal
-  const Real most[2] = {Phi.diagonal().template head<3>().maxCoeff(),
-                        Phi.diagonal().template tail<3>().maxCoeff()};
-  ADAGEN_FOR (i, 0, 6) good = good && L[i][i] * L[i][i] * kLeastPivot * most[i / 3] < 1;
-  if (!good) return fail(w, kSingularPose, link - 1);
-  forward_substitute(L, x);
-  const auto entry = [&x](int i, int k) {
-    Real sum = 0;
-    ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
-    return sum;
-  };
-  Body<Value>& X = w.bodies[link];
-  X.A = {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
-  X.B = {{entry(0, 3), entry(0, 4), entry(0, 5)},
-         {entry(1, 3), entry(1, 4), entry(1, 5)},
-         {entry(2, 3), entry(2, 4), entry(2, 5)}};
-  X.C = {entry(3, 3), entry(3, 4), entry(3, 5), entry(4, 4), entry(4, 5), entry(5, 5)};
-  const Columns6 p = -(inertia_of(X) * b);
-  X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
-}
-
-// --- joins: adapters to the joints' own frames ---------------------------------------------------
-
-// From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
-[[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
-  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
-  X.E << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
-  Y.E = X.E;
-  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
-  X.r << r.x, r.y, r.z;
-  Y.r.setZero();
-}
-
-template <std::size_t n>
-void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
-  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
-}
-
-template <std::size_t n>
-void store_acceleration(Workspace& w, int, int v,
-                        const std::array<std::array<Real, kColumns>, n>& qdd) {
-  for (std::size_t k = 0; k < n; ++k) w.answer[static_cast<std::size_t>(v) + k] = qdd[k][0];
 }
 
 // What goes into a message, and out of one.

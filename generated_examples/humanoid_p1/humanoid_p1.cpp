@@ -1411,10 +1411,6 @@ ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
     return axis_at<T>(w.at(joints.slot, kAxes));
 }
 
-ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
-  Channel::fail(w.status, failure(kind, joint));
-}
-
 // A body in a message.
 [[maybe_unused]] constexpr int kBodyNumbers = 27;
 template <class T>
@@ -1440,6 +1436,46 @@ ADAGEN_INLINE Lanes wide(const Value* x) {
   Lanes result;
   std::memcpy(&result, x, sizeof result);
   return result;
+}
+
+// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
+  Value tau = w.tau[joint.v];
+  if constexpr (kAnyPassive) {
+    const Passive& own = joint.passive;
+    const Value& qd = w.v[joint.v];
+    if (own.damping != 0) tau -= own.damping * qd;
+    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
+  }
+  return tau;
+}
+
+// A joint of prescribed motion among limbs side by side gives way to nothing and moves as told.
+ADAGEN_INLINE Real immovable(const JointConstants& joint) {
+  return joint.passive.prescribed ? std::numeric_limits<Real>::infinity() : 0;
+}
+ADAGEN_INLINE Value prescribed(const Workspace& w, const JointConstants& joint) {
+  return joint.passive.prescribed ? w.tau[joint.v] : Value{};
+}
+
+// Accelerations are given only where all went well.
+inline void give(Workspace& w, int first, int count) {
+  if (w.status == kFine)
+    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
+}
+
+[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
+[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
+  for (int k = 0; k < 9; ++k)
+    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
+  return true;
+}
+
+// What cannot be solved is refused, with the joint at fault.
+
+ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
+  Channel::fail(w.status, failure(kind, joint));
 }
 
 // x - x is zero for finite x only.
@@ -1486,40 +1522,6 @@ ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]
   if constexpr (kWidth < T >> 1)
     while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
   fail(w, kFactorization, joints.joint[lane]);
-}
-
-// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
-  Value tau = w.tau[joint.v];
-  if constexpr (kAnyPassive) {
-    const Passive& own = joint.passive;
-    const Value& qd = w.v[joint.v];
-    if (own.damping != 0) tau -= own.damping * qd;
-    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
-    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
-  }
-  return tau;
-}
-
-// A joint of prescribed motion among limbs side by side gives way to nothing and moves as told.
-ADAGEN_INLINE Real immovable(const JointConstants& joint) {
-  return joint.passive.prescribed ? std::numeric_limits<Real>::infinity() : 0;
-}
-ADAGEN_INLINE Value prescribed(const Workspace& w, const JointConstants& joint) {
-  return joint.passive.prescribed ? w.tau[joint.v] : Value{};
-}
-
-// Accelerations are given only where all went well.
-inline void give(Workspace& w, int first, int count) {
-  if (w.status == kFine)
-    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
-}
-
-[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
-[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
-  for (int k = 0; k < 9; ++k)
-    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
-  return true;
 }
 
 // Loops over rows of joints: a run's joints, or those of limbs side by side, of one kind each.

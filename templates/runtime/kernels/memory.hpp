@@ -199,10 +199,6 @@ ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
     return axis_at<T>(w.at(joints.slot, kAxes));
 }
 
-ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
-  Channel::fail(w.status, failure(kind, joint));
-}
-
 // A body in a message.
 [[maybe_unused]] constexpr int kBodyNumbers = 27;
 template <class T>
@@ -228,52 +224,6 @@ ADAGEN_INLINE Lanes wide(const Value* x) {
   Lanes result;
   std::memcpy(&result, x, sizeof result);
   return result;
-}
-
-// x - x is zero for finite x only.
-ADAGEN_INLINE bool finite(const Value* x, int count) {
-  Lanes sum{};
-  Value rest{};
-  int k = 0;
-  for (; k + kPerBlock <= count; k += kPerBlock) sum += wide(x + k) - wide(x + k);
-  for (; k < count; ++k) rest += x[k] - x[k];
-  return all_zero(sum) && all_zero(rest);
-}
-
-// Tells which of entries first .. is the first that is not finite; place says where a joint's
-// entries start.
-ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
-                               Failure kind) {
-  while (finite(x + first, 1)) ++first;
-  int joint = 0;
-  for (int j = 0; j < kJointCount; ++j)
-    if (kJoints[static_cast<std::size_t>(j)].*place <= first) joint = j;
-  fail(w, kind, joint);
-}
-
-// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
-inline void require_finite(Workspace& w, const Value* x, int first, int count,
-                           int JointConstants::* place, Failure kind) {
-  if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
-}
-
-template <class T>
-ADAGEN_INLINE bool has_length(const T& squared) {
-  return all_positive(squared - std::numeric_limits<Real>::min()) &&
-         all_positive(std::numeric_limits<Real>::max() - squared);
-}
-template <class T>
-void require_length(Workspace& w, const T& squared, int joint) {
-  if (!has_length(squared)) fail(w, kZeroQuaternion, joint);
-}
-
-// An elimination failed for one of the joints: for that whose number is not positive.
-template <class T>
-ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]] const T& x) {
-  int lane = 0;
-  if constexpr (kWidth < T >> 1)
-    while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
-  fail(w, kFactorization, joints.joint[lane]);
 }
 
 // The torque of a joint with one freedom that reaches the links: less damping, spring and friction.

@@ -1,0 +1,51 @@
+// What cannot be solved is refused, with the joint at fault.
+
+ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
+  Channel::fail(w.status, failure(kind, joint));
+}
+
+// x - x is zero for finite x only.
+ADAGEN_INLINE bool finite(const Value* x, int count) {
+  Lanes sum{};
+  Value rest{};
+  int k = 0;
+  for (; k + kPerBlock <= count; k += kPerBlock) sum += wide(x + k) - wide(x + k);
+  for (; k < count; ++k) rest += x[k] - x[k];
+  return all_zero(sum) && all_zero(rest);
+}
+
+// Tells which of entries first .. is the first that is not finite; place says where a joint's
+// entries start.
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
+                               Failure kind) {
+  while (finite(x + first, 1)) ++first;
+  int joint = 0;
+  for (int j = 0; j < kJointCount; ++j)
+    if (kJoints[static_cast<std::size_t>(j)].*place <= first) joint = j;
+  fail(w, kind, joint);
+}
+
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::* place, Failure kind) {
+  if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
+}
+
+template <class T>
+ADAGEN_INLINE bool has_length(const T& squared) {
+  return all_positive(squared - std::numeric_limits<Real>::min()) &&
+         all_positive(std::numeric_limits<Real>::max() - squared);
+}
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!has_length(squared)) fail(w, kZeroQuaternion, joint);
+}
+
+// An elimination failed for one of the joints: for that whose number is not positive.
+template <class T>
+ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]] const T& x) {
+  int lane = 0;
+  if constexpr (kWidth < T >> 1)
+    while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
+  fail(w, kFactorization, joints.joint[lane]);
+}

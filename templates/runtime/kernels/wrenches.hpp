@@ -1,0 +1,99 @@
+// Forces at handles: what they do inside a run.
+
+// A wrench on the far link becomes what the near link feels of it, L^T times it; what it drives the
+// joint with, D^-1 S^T times it, is returned.
+template <bool reversed, class T>
+ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value>& r = memory.r;
+  if constexpr (reversed) n += cross(f, r);
+  Vector<T> driven{};
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      driven = solve_rotations(e + 12, n);
+      f.x -= e[0] * n.x + e[3] * n.y + e[6] * n.z;
+      f.y -= e[1] * n.x + e[4] * n.y + e[7] * n.z;
+      f.z -= e[2] * n.x + e[5] * n.y + e[8] * n.z;
+      n = kSphericalRotors ? driven * rotor_of(single(j)) : Vector<T>{};
+      if constexpr (!reversed) n += -cross(f, r);
+    }
+    return driven;
+  }
+  const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_at(w.of(j, kAxes)));
+  driven.x = x * e[7];
+  if constexpr (!reversed) n += -cross(f, r);
+  n.x -= e[0] * x, n.y -= e[1] * x, n.z -= e[2] * x;
+  f.x -= e[3] * x, f.y -= e[4] * x, f.z -= e[5] * x;
+  return driven;
+}
+
+// What a link is loaded with is added to what is handed on to it.
+ADAGEN_INLINE void take_load(const Workspace& w, int link, Vector<Value>& n, Vector<Value>& f) {
+  const Columns6& load = w.loads[static_cast<std::size_t>(link)];
+  n += Vector<Value>{load[0], load[1], load[2]};
+  f += Vector<Value>{load[3], load[4], load[5]};
+}
+
+// A wrench on the far link: the joint is told, and what the near link feels is left.
+template <bool reversed>
+ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
+  Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
+  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
+  } else {
+    e[6] += driven.x;
+  }
+}
+
+// The loads of links beyond joints first .. last, each on the link of the one before, from the last
+// link to the one that the first joint is on.
+template <int first, int last>
+void deliver(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = last; j >= first; --j) {
+    take_load(w, j + 1, n, f);
+    deliver<false>(w, j, n, f);
+  }
+  w.loads[kJoints[first].parent] += columns_of({n, f});
+}
+// The same where the ground's side lies beyond: from the first joint's link to the last one's.
+template <int first, int last>
+void deliver_reversed(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = first; j <= last; ++j) {
+    take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
+    deliver<true>(w, j, n, f);
+  }
+  w.loads[last + 1] += columns_of({n, f});
+}
+
+// Phi and b of the last of joints first .. last, which hang on the ground: what six wrenches on its
+// link make it do, one in each lane, and in a further lane what it does under none.
+template <int first, int last>
+void respond(Workspace& w, Mat6& Phi, Columns6& b) {
+  static_assert(sizeof(Value) == sizeof(Real));
+  Vector<Lanes> drives[last - first + 1], n{}, f{};
+  n.x[0] = n.y[1] = n.z[2] = f.x[3] = f.y[4] = f.z[5] = 1;
+  for (int j = last; j >= first; --j) {
+    Vector<Lanes>& own = drives[j - first] = hand_on<false>(w, j, n, f);
+    const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+    if (kJoints[static_cast<std::size_t>(j)].kind != JointKind::kSpherical) {
+      own.x[6] = e[6];
+    } else if constexpr (kAnySpherical) {
+      own.x[6] = e[9], own.y[6] = e[10], own.z[6] = e[11];
+    }
+  }
+  Motion<Lanes> a{};
+  for (int j = first; j <= last; ++j) pass<false>(w, j, a, drives[j - first]);
+  const Vector<Lanes> halves[2] = {a.angular, a.linear};
+  ADAGEN_FOR (half, 0, 2) {
+    const Lanes* const rows[3] = {&halves[half].x, &halves[half].y, &halves[half].z};
+    ADAGEN_FOR (i, 0, 3) {
+      ADAGEN_FOR (k, 0, 6) Phi(3 * half + i, k) = (*rows[i])[k];
+      b[3 * half + i] = (*rows[i])[6];
+    }
+  }
+}
