@@ -6,12 +6,28 @@ using Wide = std::conditional_t<std::is_same_v<Real, float>, double, long double
 using Wide3 = Eigen::Matrix<Wide, 3, 1>;
 using Wide6 = Eigen::Matrix<Wide, 6, 1>;
 using WideMat3 = Eigen::Matrix<Wide, 3, 3>;
+template <class T>
+using Six = Eigen::Matrix<T, 6, 1>;
 
-inline Wide6 wide(const Wide3& angular, const Wide3& linear) {
-  Wide6 result;
+template <class T>
+Six<T> spatial(const Eigen::Matrix<T, 3, 1>& angular, const Eigen::Matrix<T, 3, 1>& linear) {
+  Six<T> result;
   result << angular, linear;
   return result;
 }
+inline Wide6 wide(const Wide3& angular, const Wide3& linear) { return spatial(angular, linear); }
+
+// From a joint's parent link's coordinates to its child link's.
+template <class T>
+struct Carrier {
+  Eigen::Matrix<T, 3, 3> E;
+  Eigen::Matrix<T, 3, 1> r;  // origin of the child frame in the parent's
+
+  Six<T> operator()(const Six<T>& m) const {
+    const Eigen::Matrix<T, 3, 1> angular = m.template head<3>();
+    return spatial<T>(E * angular, E * (m.template tail<3>() - r.cross(angular)));
+  }
+};
 
 // Numbers of joints, links or entries, ascending.
 struct Table {
@@ -51,13 +67,14 @@ constexpr std::array<int, kColumns> kSlaved = [] {
 
 // A joint and the link under it.
 struct WideJoint {
-  WideMat3 E;            // parent to child coordinates
-  Wide3 r;               // origin of the child frame in the parent's
-  Wide6 v, c;            // velocity of the link; v x S qd
-  Wide6 gyration;        // v x* I v
-  Wide6 f;               // the joint's force on the link
-  Wide6 a;               // acceleration of the link, relative to free fall
-  Wide6 moved, stepped;  // what of it comes of qdd, and of the last step
+  Carrier<Wide> carried;
+  Wide6 v, c;      // velocity of the link; v x S qd
+  Wide6 gyration;  // v x* I v
+  Wide6 f;         // the joint's force on the link
+  Wide6 a;         // acceleration of the link, relative to free fall
+  // What of it comes of qdd, and of the last step: for sizes, of which a digit or two matter.
+  Carrier<double> roughly_carried;
+  Six<double> moved, stepped;
 };
 
 class Refinement {
@@ -69,7 +86,7 @@ class Refinement {
   std::array<Vec6, kLinkCount> rho;
   std::array<Wide, kNv> qdd{};
   // Its process's shares of e^T H e, t^T H t, and the same of all that holds links in free fall.
-  Wide step_energy = 0, energy = 0, whole_energy = 0;
+  double step_energy = 0, energy = 0, whole_energy = 0;
   std::array<double, kRefine> corrections{};
   double rounding = 0;  // the last correction, relative to the larger of these
 
@@ -134,20 +151,23 @@ class Refinement {
 
   // What the answer and its last step weigh, and all accelerations relative to free fall.
   void weigh(const RefinedProcess& own) {
-    const Wide6 still = Wide6::Zero();
+    const Six<double> still = Six<double>::Zero();
     for (const int j : own.path) {
       const int parent = kJoints[j].parent;
       WideJoint& i = joints_[j];
-      i.moved = carried(i, parent > 0 ? joints_[parent - 1].moved : still) + along(j, qdd.data());
+      const auto& carried = i.roughly_carried;
+      i.moved =
+          carried(parent > 0 ? joints_[parent - 1].moved : still) + along<double>(j, qdd.data());
       i.stepped =
-          carried(i, parent > 0 ? joints_[parent - 1].stepped : still) + along(j, step.data());
+          carried(parent > 0 ? joints_[parent - 1].stepped : still) + along<double>(j, step.data());
     }
     energy = step_energy = whole_energy = 0;
     for (const int link : own.links) {
       const WideJoint& i = joints_[link - 1];
       energy += i.moved.dot(times_inertia(link, i.moved));
       step_energy += i.stepped.dot(times_inertia(link, i.stepped));
-      whole_energy += i.a.dot(times_inertia(link, i.a));
+      const Six<double> a = i.a.cast<double>();
+      whole_energy += a.dot(times_inertia(link, a));
     }
   }
 
@@ -158,7 +178,8 @@ class Refinement {
     for (const int j : own.path) {
       const int parent = kJoints[j].parent;
       WideJoint& i = joints_[j];
-      i.a = carried(i, parent > 0 ? joints_[parent - 1].a : ground) + along(j, qdd.data()) + i.c;
+      i.a =
+          i.carried(parent > 0 ? joints_[parent - 1].a : ground) + along<Wide>(j, qdd.data()) + i.c;
     }
     for (const int link : own.links)
       left_[link] = -times_inertia(link, joints_[link - 1].a) - joints_[link - 1].gyration;
@@ -171,11 +192,12 @@ class Refinement {
   }
 
  private:
-  template <class T>
-  static Wide6 along(int j, const T* rates) {
-    Wide6 result = Wide6::Zero();
+  template <class T, class Rate>
+  static Six<T> along(int j, const Rate* rates) {
+    Six<T> result = Six<T>::Zero();
     const JointConstants& joint = kJoints[j];
-    for (int k = 0; k < joint.nv; ++k) result[free_row(joint.kind, k)] = Wide(rates[joint.v + k]);
+    for (int k = 0; k < joint.nv; ++k)
+      result[free_row(joint.kind, k)] = static_cast<T>(rates[joint.v + k]);
     return result;
   }
 
@@ -195,64 +217,66 @@ class Refinement {
     return 0;
   }
 
-  static Wide6 carried(const WideJoint& i, const Wide6& m) {
-    const Wide3 angular = m.head<3>();
-    return wide(i.E * angular, i.E * (m.tail<3>() - i.r.cross(angular)));
-  }
-
   // A wrench on a joint's child link, in its parent link's frame.
   static Wide6 returned(const WideJoint& i, const Wide6& f) {
-    const Wide3 linear = i.E.transpose() * f.tail<3>();
-    return wide(i.E.transpose() * f.head<3>() + i.r.cross(linear), linear);
+    const auto& [E, r] = i.carried;
+    const Wide3 linear = E.transpose() * f.tail<3>();
+    return wide(E.transpose() * f.head<3>() + r.cross(linear), linear);
   }
 
   // I m of a link: its mass at the centre of mass, its tensor about it.
-  static Wide6 times_inertia(int link, const Wide6& m) {
+  template <class T>
+  static Six<T> times_inertia(int link, const Six<T>& m) {
+    using Vector = Eigen::Matrix<T, 3, 1>;
     const LinkConstants& body = kLinks[link];
-    const Wide3 c(body.com[0], body.com[1], body.com[2]), angular = m.head<3>();
-    const Wide3 force = Wide(body.mass) * (m.tail<3>() + angular.cross(c));
-    Wide3 moment = c.cross(force);
+    const Vector c(body.com[0], body.com[1], body.com[2]), angular = m.template head<3>();
+    const Vector force = T(body.mass) * (m.template tail<3>() + angular.cross(c));
+    Vector moment = c.cross(force);
     for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) moment[i] += Wide(body.tensor[3 * i + k]) * angular[k];
-    return wide(moment, force);
+      for (int k = 0; k < 3; ++k) moment[i] += T(body.tensor[3 * i + k]) * angular[k];
+    return spatial(moment, force);
   }
 
   void place(int j, const Number* q) {
     const JointConstants& joint = kJoints[j];
-    WideMat3 base, turn = WideMat3::Identity();
-    Wide3 shift = Wide3::Zero();
+    auto& [E, r] = joints_[j].carried;
+    WideMat3 base;
     for (int k = 0; k < 9; ++k) base(k / 3, k % 3) = Wide(joint.rotation[k]);
+    for (int k = 0; k < 3; ++k) r[k] = Wide(joint.translation[k]);
     const Number* const own = q + (joint.source < 0 ? joint.q : kJoints[joint.source].q);
     const auto scalar = [&joint, own](int k) {
       if (joint.source < 0) return Wide(own[k]);
       return Wide(joint.multiplier) * Wide(own[k]) + Wide(joint.offset);
     };
-    const auto about_z = [&turn](Wide angle) {
+    const auto turned = [&E = E, &base](Wide angle) {
       const Wide c = std::cos(angle), s = std::sin(angle);
-      turn << c, -s, 0, s, c, 0, 0, 0, 1;
+      for (int k = 0; k < 3; ++k) {
+        E(0, k) = c * base(k, 0) + s * base(k, 1);
+        E(1, k) = c * base(k, 1) - s * base(k, 0);
+        E(2, k) = base(k, 2);
+      }
     };
     switch (joint.kind) {
       case JointKind::kRevolute:
-        about_z(scalar(0));
+        turned(scalar(0));
         break;
       case JointKind::kPrismatic:
-        shift[2] = scalar(0);
+        E = base.transpose();
+        r += base.col(2) * scalar(0);
         break;
       case JointKind::kPlanar:
-        shift << Wide(own[0]), Wide(own[1]), 0;
-        about_z(Wide(own[2]));
+        turned(Wide(own[2]));
+        r += base.col(0) * Wide(own[0]) + base.col(1) * Wide(own[1]);
         break;
       case JointKind::kFloating:
-        shift << Wide(own[0]), Wide(own[1]), Wide(own[2]);
-        turn = oriented(own + 3);
+        E = (base * oriented(own + 3)).transpose();
+        r += base * Wide3(Wide(own[0]), Wide(own[1]), Wide(own[2]));
         break;
       case JointKind::kSpherical:
-        turn = oriented(own);
+        E = (base * oriented(own)).transpose();
         break;
     }
-    joints_[j].E = (base * turn).transpose();
-    joints_[j].r = base * shift;
-    for (int k = 0; k < 3; ++k) joints_[j].r[k] += Wide(joint.translation[k]);
+    joints_[j].roughly_carried = {E.cast<double>(), r.cast<double>()};
   }
 
   static WideMat3 oriented(const Number* quaternion) {
@@ -270,13 +294,13 @@ class Refinement {
     WideJoint& i = joints_[j];
     Wide6 motion;
     if (joint.source < 0) {
-      motion = along(j, v);
+      motion = along<Wide>(j, v);
     } else {
       motion.setZero();
       motion[free_row(joint.kind, 0)] = Wide(joint.multiplier) * Wide(v[kJoints[joint.source].v]);
     }
     i.v = motion;
-    if (joint.parent > 0) i.v += carried(i, joints_[joint.parent - 1].v);
+    if (joint.parent > 0) i.v += i.carried(joints_[joint.parent - 1].v);
     const Wide3 w = i.v.head<3>(), u = i.v.tail<3>(), turning = motion.head<3>();
     i.c = wide(w.cross(turning), w.cross(Wide3(motion.tail<3>())) + u.cross(turning));
   }
