@@ -3850,8 +3850,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 101, 0.37};
-constexpr Hop kMessageHop{21.2, 161, 0.585};
+constexpr Hop kWindowHop{0, 108, 0.169};
+constexpr Hop kMessageHop{21.3, 173, 0.51};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

@@ -23,22 +23,42 @@ inline Mat6 inertia_of(const Body<Value>& X) {
 }
 inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
 
-// Phi = (I^A)^-1 and b = -Phi p^A of a segment's root, by Cholesky's factorization.
-[[maybe_unused]] inline bool invert(const Body<Value>& X, Mat6& Phi, Columns6& b) {
-  const Mat6 I = inertia_of(X);
-  std::array<std::array<Real, 6>, 6> L, x{};
+// The inverse of a symmetric matrix of six rows, by elimination of all six unit vectors at once.
+// Whether each pivot exceeds what it must at least.
+ADAGEN_INLINE bool invert(const Mat6& m, const Real (&least)[6], Mat6& inverse) {
+  Lanes rows[6]{}, X[6]{};
+  Real over[6];
+  bool good = true;
   ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
-    x[i][i] = 1;
+    std::memcpy(&rows[i], m.data() + 6 * i, 6 * sizeof(Real));
+    X[i][i] = 1;
   }
-  const bool good = factorize(L);
-  forward_substitute(L, x);
-  ADAGEN_FOR (i, 0, 6)
-    ADAGEN_FOR (k, i, 6) {
-      Real sum = 0;
-      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
-      Phi(i, k) = Phi(k, i) = sum;
+  ADAGEN_FOR (c, 0, 6) {
+    const Real pivot = rows[c][c];
+    good = good && pivot > least[c] && pivot <= std::numeric_limits<Real>::max();
+    over[c] = 1 / pivot;
+    ADAGEN_FOR (i, c + 1, 6) {
+      const Real l = rows[i][c] * over[c];
+      rows[i] -= rows[c] * l;
+      X[i] -= X[c] * l;
     }
+  }
+  ADAGEN_FOR (back, 0, 6) {
+    const int i = 5 - back;
+    X[i] *= over[i];
+    ADAGEN_FOR (k, i + 1, 6) X[i] -= X[k] * (rows[i][k] * over[i]);
+    std::memcpy(inverse.data() + 6 * i, &X[i], 6 * sizeof(Real));
+  }
+  return good;
+}
+
+// Phi = (I^A)^-1 and b = -Phi p^A of a segment's root.
+[[maybe_unused]] inline bool invert(const Body<Value>& X, Mat6& Phi, Columns6& b) {
+  constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+  const Mat6 I = inertia_of(X);
+  Real least[6];
+  ADAGEN_FOR (k, 0, 6) least[k] = kRounding * I(k, k);
+  const bool good = invert(I, least, Phi);
   b.noalias() = -Phi * force_of(X);
   return good;
 }
@@ -167,28 +187,16 @@ Columns6 force_on(Workspace& w) {
 template <int link>
 void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
   constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
-  std::array<std::array<Real, 6>, 6> L, x{};
-  ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) L[i][k] = Phi(i, k);
-    x[i][i] = 1;
-  }
-  bool good = factorize(L);  // leaves inverse roots of the pivots on the diagonal
   const Real most[2] = {Phi.diagonal().template head<3>().maxCoeff(),
                         Phi.diagonal().template tail<3>().maxCoeff()};
-  ADAGEN_FOR (i, 0, 6) good = good && L[i][i] * L[i][i] * kLeastPivot * most[i / 3] < 1;
-  if (!good) return fail(w, kSingularPose, link - 1);
-  forward_substitute(L, x);
-  const auto entry = [&x](int i, int k) {
-    Real sum = 0;
-    ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
-    return sum;
-  };
+  Real least[6];
+  ADAGEN_FOR (k, 0, 6) least[k] = kLeastPivot * most[k / 3];
+  Mat6 I;
+  if (!invert(Phi, least, I)) return fail(w, kSingularPose, link - 1);
   Body<Value>& X = w.bodies[link];
-  X.A = {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
-  X.B = {{entry(0, 3), entry(0, 4), entry(0, 5)},
-         {entry(1, 3), entry(1, 4), entry(1, 5)},
-         {entry(2, 3), entry(2, 4), entry(2, 5)}};
-  X.C = {entry(3, 3), entry(3, 4), entry(3, 5), entry(4, 4), entry(4, 5), entry(5, 5)};
+  X.A = {I(0, 0), I(1, 0), I(2, 0), I(1, 1), I(2, 1), I(2, 2)};
+  X.B = {{I(3, 0), I(4, 0), I(5, 0)}, {I(3, 1), I(4, 1), I(5, 1)}, {I(3, 2), I(4, 2), I(5, 2)}};
+  X.C = {I(3, 3), I(4, 3), I(5, 3), I(4, 4), I(5, 4), I(5, 5)};
   const Columns6 p = -(inertia_of(X) * b);
   X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
 }

@@ -226,11 +226,11 @@ ADAGEN_INLINE Frame<Value> along_segments(Workspace& w, Frame<Value> at) {
 
 // See outward and pass_outward in outward.hpp, and take_angles in links.hpp.
 template <int first, int last>
-void outward_in_segments(Workspace& w) {
+ADAGEN_NOINLINE void outward_in_segments(Workspace& w) {
   along_segments<Segments<first, last>, true>(w, frame_near<first>(w));
 }
 template <int first, int last>
-void pass_outward_in_segments(Workspace& w) {
+ADAGEN_NOINLINE void pass_outward_in_segments(Workspace& w) {
   keep(w, slot_of(last), along_segments<Segments<first, last>, false>(w, frame_near<first>(w)));
 }
 template <int first, int last>
