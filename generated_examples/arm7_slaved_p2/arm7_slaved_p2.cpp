@@ -3639,8 +3639,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 108, 0.169};
-constexpr Hop kMessageHop{21.3, 173, 0.51};
+constexpr Hop kWindowHop{0, 125, 0.43};
+constexpr Hop kMessageHop{21.7, 193, 0.607};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {
