@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.bench.contest import Contestant, Turn, cores, from_stretches
+from adagen.bench.program import laid_anew
 from adagen.build import Toolchain, build_executable
 from adagen.errors import EnvironmentFault
 from adagen.model import Model
@@ -60,7 +61,7 @@ class Emitted:
         """
         program = build_executable(self.text, self.file.removesuffix(".cpp"), toolchain)
 
-        def run(words: list[str]) -> str:
+        def run(words: list[str], program: Path = program) -> str:
             done = launch(program, self.processes, words, toolchain, TIMEOUT)
             if done.status != 0:
                 raise EnvironmentFault(done.stderr.strip().removeprefix("error: "))
@@ -75,9 +76,11 @@ class Emitted:
 
         def turn(repeat: int) -> dict[str, Turn]:
             words = ["--time", "--json", "--repeat", str(repeat)]
-            found = _turn(json.loads(run(words))["time"], self.processes)
-            if stretches and 1 < self.processes <= cores():
-                found |= _turn(json.loads(run([*words, "--stretches"]))["time"], self.processes)
+            with laid_anew(program) as copy:
+                found = _turn(json.loads(run(words, copy))["time"], self.processes)
+                if stretches and 1 < self.processes <= cores():
+                    said = run([*words, "--stretches"], copy)
+                    found |= _turn(json.loads(said)["time"], self.processes)
             return found
 
         return Contestant(

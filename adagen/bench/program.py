@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import shutil
 import subprocess
 import tempfile
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -83,6 +85,19 @@ class Coordinates:
         )
 
 
+@contextmanager
+def laid_anew(executable: Path) -> Iterator[Path]:
+    """Lend a copy of a program.
+
+    Where in memory a file's pages lie decides how its code shares caches, for as long as the file
+    is kept in memory: small solvers differ by a third. Copies lie elsewhere each time.
+    """
+    with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
+        copy = Path(folder, executable.name)
+        shutil.copy2(executable, copy)
+        yield copy
+
+
 @dataclass(frozen=True)
 class Program:
     """A built program and the words it is called with, around STATES RESULT REPEAT."""
@@ -100,8 +115,8 @@ class Program:
 
     def turn(self, states: Path, repeat: int) -> dict[str, Turn]:
         """Time each of the states in a file ``repeat`` times."""
-        with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
-            said, _ = self._run(states, Path(folder, "result"), repeat)
+        with laid_anew(self.executable) as copy:
+            said, _ = replace(self, executable=copy)._run(states, copy.with_name("result"), repeat)
         return {"in_place": Turn(float(said["median_ns"]), float(said["min_ns"]))}
 
     def _run(self, states: Path, result: Path, repeat: int) -> tuple[dict[str, Any], Array]:
