@@ -17,8 +17,9 @@ from adagen.emit.processes import message_size
 from adagen.emit.words import Words
 from adagen.model import Model
 from adagen.plan import MEETINGS, Plan, make_plan
+from adagen.plan.interpret import recovering
 from adagen.plan.steps import Receive, Send
-from adagen.schedule import Topology, find_schedule, load_profile
+from adagen.schedule import Topology, find_schedule, load_profile, named_schedule
 from tests.models import random_tree, serial_chain
 from tests.schedules import random_schedule
 
@@ -40,7 +41,7 @@ def unguarded(plan: Plan) -> list[int]:
                         before[event].add((evaluation, "send", step.message))
                     last = event
     wrong = []
-    for number in range(len(plan.messages)):
+    for number in sorted({message for _, _, message in before}):  # others are a recovery's
         seen, waiting = set[Event](), [(2, "send", number)]
         while waiting:
             event = waiting.pop()
@@ -52,6 +53,7 @@ def unguarded(plan: Plan) -> list[int]:
     return wrong
 
 
+PROFILE = load_profile("default")
 WAYS = [("ada", "join"), *(("segment", meeting) for meeting in MEETINGS)]
 
 
@@ -66,7 +68,21 @@ def test_every_message_is_read_before_its_place_is_written_again(
     model = grounded(model, rng)
     plan = make_plan(model, random_schedule(model, processes, rng), form=form, meeting=meeting)
     assert unguarded(plan) == []
+    assert unguarded(recovering(plan)) == []
     assert all(message_size(Words(plan), message) > 0 for message in plan.messages)
+
+
+def test_messages_of_another_way_are_guarded_too() -> None:
+    """In the second pose in which the ground cannot be taken for a body, and so on."""
+    schedule = named_schedule("balanced", Topology.of(serial_chain(20)), 2, profile=PROFILE)
+    plan = make_plan(serial_chain(20), schedule, meeting="gather")
+    again = recovering(plan)
+    sent = {step.message for p in again.processes for step in p.steps if isinstance(step, Send)}
+    assert sent.isdisjoint(
+        s.message for p in plan.processes for s in p.steps if isinstance(s, Send)
+    )
+    assert sent
+    assert unguarded(again) == []
 
 
 def test_the_check_sees_what_it_is_for() -> None:
