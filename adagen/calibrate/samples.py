@@ -1,8 +1,6 @@
 """Which programs a calibration builds and times: few, small, and different in every coefficient.
 
-Nearly all of its time is the compiler's, so that each program must earn its place. With these, the
-standard error of the predicted time of a stage is 0.74 of the noise of one measured stage in the
-median, and at most 1.0 for nine stages in ten; four programs more would make that 0.59 and 0.91.
+Nearly all of its time is the compiler's, so that each program must earn its place.
 """
 
 from __future__ import annotations

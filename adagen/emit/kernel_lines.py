@@ -12,7 +12,6 @@ from adagen.emit.processes import describe_message
 from adagen.emit.runs import (
     Run,
     ends_of_run,
-    is_base,
     links_of_run,
     outward_units,
     pays_columns,
@@ -24,6 +23,7 @@ from adagen.emit.segments import split
 from adagen.emit.stages import stamped_groups
 from adagen.emit.words import Words
 from adagen.plan.abreast import Limbs, inward_order, outward_order, placed_links
+from adagen.plan.edges import is_base
 from adagen.plan.steps import (
     Accelerate,
     Articulate,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from adagen.plan.abreast import KINDS, Ends, Limbs, Unit, ends_of, outward_order
+from adagen.plan.edges import is_base
 from adagen.plan.steps import Accelerate, Articulate, Deliver
 from adagen.plan.types import PlanJoint
 
@@ -20,8 +21,8 @@ class Run:
     reversed: bool = False
 
     @property
-    def joints(self) -> int:
-        """How many joints."""
+    def length(self) -> int:
+        """How many joints it has."""
         return self.last - self.first + 1
 
 
@@ -66,11 +67,6 @@ def outward_units(
             yield part
         else:
             yield from _outward_runs(joints, part, treated)
-
-
-def is_base(joint: PlanJoint) -> bool:
-    """Whether a joint lets a link float on the ground."""
-    return joint.kind == "floating" and joint.parent == 0
 
 
 def _outward_runs(

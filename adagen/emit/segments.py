@@ -69,8 +69,8 @@ def slots_of(run: Run, lanes: int) -> list[int]:
 
     The last segments may be a joint shorter than the first.
     """
-    rows = -(-run.joints // lanes)
-    longer = run.joints - (rows - 1) * lanes
+    rows = -(-run.length // lanes)
+    longer = run.length - (rows - 1) * lanes
     return [row * lanes + lane for lane in range(lanes) for row in range(rows - (lane >= longer))]
 
 

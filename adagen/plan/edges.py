@@ -25,9 +25,14 @@ class Edge:
     reversed: bool
 
 
+def is_base(joint: PlanJoint) -> bool:
+    """Return whether a joint lets a link float on the ground, or moves it there as prescribed."""
+    return joint.parent == 0 and joint.kind == "floating"
+
+
 def is_free_base(joint: PlanJoint) -> bool:
     """Return whether a joint on the ground lets its link float, with nothing to be joined."""
-    return joint.parent == 0 and joint.kind == "floating" and not joint.prescribed
+    return is_base(joint) and not joint.prescribed
 
 
 def joints_at(joints: Sequence[PlanJoint], members: Iterable[int]) -> dict[int, list[int]]:

@@ -211,7 +211,7 @@ def _shared_features(
     if isinstance(step, Kinematics) and j in together.outward:
         return {
             f"kinematics_segments.{kind}": 1,
-            "kinematics_segments.run": 1 / together.outward[j].joints,
+            "kinematics_segments.run": 1 / together.outward[j].length,
         }
     return None
 
@@ -232,7 +232,7 @@ def _run_features(step: Articulate, joints: Sequence[PlanJoint], run: Run) -> Fe
         found = {f"articulate_columns.{joints[step.joint].kind}": 1}
         if step.reversed:
             found["articulate.reversed"] = 1
-    return {**found, "articulate.run": 1 / run.joints}
+    return {**found, "articulate.run": 1 / run.length}
 
 
 def work_features(

@@ -224,7 +224,8 @@ ADAGEN_INLINE Frame<Value> along_segments(Workspace& w, Frame<Value> at) {
   return at;
 }
 
-// See outward and pass_outward in outward.hpp, and take_angles in links.hpp.
+// See outward and pass_outward in outward.hpp, and take_angles in links.hpp. Functions of their
+// own: as part of a large one, gcc 12 spills what is carried along.
 template <int first, int last>
 ADAGEN_NOINLINE void outward_in_segments(Workspace& w) {
   along_segments<Segments<first, last>, true>(w, frame_near<first>(w));
