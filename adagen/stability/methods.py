@@ -16,6 +16,7 @@ from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.interpret import interpret
 from adagen.plan.interpret.refine import WideLinks, interpret_refined
+from adagen.predict.objective import schedule_for
 from adagen.schedule import Topology, load_profile, named_schedule
 from adagen.stability.robots import state
 from adagen.stability.weak import articulated, composite, true_acceleration
@@ -66,6 +67,13 @@ class Trial:
         found = named_schedule("balanced", seen.topology, 1, profile=profile)
         return make_plan(self.model, seen.unfold(found, profile), form=form)
 
+    def cut(self, processes: int) -> Plan:
+        """Return the plan of form segment cut for processes, messages taken to be cheap."""
+        schedule = schedule_for(
+            "both", self.model, processes, load_profile("paper"), "segment", "double", gather=False
+        )
+        return make_plan(self.model, schedule, form="segment")
+
     @cached_property
     def _links(self) -> WideLinks:
         q, v, _ = self.state
@@ -94,6 +102,10 @@ def _refined(form: str, steps: int) -> Callable[[Trial], Array]:
     return lambda trial: interpret_refined(trial.plan(form), *trial.state, steps).qdd
 
 
+def _cut(trial: Trial) -> Array:
+    return interpret(trial.cut(4), *trial.state)
+
+
 def _weak(method: Callable[..., Array], **options: Any) -> Callable[[Trial], Array]:
     return lambda trial: method(trial.model, *trial.state, **options)
 
@@ -112,6 +124,7 @@ METHODS = {
         Method("form ada, refined twice", True, _refined("ada", 2)),
         Method("form segment", True, _planned("segment")),
         Method("form segment, refined once", True, _refined("segment", 1)),
+        Method("form segment, cut in four", True, _cut),
     )
 }
 
