@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from itertools import product
+from itertools import cycle, product
 from pathlib import Path
 from typing import Any
 
@@ -39,6 +39,8 @@ PLACES = {
 """Colour and words for what is timed on several processes."""
 MARKS = {2: "o", 4: "D"}
 """By number of processes; hollow where a time is from stretches."""
+FORMS = "os^Dv"
+"""Of the marks of solvers, in turn."""
 PLAYED = "from stretches"
 CHAIN = "chain"
 
@@ -180,6 +182,14 @@ def against_joints(record: Record) -> Figure | None:
     return figure
 
 
+def _by_robot(record: Record, title: str, models: Sequence[ModelRecord]) -> tuple[Figure, Any]:
+    """Return a figure with a line for each robot, the first at the top."""
+    figure, axes = _figure(record, title, 8.5, 2.4 + 0.36 * len(models))
+    axes.set_yticks(range(len(models)), [f"{m.name}, {m.dofs} DOF" for m in models])
+    axes.set_ylim(len(models) - 0.5, -0.5)
+    return figure, axes
+
+
 def over_processes(record: Record) -> Figure | None:
     """Return times on several processes, as shares of the best on one."""
     points: dict[tuple[int, str, bool], list[tuple[float, int]]] = {}
@@ -199,16 +209,13 @@ def over_processes(record: Record) -> Figure | None:
         shown.append(model)
     if not shown:
         return None
-    title = "Several processes, against the best on one"
-    figure, axes = _figure(record, title, 8.5, 2.4 + 0.36 * len(shown))
+    figure, axes = _by_robot(record, "Several processes, against the best on one", shown)
     axes.axvline(100, color=SERIES["adagen 1"][1], linewidth=1.2, label="P=1")
     for (processes, place, played), some in sorted(points.items()):
         colour, label = PLACES[place]
         label = f"P={processes}, {label}" + (f", {PLAYED}" if played else "")
         face, mark = "none" if played else colour, MARKS.get(processes, "s")
         axes.plot(*zip(*some, strict=True), mark, color=colour, mfc=face, label=label, markersize=7)
-    axes.set_yticks(range(len(shown)), [f"{m.name}, {m.dofs} DOF" for m in shown])
-    axes.set_ylim(len(shown) - 0.5, -0.5)
     axes.set_xlim(left=0)
     axes.set_xlabel("time, % of the best on one process (median)")
     figure.legend(loc="outside lower center", ncols=2, frameon=False, fontsize=9)
@@ -222,37 +229,27 @@ def _beside(model: ModelRecord, row: Row) -> bool:
 
 
 def beside_prediction(record: Record) -> Figure | None:
-    """Return measured against predicted times, on logarithmic axes."""
-    rows = [
-        (model, row)
-        for model in record.models
-        for row in model.rows
-        if row.predicted is not None and row.scalar == "double" and _beside(model, row)
-    ]
-    if not rows:
+    """Return measured times, as shares of what the cost profile predicts."""
+    points: dict[tuple[int, str], list[tuple[float, int, bool]]] = {}
+    shown: list[ModelRecord] = []
+    for model in record.models:
+        rows = [row for row in model.rows if row.scalar == "double" and _beside(model, row)]
+        predicted = [(row, row.predicted) for row in rows if row.predicted]
+        for row, ns in predicted:
+            point = 100 * row.median / ns, len(shown), row.played
+            points.setdefault((row.processes, row.name), []).append(point)
+        if predicted:
+            shown.append(model)
+    if not shown:
         return None
-    figure, axes = _figure(record, "Predicted and measured", 6.6, 6.2)
-    marks = {1: ("o", "#d55e00"), 2: ("^", "#009e73"), 4: ("D", "#cc79a7")}
-    for processes in sorted({row.processes for _, row in rows}):
-        mark, colour = marks.get(processes, ("s", "#999999"))
-        some = [(r.predicted, r.median) for _, r in rows if r.processes == processes]
-        played = any(r.played for _, r in rows if r.processes == processes)
-        label = f"P={processes}" + (f", {PLAYED}" if played else "")
-        axes.plot(
-            *zip(*some, strict=True), mark, color=colour, label=label, markersize=6, alpha=0.8
-        )
-    for model, row in rows:
-        if row.processes == 1:
-            text = f" {model.name}"
-            place = (row.predicted or 0.0, row.median)
-            axes.annotate(text, place, (4, -3), textcoords="offset points", fontsize=7.5, va="top")
-    values = [x for _, r in rows for x in (r.predicted, r.median) if x is not None]
-    ends = [min(values) / 1.3, max(values) * 1.3]
-    axes.plot(ends, ends, color="#555555", linewidth=1, label="as predicted")
-    axes.set(xscale="log", yscale="log", xlim=ends, ylim=ends, aspect="equal")
-    axes.set_xlabel("predicted, µs (cost profile)")
-    axes.set_ylabel("measured, µs (median)")
-    _microseconds(axes.xaxis)
-    _microseconds(axes.yaxis)
-    axes.legend(frameon=False)
+    figure, axes = _by_robot(record, "Measured, against what the cost profile predicts", shown)
+    axes.axvline(100, color="#555555", linewidth=1, label="as predicted")
+    for ((processes, name), some), mark in zip(sorted(points.items()), cycle(FORMS), strict=False):
+        _, colour = SERIES.get(f"adagen {processes}", ("", "#999999"))
+        shares, places, played = zip(*some, strict=True)
+        label = name.removeprefix("adagen ") + (f", {PLAYED}" if any(played) else "")
+        face = "none" if all(played) else colour
+        axes.plot(shares, places, mark, color=colour, mfc=face, label=label, markersize=7)
+    axes.set_xlabel("time, % of the predicted one (median)")
+    figure.legend(loc="outside lower center", ncols=3, frameon=False, fontsize=9)
     return figure
