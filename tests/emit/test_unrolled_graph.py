@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
 
 import numpy as np
 import pytest
@@ -25,8 +24,11 @@ from tests.schedules import random_schedule
 Array = NDArray[np.float64]
 
 
-class Inputs(Mapping[str, float]):
-    """What a process's expressions read: the state, sines and cosines, others' messages."""
+class Inputs(dict[str, float]):
+    """What a process's expressions read: the state, sines and cosines, others' messages.
+
+    Each is found when it is asked for.
+    """
 
     def __init__(
         self,
@@ -36,10 +38,11 @@ class Inputs(Mapping[str, float]):
         state: dict[str, Array],
         mail: dict[int, list[float]],
     ) -> None:
+        super().__init__()
         self.p, self.plan, self.simulated = p, plan, simulated
         self.state, self.mail = state, mail
 
-    def __getitem__(self, name: str) -> float:
+    def __missing__(self, name: str) -> float:
         word, *places = name.removesuffix("]").replace("]", "").split("[")
         if word == "w.from":
             number, place = map(int, places)
@@ -54,12 +57,6 @@ class Inputs(Mapping[str, float]):
             (value,) = evaluate([angle], self, rounded)
             return math.sin(value) if word == "sine" else math.cos(value)
         return float(self.state[word][int(places[0])])
-
-    def __iter__(self) -> Iterator[str]:
-        raise NotImplementedError
-
-    def __len__(self) -> int:
-        raise NotImplementedError
 
 
 def rounded(value: object) -> float:
