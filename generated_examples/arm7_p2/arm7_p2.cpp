@@ -1701,6 +1701,12 @@ inline void require_finite(Workspace& w, const Value* x, int first, int count,
   if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
 }
 
+// Whether nothing failed, and entries first .. first + count - 1 of the answer are finite.
+ADAGEN_INLINE bool went_well(const Workspace& w, int first, int count) {
+  return __builtin_expect(
+      w.status == kFine && finite(&w.answer[static_cast<std::size_t>(first)], count), 1);
+}
+
 template <class T>
 ADAGEN_INLINE bool has_length(const T& squared) {
   return all_positive(squared - std::numeric_limits<Real>::min()) &&

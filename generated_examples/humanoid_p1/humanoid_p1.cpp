@@ -1505,6 +1505,12 @@ inline void require_finite(Workspace& w, const Value* x, int first, int count,
   if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
 }
 
+// Whether nothing failed, and entries first .. first + count - 1 of the answer are finite.
+ADAGEN_INLINE bool went_well(const Workspace& w, int first, int count) {
+  return __builtin_expect(
+      w.status == kFine && finite(&w.answer[static_cast<std::size_t>(first)], count), 1);
+}
+
 template <class T>
 ADAGEN_INLINE bool has_length(const T& squared) {
   return all_positive(squared - std::numeric_limits<Real>::min()) &&
@@ -2475,9 +2481,7 @@ constexpr Limbs<4, 6> kLimbs0{0, {{1, 7, 16, 24}, {2, 8, 17, 25}, {3, 9, 18, 26}
 
 // Process 0: 30 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 36, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 35, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 0, 35, &JointConstants::v, kNotFinite);
+  require_finite(w, w.q, 0, 3, &JointConstants::q, kNotFinite);
   stamp(0);
   take_angles<0, 29>(w);
   turn<block(0), block(29) + 1>(w);
@@ -2504,7 +2508,14 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   accelerate<0, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
   free_acceleration<0>(w);
   stamp(3);
-  require_finite(w, w.answer.data(), 0, 35, &JointConstants::v, kOverflow);
+  if (!went_well(w, 0, 35)) {  // first of all for the state's sake
+    const int found = std::exchange(w.status, kFine);
+    require_finite(w, w.q, 0, 36, &JointConstants::q, kNotFinite);
+    require_finite(w, w.v, 0, 35, &JointConstants::v, kNotFinite);
+    require_finite(w, w.tau, 0, 35, &JointConstants::v, kNotFinite);
+    Channel::fail(w.status, found);
+    require_finite(w, w.answer.data(), 0, 35, &JointConstants::v, kOverflow);
+  }
   give(w, 0, 35);
 }
 
