@@ -172,7 +172,8 @@ def _mark(axes: Any, point: Point, x: float, y: float, colour: str) -> None:
     if point.source == "stretches":
         axes.plot(x, y, "o", color=colour, mfc="none", ms=11, mew=0.8, alpha=0.7)
     if point.processes > 1 and not point.failed:
-        axes.annotate(str(point.processes), (x, y), fontsize=6, xytext=(3.5, 2.5),
+        up = 2.5 if point.processes == 2 else -7  # what takes as long on more stays legible
+        axes.annotate(str(point.processes), (x, y), fontsize=6, xytext=(3.5, up),
                       textcoords="offset points", color=colour)  # fmt: skip
 
 

@@ -26,6 +26,9 @@ NAMES = {
 }
 """Algorithms, and what pictures call them."""
 
+REFINEMENTS = {"double": (0, 1, 2), "float": (0, 1, 2), "mixed": (MIXED_STEPS, MIXED_STEPS + 1)}
+"""Steps of refinement of each scalar in a chart, unless others are asked for."""
+
 SCHEDULES = ("auto", "balanced", "sequential", "random")
 _SEED = 1  # of the random schedule
 
@@ -94,7 +97,7 @@ REFERENCE = Variant("segment")
 def every_variant(
     processes: Sequence[int] = (1, 2, 4),
     scalars: Sequence[str] = SCALARS,
-    refinements: Sequence[int] = (0, 1, 2),
+    refinements: Sequence[int] | None = None,
     shapes: Sequence[str] = ("auto",),
     *,
     whole: bool = False,
@@ -104,7 +107,8 @@ def every_variant(
     Schedules are varied in double without refinement, and refinement on the searched schedule,
     unless the ``whole`` product is asked for. A schedule makes no difference in form segment on one
     process, and baselines have neither schedule nor processes nor refinement, without which there
-    is no mixed solver.
+    is no mixed solver. That takes those of the ``refinements`` asked for that are enough for it, or
+    as few as it can.
     """
     unrefined = [scalar for scalar in scalars if scalar != "mixed"]
     found = [REFERENCE, *(Variant(name, scalar=s) for name in BASELINES for s in unrefined)]
@@ -114,9 +118,7 @@ def every_variant(
             for scalar in scalars:
                 plain = Variant(form, scalar=scalar, processes=p)
                 found += [replace(plain, shape=shape) for shape in shapes if scalar in unrefined]
-                refined = [replace(plain, refine=n) for n in refinements if n]
-                if scalar == "mixed" and not refined:
-                    refined = [replace(plain, refine=MIXED_STEPS)]
+                refined = [replace(plain, refine=n) for n in _steps(scalar, refinements) if n]
                 rescheduled = [replace(plain, schedule=s) for s in schedules[1:]]
                 found += refined
                 if whole:
@@ -124,6 +126,15 @@ def every_variant(
                 if scalar in unrefined and (whole or scalar == "double"):
                     found += rescheduled
     return list(dict.fromkeys(found))
+
+
+def _steps(scalar: str, asked: Sequence[int] | None) -> Sequence[int]:
+    """Return the steps of refinement of a scalar in a chart."""
+    if asked is None:
+        return REFINEMENTS[scalar]
+    if scalar != "mixed":
+        return asked
+    return [n for n in asked if n >= MIXED_STEPS] or [MIXED_STEPS]
 
 
 def schedule_of(model: Model, variant: Variant, form: str) -> Schedule:

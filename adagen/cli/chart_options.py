@@ -76,9 +76,8 @@ def _add_variants(parser: Parser) -> None:
     add(
         "--refine",
         type=_list_of(int, range(10)),
-        default=(0, 1, 2),
         metavar="N,...",
-        help="steps of iterative refinement (default: 0,1,2)",
+        help="steps of iterative refinement (default: 0,1,2, of mixed 2,3; mixed takes 2 or more)",
     )
     for name, what, known, default, said in (
         ("--shapes", "code shapes, ", ("auto", *SHAPES), ("auto",), "auto"),

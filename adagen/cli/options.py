@@ -149,8 +149,8 @@ def add_emission(parser: Parser) -> None:
         "--refine",
         type=whole(0, 9),
         metavar="N",
-        help="refine each answer N times with wider residuals, and tell its error (default: 0, of "
-        "--scalar mixed 2)",
+        help="refine each answer N times with wider residuals, and tell its error (default: 0; "
+        "--scalar mixed: 2, and no fewer)",
     )
     group.add_argument(
         "--shape",

@@ -28,7 +28,7 @@ from adagen.plan.types import Plan, Process
 
 MOST_STEPS = 9
 MIXED_STEPS = 2
-"""Steps of a mixed solver: two leave rounding on most robots."""
+"""Steps of a mixed solver, at least: two leave rounding on most robots, and one is no certainty."""
 _VERBS: dict[type, str] = {
     Join: "reassemble",
     FusedJoin: "reassemble",
@@ -47,8 +47,12 @@ def refinement_steps(asked: int | None, scalar: str) -> int:
         return MIXED_STEPS if scalar == "mixed" else 0
     if not 0 <= asked <= MOST_STEPS:
         raise UsageError(f"steps of refinement must be 0 to {MOST_STEPS}, not {asked}")
-    if scalar == "mixed" and asked == 0:
-        raise UsageError("scalar mixed is float that is refined: say --refine 1 or more")
+    if scalar == "mixed" and asked < MIXED_STEPS:
+        raise UsageError(
+            "scalar mixed is float that is refined: the first correction is as large as the error"
+            " of a float, and only a second one can show what is left; say --refine"
+            f" {MIXED_STEPS} or more"
+        )
     return asked
 
 

@@ -2770,18 +2770,16 @@ constexpr bool kMixed = !std::is_same_v<Real, Number>;
 constexpr double kSettled = kMixed ? 1e-10 : 16 * double(std::numeric_limits<Number>::epsilon());
 
 // A correction must be smaller than the one before (the first, than all that accelerates), down to
-// rounding. A mixed solver owes the digits of a double: the last correction, made smaller by as
-// much as it was itself smaller than the one before, is the error that remains. The first is the
-// error beside all that accelerates, which may be far more than the answer; three times as much has
-// room for what an estimate may be off by.
+// rounding. A mixed solver owes the digits of a double: its last correction must be within them, for
+// what that leaves is smaller. By how much, the ones before do not tell: what converges slowest is
+// seen last, so that the rate only gets worse.
 inline void require_convergence(Workspace& w, int k) {
   const Refinement& r = w.refinement;
-  const double size = r.corrections[k], before = k > 0 ? r.corrections[k - 1] : 1;
+  const double size = r.corrections[k];
   const bool settled = r.rounding < kSettled;
-  if (!(settled || (k > 0 ? size < before / 2 : r.rounding < 0.5))) fail(w, kNotRefined, 0);
-  const double rate = k > 0 ? size / before : std::min(size, 3 * r.rounding);
-  if (kMixed && k == kRefine - 1 && !(settled || size * rate < kTolerance))
-    fail(w, kTooFewSteps, 0);
+  if (!(settled || (k > 0 ? size < r.corrections[k - 1] / 2 : r.rounding < 0.5)))
+    fail(w, kNotRefined, 0);
+  if (kMixed && k == kRefine - 1 && !(settled || size < kTolerance)) fail(w, kTooFewSteps, 0);
 }
 
 void refined(Workspace& w, Channel& channel) {

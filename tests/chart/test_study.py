@@ -37,8 +37,16 @@ class TestVariants:
         }  # fmt: skip
         assert {v.schedule for v in found} == {"auto", "balanced", "sequential", "random"}
         assert set(found) < set(every_variant(whole=True))
-        assert {v.refine for v in found if v.scalar == "mixed"} == {1, 2}
-        assert {v.refine for v in every_variant(refinements=(0,)) if v.scalar == "mixed"} == {2}
+        assert {v.refine for v in found if v.scalar == "float"} == {0, 1, 2}
+        assert {v.refine for v in found if v.scalar == "mixed"} == {2, 3}
+
+    @pytest.mark.parametrize(("asked", "taken"), [((0,), {2}), ((0, 1), {2}), ((1, 3, 4), {3, 4})])
+    def test_a_mixed_solver_takes_what_is_enough(
+        self, asked: tuple[int, ...], taken: set[int]
+    ) -> None:
+        found = every_variant(refinements=asked)
+        assert {v.refine for v in found if v.scalar == "mixed"} == taken
+        assert {v.refine for v in found if v.scalar == "double"} == {0, *asked}
 
     @pytest.mark.parametrize("schedule", ["auto", "balanced", "sequential", "random"])
     @pytest.mark.parametrize("algorithm", ["ada", "segment"])
