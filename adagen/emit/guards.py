@@ -1,49 +1,18 @@
-"""What a process refuses in shape `kernels`: states and accelerations that are not finite."""
+"""What a process refuses: states and accelerations that are not finite.
+
+A process that sends nothing looks at what it was given only if an acceleration or a pivot is
+spoilt; before, it looks at what none of them depends on. One that sends must not send a NaN.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
+from adagen.emit.entries import entries_of, ranges, read_joints
 from adagen.emit.words import Words
 from adagen.plan.edges import is_base
 from adagen.plan.steps import Receive, Send
 from adagen.plan.types import Process
-
-
-def checks(words: Words, process: Process) -> list[str]:
-    """Return the lines that refuse a state before anything is done with it.
-
-    A process that sends nothing looks only at what its accelerations do not depend on. The rest
-    spoils an acceleration or a pivot, which are looked at in any case: see ``results``.
-    """
-    if talks(process):
-        return _state(words, process)
-    bases = [j for j in process.reads if is_base(words.plan.joints[j])]
-    return [
-        f"require_finite(w, w.q, {words.plan.joints[j].q}, 3, &JointConstants::q, kNotFinite);"
-        for j in bases
-    ]
-
-
-def results(words: Words, process: Process) -> list[str]:
-    """Return the lines that give the accelerations, if all went well."""
-    owned = _ranges(words, "v", process.owns)
-    overflow = _finite(words, "w.answer.data()", "v", process.owns, "kOverflow")
-    gives = [f"give(w, {first}, {count});" for first, count in owned]
-    if talks(process):
-        return [*overflow, *gives]
-    if not owned:
-        return []
-    amiss = " || ".join(f"!went_well(w, {first}, {count})" for first, count in owned)
-    return [
-        f"if ({amiss}) {{  // first of all for the state's sake",
-        "  const int found = std::exchange(w.status, kFine);",
-        *(f"  {line}" for line in _state(words, process)),
-        "  Channel::fail(w.status, found);",
-        *(f"  {line}" for line in overflow),
-        "}",
-        *gives,
-    ]
 
 
 def talks(process: Process) -> bool:
@@ -51,29 +20,58 @@ def talks(process: Process) -> bool:
     return any(isinstance(step, Send | Receive) for step in process.steps)
 
 
-def _state(words: Words, process: Process) -> list[str]:
+def checks(words: Words, process: Process) -> list[str]:
+    """Return the lines of shape kernels that refuse a state before anything is done with it.
+
+    Where a floating base is matters to nothing.
+    """
+    if talks(process):
+        return _state(words, process)
+    bases = [words.plan.joints[j].q for j in process.reads if is_base(words.plan.joints[j])]
+    return _finite("w.q", [k for q in bases for k in range(q, q + 3)], "q", "kNotFinite")
+
+
+def results(words: Words, process: Process) -> list[str]:
+    """Return the lines of shape kernels that give the accelerations, if all went well."""
+    entries = entries_of(words, "v", process.owns)
+    overflow = _finite("w.answer.data()", entries, "v", "kOverflow")
+    gives = [f"give(w, {first}, {count});" for first, count in ranges(entries)]
+    if talks(process) or not gives:
+        return [*overflow, *gives]
+    amiss = " || ".join(f"!went_well(w, {first}, {count})" for first, count in ranges(entries))
+    return [*in_hindsight(amiss, _state(words, process), overflow), *gives]
+
+
+def in_hindsight(amiss: str, state: Sequence[str], overflow: Sequence[str]) -> list[str]:
+    """Return lines that find out what was amiss: the state at first, then what failed.
+
+    Args:
+        amiss: whether a failure was noted, or an acceleration is not finite.
+        state: lines that refuse a state.
+        overflow: lines that refuse accelerations.
+    """
     return [
-        *_finite(words, "w.q", "q", process.reads, "kNotFinite"),
-        *_finite(words, "w.v", "v", process.reads, "kNotFinite"),
-        *_finite(words, "w.tau", "v", process.treated, "kNotFinite"),
+        f"if ({amiss}) {{",
+        "  // The state's own faults are named before all others.",
+        "  const int found = std::exchange(w.status, kFine);",
+        *(f"  {line}" for line in state),
+        "  Channel::fail(w.status, found);",
+        *(f"  {line}" for line in overflow),
+        "}",
     ]
 
 
-def _finite(words: Words, array: str, place: str, joints: Iterable[int], failure: str) -> list[str]:
+def _state(words: Words, process: Process) -> list[str]:
+    read = read_joints(words, process)
+    return [
+        *_finite("w.q", entries_of(words, "q", read), "q", "kNotFinite"),
+        *_finite("w.v", entries_of(words, "v", read), "v", "kNotFinite"),
+        *_finite("w.tau", entries_of(words, "v", process.treated), "v", "kNotFinite"),
+    ]
+
+
+def _finite(array: str, entries: Iterable[int], place: str, failure: str) -> list[str]:
     return [
         f"require_finite(w, {array}, {first}, {count}, &JointConstants::{place}, {failure});"
-        for first, count in _ranges(words, place, joints)
+        for first, count in ranges(entries)
     ]
-
-
-def _ranges(words: Words, name: str, joints: Iterable[int]) -> list[tuple[int, int]]:
-    """Ranges (start, count) of q or v that joints have, those that touch made one."""
-    found: list[tuple[int, int]] = []
-    for j in joints:
-        joint, kind = words.plan.joints[j], words.kind(j)
-        start, count = (joint.q, kind.nq) if name == "q" else (joint.v, kind.nv)
-        if found and sum(found[-1]) == start:
-            start, count = found[-1][0], found[-1][1] + count
-            found.pop()
-        found.append((start, count))
-    return found

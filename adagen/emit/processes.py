@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from functools import partial
 
 from adagen.emit import effects
+from adagen.emit.entries import Range, entries_of, ranges, read_joints
 from adagen.emit.joints import function_of
-from adagen.emit.runs import spans
 from adagen.emit.stages import stage_rows, stamped_lines
 from adagen.emit.words import Words
 from adagen.plan.steps import (
@@ -191,7 +191,7 @@ class _Table:
     """Entries of a vector that a process needs, as ranges (first, count)."""
 
     name: str
-    ranges: list[tuple[int, int]]
+    ranges: list[Range]
 
     @property
     def count(self) -> int:
@@ -204,22 +204,14 @@ class _Table:
 
 def _tables(words: Words, p: int, process: Process) -> list[_Table]:
     """What a process reads of q and v (a slaved joint's from its source), and its own entries."""
-    joints = words.plan.joints
-    read = []
-    for j in process.reads:
-        mimic = joints[j].mimic
-        read.append(j if mimic is None else mimic[0])
-    read = sorted(set(read))
-    q = [joints[j].q + k for j in read for k in range(words.kind(j).nq)]
-    v = [joints[j].v + k for j in read for k in range(words.kind(j).nv)]
-    own, torques = (
-        [joints[j].v + k for j in sorted(own) for k in range(words.kind(j).nv)]
-        for own in (process.owns, (*process.owns, *process.shares))
-    )
+    read = read_joints(words, process)
+    q, v = entries_of(words, "q", read), entries_of(words, "v", read)
+    own = entries_of(words, "v", process.owns)
+    torques = [*own, *entries_of(words, "v", process.shares)]
     links = {step.link for step in process.steps if isinstance(step, LinkBias | StartLink)}
     torques += effects.pushed_entries(words, links)
     return [
-        _Table(f"{name}_{p}", [(first, last - first + 1) for first, last in spans(entries)])
+        _Table(f"{name}_{p}", ranges(entries))
         for name, entries in (("kReadQ", q), ("kReadV", v), ("kOwn", own), ("kTorque", torques))
     ]
 

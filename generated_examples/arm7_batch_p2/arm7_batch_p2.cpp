@@ -1894,14 +1894,20 @@ constexpr std::array<int, 9> kOwned_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
 
 void begin_group(Workspace& w) {
   ADAGEN_INPUTS
-  if (!all(unlike_zero(q + 0, 9) + unlike_zero(v + 0, 9) + unlike_zero(tau + 0, 9) == 0))
+  if (!all(unlike_zero(q + 0, 1) == 0))
     name_what_is_not_finite(w, kRead_0, kOwned_0);
   take_sines_and_cosines<7>(q + 0, w.sine.data(), w.cosine.data());
 }
 
 void end_group(Workspace& w) {
   ADAGEN_INPUTS
-  if (!all(unlike_zero(w.result.data() + 0, 9) == 0)) name_what_overflows(w, kOwned_0);
+  if (__builtin_expect(w.status != kFine || !all(unlike_zero(w.result.data() + 0, 9) == 0), 0)) {
+    // The state's own faults are named before all others.
+    const int found = std::exchange(w.status, kFine);
+    name_what_is_not_finite(w, kRead_0, kOwned_0);
+    Channel::fail(w.status, found);
+    name_what_overflows(w, kOwned_0);
+  }
   if (w.status != kFine) return;
   std::copy_n(w.result.data() + 0, 9, w.qdd + 0);
 }

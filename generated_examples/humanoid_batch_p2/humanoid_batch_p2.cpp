@@ -2380,7 +2380,8 @@ void run_0([[maybe_unused]] Workspace& w) {
   accelerate<0, 24, 29>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
   free_acceleration<0>(w);
   stamp(3);
-  if (!went_well(w, 0, 35)) {  // first of all for the state's sake
+  if (!went_well(w, 0, 35)) {
+    // The state's own faults are named before all others.
     const int found = std::exchange(w.status, kFine);
     require_finite(w, w.q, 0, 36, &JointConstants::q, kNotFinite);
     require_finite(w, w.v, 0, 35, &JointConstants::v, kNotFinite);

@@ -1455,7 +1455,7 @@ constexpr std::array<int, 6> kOwned_0{0, 1, 2, 3, 4, 5};
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   stamp(0);
-  if (!all(unlike_zero(q + 0, 14) + unlike_zero(v + 0, 13) + unlike_zero(tau + 0, 13) == 0))
+  if (!all(unlike_zero(q + 0, 3) + unlike_zero(v + 3, 1) == 0))
     name_what_is_not_finite(w, kRead_0, kOwned_0);
   w.angle[0] = q[2];
   w.angle[1] = q[3];
@@ -1467,7 +1467,13 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(1);
   stamp(2);
   stamp(3);
-  if (!all(unlike_zero(w.result.data() + 0, 13) == 0)) name_what_overflows(w, kOwned_0);
+  if (__builtin_expect(w.status != kFine || !all(unlike_zero(w.result.data() + 0, 13) == 0), 0)) {
+    // The state's own faults are named before all others.
+    const int found = std::exchange(w.status, kFine);
+    name_what_is_not_finite(w, kRead_0, kOwned_0);
+    Channel::fail(w.status, found);
+    name_what_overflows(w, kOwned_0);
+  }
   if (w.status != kFine) return;
   std::copy_n(w.result.data() + 0, 13, w.qdd + 0);
 }

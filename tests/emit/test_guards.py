@@ -44,6 +44,7 @@ def spoiler(model: Model, builder: Builder, shape: str, scalar: str) -> Solver:
         *((robot, "kernels", "double") for robot in ROBOTS),
         *(("all kinds", shape, "float") for shape in SHAPES),
         ("in segments", "kernels", "float"),
+        ("without rotation", "unrolled", "double"),
     ],
 )
 def test_each_entry_that_is_not_finite_is_refused_by_name(

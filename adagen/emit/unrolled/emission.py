@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
+from adagen.emit import guards
+from adagen.emit.entries import entries_of, ranges, read_joints
 from adagen.emit.processes import describe_message
 from adagen.emit.unrolled.describe import DESCRIBED, describe_step
 from adagen.emit.unrolled.layout import Chunk, Layout, Stretch, is_given, laid_out, looked_at
 from adagen.emit.unrolled.simulate import Simulated, simulate
 from adagen.emit.unrolled.text import Text
 from adagen.emit.words import Words
-from adagen.graph import live_nodes
+from adagen.graph import Expression, live_nodes
 from adagen.plan import Plan
 from adagen.plan.stages import stages
 from adagen.plan.steps import LinkBias, StartLink
@@ -78,7 +80,7 @@ class _ProcessText:
             "end": self._give() if batch else [],
             "functions": self.functions,
             "operations": self.operations,
-            "read": sorted({self._source(j) for j in self.process.reads}),
+            "read": read_joints(self.words, self.process),
             "owned": owned,
         }
 
@@ -123,10 +125,6 @@ class _ProcessText:
         """A value's name where one is put down: a number in all lanes."""
         constant = self.graph.nodes[index].op == "constant"
         return f"Value{{}} + {self._name(index)}" if constant else self._name(index)
-
-    def _source(self, j: int) -> int:
-        mimic = self.words.plan.joints[j].mimic
-        return j if mimic is None else mimic[0]
 
     def _run(self) -> list[str]:
         """The lines of the function that does it all."""
@@ -175,21 +173,48 @@ class _ProcessText:
         return None
 
     def _look_at_state(self) -> list[str]:
-        plan, words = self.words.plan, self.words
-        read = sorted({self._source(j) for j in self.process.reads})
-        of_q = [(plan.joints[j].q, words.kind(j).nq) for j in read]
-        of_v = [(plan.joints[j].v, words.kind(j).nv) for j in read]
-        own = [(plan.joints[j].v, words.kind(j).nv) for j in self.process.owns]
+        """The state looked at before all: as a whole where it is sent, or what nothing tells of."""
+        words, process = self.words, self.process
+        read = read_joints(words, process)
+        looked_at = {
+            "q": entries_of(words, "q", read),
+            "v": entries_of(words, "v", read),
+            "tau": entries_of(words, "v", process.owns),
+        }
+        if not guards.talks(process):
+            told = self._told_of()
+            looked_at = {
+                name: [k for k in entries if f"{name}[{k}]" not in told]
+                for name, entries in looked_at.items()
+            }
         terms = [
             f"unlike_zero({name} + {first}, {count})"
-            for name, entries in (("q", of_q), ("v", of_v), ("tau", own))
-            for first, count in _runs(entries)
+            for name, entries in looked_at.items()
+            for first, count in ranges(entries)
         ]
-        return [
-            f"if (!all({' + '.join(terms)} == 0))",
-            f"  name_what_is_not_finite(w, kRead_{self.p}, kOwned_{self.p});",
-            *self._look_at_outer_forces(),
+        lines = [f"if (!all({' + '.join(terms)} == 0))", f"  {self._names_state()}"] * bool(terms)
+        return [*lines, *self._look_at_outer_forces()]
+
+    def _names_state(self) -> str:
+        return f"name_what_is_not_finite(w, kRead_{self.p}, kOwned_{self.p});"
+
+    def _told_of(self) -> set[str]:
+        """Inputs that are not finite only if an acceleration or what is checked is not, either.
+
+        All that is reckoned from them is spoilt: only a division by what is infinite would mend it,
+        and what is divided by is checked.
+        """
+        names = self._inputs_of(self.machine.roots())
+        angles = [
+            angle
+            for k, angle in enumerate(self.machine.angles)
+            if not names.isdisjoint((f"sine[{k}]", f"cosine[{k}]"))
         ]
+        return names | self._inputs_of(angles)
+
+    def _inputs_of(self, roots: Sequence[Expression]) -> set[str]:
+        nodes = [self.graph.nodes[k] for k in live_nodes(self.graph, roots)]
+        return {str(node.value) for node in nodes if is_given(node)}
 
     def _look_at_outer_forces(self) -> list[str]:
         plan = self.words.plan
@@ -204,13 +229,19 @@ class _ProcessText:
 
     def _give(self) -> list[str]:
         """An acceleration is given only where all went well."""
-        plan = self.words.plan
-        runs = _runs([(plan.joints[j].v, self.words.kind(j).nv) for j in self.process.owns])
-        terms = [f"unlike_zero(w.result.data() + {first}, {count})" for first, count in runs]
+        owned = ranges(entries_of(self.words, "v", self.process.owns))
+        terms = [f"unlike_zero(w.result.data() + {first}, {count})" for first, count in owned]
+        amiss = f"!all({' + '.join(terms)} == 0)"
+        overflow = f"name_what_overflows(w, kOwned_{self.p});"
+        if guards.talks(self.process):
+            lines = [f"if ({amiss}) {overflow}"]
+        else:
+            amiss = f"__builtin_expect(w.status != kFine || {amiss}, 0)"
+            lines = guards.in_hindsight(amiss, [self._names_state()], [overflow])
         return [
-            f"if (!all({' + '.join(terms)} == 0)) name_what_overflows(w, kOwned_{self.p});",
+            *lines,
             "if (w.status != kFine) return;",
-            *(f"std::copy_n(w.result.data() + {k}, {n}, w.qdd + {k});" for k, n in runs),
+            *(f"std::copy_n(w.result.data() + {k}, {n}, w.qdd + {k});" for k, n in owned),
         ]
 
     def _message(self, what: str, number: int) -> str:
@@ -246,14 +277,3 @@ class _ProcessText:
                 lines.append(f"w.x[{chunk.stores[index]}] = x{index};")
             lines += self.followers.get(index, [])
         return lines
-
-
-def _runs(entries: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Stretches (first, count) merged where one begins as the other ends."""
-    runs: list[tuple[int, int]] = []
-    for first, count in sorted(entries):
-        if runs and sum(runs[-1]) == first:
-            runs[-1] = runs[-1][0], runs[-1][1] + count
-        else:
-            runs.append((first, count))
-    return runs

@@ -1,0 +1,35 @@
+"""Which entries of q and v joints have, as ranges, and which joints' a process reads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Literal
+
+from adagen.emit.runs import spans
+from adagen.emit.words import Words
+from adagen.plan.types import Process
+
+Range = tuple[int, int]
+"""The first of some entries, and how many."""
+
+
+def ranges(entries: Iterable[int]) -> list[Range]:
+    """Return entries as ranges, those that touch made one."""
+    return [(first, last - first + 1) for first, last in spans(entries)]
+
+
+def entries_of(words: Words, vector: Literal["q", "v"], joints: Iterable[int]) -> list[int]:
+    """Return the entries that joints have of q, or of v (and tau and qdd)."""
+    found: list[int] = []
+    for j in joints:
+        joint, kind = words.plan.joints[j], words.kind(j)
+        first, count = (joint.q, kind.nq) if vector == "q" else (joint.v, kind.nv)
+        found += range(first, first + count)
+    return found
+
+
+def read_joints(words: Words, process: Process) -> list[int]:
+    """Return the joints whose q and v a process reads: instead of a slaved one its source."""
+    joints = words.plan.joints
+    mimics = ((j, joints[j].mimic) for j in process.reads)
+    return sorted({j if mimic is None else mimic[0] for j, mimic in mimics})
