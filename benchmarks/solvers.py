@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -34,13 +35,16 @@ class Answers:
     corrections: Array
 
 
-def answers(plan: Plan, model: Model, states: States, **emission: Any) -> Answers:
+def answers(
+    plan: Plan, model: Model, states: States, *, raw: bool = False, **emission: Any
+) -> Answers:
     """Return what the emitted solver of a plan answers.
 
     Args:
         plan: the plan.
         model: whose plan it is.
         states: what is solved for.
+        raw: whether a solver that refines is to answer as it does before its first correction.
         emission: further arguments of ``emit``.
 
     Raises:
@@ -48,7 +52,11 @@ def answers(plan: Plan, model: Model, states: States, **emission: Any) -> Answer
         RuntimeError: the solver refuses; its own words.
     """
     stem, toolchain = stem_of(plan), find_toolchain()
-    program = build_executable(emit(plan, **emission)[f"{stem}.cpp"], stem, toolchain)
+    text = emit(plan, **emission)[f"{stem}.cpp"]
+    if raw:
+        text, found_once = re.subn(r"(constexpr int kRefine) = \d;", r"\1 = 0;", text)
+        assert found_once == 1
+    program = build_executable(text, stem, toolchain)
     with tempfile.TemporaryDirectory() as folder:
         given, found = Path(folder, "states.json"), Path(folder, "result.json")
         write_states(states, model, given)

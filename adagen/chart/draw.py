@@ -74,7 +74,7 @@ def save(figure: Any, path: Path) -> list[Path]:
 def work_precision(chart: Chart) -> Any:
     """Return the figure: forward error and torque residual, each against time.
 
-    Below stand, in words, the Pareto front and why some have no answer.
+    Below stand, in words, the Pareto front and why some have no answer or no time.
     """
     words = [_pareto(chart), _failures(chart)]
     below = _LINE * max(text.count("\n") + 2 for text in words)
@@ -238,15 +238,17 @@ def _pareto(chart: Chart) -> str:
 
 
 def _failures(chart: Chart) -> str:
-    """Return who has no answer and why, each reason once."""
-    reasons: dict[str, list[str]] = {}
-    for point in chart.points:
-        if point.failed:
-            reasons.setdefault(point.why or "unknown", []).append(point.label)
-    lines = ["No answer:"] if reasons else []
-    for why, names in reasons.items():
-        more = f" and {len(names) - 1} more" if len(names) > 1 else ""
-        lines += textwrap.wrap(f"{names[0]}{more}: {why}", 78, subsequent_indent="   ")
+    """Return who has no answer or no time and why, each reason once."""
+    lines: list[str] = []
+    for title, failed in (("No answer:", True), ("Not timed:", False)):
+        reasons: dict[str, list[str]] = {}
+        for point in chart.points:
+            if point.failed == failed and (failed or point.why):
+                reasons.setdefault(point.why or "unknown", []).append(point.label)
+        lines += [title] if reasons else []
+        for why, names in reasons.items():
+            more = f" and {len(names) - 1} more" if len(names) > 1 else ""
+            lines += textwrap.wrap(f"{names[0]}{more}: {why}", 78, subsequent_indent="   ")
     return _shortened(lines)
 
 

@@ -128,8 +128,9 @@ def _show(chart: Chart) -> None:
     console = Console()
     console.print(table)
     for point in chart.points:
-        if point.failed:
-            console.print(f"no answer: {point.label}: {point.why}", soft_wrap=True, markup=False)
+        if point.why is not None:
+            what = "no answer" if point.failed else "not timed"
+            console.print(f"{what}: {point.label}: {point.why}", soft_wrap=True, markup=False)
 
 
 def _answer(point: Point, model: Model, options: argparse.Namespace) -> None:

@@ -45,6 +45,14 @@ def test_what_rounded_constants_explain_is_told_apart() -> None:
     assert "| ada, double, 1 | no: not here | leg fixed |" in text
 
 
+def test_how_many_steps_are_enough_is_counted_state_by_state() -> None:
+    sizes = [[1e-6, 1e-10, 1e-15, 1e-16], [1e-4, 1e-8, 1e-12, 1e-16], [1.0, 1.0, 1.0, 1.0]]
+    some = row("ada", [1e-6, 1e-4, 1.0], [1e-6, 1e-4, inf], [None, None, inf])
+    mixed: Row = some | {"key": ["arm fixed", "ada", "mixed", 1], "corrections": sizes}
+    assert "| ada, mixed, 1 | 2 | 1 | 2 | 2 |" in report([some, mixed])
+    assert "two steps do" not in report([some])
+
+
 @pytest.fixture
 def arm(tmp_path: Path) -> Path:
     """A robot with true answers beside it."""
