@@ -22,8 +22,9 @@ from adagen.emit.runs import (
 from adagen.emit.segments import split
 from adagen.emit.stages import stamped_groups
 from adagen.emit.words import Words
-from adagen.plan.abreast import Limbs, inward_order, outward_order, placed_links
+from adagen.plan.abreast import Limbs, placed_links
 from adagen.plan.edges import is_base
+from adagen.plan.order import inward_order, outward_order
 from adagen.plan.steps import (
     Accelerate,
     Articulate,

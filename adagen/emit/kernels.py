@@ -15,11 +15,8 @@ from adagen.emit.kernel_lines import KernelLines
 from adagen.emit.layout import Layout
 from adagen.emit.words import Words
 from adagen.plan import Plan
-from adagen.plan.abreast import (
-    Limbs,
-)
+from adagen.plan.abreast import Limbs
 from adagen.plan.gather import why_not_gather
-from adagen.plan.interpret import recovering
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -72,7 +69,7 @@ def values(words: Words) -> dict[str, object]:
     """Return what kernels.cpp.j2 is told."""
     plan = words.plan
     cuts = mobility.has_cuts(plan)
-    again = recovering(plan).processes if any(p.recovery for p in plan.processes) else ()
+    again = plan.recovering().processes if any(p.recovery for p in plan.processes) else ()
     layout = Layout.of(plan, words.batch)
     writers = [
         KernelLines(words, p, own, layout) for p, own in enumerate((*plan.processes, *again))

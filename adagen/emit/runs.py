@@ -6,8 +6,9 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from dataclasses import dataclass
 from itertools import groupby
 
-from adagen.plan.abreast import KINDS, Ends, Limbs, Unit, ends_of, outward_order
+from adagen.plan.abreast import KINDS, Limbs
 from adagen.plan.edges import is_base
+from adagen.plan.order import Ends, Unit, ends_of, outward_order
 from adagen.plan.steps import Accelerate, Articulate, Deliver
 from adagen.plan.types import PlanJoint
 
@@ -151,7 +152,7 @@ def parts_of(units: Iterable[Unit]) -> Iterable[Limbs | list[int]]:
 
 
 Order = Callable[[Mapping[int, Ends], Iterable[Limbs]], Iterable[Unit]]
-"""``inward_order`` or ``outward_order`` of adagen.plan.abreast."""
+"""``inward_order`` or ``outward_order`` of adagen.plan.order."""
 
 
 def units_of_sweep(

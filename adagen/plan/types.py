@@ -6,7 +6,7 @@ name are in adagen/plan/steps/.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from adagen.model.kinds import KINDS
 from adagen.plan.steps import Bias, Block, Force, Step
@@ -191,6 +191,11 @@ class Plan:
     def right_hand_sides(self) -> int:
         """Columns of every bias, force and acceleration: the motion, and one per slaved joint."""
         return 1 + len(self.slaved)
+
+    def recovering(self) -> Plan:
+        """Return the plan of what is done where a mobility cannot be taken for an inertia."""
+        processes = (replace(p, steps=p.recovery, recovery=()) for p in self.processes)
+        return replace(self, processes=tuple(processes))
 
     def entry_of_wrench(self, k: int) -> int:
         """Return where the six numbers of outer force ``k`` start in tau."""

@@ -10,7 +10,8 @@ from adagen.emit.runs import Run, pays_columns, runs, units_of_sweep
 from adagen.emit.segments import pays_segments, segments_of
 from adagen.emit.shapes import SHAPES
 from adagen.model.kinds import KINDS
-from adagen.plan.abreast import Limbs, inward_order, limbs_abreast
+from adagen.plan.abreast import Limbs, limbs_abreast
+from adagen.plan.order import inward_order
 from adagen.plan.responses import responses
 from adagen.plan.steps import (
     Accelerate,

@@ -17,7 +17,6 @@ from adagen.emit.processes import message_size
 from adagen.emit.words import Words
 from adagen.model import Model
 from adagen.plan import MEETINGS, Plan, make_plan
-from adagen.plan.interpret import recovering
 from adagen.plan.steps import Receive, Send
 from adagen.schedule import Topology, find_schedule, load_profile, named_schedule
 from tests.models import random_tree, serial_chain
@@ -68,7 +67,7 @@ def test_every_message_is_read_before_its_place_is_written_again(
     model = grounded(model, rng)
     plan = make_plan(model, random_schedule(model, processes, rng), form=form, meeting=meeting)
     assert unguarded(plan) == []
-    assert unguarded(recovering(plan)) == []
+    assert unguarded(plan.recovering()) == []
     assert all(message_size(Words(plan), message) > 0 for message in plan.messages)
 
 
@@ -76,7 +75,7 @@ def test_messages_of_another_way_are_guarded_too() -> None:
     """In the second pose in which the ground cannot be taken for a body, and so on."""
     schedule = named_schedule("balanced", Topology.of(serial_chain(20)), 2, profile=PROFILE)
     plan = make_plan(serial_chain(20), schedule, meeting="gather")
-    again = recovering(plan)
+    again = plan.recovering()
     sent = {step.message for p in again.processes for step in p.steps if isinstance(step, Send)}
     assert sent.isdisjoint(
         s.message for p in plan.processes for s in p.steps if isinstance(s, Send)

@@ -10,15 +10,8 @@ from hypothesis import strategies as st
 
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.plan.abreast import (
-    KINDS,
-    Limbs,
-    Unit,
-    ends_of,
-    inward_order,
-    limbs_abreast,
-    outward_order,
-)
+from adagen.plan.abreast import KINDS, Limbs, limbs_abreast
+from adagen.plan.order import Unit, ends_of, inward_order, outward_order
 from adagen.plan.steps import Accelerate, Articulate, Kinematics
 from adagen.schedule import Topology, find_schedule, load_profile
 from tests.models import binary, random_tree, serial_chain, star

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,7 @@ from adagen.plan.types import Plan
 
 Array = NDArray[np.float64]
 
-__all__ = ["PlanError", "execute", "interpret", "recovering", "run_machines", "with_slaved"]
+__all__ = ["PlanError", "execute", "interpret", "run_machines", "with_slaved"]
 
 
 def interpret(plan: Plan, q: Array, v: Array, tau: Array) -> Array:
@@ -48,14 +47,8 @@ def execute(plan: Plan, q: Array, v: Array, tau: Array) -> tuple[Array, list[dic
     except FloatingPointError:
         if not any(process.recovery for process in plan.processes):
             raise
-        return execute(recovering(plan), q, v, tau)
+        return execute(plan.recovering(), q, v, tau)
     return qdd, [machine.memory for machine in machines]
-
-
-def recovering(plan: Plan) -> Plan:
-    """Return the plan of what is done where a mobility cannot be taken for an inertia."""
-    processes = (replace(p, steps=p.recovery, recovery=()) for p in plan.processes)
-    return replace(plan, processes=tuple(processes))
 
 
 def run_machines(plan: Plan, machines: Sequence[Machine]) -> None:
