@@ -22,13 +22,15 @@ from adagen.build.toolchain import STANDARD, WARNINGS
 from adagen.emit import emit, stem_of
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.reference import exact_forward_dynamics
+from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.run import Completed, launch
 from adagen.schedule import Topology, find_schedule, load_profile, named_schedule
 from adagen.states import States, read_result, write_states
 
 Array = NDArray[np.float64]
 QUICK = ("-O1", "-march=native", "-DNDEBUG", "-fno-math-errno")
+OPTIMISED = ("-O3", *QUICK[1:])
+NARROW = ("-O1", "-march=x86-64-v2", *QUICK[2:])  # registers of two doubles
 TIMEOUT = 120.0
 
 
@@ -52,6 +54,11 @@ class Solver:
         done = self.run("--states", given, "--result", result, *words)
         assert (done.status, done.stderr) == (0, "")
         return read_result(result, model)
+
+    def error(self, model: Model, states: States, folder: Path, *words: str) -> float:
+        """Return the forward error of these, the largest of all states."""
+        found = self.solve(model, states, folder, *words)
+        return forward_error(found, truth_of(model, states))
 
 
 @dataclass(frozen=True)
@@ -93,13 +100,13 @@ class Builder:
         plan: Plan,
         flags: Sequence[str] = QUICK,
         name: str | None = None,
-        shape: str = "auto",
+        batch: int = 0,
+        **options: Any,
     ) -> Solver:
-        """Return the built program of a plan."""
-        stem = stem_of(plan, name)
-        text = emit(plan, name=name, shape=shape)[f"{stem}.cpp"]
-        executable = self.compile(text, stem, flags)
-        return Solver(executable, len(plan.processes), self.toolchain)
+        """Return the built program of a plan, emitted with the options."""
+        text = text_of(plan, name, batch, **options)
+        executable = self.compile(text, stem_of(plan, name, batch), flags)
+        return Solver(executable, batch or len(plan.processes), self.toolchain)
 
 
 @contextmanager
@@ -121,6 +128,16 @@ def plan_of(model: Model, processes: int, **options: Any) -> Plan:
     return make_plan(model, schedule, **options)
 
 
+def text_of(plan: Plan, name: str | None = None, batch: int = 0, **options: Any) -> str:
+    """Return the source that is emitted for a plan with the options."""
+    return emit(plan, name=name, batch=batch, **options)[f"{stem_of(plan, name, batch)}.cpp"]
+
+
+def kernels_of(plan: Plan, batch: int = 0) -> str:
+    """Return the same in shape kernels, whether that pays or not."""
+    return text_of(plan, batch=batch, shape="kernels")
+
+
 def truth_of(model: Model, states: States) -> Array:
     """Return the true accelerations, shape (S, nv)."""
     rows = zip(states.q, states.v, states.tau, strict=True)
@@ -131,6 +148,14 @@ def forward_error(found: Array, truth: Array) -> float:
     """Return the largest error of an acceleration, relative to the largest of its state."""
     size = np.maximum(1.0, np.abs(truth).max(axis=1, keepdims=True))
     return float((np.abs(found - truth) / size).max())
+
+
+def energy_errors(model: Model, states: States, found: Array) -> Array:
+    """Return the errors of the states' accelerations in the energy norm, shape (S,)."""
+    rows = zip(states.q, found, truth_of(model, states), strict=True)
+    return np.array(
+        [energy_norm_error(joint_space_inertia(model, q), x - t, t) for q, x, t in rows]
+    )
 
 
 def states_text(model: Model, states: States, folder: Path) -> dict[str, Any]:

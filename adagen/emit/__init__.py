@@ -49,9 +49,10 @@ HEADERS = (
 __all__ = ["check_batch", "emit", "file_stem", "stem_of", "templates_folder"]
 
 
-def stem_of(plan: Plan, name: str | None = None) -> str:
+def stem_of(plan: Plan, name: str | None = None, batch: int = 0) -> str:
     """Return NAME_pP, what the emitted files of a plan are called without their endings."""
-    return f"{file_stem(plan.name if name is None else name)}_p{len(plan.processes)}"
+    processes = batch or len(plan.processes)
+    return f"{file_stem(plan.name if name is None else name)}_p{processes}"
 
 
 def emit(
@@ -88,7 +89,7 @@ def emit(
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
     processes = batch or len(plan.processes)
-    stem = f"{file_stem(plan.name if name is None else name)}_p{processes}"
+    stem = stem_of(plan, name, batch)
     files = {
         f"{stem}.cpp": source(plan, stem, shape, refine, chunk, compiler, batch, profile),
         f"{stem}.plan.json": plan_to_json(plan),

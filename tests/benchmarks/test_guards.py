@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import pytest
 
-from adagen.emit import emit, stem_of
+from adagen.emit import stem_of
 from adagen.emit.shapes import SHAPES
 from benchmarks.guards import unguarded
-from tests.emitted import Builder, Solver, plan_of
+from tests.emitted import Builder, Solver, plan_of, text_of
 from tests.models import serial_chain
 
 
 @pytest.mark.parametrize("shape", SHAPES)
 def test_one_line_is_what_guards_end_in(shape: str) -> None:
     plan = plan_of(serial_chain(3), 1)
-    text = emit(plan, shape=shape)[f"{stem_of(plan)}.cpp"]
+    text = text_of(plan, shape=shape)
     pairs = zip(text.splitlines(), unguarded(text).splitlines(), strict=True)
     (changed,) = ((old, new) for old, new in pairs if old != new)
     assert "fail" in changed[0] and "fail" not in changed[1]
@@ -22,8 +22,7 @@ def test_one_line_is_what_guards_end_in(shape: str) -> None:
 
 def test_without_guards_the_answers_are_the_same(builder: Builder) -> None:
     plan = plan_of(serial_chain(3), 1)
-    stem = stem_of(plan)
-    program = builder.compile(unguarded(emit(plan)[f"{stem}.cpp"]), stem)
+    program = builder.compile(unguarded(text_of(plan)), stem_of(plan))
     done = Solver(program, 1, builder.toolchain).run("--check")
     assert (done.status, done.stderr) == (0, "")
 

@@ -7,26 +7,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit import emit, stem_of
 from adagen.emit.shapes import BASELINES, SHAPES, chosen_shape
 from adagen.errors import UsageError
 from adagen.model import SPHERICAL, Model
-from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.states import States, random_states
-from tests.emitted import Builder, Solver, plan_of, truth_of
+from tests.emitted import Builder, energy_errors, plan_of
 from tests.models import random_tree, serial_chain
 
 
 def error_of(model: Model, states: States, shape: str, builder: Builder, folder: Path) -> float:
     plan = plan_of(model, 1)
-    stem = stem_of(plan)
-    source = emit(plan, shape=shape)[f"{stem}.cpp"]
-    solver = Solver(builder.compile(source, stem), 1, builder.toolchain)
-    found = solver.solve(model, states, folder)
-    return max(
-        energy_norm_error(joint_space_inertia(model, q), a - t, t)
-        for q, a, t in zip(states.q, found, truth_of(model, states), strict=True)
-    )
+    found = builder.solver(plan, shape=shape).solve(model, states, folder)
+    return float(energy_errors(model, states, found).max())
 
 
 @pytest.mark.parametrize("shape", BASELINES)

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit import emit
 from adagen.emit.shapes import SHAPES, chosen_shape
 from adagen.model import Model, Passive
 from adagen.model.kinds import REVOLUTE, SPHERICAL
@@ -24,9 +23,9 @@ from adagen.plan.steps import (
     SolveMobility,
 )
 from adagen.predict import best_schedule, predict
-from adagen.schedule import Topology, load_profile, named_schedule
+from adagen.schedule import load_profile
 from adagen.states import random_states, write_states
-from tests.emitted import Builder, Solver, forward_error, truth_of
+from tests.emitted import Builder, Solver, forward_error, plan_of, text_of, truth_of
 from tests.models import human_figure, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
 from tests.scene.held import held, rows
@@ -43,11 +42,6 @@ def figure(*names: str) -> Model:
     return held(model, [j for j, joint in enumerate(model.joints) if joint.name in names])
 
 
-def balanced(model: Model, processes: int, meeting: str, scalar: str = "double") -> Plan:
-    schedule = named_schedule("balanced", Topology.of(model), processes, profile=PROFILE)
-    return make_plan(model, schedule, meeting=meeting, scalar=scalar)
-
-
 def require_right(plan: Plan, model: Model, builder: Builder, folder: Path) -> Solver:
     """Build the plan, run it with its own check, compare with the truth and with what was given."""
     states = random_states(model, 3, seed=3)
@@ -58,10 +52,6 @@ def require_right(plan: Plan, model: Model, builder: Builder, folder: Path) -> S
     assert np.array_equal(found[:, given].astype(number), states.tau[:, given].astype(number))
     assert forward_error(found, truth_of(model, states)) < LIMIT[plan.scalar]
     return solver
-
-
-def text_of(plan: Plan) -> str:
-    return next(text for name, text in emit(plan).items() if name.endswith(".cpp"))
 
 
 def test_limbs_with_joints_of_prescribed_motion_are_taken_side_by_side(
@@ -90,7 +80,7 @@ def test_processes_share_such_robots(
     processes: int, meeting: str, scalar: str, builder: Builder, tmp_path: Path
 ) -> None:
     model = figure("left_knee", "waist", "__base__" if processes == 2 else "right_hip")
-    plan = balanced(model, processes, meeting, scalar)
+    plan = plan_of(model, processes, meeting=meeting, scalar=scalar)
     assert chosen_shape(plan) == "kernels"
     assert predict(plan, PROFILE).makespan > 0
     solver = require_right(plan, model, builder, tmp_path)
@@ -106,7 +96,7 @@ def test_processes_share_such_robots(
 def test_what_is_joined_may_be_prescribed_or_have_a_rotor(builder: Builder, tmp_path: Path) -> None:
     """And so may the joints that mobility passes on its way from a cut."""
     model = with_wrenches(serial_chain(14, axes="xyz"), np.random.default_rng(2))
-    plan = balanced(model, 3, "join")
+    plan = plan_of(model, 3, meeting="join")
     steps = [step for process in plan.processes for step in process.steps]
     first, *others = [step.joint for step in steps if isinstance(step, Disassemble)]
     passed = [step.joint for step in steps if isinstance(step, Propagate)]
@@ -116,7 +106,7 @@ def test_what_is_joined_may_be_prescribed_or_have_a_rotor(builder: Builder, tmp_
         joints[j] = replace(joints[j], passive=Passive(rotor_inertia=0.3, damping=0.1))
     model = replace(model, joints=tuple(joints))
     assert others
-    plan = balanced(model, 3, "join")
+    plan = plan_of(model, 3, meeting="join")
     assert chosen_shape(plan) == "kernels"
     require_right(plan, model, builder, tmp_path)
 
@@ -124,7 +114,7 @@ def test_what_is_joined_may_be_prescribed_or_have_a_rotor(builder: Builder, tmp_
 def grounded() -> tuple[Model, Plan]:
     chain = with_wrenches(serial_chain(28, axes="xyz"), np.random.default_rng(4))
     model = held(chain, [1, 4])
-    return model, balanced(model, 2, "gather")
+    return model, plan_of(model, 2, meeting="gather")
 
 
 def test_the_ground_is_held_by_joints_that_move_freely() -> None:
@@ -181,16 +171,14 @@ def test_earlier_evaluations_leave_nothing_at_such_a_root(builder: Builder, tmp_
 def test_batches_have_outer_forces_and_prescribed_motions(builder: Builder, tmp_path: Path) -> None:
     model = figure("left_knee", "waist", "__base__")
     plan = make_plan(model, best_schedule(model, 1, PROFILE))
-    text = emit(plan, name="effects", shape="kernels", batch=2)["effects_p2.cpp"]
-    solver = Solver(builder.compile(text, "effects_p2", ("-O0",)), 2, builder.toolchain)
+    solver = builder.solver(plan, ("-O0",), name="effects", batch=2, shape="kernels")
     states = random_states(model, 21, seed=6)
-    found = solver.solve(model, states, tmp_path, "--check")
-    assert forward_error(found, truth_of(model, states)) < 1e-9
+    assert solver.error(model, states, tmp_path, "--check") < 1e-9
 
 
 def test_robots_without_such_inputs_have_none_of_it_in_their_code() -> None:
     for meeting in ("join", "gather"):
-        text = text_of(balanced(human_figure(), 2, meeting))
+        text = text_of(plan_of(human_figure(), 2, meeting=meeting))
         for word in ("prescribed_motion", "void push(Workspace", "struct Held"):
             assert word not in text
 
@@ -199,7 +187,7 @@ def test_outer_forces_act_once_each_and_at_their_links_alone() -> None:
     model = figure()
     calls = [
         line.strip()
-        for line in text_of(balanced(model, 2, "gather")).splitlines()
+        for line in text_of(plan_of(model, 2, meeting="gather")).splitlines()
         if line.startswith("  push<")
     ]
     wanted = [f'push<{k}>(w);  // on link "{w.frame.name}"' for k, w in enumerate(model.wrenches)]
@@ -242,7 +230,7 @@ def test_processes_share_spherical_joints_with_rotors(
     kinds = (SPHERICAL, SPHERICAL if floating else REVOLUTE)
     rng = np.random.default_rng(5)
     model = driven(random_tree(rng, 15, kinds, branching=0, floating=floating))
-    plan = balanced(model, processes, meeting)
+    plan = plan_of(model, processes, meeting=meeting)
     steps = [step for process in plan.processes for step in process.steps]
     balls = geared_balls(plan)
     if processes == 3:

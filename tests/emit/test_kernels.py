@@ -15,7 +15,7 @@ from adagen.predict import best_schedule
 from adagen.schedule import Topology, load_profile, named_schedule
 from adagen.schedule.tree import Named
 from adagen.states import random_states
-from tests.emitted import Builder, forward_error, truth_of
+from tests.emitted import Builder
 from tests.models import binary, human_figure, random_tree, serial_chain, star
 from tests.schedules import random_schedule
 
@@ -44,8 +44,7 @@ def test_named_schedules_are_solved(
     plan = make_plan(model, schedule, meeting=meeting)
     assert chosen_shape(plan) == "kernels"
     states = random_states(model, 5, seed=2)
-    found = builder.solver(plan, name="kernels").solve(model, states, tmp_path, "--check")
-    assert forward_error(found, truth_of(model, states)) < 1e-9
+    assert builder.solver(plan, name="kernels").error(model, states, tmp_path, "--check") < 1e-9
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
@@ -60,8 +59,7 @@ def test_trees_of_all_kinds_are_solved(
     assert shape == "kernels" or meeting == "join"
     states = random_states(model, 4, seed=seed)
     solver = builder.solver(plan, ("-O0",), name="tree", shape=shape)
-    found = solver.solve(model, states, tmp_path, "--check")
-    assert forward_error(found, truth_of(model, states)) < 1e-9
+    assert solver.error(model, states, tmp_path, "--check") < 1e-9
 
 
 @pytest.mark.parametrize(
@@ -84,8 +82,7 @@ def test_limbs_side_by_side_are_solved(
     assert any(limbs_abreast(plan, process) for process in plan.processes)
     states = random_states(model, 5, seed=3)
     solver = builder.solver(plan, name="limbs", shape="kernels")
-    found = solver.solve(model, states, tmp_path, "--check")
-    assert forward_error(found, truth_of(model, states)) < 1e-9
+    assert solver.error(model, states, tmp_path, "--check") < 1e-9
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3, 4])
@@ -96,5 +93,4 @@ def test_bushes_of_all_kinds_are_solved_by_one_process(
     plan = make_plan(model, best_schedule(model, 1, PROFILE))
     states = random_states(model, 4, seed=seed)
     solver = builder.solver(plan, ("-O0",), name="bush", shape="kernels")
-    found = solver.solve(model, states, tmp_path, "--check")
-    assert forward_error(found, truth_of(model, states)) < 1e-9
+    assert solver.error(model, states, tmp_path, "--check") < 1e-9

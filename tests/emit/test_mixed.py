@@ -9,15 +9,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit import emit, stem_of
+from adagen.emit import emit
 from adagen.errors import UsageError
 from adagen.plan import make_plan, plan_from_json, plan_to_json
 from adagen.plan.cuts import cuttable_joints
 from adagen.reference import inverse_dynamics
 from adagen.stability.robots import with_mass
 from adagen.states import States, random_states, write_states
-from tests.emit.test_refine import errors, refined, with_light_link
-from tests.emitted import Builder
+from tests.emitted import Builder, energy_errors, text_of
+from tests.links import with_light_link
 from tests.models import random_tree, serial_chain
 from tests.schedules import random_schedule
 
@@ -34,8 +34,8 @@ def test_answers_have_the_digits_of_double(
     schedule = random_schedule(model, processes, np.random.default_rng(processes))
     plan = make_plan(model, schedule, form=form, scalar="mixed")
     states = random_states(model, 5, seed=3)
-    found = refined(builder, plan, 3).solve(model, states, tmp_path)
-    assert errors(model, states, found).max() < 1e-13
+    found = builder.solver(plan, refine=3).solve(model, states, tmp_path)
+    assert energy_errors(model, states, found).max() < 1e-13
     said = np.array(json.loads((tmp_path / "result.json").read_text())["corrections"])
     assert ((said[:, 0] > 1e-9) & (said[:, 0] < 1e-2)).all()  # the error of a float
     assert (said[:, 1] < 1e-2 * said[:, 0]).all()
@@ -47,7 +47,7 @@ def test_the_program_checks_and_times_itself_as_in_double(builder: Builder) -> N
     plan = make_plan(
         model, random_schedule(model, 2, np.random.default_rng(0)), scalar="mixed", form="ada"
     )
-    solver = refined(builder, plan, 2)
+    solver = builder.solver(plan, refine=2)
     done = solver.run("--check", "--time", "--repeat", "1", "--json")
     report = json.loads(done.stdout)
     assert (done.status, report["refine"]["steps"]) == (0, 2)
@@ -57,22 +57,22 @@ def test_the_program_checks_and_times_itself_as_in_double(builder: Builder) -> N
 
 def test_where_it_does_not_converge_it_says_so(builder: Builder) -> None:
     """In form ada a light link's mobility is lost to its neighbours, down to noise in float."""
-    model = with_light_link(1e-6)
+    model = with_light_link(serial_chain(6), 3, 1e-6)
     schedule = random_schedule(model, 1, np.random.default_rng(0))
     plan = make_plan(model, schedule, form="ada", scalar="mixed")
-    done = refined(builder, plan, 3).run("--check")
+    done = builder.solver(plan, refine=3).run("--check")
     assert done.status == 1
     assert "refinement does not converge" in done.stderr or "no digits left" in done.stderr
 
 
 def test_where_its_steps_are_too_few_it_says_so(builder: Builder) -> None:
-    model = with_light_link(1e-3)
+    model = with_light_link(serial_chain(6), 3, 1e-3)
     schedule = random_schedule(model, 1, np.random.default_rng(0))
     plan = make_plan(model, schedule, form="ada", scalar="mixed")
-    done = refined(builder, plan, 2).run("--check")
+    done = builder.solver(plan, refine=2).run("--check")
     assert done.status == 1
     assert "refinement converges too slowly" in done.stderr
-    assert refined(builder, plan, 5).run("--check").status == 0
+    assert builder.solver(plan, refine=5).run("--check").status == 0
 
 
 def test_what_is_left_is_not_taken_for_less_than_is_certain(
@@ -85,7 +85,7 @@ def test_what_is_left_is_not_taken_for_less_than_is_certain(
     """
     model = with_mass(8, 8, 1e6)
     schedule = random_schedule(model, 1, np.random.default_rng(0))
-    solver = refined(builder, make_plan(model, schedule, scalar="mixed"), 2)
+    solver = builder.solver(make_plan(model, schedule, scalar="mixed"), refine=2)
     states = random_states(model, 3000, seed=3)
 
     def some(*chosen: int) -> States:
@@ -98,7 +98,7 @@ def test_what_is_left_is_not_taken_for_less_than_is_certain(
         assert done.status == 1 and "refinement converges too slowly" in done.stderr
         assert not (tmp_path / "no.json").exists()
     quick = some(124, 251)
-    assert errors(model, quick, solver.solve(model, quick, tmp_path)).max() < 1e-9
+    assert energy_errors(model, quick, solver.solve(model, quick, tmp_path)).max() < 1e-9
 
 
 def test_what_is_held_up_may_be_more_than_what_accelerates(
@@ -112,8 +112,8 @@ def test_what_is_held_up_may_be_more_than_what_accelerates(
     still, slow = np.zeros(model.nv), np.full(model.nv, 0.5)
     torques = np.array([inverse_dynamics(model, q, still, slow) for q in states.q])
     held = replace(states, v=np.zeros_like(states.v), tau=torques)
-    found = refined(builder, plan, 2).solve(model, held, tmp_path)
-    assert errors(model, held, found).max() < 1e-12
+    found = builder.solver(plan, refine=2).solve(model, held, tmp_path)
+    assert energy_errors(model, held, found).max() < 1e-12
     said = np.array(json.loads((tmp_path / "result.json").read_text())["corrections"])
     assert said[:, 0].max() > 1e-5  # the error of a float, of what is held up
 
@@ -121,7 +121,7 @@ def test_what_is_held_up_may_be_more_than_what_accelerates(
 def test_steps_are_two_unless_said_otherwise_and_never_fewer() -> None:
     model = serial_chain(3)
     plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(0)), scalar="mixed")
-    text = emit(plan)[f"{stem_of(plan)}.cpp"]
+    text = text_of(plan)
     assert "constexpr int kRefine = 2;" in text
     assert "using Number = double;" in text
     assert "using Real = float;" in text
@@ -137,5 +137,5 @@ def test_steps_are_two_unless_said_otherwise_and_never_fewer() -> None:
 
 def test_processes_meet_where_floats_can() -> None:
     for ratio in (1e-2, 1e-4):
-        model = with_light_link(ratio)
+        model = with_light_link(serial_chain(6), 3, ratio)
         assert cuttable_joints(model, "mixed") == cuttable_joints(model, "float")

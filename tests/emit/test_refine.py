@@ -9,42 +9,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit import emit, stem_of
+from adagen.emit import emit
 from adagen.errors import UsageError
-from adagen.model import Inertia, Model
-from adagen.plan import Plan, make_plan
+from adagen.plan import make_plan
 from adagen.plan.refine import exchanges, links_of_process
 from adagen.plan.steps import FusedJoin
 from adagen.predict import best_schedule
-from adagen.reference import energy_norm_error, inverse_dynamics, joint_space_inertia
+from adagen.reference import inverse_dynamics
 from adagen.schedule import load_profile
-from adagen.states import States, random_states
-from tests.emitted import QUICK, Array, Builder, Solver, truth_of
+from adagen.states import random_states
+from tests.emitted import Builder, energy_errors
+from tests.links import with_light_link
 from tests.models import random_tree, serial_chain, three_axis_chain
 from tests.schedules import random_schedule
-
-
-def refined(builder: Builder, plan: Plan, steps: int) -> Solver:
-    stem = stem_of(plan)
-    executable = builder.compile(emit(plan, refine=steps)[f"{stem}.cpp"], stem, QUICK)
-    return Solver(executable, len(plan.processes), builder.toolchain)
-
-
-def errors(model: Model, states: States, found: Array) -> Array:
-    """Return the error of each state in the energy norm."""
-    rows = zip(states.q, found, truth_of(model, states), strict=True)
-    return np.array(
-        [energy_norm_error(joint_space_inertia(model, q), x - t, t) for q, x, t in rows]
-    )
-
-
-def with_light_link(ratio: float) -> Model:
-    model = serial_chain(6)
-    heavy = model.links[3].inertia
-    light = Inertia(heavy.mass * ratio, heavy.com, heavy.tensor * ratio)
-    return replace(
-        model, links=(*model.links[:3], replace(model.links[3], inertia=light), *model.links[4:])
-    )
 
 
 @pytest.mark.parametrize(
@@ -58,10 +35,10 @@ def test_one_step_leaves_only_rounding_and_says_what_there_was(
     schedule = random_schedule(model, processes, np.random.default_rng(processes))
     plan = make_plan(model, schedule, form=form)
     states = random_states(model, 5, seed=3)
-    solver = refined(builder, plan, 2)
-    assert errors(model, states, solver.solve(model, states, tmp_path)).max() < 1e-14
+    solver = builder.solver(plan, refine=2)
+    assert energy_errors(model, states, solver.solve(model, states, tmp_path)).max() < 1e-14
     said = np.array(json.loads((tmp_path / "result.json").read_text())["corrections"])
-    raw = errors(model, states, builder.solver(plan).solve(model, states, tmp_path))
+    raw = energy_errors(model, states, builder.solver(plan).solve(model, states, tmp_path))
     assert said.shape == (5, 2)
     large = raw > 4e-15  # below that, constants of the frames are rounded as much
     assert ((said[:, 0] < 3 * raw) & (raw < 3 * said[:, 0]))[large].all()
@@ -79,16 +56,16 @@ def test_joints_joined_over_massless_links_are_refined(
     plan = make_plan(model, schedule, form="ada", scalar=scalar)
     assert any(isinstance(step, FusedJoin) for p in plan.processes for step in p.steps)
     states = random_states(model, 3, seed=3)
-    solver = refined(builder, plan, 3)
-    assert errors(model, states, solver.solve(model, states, tmp_path)).max() < 1e-13
+    solver = builder.solver(plan, refine=3)
+    assert energy_errors(model, states, solver.solve(model, states, tmp_path)).max() < 1e-13
     said = np.array(json.loads((tmp_path / "result.json").read_text())["corrections"])
     assert (said[:, 1] < 1e-2 * said[:, 0]).all()
 
 
 def test_check_tells_the_corrections(builder: Builder) -> None:
-    model = with_light_link(1e-6)
+    model = with_light_link(serial_chain(6), 3, 1e-6)
     plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(0)), form="ada")
-    solver = refined(builder, plan, 2)
+    solver = builder.solver(plan, refine=2)
     done = solver.run("--check", "--json")
     report = json.loads(done.stdout)["refine"]
     assert (done.status, report["steps"]) == (0, 2)
@@ -100,9 +77,9 @@ def test_check_tells_the_corrections(builder: Builder) -> None:
 @pytest.mark.slow
 def test_where_it_does_not_converge_it_says_so(builder: Builder) -> None:
     """The light link is lost in the factors of form ada in float: all that it says is noise."""
-    model = with_light_link(1e-6)
+    model = with_light_link(serial_chain(6), 3, 1e-6)
     schedule = random_schedule(model, 1, np.random.default_rng(0))
-    done = refined(builder, make_plan(model, schedule, form="ada", scalar="float"), 3).run(
+    done = builder.solver(make_plan(model, schedule, form="ada", scalar="float"), refine=3).run(
         "--check"
     )
     assert done.status == 1
@@ -146,5 +123,5 @@ def test_a_robot_that_is_held_at_rest_is_answered(
     still = np.zeros(model.nv)
     torques = np.array([inverse_dynamics(model, q, still, still) for q in states.q])
     held = replace(states, v=np.zeros_like(states.v), tau=torques)
-    found = refined(builder, plan, 3).solve(model, held, tmp_path)
+    found = builder.solver(plan, refine=3).solve(model, held, tmp_path)
     assert np.abs(found).max() < 1e-12

@@ -2,93 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 
-from adagen.model import Inertia, Model
-from adagen.plan import Plan, make_plan
 from adagen.states import random_states, write_states
-from tests.emitted import Builder, forward_error, plan_of, truth_of
-from tests.models import Part, assemble, human_figure, random_tree, serial_chain, vector
-from tests.schedules import random_schedule
-
-
-def forest() -> Model:
-    """Return three robots on one ground, with a slaved joint in one of them."""
-    rng = np.random.default_rng(11)
-    parts = []
-    for k in range(3):
-        tree = random_tree(rng, 4, mimics=1 if k == 1 else 0)
-        for j, joint in enumerate(tree.joints):
-            above = None if joint.parent == 0 else f"r{k}_{tree.joints[joint.parent - 1].name}"
-            mimic = None
-            if joint.mimic is not None:
-                followed = f"r{k}_{tree.joints[joint.mimic.source].name}"
-                mimic = (followed, joint.mimic.multiplier, joint.mimic.offset)
-            parts.append(
-                Part(
-                    f"r{k}_{joint.name}",
-                    above,
-                    joint.kind,
-                    tree.links[j + 1].inertia,
-                    joint.translation,
-                    joint.rotation,
-                    joint.axis,
-                    mimic,
-                )
-            )
-    return assemble("forest", parts)
-
-
-def anything(seed: int, joints: int, mimics: int = 0) -> Model:
-    return random_tree(np.random.default_rng(seed), joints, mimics=mimics)
-
-
-def by_chance(model: Model, processes: int, seed: int, form: str) -> Plan:
-    """Return the plan of a random schedule, in which processes may be idle."""
-    schedule = random_schedule(model, processes, np.random.default_rng(seed))
-    return make_plan(model, schedule, form=form)
-
-
-@dataclass(frozen=True)
-class Case:
-    model: Callable[[], Model]
-    plan: Callable[[Model], Plan]
-    error: float = 1e-9
-
-
-CASES = {
-    "all kinds, two slaved": Case(lambda: anything(21, 10, 2), lambda m: by_chance(m, 3, 5, "ada")),
-    "the same in segments": Case(
-        lambda: anything(21, 10, 2), lambda m: by_chance(m, 3, 5, "segment")
-    ),
-    "meeting only in the ground": Case(forest, lambda m: by_chance(m, 4, 1, "ada")),
-    "the same forest in segments": Case(forest, lambda m: by_chance(m, 4, 1, "segment")),
-    "more processes than joints": Case(
-        lambda: anything(5, 2), lambda m: plan_of(m, 4, form="segment")
-    ),
-    "one joint, one process": Case(lambda: anything(6, 1), lambda m: plan_of(m, 1, form="ada")),
-    "float": Case(human_figure, lambda m: plan_of(m, 2, scalar="float"), 1e-4),
-}
+from tests.emit.unusual import CASES, anything, chain_with_thin_link, require_solved
+from tests.emitted import Builder, plan_of
 
 
 @pytest.mark.parametrize("name", CASES)
 def test_an_unusual_robot_is_solved(name: str, builder: Builder, tmp_path: Path) -> None:
-    case = CASES[name]
-    model = case.model()
-    plan = case.plan(model)
-    solver = builder.solver(plan, ("-O0",), name=name)
-    states = random_states(model, 4, seed=9)
-    truth = truth_of(model, states)
-    for channel in ("window", "message"):
-        found = solver.solve(model, states, tmp_path, "--check", "--channel", channel)
-        assert forward_error(found, truth) < case.error
-    done = solver.run("--time", "--repeat", "1")
-    assert (done.status, done.stderr) == (0, "")
+    require_solved(name, builder, tmp_path)
 
 
 def test_a_processes_share_can_be_nothing() -> None:
@@ -97,11 +22,7 @@ def test_a_processes_share_can_be_nothing() -> None:
 
 
 def test_a_failed_factorization_names_the_joint(builder: Builder, tmp_path: Path) -> None:
-    model = serial_chain(3)
-    links = list(model.links)
-    # Beside each other, in float: V^-1 of joint 2 is what 1 kg m^2 leaves of 1e-9.
-    links[2] = replace(links[2], inertia=thin(links[2].inertia))
-    model = replace(model, links=tuple(links))
+    model = chain_with_thin_link()
     solver = builder.solver(plan_of(model, 2, scalar="float", form="ada"), ("-O0",), name="thin")
     write_states(random_states(model, 2), model, tmp_path / "s.json")
     done = solver.run("--states", tmp_path / "s.json", "--result", tmp_path / "r.json")
@@ -110,8 +31,3 @@ def test_a_failed_factorization_names_the_joint(builder: Builder, tmp_path: Path
     assert line.startswith(f'{tmp_path}/s.json: error: state 1: joint "j00')
     assert "factorization failed" in line
     assert not (tmp_path / "r.json").exists()
-
-
-def thin(inertia: Inertia) -> Inertia:
-    """Return a body that can be turned about one axis ten orders more easily than about others."""
-    return Inertia(inertia.mass, vector(0.1, 0.2, 0.3), np.diag([1e-10, 1.0, 1.0]))

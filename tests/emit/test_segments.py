@@ -9,35 +9,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from adagen.emit import emit
 from adagen.emit.layout import Layout
 from adagen.emit.runs import Run
 from adagen.emit.segments import LANES, slots_of, split
 from adagen.model import KINDS, Model
-from adagen.plan import Plan, make_plan
-from adagen.schedule import Topology, load_profile, named_schedule
 from adagen.states import random_states
-from tests.emitted import QUICK, Builder, forward_error, truth_of
+from tests.emitted import NARROW, OPTIMISED, QUICK, Builder, kernels_of, plan_of
 from tests.models import random_tree, serial_chain
 
-PROFILE = load_profile("default")
-OPTIMISED = ("-O3", *QUICK[1:])
-NARROW = ("-O1", "-march=x86-64-v2", "-DNDEBUG", "-fno-math-errno")  # no register for all lanes
 TURNING = [KINDS["revolute"], KINDS["spherical"]]
 
 
 def balls_and_hinges(joints: int, seed: int = 3) -> Model:
     return random_tree(np.random.default_rng(seed), joints, branching=0.0, kinds=TURNING)
-
-
-def divided(model: Model, processes: int, scalar: str = "double", meeting: str = "join") -> Plan:
-    schedule = named_schedule("balanced", Topology.of(model), processes, profile=PROFILE)
-    return make_plan(model, schedule, meeting=meeting, scalar=scalar)
-
-
-def text_of(plan: Plan, batch: int = 0) -> str:
-    files = emit(plan, name="x", shape="kernels", batch=batch)
-    return next(text for name, text in files.items() if name.endswith(".cpp"))
 
 
 @given(st.integers(1, 200), st.sampled_from(sorted(LANES.values())))
@@ -72,23 +56,24 @@ def test_a_run_is_split_without_losing_a_joint(
 
 
 def test_only_long_runs_of_turning_joints_are_passed_in_segments() -> None:
-    assert "outward_in_segments<0, 15>(w);" in text_of(divided(serial_chain(16), 1))
-    assert "_in_segments" not in text_of(divided(serial_chain(15), 1))
-    assert "_in_segments" not in text_of(divided(serial_chain(16), 1, "float"))  # of 16 lanes
+    assert "outward_in_segments<0, 15>(w);" in kernels_of(plan_of(serial_chain(16), 1))
+    assert "_in_segments" not in kernels_of(plan_of(serial_chain(15), 1))
+    floats = plan_of(serial_chain(16), 1, scalar="float")
+    assert "_in_segments" not in kernels_of(floats)  # of 16 lanes
     sliding = random_tree(np.random.default_rng(1), 24, branching=0.0, kinds=[KINDS["prismatic"]])
-    assert "_in_segments" not in text_of(divided(sliding, 1))
+    assert "_in_segments" not in kernels_of(plan_of(sliding, 1))
 
 
 def test_states_of_a_batch_keep_their_lanes() -> None:
-    assert "_in_segments" not in text_of(divided(serial_chain(24), 1), batch=1)
+    assert "_in_segments" not in kernels_of(plan_of(serial_chain(24), 1), batch=1)
 
 
 def test_processes_agree_on_the_runs_in_segments() -> None:
-    plan = divided(serial_chain(70), 3)
+    plan = plan_of(serial_chain(70), 3)
     layout = Layout.of(plan, batch=False)
     assert len(layout.segments) == 3
     assert sorted(layout.slots) == sorted(set(layout.slots))
-    text = text_of(plan)
+    text = kernels_of(plan)
     for run in layout.segments:
         assert f"  outward_in_segments<{run.first}, {run.last}>(w);" in text
     ways = [run for run in layout.segments if run.last < 69]
@@ -102,21 +87,19 @@ def test_chains_that_leave_lanes_empty_are_solved(
     flags: tuple[str, ...], scalar: str, limit: float, builder: Builder, tmp_path: Path
 ) -> None:
     model = balls_and_hinges(35)
-    plan = divided(model, 1, scalar)
-    assert "outward_in_segments<0, 34>(w);" in text_of(plan)
+    plan = plan_of(model, 1, scalar=scalar)
+    assert "outward_in_segments<0, 34>(w);" in kernels_of(plan)
     states = random_states(model, 4, seed=5)
     solver = builder.solver(plan, flags, name="segments", shape="kernels")
-    found = solver.solve(model, states, tmp_path)
-    assert forward_error(found, truth_of(model, states)) < limit
+    assert solver.error(model, states, tmp_path) < limit
 
 
 @pytest.mark.parametrize("joints", [16, 17, 31])
 def test_hinges_in_order_are_solved(joints: int, builder: Builder, tmp_path: Path) -> None:
     model = serial_chain(joints)
     states = random_states(model, 4, seed=joints)
-    solver = builder.solver(divided(model, 1), name="segments", shape="kernels")
-    found = solver.solve(model, states, tmp_path, "--check")
-    assert forward_error(found, truth_of(model, states)) < 1e-9
+    solver = builder.solver(plan_of(model, 1), name="segments", shape="kernels")
+    assert solver.error(model, states, tmp_path, "--check") < 1e-9
 
 
 @pytest.mark.parametrize(("processes", "meeting"), [(2, "join"), (3, "join"), (2, "gather")])
@@ -124,12 +107,11 @@ def test_segments_on_the_way_to_others_are_solved(
     processes: int, meeting: str, builder: Builder, tmp_path: Path
 ) -> None:
     model = balls_and_hinges(56, seed=6)
-    plan = divided(model, processes, meeting=meeting)
-    assert "pass_outward_in_segments<" in text_of(plan)
+    plan = plan_of(model, processes, meeting=meeting)
+    assert "pass_outward_in_segments<" in kernels_of(plan)
     states = random_states(model, 4, seed=processes)
     solver = builder.solver(plan, name="segments", shape="kernels")
-    found = solver.solve(model, states, tmp_path, "--check")
-    assert forward_error(found, truth_of(model, states)) < 1e-9
+    assert solver.error(model, states, tmp_path, "--check") < 1e-9
 
 
 @pytest.mark.parametrize(("seed", "processes"), [(9, 1), (8, 2)])
@@ -137,11 +119,10 @@ def test_segments_beside_limbs_are_solved(
     seed: int, processes: int, builder: Builder, tmp_path: Path
 ) -> None:
     model = random_tree(np.random.default_rng(seed), 60, branching=0.04, kinds=TURNING)
-    plan = divided(model, processes)
-    text = text_of(plan)
+    plan = plan_of(model, processes)
+    text = kernels_of(plan)
     assert "  outward_in_segments<" in text
     assert " kLimbs0{" in text
     states = random_states(model, 3, seed=seed)
     solver = builder.solver(plan, name="segments", shape="kernels")
-    found = solver.solve(model, states, tmp_path, "--check")
-    assert forward_error(found, truth_of(model, states)) < 1e-9
+    assert solver.error(model, states, tmp_path, "--check") < 1e-9

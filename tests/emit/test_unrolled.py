@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from adagen.emit import emit, stem_of
 from adagen.emit.shapes import chosen_shape
 from adagen.model import Model
 from adagen.states import random_states, write_states
-from tests.emit.test_robots import CASES, thin
-from tests.emitted import Builder, Solver, forward_error, plan_of, truth_of
+from tests.emit.unusual import CASES, chain_with_thin_link, require_solved
+from tests.emitted import Builder, Solver, plan_of, text_of
 from tests.models import human_figure, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
 
@@ -33,17 +31,7 @@ def slow_unless(quick: bool, *values: object) -> object:
 
 @pytest.mark.parametrize("name", [slow_unless(name in QUICK_CASES, name) for name in CASES])
 def test_an_unusual_robot_is_solved(name: str, builder: Builder, tmp_path: Path) -> None:
-    case = CASES[name]
-    model = case.model()
-    plan = case.plan(model)
-    solver = builder.solver(plan, ("-O0",), name=f"u {name}", shape="unrolled")
-    states = random_states(model, 4, seed=9)
-    truth = truth_of(model, states)
-    for channel in ("window", "message"):
-        found = solver.solve(model, states, tmp_path, "--check", "--channel", channel)
-        assert forward_error(found, truth) < case.error
-    done = solver.run("--time", "--repeat", "1")
-    assert (done.status, done.stderr) == (0, "")
+    require_solved(name, builder, tmp_path, "unrolled")
 
 
 @pytest.mark.parametrize(
@@ -60,8 +48,7 @@ def test_a_floating_tree_of_all_kinds_is_solved(
     model = random_tree(np.random.default_rng(3), 8, floating=True, mimics=1)
     solver = built(builder, model, processes, "floating tree", form)
     states = random_states(model, 3, seed=2)
-    found = solver.solve(model, states, tmp_path)
-    assert forward_error(found, truth_of(model, states)) < 1e-10
+    assert solver.error(model, states, tmp_path) < 1e-10
 
 
 @pytest.mark.parametrize(
@@ -82,8 +69,7 @@ def test_outer_forces_and_prescribed_motions_are_taken(
     assert len({joint.kind for joint in model.joints if joint.prescribed}) == 4
     solver = built(builder, model, processes, "pushed tree", form)
     states = random_states(model, 3, seed=2)
-    found = solver.solve(model, states, tmp_path, "--check")
-    assert forward_error(found, truth_of(model, states)) < 1e-10
+    assert solver.error(model, states, tmp_path, "--check") < 1e-10
 
 
 def test_a_pushed_arm_is_unrolled() -> None:
@@ -97,13 +83,12 @@ def test_functions_of_any_length_give_the_same(
 ) -> None:
     model = random_tree(np.random.default_rng(5), 4)
     plan = plan_of(model, 2, form="ada")
-    text = emit(plan, shape="unrolled", chunk=chunk)[f"{stem_of(plan)}.cpp"]
+    text = text_of(plan, shape="unrolled", chunk=chunk)
     assert text.count("ADAGEN_NOINLINE void part_") > 1000 // chunk
     assert f"shape unrolled (functions of {chunk} values)" in text
     solver = Solver(builder.compile(text, f"chunks{chunk}", ("-O0",)), 2, builder.toolchain)
     states = random_states(model, 3, seed=2)
-    found = solver.solve(model, states, tmp_path)
-    assert forward_error(found, truth_of(model, states)) < 1e-10
+    assert solver.error(model, states, tmp_path) < 1e-10
 
 
 def test_large_angles_keep_their_digits(builder: Builder, tmp_path: Path) -> None:
@@ -111,8 +96,7 @@ def test_large_angles_keep_their_digits(builder: Builder, tmp_path: Path) -> Non
     solver = built(builder, model, 1, "far", "segment")
     states = random_states(model, 3)
     states.q[0], states.q[1], states.q[2] = 99999.7, 1e9 + 0.25, [3.1e-9, -1.5707963267948966, 0.0]
-    found = solver.solve(model, states, tmp_path)
-    assert forward_error(found, truth_of(model, states)) < 1e-12
+    assert solver.error(model, states, tmp_path) < 1e-12
 
 
 class TestFailures:
@@ -183,10 +167,7 @@ class TestFailures:
 
     @pytest.mark.slow
     def test_a_failed_factorization_names_the_joint(self, builder: Builder, tmp_path: Path) -> None:
-        model = serial_chain(3)
-        links = list(model.links)
-        links[2] = replace(links[2], inertia=thin(links[2].inertia))
-        model = replace(model, links=tuple(links))
+        model = chain_with_thin_link()
         plan = plan_of(model, 2, scalar="float", form="ada")
         solver = builder.solver(plan, ("-O0",), name="thin u", shape="unrolled")
         write_states(random_states(model, 2), model, tmp_path / "s.json")

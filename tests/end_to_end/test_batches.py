@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit import emit
 from adagen.states import random_states, write_states
 from tests.emitted import Builder, Solver, forward_error, plan_of, states_text, truth_of
 from tests.end_to_end.hosts import APART
@@ -77,8 +76,7 @@ def test_a_program_names_states_with_bad_quaternions_and_answers_the_others(
 ) -> None:
     model = next(e for e in EXAMPLES if e.stem == "humanoid_p1").model()
     plan = plan_of(model, 1, scalar=scalar)
-    source = emit(plan, name="humanoid", shape=shape, batch=2)["humanoid_p2.cpp"]
-    solver = Solver(builder.compile(source, "humanoid_p2", FLAGS), 2, builder.toolchain)
+    solver = builder.solver(plan, FLAGS, name="humanoid", batch=2, shape=shape)
     states = random_states(model, 23, seed=6)
     data = states_text(model, states, tmp_path)
     for bad in (4, 20):
@@ -110,8 +108,6 @@ def test_a_program_names_states_with_bad_quaternions_and_answers_the_others(
 
 def test_slaved_joints_are_in_step_in_batches_too(builder: Builder, tmp_path: Path) -> None:
     model = next(example for example in EXAMPLES if example.mimic).model()
-    source = emit(plan_of(model, 1), name="slaved", batch=1)["slaved_p1.cpp"]
-    solver = Solver(builder.compile(source, "slaved_p1", FLAGS), 1, builder.toolchain)
+    solver = builder.solver(plan_of(model, 1), FLAGS, name="slaved", batch=1)
     states = random_states(model, 11, seed=7)
-    found = solver.solve(model, states, tmp_path, "--check")
-    assert forward_error(found, truth_of(model, states)) < 1e-11
+    assert solver.error(model, states, tmp_path, "--check") < 1e-11

@@ -9,18 +9,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from adagen.model import FLOATING, REVOLUTE, Inertia, Model, Passive
+from adagen.model import FLOATING, REVOLUTE, Inertia, Passive
 from adagen.model.fuse import runs_of, settled
 from adagen.reference import inverse_dynamics
 from adagen.states import random_states
+from tests.links import with_inertia
 from tests.models import Part, assemble, random_rotation, rod, three_axis_chain, vector
-
-
-def with_inertia(model: Model, number: int, inertia: Inertia) -> Model:
-    """Return the model with another inertia of a link."""
-    links = list(model.links)
-    links[number] = replace(links[number], inertia=inertia)
-    return replace(model, links=tuple(links))
 
 
 def point(mass: float, *place: float) -> Inertia:

@@ -19,6 +19,7 @@ from adagen.plan.types import Plan
 from adagen.reference import exact_forward_dynamics, forward_dynamics
 from adagen.schedule import Node, Topology, find_schedule, load_profile
 from adagen.states import random_states
+from tests.links import with_inertia
 from tests.models import (
     Part,
     assemble,
@@ -158,12 +159,11 @@ def test_json_and_back() -> None:
 
 def test_point_masses_are_named() -> None:
     """Where a schedule joins one by itself."""
-    model = serial_chain(3)
-    point = replace(model.links[2], inertia=Inertia(1.0, np.zeros(3), np.zeros((3, 3))))
-    links = (*model.links[:2], point, *model.links[3:])
+    point = Inertia(1.0, np.zeros(3), np.zeros((3, 3)))
+    model = with_inertia(serial_chain(3), 2, point)
     schedule = find_schedule(Topology.of(model), 2, profile=load_profile("paper"))
     with pytest.raises(InputError, match="singular rotational inertia"):
-        make_plan(replace(model, links=links), schedule, form="ada")
+        make_plan(model, schedule, form="ada")
 
 
 def test_unknown_words_are_usage_errors() -> None:

@@ -24,6 +24,7 @@ from adagen.predict import best_schedule
 from adagen.reference import exact_forward_dynamics, forward_dynamics
 from adagen.schedule import Schedule, Topology, load_profile, named_schedule, validate
 from adagen.states import random_states
+from tests.links import with_inertia
 from tests.models import random_tree, serial_chain, three_axis_chain
 from tests.schedules import random_schedule
 
@@ -37,13 +38,13 @@ def fused(plan: Plan) -> list[FusedJoin]:
 
 def with_massless_links(model: Model, rng: np.random.Generator) -> Model:
     """Return the model without the mass of some links, at most two in a row and no leaf."""
-    links, row = list(model.links), [0] * len(model.links)
-    for number in range(1, len(links)):
+    row = [0] * len(model.links)
+    for number in range(1, len(row)):
         above = row[model.joints[number - 1].parent]
         if len(model.children[number]) == 1 and above < 2 and rng.random() < 0.7:
-            links[number] = replace(links[number], inertia=Inertia.zero())
+            model = with_inertia(model, number, Inertia.zero())
             row[number] = above + 1
-    return replace(model, links=tuple(links))
+    return model
 
 
 def balanced(model: Model, processes: int, form: str) -> Schedule:
@@ -183,9 +184,7 @@ def test_branches_without_mass_are_clusters_in_form_ada() -> None:
     rng = np.random.default_rng(3)
     model = random_tree(rng, 7, (REVOLUTE,), branching=0.6)
     number = next(k for k in range(1, 8) if len(model.children[k]) > 1)
-    links = list(model.links)
-    links[number] = replace(links[number], inertia=Inertia.zero())
-    model = replace(model, links=tuple(links))
+    model = with_inertia(model, number, Inertia.zero())
     inside = clusters_of(model, runs_of(model))
     assert {number - 1, *model.children[number]} <= set(inside)
     plan = make_plan(model, best_schedule(model, 2, PROFILE, "ada"), form="ada")

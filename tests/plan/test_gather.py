@@ -23,8 +23,8 @@ from adagen.plan.steps import (
 from adagen.predict import best_schedule
 from adagen.schedule import Schedule, Topology, find_schedule, load_profile
 from adagen.states import random_states
+from tests.links import with_light_link
 from tests.models import random_tree, serial_chain
-from tests.plan.test_segment import light_link
 from tests.schedules import random_schedule
 
 
@@ -96,7 +96,7 @@ def test_two_halves_of_a_floating_chain_meet_in_one_exchange() -> None:
 @pytest.mark.parametrize("ratio", [1e-6, 1e-9, 1e-12])
 def test_light_links_at_the_meeting_cost_no_digits(ratio: float) -> None:
     """Nothing is inverted there but what all processes have added up."""
-    model = light_link(ratio)
+    model = with_light_link(serial_chain(12), 6, ratio)
     assert error(model, gathered(model, 2)) < 1e-9
 
 

@@ -2,34 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
-from adagen.model import Inertia, Model
 from adagen.plan import make_plan
 from adagen.plan.growth import predicted_growth
 from adagen.plan.interpret import interpret
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.states import random_states
+from tests.links import with_light_link
 from tests.models import human_figure, serial_chain
 from tests.schedules import random_schedule
 
 
-def with_light_link(ratio: float) -> Model:
-    """Return a chain whose link 5 of 10 is lighter by a factor, in mass and inertia."""
-    model = serial_chain(10)
-    heavy = model.links[5].inertia
-    light = Inertia(heavy.mass * ratio, heavy.com, heavy.tensor * ratio)
-    links = list(model.links)
-    links[5] = replace(links[5], inertia=light)
-    return replace(model, links=tuple(links))
-
-
 @pytest.mark.parametrize("ratio", [1e-4, 1e-6, 1e-8])
 def test_the_prediction_is_right_within_two_digits(ratio: float) -> None:
-    model = with_light_link(ratio)
+    model = with_light_link(serial_chain(10), 5, ratio)
     plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(2)), form="ada")
     growth = predicted_growth(plan)
     assert growth.joint in (4, 5)  # above or below the light link
@@ -50,7 +38,7 @@ def test_ordinary_robots_lose_nothing() -> None:
 
 
 def test_float_is_told_apart() -> None:
-    model = with_light_link(1e-2)
+    model = with_light_link(serial_chain(10), 5, 1e-2)
     schedule = random_schedule(model, 1, np.random.default_rng(2))
     double = predicted_growth(make_plan(model, schedule, form="ada"))
     single = predicted_growth(make_plan(model, schedule, form="ada", scalar="float"))

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from adagen.model import Inertia, Model
+from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.interpret.refine import interpret_refined
 from adagen.predict import best_schedule
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import Schedule, load_profile
 from adagen.states import random_states
+from tests.links import with_light_link
 from tests.models import human_figure, random_tree, serial_chain, three_axis_chain
 from tests.schedules import random_schedule
 
@@ -61,11 +60,8 @@ def test_axes_along_coordinates_are_solved_to_the_last_bit(model: Model, form: s
 
 
 def test_a_light_link_takes_two_steps_in_form_ada() -> None:
-    model = serial_chain(20, radius=0.05)
-    heavy = model.links[10].inertia
-    light = Inertia(heavy.mass * 1e-8, heavy.com, heavy.tensor * 1e-8)
-    links = (*model.links[:10], replace(model.links[10], inertia=light), *model.links[11:])
-    for raw, once, twice, size, second in errors(replace(model, links=links), "ada", 1, 2):
+    model = with_light_link(serial_chain(20, radius=0.05), 10, 1e-8)
+    for raw, once, twice, size, second in errors(model, "ada", 1, 2):
         assert raw > 1e-9
         assert twice < 1e-15 < once < 1e-3 * raw
         assert size / 3 < raw < 3 * size

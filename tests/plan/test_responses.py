@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from adagen.emit import emit
 from adagen.model import KINDS, Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.responses import responses
 from adagen.plan.steps import HoldMobility, Propagate, Send
 from adagen.schedule import Topology, load_profile, named_schedule
+from tests.emitted import kernels_of
 from tests.models import random_tree, serial_chain
 
 PROFILE = load_profile("default")
@@ -41,7 +41,7 @@ def test_what_holds_a_chain_is_asked_for_at_one_link(seed: int) -> None:
     (run,) = responses(plan, plan.processes[p], steps)
     assert list(run) == steps
     assert len(steps) > 1
-    text = next(t for name, t in emit(plan, name="x", shape="kernels").items() if "_p2.cpp" in name)
+    text = kernels_of(plan)
     assert f"respond<{run[0].joint}, {run[-1].joint}>(w, " in text
 
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
-from adagen.model import Inertia, Model
+from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.cuts import cuttable_joints
 from adagen.plan.interpret import interpret
@@ -26,6 +24,7 @@ from adagen.reference import exact_forward_dynamics
 from adagen.schedule import Topology, find_schedule, load_profile
 from adagen.schedule.restricted import joined_between_processes
 from adagen.states import random_states
+from tests.links import with_light_link
 from tests.models import human_figure, serial_chain, star, three_axis_chain
 from tests.schedules import random_schedule
 
@@ -51,17 +50,6 @@ def error(model: Model, plan: Plan, states: int = 3) -> float:
             worst, float(np.abs(interpret(plan, q, v, tau) - truth).max() / abs(truth).max())
         )
     return worst
-
-
-def light_link(ratio: float) -> Model:
-    """Return a 12-joint chain whose link 6 is lighter by a factor, in mass and inertia."""
-    model = serial_chain(12)
-    heavy = model.links[6].inertia
-    links = list(model.links)
-    links[6] = replace(
-        links[6], inertia=Inertia(heavy.mass * ratio, heavy.com, heavy.tensor * ratio)
-    )
-    return replace(model, links=tuple(links))
 
 
 def test_one_process_is_the_serial_algorithm() -> None:
@@ -93,12 +81,12 @@ def test_a_grounded_segment_carries_its_mobility_outwards_only_to_the_cut() -> N
 @pytest.mark.parametrize("processes", [1, 2, 4])
 @pytest.mark.parametrize("ratio", [1e-6, 1e-9, 1e-12])
 def test_light_links_cost_no_digits(ratio: float, processes: int) -> None:
-    model = light_link(ratio)
+    model = with_light_link(serial_chain(12), 6, ratio)
     assert error(model, planned(model, processes)) < 1e-10
 
 
 def test_form_ada_loses_the_digits_that_form_segment_keeps() -> None:
-    model = light_link(1e-9)
+    model = with_light_link(serial_chain(12), 6, 1e-9)
     assert error(model, planned(model, 1, "ada")) > 1e-8
     assert error(model, planned(model, 1)) < 1e-11
 
@@ -118,14 +106,14 @@ def test_many_handles_on_one_hub(arms: int) -> None:
 
 
 def test_cuts_are_kept_away_from_light_and_massless_links() -> None:
-    for model in (light_link(1e-9), three_axis_chain(4)):
+    for model in (with_light_link(serial_chain(12), 6, 1e-9), three_axis_chain(4)):
         allowed = cuttable_joints(model)
         assert not all(allowed)
         schedule = find_schedule(
             Topology.of(model), 4, profile=load_profile("paper"), cuttable=allowed
         )
         assert all(allowed[j] for j in joined_between_processes(schedule.root))
-    allowed = cuttable_joints(light_link(1e-9))
+    allowed = cuttable_joints(with_light_link(serial_chain(12), 6, 1e-9))
     assert not allowed[5]
     assert not allowed[6]
     assert allowed[1]

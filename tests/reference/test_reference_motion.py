@@ -20,6 +20,7 @@ from adagen.reference import (
     potential_energy,
     residual,
 )
+from tests.links import with_inertia
 from tests.models import (
     Part,
     assemble,
@@ -151,8 +152,7 @@ def test_a_planar_joint_slides_in_its_plane(axis: tuple[float, float, float]) ->
 def test_planar_about_z_uses_the_axes_of_the_joint_frame() -> None:
     model = assemble("slab", [Part("slide", None, PLANAR, point(2.0, 0.0, 0.0, 0.0))])
     model = model.with_gravity(vector(3.0, 4.0, 0.0))
-    heavy = replace(model.links[1], inertia=Inertia(2.0, np.zeros(3), np.eye(3)))
-    model = replace(model, links=(model.links[0], heavy))
+    model = with_inertia(model, 1, Inertia(2.0, np.zeros(3), np.eye(3)))
     q = vector(5.0, 6.0, np.pi / 2)
     qdd = forward_dynamics(model, q, np.zeros(3), vector(2.0, 0.0, 3.0))
     np.testing.assert_allclose(qdd, vector(4.0 + 1.0, -3.0, 3.0), atol=1e-14)

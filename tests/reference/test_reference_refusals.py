@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -14,6 +12,7 @@ from adagen.reference import (
     bias,
     forward_dynamics,
 )
+from tests.links import with_inertia
 from tests.models import (
     Part,
     assemble,
@@ -29,10 +28,9 @@ G = 9.81
 
 class TestRefusals:
     def test_a_massless_leaf(self) -> None:
-        model = serial_chain(3)
-        links = (*model.links[:3], replace(model.links[3], inertia=Inertia.zero()))
+        model = with_inertia(serial_chain(3), 3, Inertia.zero())
         with pytest.raises(InputError, match="'j002'"):
-            forward_dynamics(replace(model, links=links), np.ones(3), np.ones(3), np.ones(3))
+            forward_dynamics(model, np.ones(3), np.ones(3), np.ones(3))
 
     def test_a_motion_that_only_rounding_resists(self) -> None:
         """Two joints on one axis: the inertia is singular but its computed pivot is not 0."""

@@ -13,9 +13,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from adagen.emit import emit, stem_of, templates_folder
+from adagen.emit import templates_folder
 from adagen.schedule import load_profile
-from tests.emitted import QUICK, Builder, Solver, cores, plan_of
+from tests.emitted import Builder, Solver, cores, plan_of, text_of
 from tests.models import serial_chain
 
 HOP = (3.0, 50.0, 2.0)  # send, latency, a number
@@ -135,10 +135,7 @@ def check_told(time: dict[str, Any], processes: int) -> None:
 @pytest.mark.parametrize("channel", ["window", "message"])
 def test_refined_answers_on_four_processes(builder: Builder, channel: str, tmp_path: Path) -> None:
     """Messages are used more than once in an evaluation; afterwards the channel is as it was."""
-    plan = plan_of(serial_chain(8), 4)
-    stem = stem_of(plan)
-    executable = builder.compile(emit(plan, refine=1)[f"{stem}.cpp"], stem, QUICK)
-    solver = Solver(executable, 4, builder.toolchain)
+    solver = builder.solver(plan_of(serial_chain(8), 4), refine=1)
     words = ("--check", "--stretches", "--channel", channel, "--trace", tmp_path / "t.json")
     told = report(solver, *words)
     assert told["check"]["ok"]
@@ -158,9 +155,7 @@ def test_eight_processes(builder: Builder) -> None:
 
 
 def test_the_source_holds_what_messages_are_taken_to_cost() -> None:
-    text = emit(plan_of(serial_chain(3), 2))
-    (source,) = (text[name] for name in text if name.endswith(".cpp"))
-    lines = source.splitlines()
+    lines = text_of(plan_of(serial_chain(3), 2)).splitlines()
     (window,) = (b for a, b in pairwise(lines) if a == "// As the cost profile default has them.")
     costs = load_profile("default").steps
     assert costs is not None

@@ -8,11 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit import emit
 from adagen.model import PRISMATIC, REVOLUTE, Model
 from adagen.plan import make_plan
 from adagen.states import random_states, write_states
-from tests.emitted import Builder, Solver, forward_error, truth_of
+from tests.emitted import Builder, Solver, forward_error, text_of, truth_of
 from tests.models import ALL_KINDS, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
 from tests.schedules import random_schedule
@@ -22,10 +21,7 @@ def built(
     model: Model, processes: int, form: str, rng: np.random.Generator, builder: Builder
 ) -> Solver:
     plan = make_plan(model, random_schedule(model, processes, rng), form=form)
-    files = emit(plan)
-    name = next(name for name in files if name.endswith(".cpp"))
-    executable = builder.compile(files[name], name.removesuffix(".cpp"))
-    return Solver(executable, processes, builder.toolchain)
+    return builder.solver(plan)
 
 
 @pytest.mark.parametrize(
@@ -85,6 +81,6 @@ def test_robots_without_effects_have_none_in_their_code() -> None:
     rng = np.random.default_rng(0)
     model = serial_chain(4)
     plan = make_plan(model, random_schedule(model, 1, rng))
-    text = next(text for name, text in emit(plan).items() if name.endswith(".cpp"))
+    text = text_of(plan)
     for word in ("Geared", "Held", "outer_force", "std::tanh(("):
         assert word not in text

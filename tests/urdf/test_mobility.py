@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -19,6 +18,7 @@ from adagen.urdf.mobility import BITS, weakest
 from adagen.urdf.notes import Notes
 from adagen.urdf.slaved import inertia_matrix, weakest_slaved
 from adagen.urdf.tree import make_tree
+from tests.links import with_inertia
 from tests.models import random_tree
 from tests.urdf.texts import MASS, Y, chain, joint, link, robot
 
@@ -135,10 +135,8 @@ def test_both_ways_find_the_same_robots_singular(seed: int) -> None:
     """All kinds of joints, every third link without mass."""
     rng = np.random.default_rng(seed)
     model = random_tree(rng, 6, floating=seed % 2 == 0)
-    links = list(model.links)
-    for i in range(1 + seed % 3, len(links), 3):
-        links[i] = replace(links[i], inertia=Inertia.zero())
-    model = replace(model, links=tuple(links))
+    for i in range(1 + seed % 3, len(model.links), 3):
+        model = with_inertia(model, i, Inertia.zero())
     assert weakest(model).singular == weakest_slaved(model).singular
 
 
