@@ -32,6 +32,15 @@ QUICK = ("-O1", "-march=native", "-DNDEBUG", "-fno-math-errno")
 OPTIMISED = ("-O3", *QUICK[1:])
 NARROW = ("-O1", "-march=x86-64-v2", *QUICK[2:])  # registers of two doubles
 TIMEOUT = 120.0
+ROUNDING = {
+    scalar: 450 * float(np.finfo(number).eps)
+    for scalar, number in (("double", np.float64), ("float", np.float32))
+}
+"""Forward errors that rounding explains in robots of ordinary conditioning.
+
+Measured: 1 to 40 units of the last place; the rest is for other compilers and machines. Where a
+robot magnifies rounding more, its test says how much more.
+"""
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from adagen.states import random_states
-from tests.emitted import QUICK, Builder, Solver, forward_error, states_text, truth_of
+from tests.emitted import QUICK, ROUNDING, Builder, Solver, forward_error, states_text, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER, Example
 from tests.spoilt import SPOILT, spoil
 
@@ -42,7 +42,7 @@ def test_what_clang_builds_is_right(builder: Builder, tmp_path: Path) -> None:
     executable = with_clang.compile(text(example), example.stem)
     states = random_states(example.model(), 3)
     found = Solver(executable, 3, builder.toolchain).solve(example.model(), states, tmp_path)
-    assert forward_error(found, truth_of(example.model(), states)) < 1e-11
+    assert forward_error(found, truth_of(example.model(), states)) < ROUNDING["double"]
 
 
 @pytest.mark.parametrize("without", ["-DNDEBUG", "-march=native"])
@@ -77,7 +77,7 @@ class TestSanitizers:
         states = random_states(example.model(), 3)
         words = ("--check", "--time", "--repeat", "1", "--channel", channel)
         found = solver.solve(example.model(), states, tmp_path, *words)
-        assert forward_error(found, truth_of(example.model(), states)) < 1e-11
+        assert forward_error(found, truth_of(example.model(), states)) < ROUNDING["double"]
 
     def test_refused_states_are_refused_cleanly(
         self, example: Example, solver: Solver, tmp_path: Path

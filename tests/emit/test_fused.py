@@ -15,7 +15,7 @@ from adagen.plan.clusters import fold_of
 from adagen.plan.steps import FusedJoin
 from adagen.schedule import load_profile, named_schedule
 from adagen.states import States, random_states, write_states
-from tests.emitted import Builder
+from tests.emitted import ROUNDING, Builder
 from tests.models import three_axis_chain
 
 PROFILE = load_profile("default")
@@ -53,7 +53,7 @@ def test_runs_are_solved(
 ) -> None:
     solver = builder.solver(balanced(model, processes, form), ("-O0",), name="runs")
     states = random_states(model, 4, seed=9)
-    assert solver.error(model, states, tmp_path, "--check") < 1e-9
+    assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
 
 def tilted(model: Model, angle: float) -> States:

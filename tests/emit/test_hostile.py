@@ -15,7 +15,7 @@ from adagen.model import Model
 from adagen.plan import FORMS, Plan, make_plan
 from adagen.states import random_states, write_states
 from adagen.urdf import read_robot
-from tests.emitted import Builder, plan_of
+from tests.emitted import ROUNDING, Builder, plan_of
 from tests.models import random_tree
 from tests.schedules import random_schedule
 
@@ -89,7 +89,7 @@ def test_a_robot_of_hostile_names_is_built_and_solved(
     model = hostile()
     solver = builder.solver(plan(model, form), ("-O0",), name="hostile")
     states = random_states(model, 2, seed=4)
-    assert solver.error(model, states, tmp_path, "--check") < 1e-9
+    assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
 
 def test_a_failure_names_a_hostile_joint_in_one_line(builder: Builder, tmp_path: Path) -> None:
@@ -116,5 +116,6 @@ def test_the_shared_hostile_robots_are_built_and_right(
     for file in emit(made):
         assert re.fullmatch(r"Makefile|[A-Za-z0-9][A-Za-z0-9_-]*(\.[a-z]+)+", file)
     states = random_states(model, 2)
-    assert builder.solver(made, ("-O0",)).error(model, states, tmp_path, "--check") < 1e-9
+    solver = builder.solver(made, ("-O0",))
+    assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
     assert not Path("/tmp/adagen_pwned").exists()

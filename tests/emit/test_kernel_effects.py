@@ -25,14 +25,13 @@ from adagen.plan.steps import (
 from adagen.predict import best_schedule, predict
 from adagen.schedule import load_profile
 from adagen.states import random_states, write_states
-from tests.emitted import Builder, Solver, forward_error, plan_of, text_of, truth_of
+from tests.emitted import ROUNDING, Builder, Solver, forward_error, plan_of, text_of, truth_of
 from tests.models import human_figure, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
 from tests.scene.held import held, rows
 from tests.schedules import random_schedule
 
 PROFILE = load_profile("default")
-LIMIT = {"double": 1e-9, "float": 1e-3}
 NUMBER = {"double": np.float64, "float": np.float32}
 
 
@@ -50,7 +49,7 @@ def require_right(plan: Plan, model: Model, builder: Builder, folder: Path) -> S
     given = rows(model, [j for j, joint in enumerate(model.joints) if joint.prescribed])
     number = NUMBER[plan.scalar]
     assert np.array_equal(found[:, given].astype(number), states.tau[:, given].astype(number))
-    assert forward_error(found, truth_of(model, states)) < LIMIT[plan.scalar]
+    assert forward_error(found, truth_of(model, states)) < ROUNDING[plan.scalar]
     return solver
 
 
@@ -125,7 +124,7 @@ def test_the_ground_is_held_by_joints_that_move_freely() -> None:
     states = random_states(model, 2, seed=1)
     state = zip(states.q, states.v, states.tau, strict=True)
     found = np.array([interpret(plan, *row) for row in state])
-    assert forward_error(found, truth_of(model, states)) < 1e-9
+    assert forward_error(found, truth_of(model, states)) < ROUNDING["double"]
 
 
 @pytest.mark.slow
@@ -173,7 +172,7 @@ def test_batches_have_outer_forces_and_prescribed_motions(builder: Builder, tmp_
     plan = make_plan(model, best_schedule(model, 1, PROFILE))
     solver = builder.solver(plan, ("-O0",), name="effects", batch=2, shape="kernels")
     states = random_states(model, 21, seed=6)
-    assert solver.error(model, states, tmp_path, "--check") < 1e-9
+    assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
 
 def test_robots_without_such_inputs_have_none_of_it_in_their_code() -> None:

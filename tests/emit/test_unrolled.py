@@ -12,7 +12,7 @@ from adagen.emit.shapes import chosen_shape
 from adagen.model import Model
 from adagen.states import random_states, write_states
 from tests.emit.unusual import CASES, chain_with_thin_link, require_solved
-from tests.emitted import Builder, Solver, plan_of, text_of
+from tests.emitted import ROUNDING, Builder, Solver, plan_of, text_of
 from tests.models import human_figure, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
 
@@ -48,7 +48,7 @@ def test_a_floating_tree_of_all_kinds_is_solved(
     model = random_tree(np.random.default_rng(3), 8, floating=True, mimics=1)
     solver = built(builder, model, processes, "floating tree", form)
     states = random_states(model, 3, seed=2)
-    assert solver.error(model, states, tmp_path) < 1e-10
+    assert solver.error(model, states, tmp_path) < ROUNDING["double"]
 
 
 @pytest.mark.parametrize(
@@ -69,7 +69,7 @@ def test_outer_forces_and_prescribed_motions_are_taken(
     assert len({joint.kind for joint in model.joints if joint.prescribed}) == 4
     solver = built(builder, model, processes, "pushed tree", form)
     states = random_states(model, 3, seed=2)
-    assert solver.error(model, states, tmp_path, "--check") < 1e-10
+    assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
 
 def test_a_pushed_arm_is_unrolled() -> None:
@@ -88,7 +88,7 @@ def test_functions_of_any_length_give_the_same(
     assert f"shape unrolled (functions of {chunk} values)" in text
     solver = Solver(builder.compile(text, f"chunks{chunk}", ("-O0",)), 2, builder.toolchain)
     states = random_states(model, 3, seed=2)
-    assert solver.error(model, states, tmp_path) < 1e-10
+    assert solver.error(model, states, tmp_path) < ROUNDING["double"]
 
 
 def test_large_angles_keep_their_digits(builder: Builder, tmp_path: Path) -> None:
@@ -96,7 +96,7 @@ def test_large_angles_keep_their_digits(builder: Builder, tmp_path: Path) -> Non
     solver = built(builder, model, 1, "far", "segment")
     states = random_states(model, 3)
     states.q[0], states.q[1], states.q[2] = 99999.7, 1e9 + 0.25, [3.1e-9, -1.5707963267948966, 0.0]
-    assert solver.error(model, states, tmp_path) < 1e-12
+    assert solver.error(model, states, tmp_path) < ROUNDING["double"]
 
 
 class TestFailures:

@@ -100,7 +100,7 @@ def test_graphs_say_what_the_interpreter_says(
     expected = interpret(plan, q, v, tau)
     found = evaluated(plan, {"q": q, "v": v, "tau": tau})
     size = max(1.0, float(np.abs(expected).max()))
-    np.testing.assert_allclose(found / size, expected / size, atol=1e-9)
+    np.testing.assert_allclose(found / size, expected / size, atol=1e-12)
 
 
 def operations(model: Model) -> Operations:

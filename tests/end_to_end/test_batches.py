@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from adagen.states import random_states, write_states
-from tests.emitted import Builder, Solver, forward_error, plan_of, states_text, truth_of
+from tests.emitted import ROUNDING, Builder, Solver, forward_error, plan_of, states_text, truth_of
 from tests.end_to_end.hosts import APART
 from tests.golden.examples import EXAMPLES, FOLDER
 
@@ -101,7 +101,7 @@ def test_a_program_names_states_with_bad_quaternions_and_answers_the_others(
     good = [0, 3, 5, 19, 21, 22]
     few = replace(states, q=states.q[good], v=states.v[good], tau=states.tau[good])
     truth = truth_of(model, few)
-    assert forward_error(qdd[good], truth[:, 6:]) < (1e-11 if scalar == "double" else 1e-4)
+    assert forward_error(qdd[good], truth[:, 6:]) < ROUNDING[scalar]
     write_states(few, model, given)
     assert solver.run("--states", given, "--result", result, "--check").status == 0
 
@@ -110,4 +110,4 @@ def test_slaved_joints_are_in_step_in_batches_too(builder: Builder, tmp_path: Pa
     model = next(example for example in EXAMPLES if example.mimic).model()
     solver = builder.solver(plan_of(model, 1), FLAGS, name="slaved", batch=1)
     states = random_states(model, 11, seed=7)
-    assert solver.error(model, states, tmp_path, "--check") < 1e-11
+    assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from adagen.states import States, random_states
-from tests.emitted import Builder, Solver, forward_error, truth_of
+from tests.emitted import ROUNDING, Builder, Solver, forward_error, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER
 
 STEMS = ("arm7_p2", "mobile_p1")
@@ -91,11 +91,11 @@ def test_in_place_every_process_gets_its_own_joints(
                 if word != "-":
                     assert np.isnan(merged[s, k])  # one process owns it
                     merged[s, k] = float(word)
-    assert forward_error(merged, truth) < 1e-11
+    assert forward_error(merged, truth) < ROUNDING["double"]
     truth = truth_of(BY_STEM["mobile_p1"].model(), states["mobile_p1"])
     for rank in (0, 1):
         found = np.array(facts["mobile_p1", "place", rank], dtype=float)
-        assert forward_error(found, truth) < 1e-11
+        assert forward_error(found, truth) < ROUNDING["double"]
 
 
 def test_at_the_root_process_0_gets_all(facts: Facts, states: dict[str, States]) -> None:
@@ -103,7 +103,7 @@ def test_at_the_root_process_0_gets_all(facts: Facts, states: dict[str, States])
         truth = truth_of(BY_STEM[stem].model(), states[stem])
         for rank in ranks:
             found = np.array(facts[stem, "root", rank], dtype=float)
-            assert forward_error(found, truth) < 1e-11
+            assert forward_error(found, truth) < ROUNDING["double"]
     assert ("arm7_p2", "root", 1) not in facts
 
 
