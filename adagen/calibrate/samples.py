@@ -5,6 +5,7 @@ Nearly all of its time is the compiler's, so that each program must earn its pla
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from adagen.calibrate.robots import chain, prescribed, robot, squared, star, tree
@@ -22,58 +23,67 @@ BODY = ["floating", *LIMB * 2, "spherical", *LIMB * 2, "spherical"]  # legs, tru
 MIXED = ["revolute", "spherical", "revolute", "prismatic", "planar"]
 
 
+CHOSEN = (
+    ("segment", "halves", 2, 1, "half"),
+    ("segment", "limbs", 2, 2, "shared"),
+    ("segment", "limbs", 1, 1, ""),
+    ("segment", "rope", 1, 1, ""),
+    ("segment", "rope", 2, 1, "gathered"),
+    ("segment", "cable", 2, 1, "gathered"),
+    ("segment", "legs", 1, 1, ""),
+    ("segment", "paws", 1, 1, ""),
+    ("segment", "wings", 1, 1, ""),
+    ("segment", "feet", 1, 1, ""),
+    ("segment", "arms", 1, 1, ""),
+    ("segment", "body", 1, 1, ""),
+    ("ada", "figure", 2, 3, "mixed"),
+    ("ada", "halves", 2, 5, "half"),
+    ("segment", "driven", 2, 1, "half"),
+    ("ada", "driven", 2, 2, "half"),
+)
+"""Forms, robots, numbers of processes, seeds of schedules, and how these are drawn."""
+RARE = (
+    ("segment", "others", 2, 1, "half"),
+    ("ada", "others", 2, 6, "half"),
+    ("segment", "halves", 2, 11, "shared"),
+    ("segment", "turned", 2, 2, "half"),
+)
+"""Likewise: what tells of rare kinds of joints."""
+
+
 def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan]]:
     """Return labels and plans, those of the slaved robot last.
 
     Args:
         profile: prices the schedules' nodes; of no influence on what is measured.
-        quick: leave half of them out: coefficients of rare joint kinds become guesses from others.
+        quick: leave out ``RARE``: coefficients of rare joint kinds become guesses from others.
     """
-    halves = robot("halves", chain(20), HALVES, 1)
-    others = robot("others", chain(16), OTHERS, 2)
-    figure = robot("figure", tree(22, 0.3, 4), ["floating", *MIXED * 5][:22], 4)
-    limbs = robot("limbs", [0, *tree(24, 0.3, 7)[1:]], ["floating", *["revolute"] * 23], 5)
-    legs = robot("legs", star(4, 8), ["floating", *["revolute"] * 32], 9)
-    paws = robot("paws", star(4, 3), ["floating", *["revolute"] * 12], 13)
-    wings = robot("wings", star(2, 9), ["revolute"], 14)
-    feet = robot("feet", star(4, 4), ["revolute", *ROWS[2:] * 4], 11)
-    arms = robot("arms", star(2, 6), ["revolute", *ROWS * 2], 10)
-    cable = robot("cable", chain(120), ["revolute"] * 90 + ["spherical"] * 30, 17)
-    rope = robot("rope", chain(40), ["revolute"], 12)
-    body = robot("body", [0, 1, 2, 3, 1, 5, 6, 1, 8, 9, 10, 8, 12, 13, 8], BODY, 15)
-    turned = robot("turned", chain(24), TURNED, 8)
-    driven = prescribed(robot("driven", chain(20), ROWS, 16))
-    chosen = [
-        ("segment", halves, 2, 1, "half"),
-        ("segment", limbs, 2, 2, "shared"),
-        ("segment", limbs, 1, 1, ""),
-        ("segment", rope, 1, 1, ""),
-        ("segment", rope, 2, 1, "gathered"),
-        ("segment", cable, 2, 1, "gathered"),
-        ("segment", legs, 1, 1, ""),
-        ("segment", paws, 1, 1, ""),
-        ("segment", wings, 1, 1, ""),
-        ("segment", feet, 1, 1, ""),
-        ("segment", arms, 1, 1, ""),
-        ("segment", body, 1, 1, ""),
-        ("ada", figure, 2, 3, "mixed"),
-        ("ada", halves, 2, 5, "half"),
-        ("segment", driven, 2, 1, "half"),
-        ("ada", driven, 2, 2, "half"),
-    ]
-    if not quick:
-        chosen += [
-            ("segment", others, 2, 1, "half"),
-            ("ada", others, 2, 6, "half"),
-            ("segment", halves, 2, 11, "shared"),
-            ("segment", turned, 2, 2, "half"),
-        ]
+    robots = {model.name: model for model in _robots()}
+    chosen = CHOSEN if quick else (*CHOSEN, *RARE)
     found = [
-        (f"{form} {model.name} P={processes}", _plan(model, form, processes, seed, how, profile))
-        for form, model, processes, seed, how in chosen
+        (f"{form} {name} P={processes}", _plan(robots[name], form, processes, seed, how, profile))
+        for form, name, processes, seed, how in chosen
     ]
     slaved = _slaved(robot("slaved", chain(12), ["revolute"], 6))
     return [*found, ("segment slaved P=1", _plan(slaved, "segment", 1, 1, "", profile))]
+
+
+def _robots() -> Iterator[Model]:
+    """Yield the robots of ``CHOSEN`` and ``RARE``."""
+    yield robot("halves", chain(20), HALVES, 1)
+    yield robot("others", chain(16), OTHERS, 2)
+    yield robot("figure", tree(22, 0.3, 4), ["floating", *MIXED * 5][:22], 4)
+    yield robot("limbs", [0, *tree(24, 0.3, 7)[1:]], ["floating", *["revolute"] * 23], 5)
+    yield robot("legs", star(4, 8), ["floating", *["revolute"] * 32], 9)
+    yield robot("paws", star(4, 3), ["floating", *["revolute"] * 12], 13)
+    yield robot("wings", star(2, 9), ["revolute"], 14)
+    yield robot("feet", star(4, 4), ["revolute", *ROWS[2:] * 4], 11)
+    yield robot("arms", star(2, 6), ["revolute", *ROWS * 2], 10)
+    yield robot("cable", chain(120), ["revolute"] * 90 + ["spherical"] * 30, 17)
+    yield robot("rope", chain(40), ["revolute"], 12)
+    yield robot("body", [0, 1, 2, 3, 1, 5, 6, 1, 8, 9, 10, 8, 12, 13, 8], BODY, 15)
+    yield robot("turned", chain(24), TURNED, 8)
+    yield prescribed(robot("driven", chain(20), ROWS, 16))
 
 
 def straight_plans(profile: CostProfile) -> list[tuple[str, Plan]]:

@@ -54,9 +54,6 @@ def parser_of_charts() -> Parser:
 
 
 def _add_variants(parser: Parser) -> None:
-    from adagen.chart.variants import NAMES, SCHEDULES
-    from adagen.emit.shapes import BASELINES, SHAPES
-
     add = parser.add_argument_group("what takes part").add_argument
     add(
         "--procs",
@@ -79,28 +76,31 @@ def _add_variants(parser: Parser) -> None:
         metavar="N,...",
         help="steps of iterative refinement (default: 0,1,2, of mixed 2,3; mixed takes 2 or more)",
     )
-    for name, what, known, default, said in (
-        ("--shapes", "code shapes, ", ("auto", *SHAPES), ("auto",), "auto"),
-        (
-            "--algorithms",
-            f"{', '.join(BASELINES)} are baselines; ",
-            tuple(NAMES),
-            tuple(NAMES),
-            "all",
-        ),
-        ("--schedules", "", tuple(SCHEDULES), tuple(SCHEDULES), "all"),
-    ):
-        add(
-            name,
-            type=_list_of(str, known),
-            default=default,
-            metavar="NAME,...",
-            help=f"{what}of {', '.join(known)} (default: {said})",
-        )
+    _add_names(add)
     add(
         "--whole", action="store_true", help="the whole product: schedules in float and refined too"
     )
     add("--peers", action="store_true", help="pinocchio, casadi and MuJoCo beside, if installed")
+
+
+def _add_names(add: Callable[..., Any]) -> None:
+    """Add the options that name what is tried, by the argument group's ``add_argument``."""
+    from adagen.chart.variants import NAMES, SCHEDULES
+    from adagen.emit.shapes import BASELINES, SHAPES
+
+    for name, what, known, default in (
+        ("--shapes", "code shapes, ", ("auto", *SHAPES), ("auto",)),
+        ("--algorithms", f"{', '.join(BASELINES)} are baselines; ", tuple(NAMES), None),
+        ("--schedules", "", tuple(SCHEDULES), None),
+    ):
+        said = "all" if default is None else ", ".join(default)
+        add(
+            name,
+            type=_list_of(str, known),
+            default=known if default is None else default,
+            metavar="NAME,...",
+            help=f"{what}of {', '.join(known)} (default: {said})",
+        )
 
 
 def _add_measurement(parser: Parser) -> None:

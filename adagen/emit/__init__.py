@@ -126,20 +126,8 @@ def source(
     processes = batch or len(plan.processes)
     return render(
         "solver.cpp.j2",
-        stem=prefix_of(stem),
-        version=__version__,
-        robot=quoted(plan.name),
-        source_hash=plan.source_hash or "not given",
-        form=plan.form,
-        shape=shape,
-        tuning=_tuning(chunk, compiler),
-        scalar=plan.scalar,
         number=words.number,
         real=FACTORS[plan.scalar],
-        channel=plan.channel,
-        base="floating" if plan.floating else "fixed",
-        floating=plan.floating,
-        schedule=quoted(plan.schedule)[1:-1],
         tolerance=TOLERANCE[plan.scalar],
         headers=HEADERS,
         columns=plan.right_hand_sides,
@@ -153,9 +141,28 @@ def source(
         messages=plan.messages,
         channel_messages=_channel_messages(words),
         hops=_hops(profile),
+        **_head(plan, stem, shape, _tuning(chunk, compiler)),
         **model_values(words),
         **KNOWN[shape].values(words),
     )
+
+
+def _head(plan: Plan, stem: str, shape: str, tuning: str) -> dict[str, object]:
+    """What the head of the file says that it was made from, and how its names begin."""
+    return {
+        "stem": prefix_of(stem),
+        "version": __version__,
+        "robot": quoted(plan.name),
+        "source_hash": plan.source_hash or "not given",
+        "form": plan.form,
+        "shape": shape,
+        "tuning": tuning,
+        "scalar": plan.scalar,
+        "channel": plan.channel,
+        "base": "floating" if plan.floating else "fixed",
+        "floating": plan.floating,
+        "schedule": quoted(plan.schedule)[1:-1],
+    }
 
 
 def _hops(profile: CostProfile | None) -> dict[str, object]:

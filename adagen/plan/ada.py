@@ -8,7 +8,7 @@ cannot wait for each other in a circle.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from adagen.plan.fusions import Fusions, Run
@@ -55,6 +55,44 @@ def _bare(link: int, process: int) -> Chain:
     if link == 0:
         return Chain(None, process)
     return Chain(None, process, {(link, link): Block(None, link, link)}, {link: Bias(None, link)})
+
+
+def _united(joint: int, process: int, parts: tuple[Chain, Chain], gone: set[int]) -> Chain:
+    """Two chains as one, without the handles that are gone, before the joint changes anything."""
+    whole = Chain(joint, process, parts=parts)
+    for part in parts:
+        whole.blocks.update({k: block for k, block in part.blocks.items() if not gone & set(k)})
+        whole.biases.update({h: bias for h, bias in part.biases.items() if h not in gone})
+    return whole
+
+
+def _couplings(sides: Iterable[tuple[str, Chain, int]], gone: set[int]) -> tuple[Coupling, ...]:
+    """How a joint and the handles that stay feel each other; each side with its link there."""
+    couplings = []
+    for side, chain, at in sides:
+        for h in sorted(chain.biases):
+            source = chain.block(at, h)
+            if source is not None and h not in gone:
+                couplings.append(Coupling(h, side, source, transposed=h < at))
+    return tuple(sorted(couplings, key=lambda coupling: coupling.handle))
+
+
+def _updates(
+    whole: Chain, couplings: Sequence[Coupling]
+) -> tuple[tuple[BlockUpdate, ...], tuple[BiasUpdate, ...]]:
+    """What a chain's joint changes of its blocks and biases, which are named anew in the chain."""
+    i, blocks, biases = whole.joint, [], []
+    for k, first in enumerate(couplings):
+        for second in couplings[k:]:
+            key = (first.handle, second.handle)
+            target, across = Block(i, *key), first.side != second.side
+            blocks.append(BlockUpdate(target, whole.blocks.get(key), across=across))
+            whole.blocks[key] = target
+    for coupling in couplings:
+        h = coupling.handle
+        biases.append(BiasUpdate(Bias(i, h), whole.biases[h], coupling.side))
+        whole.biases[h] = Bias(i, h)
+    return tuple(blocks), tuple(biases)
 
 
 class AdaPlanner:
@@ -164,32 +202,9 @@ class AdaPlanner:
         self.open[parent] -= 1
         self.open[child] -= 1
         gone = {link for link in (parent, child) if self.open[link] == 0}
-        couplings = []
-        for side, chain, at in (("A", a, parent), ("B", b, child)):
-            for h in sorted(chain.biases):
-                source = chain.block(at, h)
-                if source is not None and h not in gone:
-                    couplings.append(Coupling(h, side, source, transposed=h < at))
-        couplings.sort(key=lambda coupling: coupling.handle)
-
-        whole = Chain(i, process, parts=(a, b))
-        for part in (a, b):
-            whole.blocks.update({k: block for k, block in part.blocks.items() if not gone & set(k)})
-            whole.biases.update({h: bias for h, bias in part.biases.items() if h not in gone})
-        blocks = []
-        for k, first in enumerate(couplings):
-            for second in couplings[k:]:
-                key = (first.handle, second.handle)
-                target = Block(i, *key)
-                blocks.append(
-                    BlockUpdate(target, whole.blocks.get(key), across=first.side != second.side)
-                )
-                whole.blocks[key] = target
-        biases = []
-        for coupling in couplings:
-            h = coupling.handle
-            biases.append(BiasUpdate(Bias(i, h), whole.biases[h], coupling.side))
-            whole.biases[h] = Bias(i, h)
+        couplings = _couplings((("A", a, parent), ("B", b, child)), gone)
+        whole = _united(i, process, (a, b), gone)
+        blocks, biases = _updates(whole, couplings)
         at_child = b.block(child, child)
         assert at_child is not None  # the child link is a handle of B until this very join
         join = Join(
@@ -198,9 +213,9 @@ class AdaPlanner:
             a.biases.get(parent),
             at_child,
             b.biases[child],
-            tuple(couplings),
-            tuple(blocks),
-            tuple(biases),
+            couplings,
+            blocks,
+            biases,
             velocity_product=parent > 0,
         )
         self.steps[process].append(join if len(run) == 1 else FusedJoin(**vars(join), run=run))
