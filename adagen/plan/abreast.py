@@ -28,13 +28,16 @@ KINDS = frozenset({"revolute", "prismatic", "spherical"})
 
 @dataclass(frozen=True)
 class _Saving:
-    """What is saved by taking limbs together, in joints treated singly: so much of each row."""
+    """What is saved by taking limbs together, in hinges treated singly: so much of each row."""
 
     row: float
     costs: float
 
-    def of(self, joints: int) -> float:
-        return self.row * joints - self.costs
+    def of(self, kinds: Iterable[str]) -> float:
+        return self.row * sum(_WORK.get(kind, 1.0) for kind in kinds) - self.costs
+
+
+_WORK = {"spherical": 1.7}  # where a joint is more work than a hinge
 
 
 COUNTS = {2: _Saving(0.9, 1.0), 4: _Saving(2.6, 2.0)}
@@ -132,12 +135,15 @@ def _best(
                 if not rows or any(_one_beyond_other(cut[-1], other, last) for other in cut[:-1]):
                     continue
                 together.append(chain)
-                if (saving := COUNTS.get(len(together))) is not None and saving.of(rows) > 0:
-                    offers.append((saving.of(rows), Limbs(tuple(zip(*sorted(cut), strict=True)))))
+                if (saving := COUNTS.get(len(together))) is not None:
+                    saved = saving.of(pattern[:rows])
+                    offers.append((saved, Limbs(tuple(zip(*sorted(cut), strict=True)))))
                 if len(together) == max(COUNTS):
                     break
     offers.sort(key=lambda offer: -offer[0])
-    return next((limbs for _, limbs in offers if _in_order([*taken, limbs], last)), None)
+    return next(
+        (limbs for saved, limbs in offers if saved > 0 and _in_order([*taken, limbs], last)), None
+    )
 
 
 _STARTS = 4  # chains that limbs to go together are looked for beside

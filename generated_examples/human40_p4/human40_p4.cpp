@@ -1414,11 +1414,11 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
 // segments of long runs.
-constexpr int kSlotCount = 15;
-constexpr bool kAbreast = false;  // whether there are such
+constexpr int kSlotCount = 26;
+constexpr bool kAbreast = true;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
-constexpr bool kReordered = false;  // whether joints lie in another order than they have
-constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 };
+constexpr bool kReordered = true;  // whether joints lie in another order than they have
+constexpr int kSlots[kJointCount]{ 0, 1, 8, 9, 2, 3, 4, 5, 18, 24, 25, 16, 19, 20, 17 };
 constexpr bool kByColumns = false;  // whether runs are taken by columns
 
 // What a process does at a link.
@@ -1431,7 +1431,7 @@ struct LinkRole {
 constexpr LinkRole kRoles[4][kLinkCount]{
     {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
-    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 0, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 0, 1}, {1, 1, 1, 0}, {0, 1, 0, 1}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
 };
 
@@ -2690,6 +2690,144 @@ void free_acceleration(Workspace& w) {
   as_joint_acceleration<j>(w);
 }
 
+// Limbs side by side: joints of as many limbs as there are lanes are treated together, from the
+// limbs' first joints outwards or back.
+template <int count, int rows>
+struct Limbs {
+  int slot;                 // of the first joint of the first limb
+  int joints[rows][count];  // all limbs' k-th joints, which are of one kind
+
+  using T = std::conditional_t<count == 2, Two, Four>;
+  static constexpr int kRows = rows;
+  constexpr Joints<T> at(int k) const {
+    Joints<T> result{slot + count * k, {}};
+    for (int lane = 0; lane < count; ++lane) result.joint[lane] = joints[k][lane];
+    return result;
+  }
+  // The link that a limb hangs on.
+  constexpr int near(int lane) const {
+    return kJoints[static_cast<std::size_t>(joints[0][lane])].parent;
+  }
+};
+
+template <const auto& limbs>
+struct LimbRows {
+  static constexpr int kCount = limbs.kRows;
+  static constexpr JointKind kind(int k) { return limbs.at(k).any().kind; }
+};
+
+constexpr int kMostNumbers = 27;  // of what is taken apart or made one: a Body
+
+// One lane of what consists of numbers alone, and all lanes made one.
+template <class T, template <class> class S, std::size_t... k>
+ADAGEN_INLINE S<Value> lane_of(const S<T>& all, int lane, std::index_sequence<k...>) {
+  T numbers[sizeof...(k)];
+  std::memcpy(numbers, &all, sizeof all);
+  const Value own[]{numbers[k][lane]...};
+  S<Value> result;
+  std::memcpy(&result, own, sizeof result);
+  return result;
+}
+template <class T, template <class> class S>
+ADAGEN_INLINE S<Value> lane(const S<T>& all, int lane) {
+  return lane_of(all, lane, std::make_index_sequence<sizeof all / sizeof(T)>{});
+}
+template <class T, std::size_t... lane>
+ADAGEN_INLINE T lanes_of(const Value (&numbers)[kWidth<T>][kMostNumbers], std::size_t k,
+                         std::index_sequence<lane...>) {
+  return T{numbers[lane][k]...};
+}
+template <class T, template <class> class S, std::size_t... k>
+ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>],
+                                std::index_sequence<k...>) {
+  Value own[kWidth<T>][kMostNumbers];
+  ADAGEN_FOR (lane, 0, kWidth<T>) std::memcpy(own[lane], sides[lane], sizeof *sides[lane]);
+  const T numbers[]{lanes_of<T>(own, k, std::make_index_sequence<kWidth<T>>{})...};
+  S<T> result;
+  std::memcpy(&result, numbers, sizeof result);
+  return result;
+}
+template <class T, template <class> class S>
+ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>]) {
+  return side_by_side<T, S>(sides, std::make_index_sequence<sizeof(S<T>) / sizeof(T)>{});
+}
+
+template <const auto& limbs>
+void outward_abreast(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  Frame<Value> frames[kWidth<T>];
+  const Frame<Value>* sides[kWidth<T>];
+  ADAGEN_FOR (lane, 0, kWidth<T>) {
+    const int near = limbs.near(lane);
+    frames[lane] = near == 0 ? ground() : frame_of(w, near == 0 ? 0 : near - 1);
+    sides[lane] = &frames[lane];
+  }
+  Frame<T> at = side_by_side<T, Frame>(sides);
+  each_row<LimbRows<limbs>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, limbs.at(k), kind, at); });
+}
+
+// Adds to bodies what the sweep finds at the links beyond a row of joints.
+template <int p, class T>
+ADAGEN_INLINE void meet_abreast(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Body<Value> none{};
+  const Body<Value>* sides[kWidth<T>];
+  bool any = false;
+  ADAGEN_FOR (lane, 0, kWidth<T>) {
+    const std::size_t link = static_cast<std::size_t>(joints.joint[lane] + 1);
+    const bool gathers = kRoles[p][link].gathers;
+    any |= gathers;
+    sides[lane] = gathers ? &w.bodies[link] : &none;
+  }
+  if (any) X += side_by_side<T, Body>(sides);
+  add_bare_link(w, joints, X);
+}
+
+// Whether nothing but the links themselves is found between the limbs' joints.
+template <int p, class L>
+constexpr bool bare_rows(const L& limbs) {
+  for (int k = 0; k + 1 < L::kRows; ++k)
+    for (const int joint : limbs.at(k).joint)
+      if (kRoles[p][static_cast<std::size_t>(joint + 1)].gathers) return false;
+  return true;
+}
+
+// What hangs on the links that the limbs hang on.
+template <int p, const auto& limbs>
+auto inward_abreast(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  Body<T> X{};
+  constexpr bool quick = bare_rows<p>(limbs);
+  if constexpr (quick) meet_abreast<p>(w, limbs.at(limbs.kRows - 1), X);
+  each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    if constexpr (!quick) meet_abreast<p>(w, limbs.at(k), X);
+    step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
+      if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
+    });
+  });
+  return X;
+}
+
+template <int p, const auto& limbs>
+void accelerate_abreast(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  const Motion<Value>* sides[kWidth<T>];
+  ADAGEN_FOR (lane, 0, kWidth<T>)
+    sides[lane] = &w.motions[static_cast<std::size_t>(limbs.near(lane))];
+  Motion<T> a = side_by_side<T, Motion>(sides);
+  each_row<LimbRows<limbs>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const Joints<T> joints = limbs.at(k);
+    move<false>(w, joints, kind, a);
+    ADAGEN_FOR (side, 0, kWidth<T>) {
+      const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
+      if (kRoles[p][link].parts) w.motions[link] = lane(a, side);
+    }
+  });
+}
+
+// "neck", "right_wrist"
+constexpr Limbs<2, 1> kLimbs0{16, {{11, 14}}};
+
 
 // Nothing on the ground moves beyond its Frame, and the ground does not yield.
 const Mat6 kZero = Mat6::Zero();
@@ -3060,15 +3198,16 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.tau, 0, 9, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 13, 10, &JointConstants::v, kNotFinite);
   stamp(0);
-  std::copy_n(w.q + 20, 1, w.angle.data() + 5);
-  turn<block(5), block(5) + 1>(w);
-  orient<0, block(1), block(7) + 1>(w);
+  take_angles<0, 1>(w);
+  take_angles<4, 7>(w);
+  turn<block(3), block(3) + 1>(w);
+  orient<0, block(1), block(5) + 1>(w);
   free_base_frame<0>(w);
   outward<1, 1>(w);  // "left_hip"
   outward<4, 6>(w);  // "right_hip" .. "right_ankle"
   outward<7, 7>(w);  // "spine"
   stamp(1);
-  set_up_links<block(0), block(6) + 1>(w);
+  set_up_links<block(0), block(4) + 1>(w);
   free_base<0, true>(w);
   inward<0, 4, 6, false>(w);  // "right_hip" .. "right_ankle"
   invert_root<0, 1>(w, w.j_right_hip.Phi_pelvis, w.j_right_hip.b_pelvis);
@@ -3160,14 +3299,14 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.v, 0, 13, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 9, 4, &JointConstants::v, kNotFinite);
   stamp(0);
-  std::copy_n(w.q + 11, 1, w.angle.data() + 2);
-  turn<block(2), block(2) + 1>(w);
-  orient<1, block(1), block(3) + 1>(w);
+  take_angles<0, 3>(w);
+  turn<block(8), block(8) + 1>(w);
+  orient<1, block(1), block(9) + 1>(w);
   free_base_frame<0>(w);
   pass_outward<1, 1>(w);  // "left_hip"
   outward<2, 3>(w);  // "left_knee" .. "left_ankle"
   stamp(1);
-  set_up_links<block(1), block(3) + 1>(w);
+  set_up_links<block(1), block(9) + 1>(w);
   inward<1, 2, 3, true>(w);  // "left_knee" .. "left_ankle"
   invert_root<1, 2>(w, w.j_left_knee.Phi_left_thigh, w.j_left_knee.b_left_thigh);
   stamp(2);
@@ -3202,18 +3341,24 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.tau, 23, 3, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 30, 10, &JointConstants::v, kNotFinite);
   stamp(0);
-  std::copy_n(w.q + 46, 1, w.angle.data() + 13);
-  turn<block(13), block(13) + 1>(w);
-  orient<2, block(7), block(14) + 1>(w);
+  take_angles<0, 0>(w);
+  take_angles<7, 8>(w);
+  take_angles<11, 14>(w);
+  turn<block(20), block(20) + 1>(w);
+  orient<2, block(5), block(19) + 1>(w);
   free_base_frame<0>(w);
   pass_outward<7, 7>(w);  // "spine"
   outward<8, 8>(w);  // "left_shoulder"
-  outward<11, 11>(w);  // "neck"
-  outward<12, 14>(w);  // "right_shoulder" .. "right_wrist"
+  outward<12, 13>(w);  // "right_shoulder" .. "right_elbow"
+  outward_abreast<kLimbs0>(w);
   stamp(1);
-  set_up_links<block(7), block(14) + 1>(w);
-  inward<2, 12, 14, true>(w);  // "right_shoulder" .. "right_wrist"
-  inward<2, 11, 11, false>(w);  // "neck"
+  set_up_links<block(5), block(20) + 1>(w);
+  {
+    const auto X = inward_abreast<2, kLimbs0>(w);
+    leave<true>(w, 8, lane(X, 0));
+    leave<true>(w, 14, lane(X, 1));
+  }
+  inward<2, 12, 13, false>(w);  // "right_shoulder" .. "right_elbow"
   invert_root<2, 8>(w, w.j_right_shoulder.Phi_trunk, w.j_right_shoulder.b_trunk);
   stamp(2);
   {  // from process 3: assembled: chain of "left_elbow"
@@ -3267,8 +3412,8 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(8);
   w.loads[8] = w.j_right_shoulder.F_on_trunk;
   w.motions[8] = motion_of(w.j_right_shoulder.b_trunk + w.j_right_shoulder.Phi_trunk * w.loads[8]);
-  accelerate<2, 11, 11>(w);  // "neck"
-  accelerate<2, 12, 14>(w);  // "right_shoulder" .. "right_wrist"
+  accelerate<2, 12, 13>(w);  // "right_shoulder" .. "right_elbow"
+  accelerate_abreast<2, kLimbs0>(w);
   stamp(9);
   require_finite(w, w.answer.data(), 23, 3, &JointConstants::v, kOverflow);
   require_finite(w, w.answer.data(), 30, 10, &JointConstants::v, kOverflow);
@@ -3284,14 +3429,15 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.v, 20, 10, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 26, 4, &JointConstants::v, kNotFinite);
   stamp(0);
-  std::copy_n(w.q + 33, 1, w.angle.data() + 9);
-  turn<block(9), block(9) + 1>(w);
-  orient<3, block(7), block(10) + 1>(w);
+  take_angles<0, 0>(w);
+  take_angles<7, 10>(w);
+  turn<block(24), block(24) + 1>(w);
+  orient<3, block(5), block(25) + 1>(w);
   free_base_frame<0>(w);
   pass_outward<7, 8>(w);  // "spine" .. "left_shoulder"
   outward<9, 10>(w);  // "left_elbow" .. "left_wrist"
   stamp(1);
-  set_up_links<block(8), block(10) + 1>(w);
+  set_up_links<block(18), block(25) + 1>(w);
   inward<3, 9, 10, true>(w);  // "left_elbow" .. "left_wrist"
   invert_root<3, 9>(w, w.j_left_elbow.Phi_left_upper_arm, w.j_left_elbow.b_left_upper_arm);
   stamp(2);
