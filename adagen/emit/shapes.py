@@ -62,8 +62,8 @@ def _joints(words: Words) -> dict[str, object]:
         runtime += ["effects.hpp", *["geared.hpp"] * segments]
     rows = joint_rows(words)
     if words.refine:
-        runtime += ["refine.hpp", "refine_joins.hpp", *["refine_segment.hpp"] * segments]
-        runtime += ["refine_fused.hpp"] * fused
+        runtime += ["wide.hpp", "refine.hpp", "refine_joins.hpp"]
+        runtime += ["refine_segment.hpp"] * segments + ["refine_fused.hpp"] * fused
         add_corrections(words, rows)
     return {
         "runtime": runtime,
