@@ -2781,9 +2781,9 @@ constexpr bool kMixed = !std::is_same_v<Real, Number>;
 constexpr double kSettled = kMixed ? 1e-10 : 16 * double(std::numeric_limits<Number>::epsilon());
 
 // A correction must be smaller than the one before (the first, than all that accelerates), down to
-// rounding. A mixed solver owes the digits of a double: its last correction must be within them, for
-// what that leaves is smaller. By how much, the ones before do not tell: what converges slowest is
-// seen last, so that the rate only gets worse.
+// rounding. A mixed solver owes the digits of a double: its last correction must be within them,
+// for what that leaves is smaller. By how much, the ones before do not tell: what converges slowest
+// is seen last, so that the rate only gets worse.
 inline void require_convergence(Workspace& w, int k) {
   const Refinement& r = w.refinement;
   const double size = r.corrections[k];
