@@ -43,7 +43,7 @@ class Beam:
             chain, p, _, above, is_end, first = slots.pop()
             option = self._choice(chain, p)
             if option is None:
-                builder.leaf(chain, above, is_end, (first, first + p))
+                self.leaf(builder, chain, above, is_end, (first, first + p))
                 continue
             starts = builder.node(option, above, is_end, first, p)
             joint = self.space.chains.original[option.position]
@@ -52,6 +52,12 @@ class Beam:
             if option.end_work:
                 slots.append((option.end, option.second, 0, joint, True, starts[1]))
         return builder.draft
+
+    def leaf(
+        self, builder: Builder, chain: Chain, above: int, is_end: bool, processes: tuple[int, int]
+    ) -> None:
+        """Add a chain that is not cut."""
+        builder.leaf(chain, above, is_end, processes)
 
     def key(self, chain: Chain) -> int:
         """Return a number that chains share if and only if they have the same schedules."""

@@ -13,12 +13,12 @@ import numpy as np
 from adagen.schedule.beam import Beam
 from adagen.schedule.bounds import Rules
 from adagen.schedule.budget import Budget
-from adagen.schedule.chains import WHOLE, Chain
+from adagen.schedule.chains import Chain
 from adagen.schedule.cuts import Cuts
 from adagen.schedule.draft import Draft
 from adagen.schedule.options import Space
 from adagen.schedule.profile import CostProfile
-from adagen.schedule.ties import Builder, Slot
+from adagen.schedule.ties import Builder
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node, postorder
 
@@ -69,26 +69,14 @@ class RestrictedBeam(Beam):
         """Return a number that only this very chain has."""
         return self._numbers.setdefault(chain, len(self._numbers))
 
-    def draft(self, processes: int) -> Draft:
-        """Return the schedule found; what is not cut is left to the first process of its range."""
-        builder = Builder(self.space)
-        slots: list[Slot] = [(WHOLE, processes, 0, -1, False, 0)]
-        while slots:
-            chain, p, _, above, is_end, first = slots.pop()
-            option = self._choice(chain, p)
-            if option is None:
-                order = self.space.single.order(chain)
-                builder.hang(above, builder.draft.contract(self.space.topology, order), is_end)
-                for joint in order:
-                    builder.draft.ranges[joint] = (first, first + p)
-                continue
-            starts = builder.node(option, above, is_end, first, p)
-            joint = self.space.chains.original[option.position]
-            if option.root_work:
-                slots.append((option.root, option.first, 0, joint, False, starts[0]))
-            if option.end_work:
-                slots.append((option.end, option.second, 0, joint, True, starts[1]))
-        return builder.draft
+    def leaf(
+        self, builder: Builder, chain: Chain, above: int, is_end: bool, processes: tuple[int, int]
+    ) -> None:
+        """Add a chain that is not cut: it is left to the first process of its range."""
+        order = self.space.single.order(chain)
+        builder.hang(above, builder.draft.contract(self.space.topology, order), is_end)
+        for joint in order:
+            builder.draft.ranges[joint] = processes
 
 
 def restricted_draft(
