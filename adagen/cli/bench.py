@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from adagen.cli.console import note
 from adagen.cli.parser import Parser, make_parser, parse, whole
+from adagen.cli.tables import table_of
 
 if TYPE_CHECKING:
     from adagen.bench.record import Record
@@ -104,20 +105,14 @@ def _peers(text: str) -> tuple[str, ...]:
 
 def _show(record: Record) -> None:
     """Print each robot's table."""
-    from rich import box
     from rich.console import Console
-    from rich.table import Table
 
     from adagen.bench.report import DETAILS, details
 
     console = Console(width=None if sys.stdout.isatty() else 120)
     for model in record.models:
-        table = Table(box=box.SIMPLE, title=f"{model.name}, {model.dofs} degrees of freedom")
-        for k, column in enumerate(DETAILS):
-            table.add_column(column, justify="right" if k else "left", no_wrap=True)
-        for row in details(model):
-            table.add_row(*row)
-        console.print(table)
+        title = f"{model.name}, {model.dofs} degrees of freedom"
+        console.print(table_of(DETAILS, details(model), title=title, wrap=False))
         for name, reason in model.absent.items():
             note(f"{model.name}: without {name}: {reason}")
 

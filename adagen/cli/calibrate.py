@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 from adagen.cli.console import note, warn
 from adagen.cli.parser import make_parser, parse
+from adagen.cli.tables import table_of
 from adagen.errors import EnvironmentFault
 
 if TYPE_CHECKING:
@@ -171,18 +172,14 @@ def _summary(found: Calibration, path: str) -> dict[str, object]:
 
 
 def _show(found: Calibration) -> None:
-    from rich import box
     from rich.console import Console
-    from rich.table import Table
 
-    table = Table(box=box.SIMPLE)
-    for column in ("program", "measured (us)", "predicted (us)", "error"):
-        table.add_column(column, justify="left" if column == "program" else "right")
-    for label, measured, predicted in found.totals:
-        error = f"{predicted / measured - 1:+.1%}"
-        table.add_row(label, f"{measured:.2f}", f"{predicted:.2f}", error)
+    rows = (
+        (label, f"{measured:.2f}", f"{predicted:.2f}", f"{predicted / measured - 1:+.1%}")
+        for label, measured, predicted in found.totals
+    )
     console = Console()
-    console.print(table)
+    console.print(table_of(("program", "measured (us)", "predicted (us)", "error"), rows))
     for what, errors in sorted(found.errors.items()):
         sizes = [abs(error) for error in errors]
         console.print(

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from adagen.cli.chart_options import parser_of_charts
 from adagen.cli.console import Stages, note, speaking, warn
 from adagen.cli.parser import parse
+from adagen.cli.tables import table_of
 from adagen.errors import AdagenError
 
 if TYPE_CHECKING:
@@ -112,21 +113,17 @@ def _write(chart: Chart, options: argparse.Namespace) -> None:
 
 def _show(chart: Chart) -> None:
     """Print the points on the front and what failed, for people."""
-    from rich import box
     from rich.console import Console
-    from rich.table import Table
 
     title = f"{chart.model}: what nothing else beats in both time and error"
-    table = Table(box=box.SIMPLE, title=title)
-    for column in ("variant", "us", "ratio", "error", "residual"):
-        table.add_column(column, justify="left" if column == "variant" else "right")
+    rows = []
     for point in sorted((p for p in chart.points if p.front), key=lambda p: p.time_ns or 0.0):
         assert point.time_ns is not None
         ratio = "" if point.ratio is None else f"{point.ratio:.2f}"
         figures = (f"{point.error:.1e}", f"{point.residual:.1e}")
-        table.add_row(point.label, f"{point.time_ns / 1e3:.2f}", ratio, *figures)
+        rows.append((point.label, f"{point.time_ns / 1e3:.2f}", ratio, *figures))
     console = Console()
-    console.print(table)
+    console.print(table_of(("variant", "us", "ratio", "error", "residual"), rows, title=title))
     for point in chart.points:
         if point.why is not None:
             what = "no answer" if point.failed else "not timed"

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from adagen.cli.chart_options import LARGEST_STEP
 from adagen.cli.console import Stages, note, speaking
+from adagen.cli.tables import table_of
 
 if TYPE_CHECKING:
     from adagen.chart.motion import MotionChart
@@ -65,25 +66,22 @@ def _write(chart: MotionChart, options: argparse.Namespace) -> None:
 
 def _show(chart: MotionChart) -> None:
     """Print fitted orders and the errors at the least step, for people."""
-    from rich import box
     from rich.console import Console
-    from rich.table import Table
 
     from adagen.chart.motion import INTEGRATORS
 
     title = f"{chart.model}: orders in the step, over {chart.seconds:g} s"
-    table = Table(box=box.SIMPLE, title=title)
-    for column in ("integrator", "state", "energy", "momentum", "error at least step"):
-        table.add_column(column, justify="left" if column == "integrator" else "right")
+    columns = ("integrator", "state", "energy", "momentum", "error at least step")
+    rows = []
     for integrator in INTEGRATORS:
         orders = [chart.order(integrator, what) for what in ("error", "energy", "momentum")]
         own = [p for p in chart.points if p.integrator == integrator]
         if not own:
             continue
         error = "failed" if own[-1].error is None else f"{own[-1].error:.1e}"
-        table.add_row(integrator, *("-" if x is None else f"{x:.2f}" for x in orders), error)
+        rows.append((integrator, *("-" if x is None else f"{x:.2f}" for x in orders), error))
     console = Console()
-    console.print(table)
+    console.print(table_of(columns, rows, title=title))
     for point in chart.points:
         if point.why is not None:
             console.print(f"{point.integrator}, step {point.step:g} s: {point.why}", markup=False)

@@ -14,6 +14,7 @@ from typing import Any
 
 from adagen.cli.console import note, progress
 from adagen.cli.main import main as adagen
+from adagen.cli.tables import table_of
 from adagen.errors import AdagenError, EnvironmentFault
 
 ROBOT = "talos_data/robots/talos_reduced.urdf"
@@ -99,17 +100,14 @@ def _build_and_run(folder: Path, processes: int) -> dict[str, Any]:
 
 def _summary(model: Path, reports: Sequence[dict[str, Any]]) -> None:
     """Print time and error for each number of processes, and where the drawing is."""
-    from rich import box
     from rich.console import Console
-    from rich.table import Table
 
-    table = Table(box=box.SIMPLE, title=f"forward dynamics of {model.stem}, us per evaluation")
-    for column in ("P", "channel", "median", "minimum", "99 %", "speedup", "residual", "answer"):
-        table.add_column(column, justify="right", no_wrap=True)
+    columns = ("P", "channel", "median", "minimum", "99 %", "speedup", "residual", "answer")
+    rows = []
     first = reports[0]["time"]["in_place"]["median_ns"]
     for report in reports:
         time, check = report["time"]["in_place"], report["check"]
-        table.add_row(
+        row = (
             str(report["processes"]),
             report["channel"],
             *(f"{time[key] / 1e3:.2f}" for key in ("median_ns", "min_ns", "p99_ns")),
@@ -117,8 +115,9 @@ def _summary(model: Path, reports: Sequence[dict[str, Any]]) -> None:
             f"{check['residual_max']:.1e}",
             "right" if check["ok"] else "WRONG",
         )
-    console = Console()
-    console.print(table)
+        rows.append(row)
+    title = f"forward dynamics of {model.stem}, us per evaluation"
+    Console().print(table_of(columns, rows, title=title, named=False, wrap=False))
     for drawing in sorted(OUT.glob("*/*.svg")):
         print(f"schedule drawn in {drawing}")
 

@@ -16,6 +16,7 @@ from adagen.cli.predicted import (
     timeline,
     with_accuracy,
 )
+from adagen.cli.tables import table_of
 
 if TYPE_CHECKING:
     import argparse
@@ -106,19 +107,15 @@ def _drawing(model: Model, schedule: Schedule, options: argparse.Namespace) -> s
 
 def _show_machine(schedule: Schedule, line: MachineTimeline, form: str) -> None:
     """Print how long each process works and waits by the steps of its plan, for people."""
-    from rich import box
     from rich.console import Console
-    from rich.table import Table
 
-    table = Table(box=box.SIMPLE)
-    for column in ("process", "busy (us)", "waiting (us)", "share"):
-        table.add_column(column, justify="right")
-    for process in range(schedule.processes):
-        busy, waiting = line.busy(process), line.waiting(process)
-        share = f"{busy / line.makespan:.0%}"
-        table.add_row(str(process), f"{busy:.2f}", f"{waiting:.2f}", share)
+    times = [(line.busy(process), line.waiting(process)) for process in range(schedule.processes)]
+    rows = (
+        (str(process), f"{busy:.2f}", f"{waiting:.2f}", f"{busy / line.makespan:.0%}")
+        for process, (busy, waiting) in enumerate(times)
+    )
     console = Console()
-    console.print(table)
+    console.print(table_of(("process", "busy (us)", "waiting (us)", "share"), rows, named=False))
     if line.straight:
         return
     proof = ""
@@ -133,13 +130,10 @@ def _show_machine(schedule: Schedule, line: MachineTimeline, form: str) -> None:
 
 def _show_loads(schedule: Schedule) -> None:
     """Print how long each process is busy, for people."""
-    from rich import box
     from rich.console import Console
-    from rich.table import Table
 
-    table = Table(box=box.SIMPLE)
-    for column in ("process", "active (us)", "share"):
-        table.add_column(column, justify="right")
-    for process, load in enumerate(schedule.loads):
-        table.add_row(str(process), f"{load:.2f}", f"{load / schedule.makespan:.0%}")
-    Console().print(table)
+    rows = (
+        (str(process), f"{load:.2f}", f"{load / schedule.makespan:.0%}")
+        for process, load in enumerate(schedule.loads)
+    )
+    Console().print(table_of(("process", "active (us)", "share"), rows, named=False))

@@ -1,0 +1,38 @@
+"""Tables for people."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+
+def table_of(
+    columns: Sequence[str],
+    rows: Iterable[Sequence[str]],
+    *,
+    title: str | None = None,
+    named: bool = True,
+    wrap: bool = True,
+) -> Table:
+    """Return a table of figures, which stand to the right.
+
+    Args:
+        columns: their heads.
+        rows: a word for each column; none of them is read as markup.
+        title: what stands above.
+        named: the first column holds names, which stand to the left.
+        wrap: whether what is too long goes on in the next line; else it is cut.
+    """
+    from rich import box
+    from rich.markup import escape
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE, title=title and escape(title))
+    for k, column in enumerate(columns):
+        table.add_column(column, justify="left" if named and k == 0 else "right", no_wrap=not wrap)
+    for row in rows:
+        table.add_row(*map(escape, row))
+    return table
