@@ -9,7 +9,6 @@ import shlex
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NoReturn
@@ -232,8 +231,6 @@ class TestEnv:
 
 
 def test_saying_the_version_does_not_wait_for_the_stages() -> None:
-    run("--version")
-    start = time.perf_counter()
     done = run("--version")
     assert done.stdout == f"adagen {adagen.__version__}\n"
     code = "import sys, adagen.cli.main as m; m.main(['--version']); print(*sys.modules)"
@@ -244,7 +241,6 @@ def test_saying_the_version_does_not_wait_for_the_stages() -> None:
         env={**os.environ, "PYTHONPATH": str(ROOT)},
     ).stdout.split()
     assert not {"numpy", "yourdfpy", "rich", "jinja2", "flint"} & set(loaded)
-    assert time.perf_counter() - start < 10
 
 
 @pytest.mark.parametrize("make", [parser_of_charts, parser_of_stability])
