@@ -203,8 +203,10 @@ def _with_mimics(rng: np.random.Generator, parts: list[Part], count: int) -> lis
     return parts
 
 
-def star(arms: int, joints_per_arm: int = 2, *, floating: bool = False) -> Model:
-    """Return a hub with revolute arms; without ``floating`` the hub turns on a fixed z axis."""
+def star(
+    arms: int, joints_per_arm: int = 2, *, kind: JointKind = REVOLUTE, floating: bool = False
+) -> Model:
+    """Return a hub with arms; without ``floating`` the hub turns on a fixed z axis."""
     hub = Inertia(3.0, np.zeros(3), np.diag([0.02, 0.02, 0.03]))
     root = Part(BASE, None, FLOATING, hub) if floating else Part("hub", None, REVOLUTE, hub)
     parts = [root]
@@ -216,7 +218,7 @@ def star(arms: int, joints_per_arm: int = 2, *, floating: bool = False) -> Model
         for i in range(joints_per_arm):
             axis = across if i % 2 else AXES["z"]
             name, body = f"a{a:02d}_{i}", rod(0.4, 0.2 * out)
-            parts.append(Part(name, above, REVOLUTE, body, place, axis=vector(*axis)))
+            parts.append(Part(name, above, kind, body, place, axis=vector(*axis)))
             above, place = name, 0.2 * out
     return assemble(f"star{arms}", parts, floating)
 

@@ -248,7 +248,7 @@ class KernelLines:
         sweep = f"inward_abreast<{self.p}, {self._number(limbs)}>(w);"
         left = [
             f"  leave<{self._starts(near)}>(w, {near}, lane(X, {lane}));"
-            for lane, near in enumerate(nears)
+            for lane, near in enumerate(nears, start=limbs.idle)
             if near > 0
         ]
         return ["{", f"  const auto X = {sweep}", *left, "}"] if left else [sweep]

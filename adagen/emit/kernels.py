@@ -125,9 +125,11 @@ def _inertia(words: Words, link: PlanLink) -> dict[str, str]:
 
 def _limbs(words: Words, layout: Layout, limbs: Limbs) -> dict[str, object]:
     return {
-        "count": limbs.count,
+        "lanes": limbs.lanes,
         "joints": len(limbs.rows),
-        "slot": layout.slots[limbs.rows[0][0]],
-        "rows": limbs.rows,
+        "slot": layout.slots[limbs.rows[0][0]] - limbs.idle,
+        "idle": limbs.idle,
+        # An idle lane goes by the name of the next one's joint, which has the last word.
+        "rows": [(row[0],) * limbs.idle + row for row in limbs.rows],
         "names": [words.span(*ends) for ends in zip(limbs.rows[0], limbs.rows[-1], strict=True)],
     }

@@ -54,8 +54,13 @@ class Layout:
             next_ = _up(next_ + max(own_slots) + 1, width)
         for process, own in zip(plan.processes, limbs, strict=True):
             next_ = _up(next_, width)  # blocks of its own
-            widest = sorted(own, key=lambda each: -each.count)  # so that all are aligned
-            for j in (*(j for each in widest for j in each.members()), *process.owns):
+            widest = sorted(own, key=lambda each: -each.lanes)  # so that all are aligned
+            for side_by_side in widest:
+                for row in side_by_side.rows:
+                    for lane, j in enumerate(row, start=side_by_side.idle):
+                        slots[j] = next_ + lane
+                    next_ += side_by_side.lanes
+            for j in process.owns:
                 if slots[j] < 0:
                     slots[j], next_ = next_, next_ + 1
         for j in range(count):

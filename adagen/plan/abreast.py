@@ -40,8 +40,8 @@ class _Saving:
 _WORK = {"spherical": 1.7}  # where a joint is more work than a hinge
 
 
-COUNTS = {2: _Saving(0.9, 1.0), 4: _Saving(2.6, 2.0)}
-"""How many limbs are taken at once, and what that saves."""
+COUNTS = {2: _Saving(0.9, 1.0), 3: _Saving(1.6, 1.8), 4: _Saving(2.6, 2.0)}
+"""How many limbs are taken at once, and what that saves. Three leave one of four lanes idle."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +58,16 @@ class Limbs:
     def count(self) -> int:
         """How many limbs."""
         return len(self.rows[0])
+
+    @property
+    def lanes(self) -> int:
+        """How many lanes they take."""
+        return 2 if self.count == 2 else 4
+
+    @property
+    def idle(self) -> int:
+        """How many of the lanes are idle; they come first."""
+        return self.lanes - self.count
 
     def members(self) -> Iterator[int]:
         """Yield the joints as they lie in memory: row by row."""

@@ -219,7 +219,7 @@ def _shared_features(
 
 def _row_features(step: Step, kind: str, limbs: Limbs) -> Features:
     """Of one joint of a row: the row's features, shared out."""
-    number = _NUMBERS[limbs.count]
+    number = _NUMBERS[limbs.lanes]
     found = {f"{SIDE_BY_SIDE[type(step)]}_{number}.{kind}": 1 / limbs.count}
     if isinstance(step, Articulate):
         found[f"limbs.{number}"] = 1 / (limbs.count * len(limbs.rows))

@@ -1871,8 +1871,11 @@ struct alignas(64) BlockConstants {
 
 const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
   std::array<BlockConstants, kBlockCount> result{};
-  for (BlockConstants& block : result)  // slots that are not filled do not turn
+  for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
     for (const int k : {0, 4}) block.rotation[k].fill(1);
+    block.mass.fill(1);
+    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
+  }
   for (int j = 0; j < kJointCount; ++j) {
     BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
     const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);

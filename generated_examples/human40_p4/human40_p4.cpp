@@ -1862,8 +1862,11 @@ struct alignas(64) BlockConstants {
 
 const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
   std::array<BlockConstants, kBlockCount> result{};
-  for (BlockConstants& block : result)  // slots that are not filled do not turn
+  for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
     for (const int k : {0, 4}) block.rotation[k].fill(1);
+    block.mass.fill(1);
+    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
+  }
   for (int j = 0; j < kJointCount; ++j) {
     BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
     const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
@@ -2691,7 +2694,8 @@ void free_acceleration(Workspace& w) {
 }
 
 // Limbs side by side: joints of as many limbs as there are lanes are treated together, from the
-// limbs' first joints outwards or back.
+// limbs' first joints outwards or back. A first lane that is idle goes by the second one's joints,
+// has memory of its own, and what it gives is written over.
 template <int count, int rows>
 struct Limbs {
   int slot;                 // of the first joint of the first limb

@@ -10,19 +10,20 @@ import pytest
 from adagen.emit import emit
 from adagen.emit.shapes import SHAPES
 from adagen.model import Model
-from adagen.model.kinds import PRISMATIC
+from adagen.model.kinds import PRISMATIC, SPHERICAL
 from adagen.plan import make_plan
 from adagen.predict import best_schedule
 from adagen.schedule import load_profile
 from adagen.states import random_states
 from tests.emitted import Builder, Solver
-from tests.models import human_figure, random_tree, serial_chain
+from tests.models import human_figure, random_tree, serial_chain, star
 
 PROGRAM = Path(__file__).with_name("spoilt_entries.cpp")
 ROBOTS = {
     "all kinds": random_tree(np.random.default_rng(3), 9, branching=0.5, floating=True),
     "limbs side by side": human_figure(),
     "in segments": serial_chain(20),
+    "one lane idle": star(3, 2, kind=SPHERICAL, floating=True),
     "without rotation": serial_chain(5, kind=PRISMATIC),
 }
 

@@ -9,6 +9,7 @@ import pytest
 
 from adagen.emit.shapes import SHAPES, chosen_shape
 from adagen.model import Model
+from adagen.model.kinds import PRISMATIC, SPHERICAL
 from adagen.plan import make_plan
 from adagen.plan.abreast import limbs_abreast
 from adagen.predict import best_schedule
@@ -68,13 +69,27 @@ def test_trees_of_all_kinds_are_solved(
     [
         (star(4, 3, floating=True), 1),
         (star(5, 4), 1),
+        (star(7, 3, floating=True), 1),
+        (star(3, 2, kind=SPHERICAL, floating=True), 1),
+        (star(3, 2, kind=PRISMATIC), 1),
         (binary(2), 1),
         (binary(4), 1),
         (binary(4, floating=True), 2),
         (human_figure(), 1),
         (human_figure(), 2),
     ],
-    ids=["legs", "arms", "on the ground", "tree", "tree by two", "figure", "figure by two"],
+    ids=[
+        "legs",
+        "arms",
+        "seven",
+        "three balls",
+        "three slides",
+        "on the ground",
+        "tree",
+        "tree by two",
+        "figure",
+        "figure by two",
+    ],
 )
 def test_limbs_side_by_side_are_solved(
     model: Model, processes: int, builder: Builder, tmp_path: Path

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from adagen.model import Model
+from adagen.model.kinds import SPHERICAL
 from adagen.plan import Plan, make_plan
 from adagen.plan.abreast import KINDS, Limbs, limbs_abreast
 from adagen.plan.order import Unit, ends_of, inward_order, outward_order
@@ -40,6 +41,19 @@ def test_two_limbs_share_two_lanes() -> None:
     [limbs] = limbs_of(star(2, 6, floating=True))
     assert limbs.count == 2
     assert len(limbs.rows) == 6
+
+
+def test_three_limbs_leave_a_lane_idle_where_they_are_long_enough() -> None:
+    [limbs] = limbs_of(star(3, 2, floating=True))
+    assert limbs.rows == ((1, 3, 5), (2, 4, 6))
+    assert (limbs.count, limbs.lanes, limbs.idle) == (3, 4, 1)
+    assert limbs_of(star(3, 1, floating=True)) == []
+
+
+def test_spherical_joints_are_worth_lanes_in_single_rows() -> None:
+    [pair] = limbs_of(star(2, 1, kind=SPHERICAL, floating=True))
+    [three] = limbs_of(star(3, 1, kind=SPHERICAL, floating=True))
+    assert (pair.rows, three.rows) == (((1, 2),), ((1, 2, 3),))
 
 
 def test_a_chain_has_nothing_beside_it() -> None:

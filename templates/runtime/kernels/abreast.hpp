@@ -1,5 +1,6 @@
 // Limbs side by side: joints of as many limbs as there are lanes are treated together, from the
-// limbs' first joints outwards or back.
+// limbs' first joints outwards or back. A first lane that is idle goes by the second one's joints,
+// has memory of its own, and what it gives is written over.
 template <int count, int rows>
 struct Limbs {
   int slot;                 // of the first joint of the first limb
