@@ -41,7 +41,9 @@ def figure(*names: str) -> Model:
     return held(model, [j for j, joint in enumerate(model.joints) if joint.name in names])
 
 
-def require_right(plan: Plan, model: Model, builder: Builder, folder: Path) -> Solver:
+def require_right(
+    plan: Plan, model: Model, builder: Builder, folder: Path, magnified: float = 1.0
+) -> Solver:
     """Build the plan, run it with its own check, compare with the truth and with what was given."""
     states = random_states(model, 3, seed=3)
     solver = builder.solver(plan, ("-O0",), name="effects", shape="kernels")
@@ -49,7 +51,7 @@ def require_right(plan: Plan, model: Model, builder: Builder, folder: Path) -> S
     given = rows(model, [j for j, joint in enumerate(model.joints) if joint.prescribed])
     number = NUMBER[plan.scalar]
     assert np.array_equal(found[:, given].astype(number), states.tau[:, given].astype(number))
-    assert forward_error(found, truth_of(model, states)) < ROUNDING[plan.scalar]
+    assert forward_error(found, truth_of(model, states)) < magnified * ROUNDING[plan.scalar]
     return solver
 
 
@@ -130,7 +132,8 @@ def test_the_ground_is_held_by_joints_that_move_freely() -> None:
 @pytest.mark.slow
 def test_the_ground_is_held_in_emitted_code_too(builder: Builder, tmp_path: Path) -> None:
     model, plan = grounded()
-    require_right(plan, model, builder, tmp_path)
+    # Pivots of the mobility that is inverted may be 1e-5 of the largest, and lose as many digits.
+    require_right(plan, model, builder, tmp_path, magnified=200)
 
 
 @pytest.mark.slow
