@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from adagen.exact import Exact, exact, identity, rotated_inertia, rotation_takin
 from adagen.model.model import Frame, Inertia, Model
 
 
+@lru_cache(maxsize=4)  # asked for by every plan that a search tries
 def canonical(model: Model) -> Model:
     """Return the same robot with each joint frame and child link frame turned to have axis z.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import asdict
+from functools import lru_cache
 
 import numpy as np
 
@@ -36,6 +37,7 @@ def links_of(model: Model, inverted: Collection[int]) -> tuple[PlanLink, ...]:
     return tuple(links)
 
 
+@lru_cache(maxsize=4)  # asked for by every plan that a search tries
 def joints_of(model: Model) -> tuple[PlanJoint, ...]:
     """Return the constants of a model's joints in canonical frames."""
     robot = canonical(model)
