@@ -15,8 +15,10 @@ from adagen.plan.stages import stages
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
+    Deliver,
     HoldMobility,
     Kinematics,
+    Propagate,
     SolveMobility,
     StartLink,
 )
@@ -207,6 +209,7 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
     """Joints that may be taken side by side, with the stretches in which they are passed.
 
     They are the process's own, passed once, away from the sweep's root, and their links are bare.
+    No mobility and no force at a handle goes through them: that is told joint by joint.
     """
     sweeps = [
         _stretch_of(process, Kinematics),
@@ -215,13 +218,14 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
     ]
     turns = (s for s in process.steps if isinstance(s, Articulate | Accelerate))
     turned = {s.joint for s in turns if s.reversed}
+    between = {s.joint for s in process.steps if isinstance(s, Propagate | Deliver)}
     bare = {s.link for s in process.steps if isinstance(s, StartLink)} - placed_links(plan)
     return {
         j: tuple(sweep[j] for sweep in sweeps)
         for j in process.owns
         if _fits(plan.joints[j])
         and j + 1 in bare
-        and j not in turned
+        and j not in turned | between
         and all(j in sweep for sweep in sweeps)
     }
 

@@ -16,7 +16,9 @@ from adagen.predict import best_schedule
 from adagen.schedule import Topology, load_profile, named_schedule
 from adagen.schedule.tree import Named
 from adagen.states import random_states
+from adagen.urdf import read_robot
 from tests.emitted import ROUNDING, Builder
+from tests.golden.examples import FOLDER
 from tests.models import binary, human_figure, random_tree, serial_chain, star
 from tests.schedules import random_schedule
 
@@ -27,16 +29,29 @@ def floating_tree(seed: int) -> Model:
     return random_tree(np.random.default_rng(seed), 9, branching=0.5, floating=True)
 
 
+def on_the_ground() -> Model:
+    """The shipped humanoid, pelvis held: two joints of its waist are like those of an ankle."""
+    return read_robot(FOLDER / "models" / "humanoid.urdf").model
+
+
 @pytest.mark.parametrize(
     ("model", "name", "processes", "meeting"),
     [
         (human_figure(), "sequential", 2, "join"),  # the base itself is joined
         (human_figure(), "balanced", 3, "join"),
         (human_figure(), "balanced", 4, "gather"),
+        (on_the_ground(), "balanced", 4, "join"),  # a limb that a handle's force goes through
         (serial_chain(24, axes="xy"), "balanced", 2, "gather"),  # the ground as a body
         (serial_chain(24, axes="xyz"), "balanced", 3, "join"),
     ],
-    ids=["base joined", "three joined", "four gathered", "from the ground", "chain joined"],
+    ids=[
+        "base joined",
+        "three joined",
+        "four gathered",
+        "humanoid",
+        "from the ground",
+        "chain joined",
+    ],
 )
 def test_named_schedules_are_solved(
     model: Model, name: Named, processes: int, meeting: str, builder: Builder, tmp_path: Path

@@ -13,7 +13,7 @@ from adagen.model.kinds import SPHERICAL
 from adagen.plan import Plan, make_plan
 from adagen.plan.abreast import KINDS, Limbs, limbs_abreast
 from adagen.plan.order import Unit, ends_of, inward_order, outward_order
-from adagen.plan.steps import Accelerate, Articulate, Kinematics
+from adagen.plan.steps import Accelerate, Articulate, Deliver, Kinematics, Propagate
 from adagen.schedule import Topology, find_schedule, load_profile
 from tests.models import binary, random_tree, serial_chain, star
 from tests.schedules import random_schedule
@@ -90,6 +90,8 @@ def test_limbs_of_any_plan_can_be_passed_in_order(
         members = [j for each in limbs for j in each.members()]
         assert len(set(members)) == len(members)
         assert set(members) <= set(process.owns)
+        handles = {s.joint for s in process.steps if isinstance(s, Propagate | Deliver)}
+        assert not handles & set(members)
         for each in limbs:
             for row in each.rows:
                 [kind] = {plan.joints[j].kind for j in row}
