@@ -145,6 +145,10 @@ def _peer(contestant: Contestant) -> Point:
     )
 
 
+NO_DIGIT = 0.1
+"""Forward errors above this are no answers."""
+
+
 def _judged(point: Point, contestant: Contestant, truth: Truth) -> Point:
     """Return the point with its errors, or with the reason why it gives no answer."""
     try:
@@ -153,6 +157,8 @@ def _judged(point: Point, contestant: Contestant, truth: Truth) -> Point:
         return replace(point, why=_reason(failure))
     if not math.isfinite(error):
         return replace(point, why="its answer is not finite")
+    if error > NO_DIGIT:
+        return replace(point, why=f"not one digit of its answer is right: its error is {error:.2g}")
     return replace(point, error=error, residual=residual)
 
 

@@ -11,8 +11,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.bench.contest import Contestant
 from adagen.chart import Point, Study, Variant, chart_of, every_variant
 from adagen.chart.motion import Played, Player, drifts, motion_chart
+from adagen.chart.study import _judged
 from adagen.chart.truth import truth_of
 from adagen.chart.variants import REFERENCE
 from adagen.cli import chart as chart_command
@@ -53,6 +55,17 @@ class TestVariants:
     def test_schedules_become_plans(self, algorithm: str, schedule: str) -> None:
         _, plan = Variant(algorithm, schedule, processes=2).plan(star(3))
         assert (plan.form, len(plan.processes)) == (algorithm, 2)
+
+
+@pytest.mark.parametrize(("factor", "why"), [(1.0, None), (1.05, None), (0.5, "not one digit")])
+def test_an_answer_without_a_right_digit_is_a_failure(factor: float, why: str | None) -> None:
+    truth = truth_of(serial_chain(3), 2)
+    right = np.array([[float(x) for x in row] for row in truth.exact])
+    solver = Contestant("x", "adagen", "", 1, "double", lambda _: factor * right, lambda _: {})
+    point = _judged(Point("x", "adagen", **vars(REFERENCE)), solver, truth)
+    assert point.failed == (why is not None)
+    if why is not None:
+        assert why in (point.why or "")
 
 
 def test_errors_are_seen_below_the_rounding_of_the_truth() -> None:
