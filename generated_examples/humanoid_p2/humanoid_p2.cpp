@@ -1486,14 +1486,20 @@ ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
-// x - x is zero for finite x only.
+// x - x is zero, in all bits, for finite x only.
+ADAGEN_INLINE LaneBits unlike_zero(const Value* x) {
+  return reinterpret_cast<LaneBits>(wide(x) - wide(x));
+}
 ADAGEN_INLINE bool finite(const Value* x, int count) {
-  Lanes sum{};
-  Value rest{};
+  LaneBits found{};
   int k = 0;
-  for (; k + kPerBlock <= count; k += kPerBlock) sum += wide(x + k) - wide(x + k);
-  for (; k < count; ++k) rest += x[k] - x[k];
-  return all_zero(sum) && all_zero(rest);
+  for (; k + kPerBlock <= count; k += kPerBlock) found |= unlike_zero(x + k);
+  if (k > 0 && k < count)
+    found |= unlike_zero(x + count - kPerBlock);  // some of them once more
+  else
+    for (; k < count; ++k)
+      if (!all_zero(x[k] - x[k])) return false;
+  return !any_of(found);
 }
 
 // Tells which of entries first .. is the first that is not finite; place says where a joint's
