@@ -147,15 +147,13 @@ def _best(
                 if not rows or any(_one_beyond_other(cut[-1], other, last) for other in cut[:-1]):
                     continue
                 together.append(chain)
-                if (saving := COUNTS.get(len(together))) is not None:
-                    saved = saving.of(pattern[:rows])
+                saving = COUNTS.get(len(together))
+                if saving is not None and (saved := saving.of(pattern[:rows])) > 0:
                     offers.append((saved, Limbs(tuple(zip(*sorted(cut), strict=True)))))
                 if len(together) == max(COUNTS):
                     break
     offers.sort(key=lambda offer: -offer[0])
-    return next(
-        (limbs for saved, limbs in offers if saved > 0 and _in_order([*taken, limbs], last)), None
-    )
+    return next((limbs for _, limbs in offers if _in_order([*taken, limbs], last)), None)
 
 
 _STARTS = 4  # chains that limbs to go together are looked for beside

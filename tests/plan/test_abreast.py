@@ -14,7 +14,9 @@ from adagen.plan import Plan, make_plan
 from adagen.plan.abreast import KINDS, Limbs, limbs_abreast
 from adagen.plan.order import Unit, ends_of, inward_order, outward_order
 from adagen.plan.steps import Accelerate, Articulate, Deliver, Kinematics, Propagate
-from adagen.schedule import Topology, find_schedule, load_profile
+from adagen.schedule import Topology, find_schedule, load_profile, named_schedule
+from adagen.urdf import read_robot
+from tests.golden.examples import FOLDER
 from tests.models import binary, random_tree, serial_chain, star
 from tests.schedules import random_schedule
 
@@ -54,6 +56,17 @@ def test_spherical_joints_are_worth_lanes_in_single_rows() -> None:
     [pair] = limbs_of(star(2, 1, kind=SPHERICAL, floating=True))
     [three] = limbs_of(star(3, 1, kind=SPHERICAL, floating=True))
     assert (pair.rows, three.rows) == (((1, 2),), ((1, 2, 3),))
+
+
+def test_what_a_handles_mobility_goes_through_is_passed_singly() -> None:
+    """The waist of the shipped humanoid, pelvis held, beside an ankle that is like it."""
+    model = read_robot(FOLDER / "models" / "humanoid.urdf").model
+    schedule = named_schedule("balanced", Topology.of(model), 4, profile=load_profile("default"))
+    plan = make_plan(model, schedule)
+    [process] = [p for p in plan.processes if any(isinstance(s, Propagate) for s in p.steps)]
+    through = {s.joint for s in process.steps if isinstance(s, Propagate)}
+    assert {model.joints[j].name for j in through} == {"waist_yaw", "waist_roll"}
+    assert not through & {j for each in limbs_abreast(plan, process) for j in each.members()}
 
 
 def test_a_chain_has_nothing_beside_it() -> None:
