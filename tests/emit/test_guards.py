@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit import emit
 from adagen.emit.shapes import SHAPES
 from adagen.model import Model
 from adagen.model.kinds import PRISMATIC, SPHERICAL
@@ -15,7 +14,7 @@ from adagen.plan import make_plan
 from adagen.predict import best_schedule
 from adagen.schedule import load_profile
 from adagen.states import random_states
-from tests.emitted import Builder, Solver
+from tests.emitted import Builder, Solver, text_of
 from tests.models import human_figure, random_tree, serial_chain, star
 
 PROGRAM = Path(__file__).with_name("spoilt_entries.cpp")
@@ -33,9 +32,8 @@ def spoiler(model: Model, builder: Builder, shape: str, scalar: str) -> Solver:
     plan = make_plan(
         model, best_schedule(model, 1, load_profile("default"), scalar=scalar), scalar=scalar
     )
-    emitted = emit(plan, name="guarded", shape=shape)["guarded_p1.cpp"]
     head = f"#include <fstream>\n#define ADAGEN_NO_MAIN\nusing Number = {scalar};\n"
-    text = f"{head}{emitted}\n{PROGRAM.read_text()}"
+    text = f"{head}{text_of(plan, 'guarded', shape=shape)}\n{PROGRAM.read_text()}"
     return Solver(builder.compile(text, "guarded", ("-O0",)), 1, builder.toolchain)
 
 
