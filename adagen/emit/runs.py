@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from dataclasses import dataclass
 from itertools import groupby
 
-from adagen.plan.abreast import KINDS, Limbs
+from adagen.plan.abreast import Limbs
 from adagen.plan.edges import is_base
 from adagen.plan.order import Ends, Unit, ends_of, outward_order
 from adagen.plan.steps import Accelerate, Articulate, Deliver
@@ -136,10 +136,12 @@ def sweep_of(joints: Sequence[PlanJoint], run: Run, verb: str, process: int, *mo
 def pays_columns(joints: Sequence[PlanJoint], run: Run) -> bool:
     """Whether a run has joints enough to be taken by columns, for the way there and back.
 
-    See templates/runtime/kernels/inward_columns.hpp.
+    Joints of one freedom, more of them than others: what a spherical joint leaves of a body is so
+    little that it is less work number by number. See templates/runtime/kernels/inward_columns.hpp.
     """
     own = joints[run.first : run.last + 1]
-    return sum(joint.kind in KINDS for joint in own) >= _FEWEST_IN_COLUMNS
+    single = sum(joint.kind in _OF_ONE_FREEDOM for joint in own)
+    return single >= max(_FEWEST_IN_COLUMNS, len(own) // 2 + 1)
 
 
 def parts_of(units: Iterable[Unit]) -> Iterable[Limbs | list[int]]:
@@ -183,3 +185,4 @@ def spans(joints: Iterable[int]) -> list[tuple[int, int]]:
 
 
 _FEWEST_IN_COLUMNS = 4
+_OF_ONE_FREEDOM = ("revolute", "prismatic")

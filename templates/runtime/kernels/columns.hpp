@@ -45,8 +45,6 @@ ADAGEN_INLINE Body<Real> body(const Columns& X) {
           {p[4], p[5], p[6]}};
 }
 
-typedef Bits ColumnBits __attribute__((vector_size(8 * sizeof(Bits))));
-
 // Eight lanes of a register that may hold more.
 template <int first>
 ADAGEN_INLINE Column eight(const Lanes& x) {
@@ -57,14 +55,10 @@ ADAGEN_INLINE Column eight(const Lanes& x) {
   return result;
 }
 
-// One number of a column in all lanes, and the linear half alone.
+// One number of a column in all lanes.
 template <int k>
 ADAGEN_INLINE Column spread(const Column& x) {
   return shuffled<k, k, k, k, k, k, k, k>(x, x);
-}
-ADAGEN_INLINE Column linear_half(const Column& x) {
-  const ColumnBits kept = reinterpret_cast<ColumnBits>(x) & ColumnBits{0, 0, 0, 0, -1, -1, -1, -1};
-  return reinterpret_cast<Column>(kept);
 }
 
 // The lever arm r of a force: [n; f] becomes [n + r x f; f].
@@ -85,11 +79,10 @@ ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
 }
 
 // The body told about the point at -r from the one that it is told about: what forces become, then
-// what motions were. A body left by a spherical joint has no angular columns yet.
-template <bool by_mass_alone = false>
+// what motions were.
 ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
   ADAGEN_FOR (k, 0, 3) {
-    if constexpr (!by_mass_alone) X.angular[k] = carried(arm, X.angular[k]);
+    X.angular[k] = carried(arm, X.angular[k]);
     X.linear[k] = carried(arm, X.linear[k]);
   }
   const auto& [x, y, z] = arm.r;

@@ -16,6 +16,27 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>&
   X.f += vector_at<T>(w.at(joints.slot, kForce));
 }
 
+// A bare link told about the point at -r from its origin: with d = c + m r / 2, A - (rx dx + dx rx).
+template <class T>
+ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, const Vector<T>& r) {
+  Body<T> X{};
+  add_bare_link(w, joints, X);
+  const Vector<T> c{X.B.z.y, X.B.x.z, X.B.y.x};
+  const T m = X.C.xx;
+  const Vector<T> d = c + r * (m / 2), moved = c + r * m;
+  const T xx = 2 * d.x * r.x, yy = 2 * d.y * r.y, zz = 2 * d.z * r.z;
+  X.A += Symmetric<T>{yy + zz,
+                      -(d.x * r.y + d.y * r.x),
+                      -(d.x * r.z + d.z * r.x),
+                      xx + zz,
+                      -(d.y * r.z + d.z * r.y),
+                      xx + yy};
+  const T none{};
+  X.B = {{none, -moved.z, moved.y}, {moved.z, none, -moved.x}, {-moved.y, moved.x, none}};
+  X.n += cross(r, X.f);
+  return X;
+}
+
 constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
 
 // Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
@@ -136,10 +157,7 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind 
       eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e, arrive);
       return;
     case JointKind::kSpherical:
-      if constexpr (kAnySpherical) {
-        const Vector<T> tau = spherical_torque(w, joints);
-        eliminate_rotations<reversed>(w, joints, X, memory.r, tau, memory.e);
-      }
+      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, joints, X);
       break;
     case JointKind::kPlanar:
       if constexpr (kAnyPlanar && kWidth<T> == 1) eliminate_planar<reversed>(w, joints, X);
@@ -204,11 +222,30 @@ void inward(Workspace& w) {
   if constexpr (near > 0) leave<starts>(w, near, X);
 }
 
+// The next for spherical joints with bare links between them: a link is told at the next joint's
+// origin before what is left of the body gets there.
+template <int p, int first, int last>
+ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
+  Body<Value> X{};
+  meet<p>(w, kJoints[first].parent, X);
+  shift(X, -w.joints[first].r);
+  take_out_rotations<true>(w, single(first), X);
+  for (int j = first + 1; j <= last; ++j) {
+    const Vector<Value> r = -w.joints[static_cast<std::size_t>(j)].r;
+    shift_mass(X, r);
+    X += bare_link_from(w, single(j - 1), r);
+    take_out_rotations<true>(w, single(j), X);
+  }
+  return X;
+}
+
 // The same for a root beyond joint last: from the parent link of joint first to the child of last.
 template <int p, int first, int last, bool starts>
 void inward_reversed(Workspace& w) {
-  Body<Value> X{};
   constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick && leave_mass_alone(first, last))
+    return leave<starts>(w, last + 1, turn_inward_reversed<p, first, last>(w));
+  Body<Value> X{};
   if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;

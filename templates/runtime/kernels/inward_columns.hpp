@@ -111,45 +111,6 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   X.force += U * u;
 }
 
-// See eliminate_rotations in inward.hpp: with A = L D L^T and L Y = B, the rows of Y are what the
-// angular columns become below the diagonal.
-template <bool reversed>
-ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Columns& X, Due& due) {
-  Memory& memory = w.joints[static_cast<std::size_t>(j)];
-  Real* const e = memory.e;
-  const Arm lever = arm(reversed ? -memory.r : memory.r);
-  settle(X, due);
-  if constexpr (reversed) shift(X, lever);
-  const Column &a = X.angular[0], &b = X.angular[1], &c = X.angular[2];
-  Real* const factors = e + 12;
-  factorize_rotations(w, single(j), Symmetric<Real>{a[0], a[1], a[2], b[1], b[2], c[2]}, factors);
-  const Real *d = factors, *l = factors + 3;
-  Vector<Real> torque = matrix_at(w.of(j, kAxes)) * spherical_torque(w, single(j));
-  if constexpr (reversed) torque = -torque;
-  const Vector<Real> n{X.force[0], X.force[1], X.force[2]};
-  const Vector<Real> y = solve_rotations(factors, torque - n);
-  const Column Y[3] = {a, b - a * l[0], c - a * l[1] - (b - a * l[0]) * l[2]};
-  const Column Z[3] = {Y[0] * d[0], Y[1] * d[1], Y[2] * d[2]};
-  X.force = linear_half(X.force + a * y.x + b * y.y + c * y.z) + column(torque, {});
-  ADAGEN_FOR (k, 0, 3) {
-    X.linear[0] -= Z[k] * spread<4>(Y[k]);
-    X.linear[1] -= Z[k] * spread<5>(Y[k]);
-    X.linear[2] -= Z[k] * spread<6>(Y[k]);
-  }
-  const Column K2 = Z[2], K1 = Z[1] - K2 * l[2], K0 = Z[0] - K1 * l[0] - K2 * l[1];
-  Real* to = e;
-  for (const Column& row : {K0, K1, K2}) {  // the fourth number is overwritten by what comes next
-    std::memcpy(to, reinterpret_cast<const Real*>(&row) + 4, 4 * sizeof(Real));
-    to += 3;
-  }
-  e[9] = y.x, e[10] = y.y, e[11] = y.z;
-  ADAGEN_FOR (k, 0, 3) {
-    X.angular[k] = Column{};
-    X.linear[k] = linear_half(X.linear[k]);
-  }
-  if constexpr (!reversed) shift<true>(X, lever);
-}
-
 template <bool reversed, class Arrive>
 ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, Due& due,
                                const Arrive& arrive) {
@@ -166,14 +127,8 @@ ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, 
     case JointKind::kPrismatic:
       if constexpr (any_of(JointKind::kPrismatic)) eliminate<true, reversed>(w, j, X, due, arrive);
       return;
-    case JointKind::kSpherical:
-      if constexpr (kSphericalRotors)
-        number_by_number();
-      else if constexpr (kAnySpherical)
-        eliminate_rotations<reversed>(w, j, X, due);
-      break;
     default:
-      if constexpr (kAnyPlanar || kAnyFloating) number_by_number();
+      if constexpr (kAnySpherical || kAnyPlanar || kAnyFloating) number_by_number();
   }
   arrive(X);
 }
