@@ -136,12 +136,12 @@ def sweep_of(joints: Sequence[PlanJoint], run: Run, verb: str, process: int, *mo
 def pays_columns(joints: Sequence[PlanJoint], run: Run) -> bool:
     """Whether a run has joints enough to be taken by columns, for the way there and back.
 
-    Joints of one freedom, more of them than others: what a spherical joint leaves of a body is so
-    little that it is less work number by number. See templates/runtime/kernels/inward_columns.hpp.
+    Joints of one freedom, and no fewer than others: a spherical joint leaves so little of a body
+    that it is less work number by number. See templates/runtime/kernels/inward_columns.hpp.
     """
     own = joints[run.first : run.last + 1]
     single = sum(joint.kind in _OF_ONE_FREEDOM for joint in own)
-    return single >= max(_FEWEST_IN_COLUMNS, len(own) // 2 + 1)
+    return single >= max(_FEWEST_IN_COLUMNS, len(own) - single)
 
 
 def parts_of(units: Iterable[Unit]) -> Iterable[Limbs | list[int]]:

@@ -16,7 +16,8 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>&
   X.f += vector_at<T>(w.at(joints.slot, kForce));
 }
 
-// A bare link told about the point at -r from its origin: with d = c + m r / 2, A - (rx dx + dx rx).
+// A bare link told about the point at -r from its origin: with d = c + m r / 2, A - (rx dx + dx
+// rx).
 template <class T>
 ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, const Vector<T>& r) {
   Body<T> X{};
@@ -25,12 +26,8 @@ ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, cons
   const T m = X.C.xx;
   const Vector<T> d = c + r * (m / 2), moved = c + r * m;
   const T xx = 2 * d.x * r.x, yy = 2 * d.y * r.y, zz = 2 * d.z * r.z;
-  X.A += Symmetric<T>{yy + zz,
-                      -(d.x * r.y + d.y * r.x),
-                      -(d.x * r.z + d.z * r.x),
-                      xx + zz,
-                      -(d.y * r.z + d.z * r.y),
-                      xx + yy};
+  X.A += Symmetric<T>{yy + zz, -(d.x * r.y + d.y * r.x), -(d.x * r.z + d.z * r.x),
+                      xx + zz, -(d.y * r.z + d.z * r.y), xx + yy};
   const T none{};
   X.B = {{none, -moved.z, moved.y}, {moved.z, none, -moved.x}, {-moved.y, moved.x, none}};
   X.n += cross(r, X.f);

@@ -1,0 +1,61 @@
+"""Runs of spherical joints in shape kernels: inwards to either end, and among hinges."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.model import Model
+from adagen.model.kinds import REVOLUTE, SPHERICAL
+from adagen.plan import make_plan
+from adagen.schedule import Topology, load_profile, named_schedule
+from adagen.states import random_states
+from tests.emitted import ROUNDING, Builder, kernels_of
+from tests.models import random_tree, serial_chain
+
+PROFILE = load_profile("default")
+
+
+def balls_among_hinges() -> Model:
+    """A chain with a ball after every three hinges."""
+    kinds = [REVOLUTE, REVOLUTE, REVOLUTE, SPHERICAL]
+    return random_tree(np.random.default_rng(4), 16, kinds, branching=0, floating=True)
+
+
+@pytest.mark.parametrize(
+    ("model", "sweeps"),
+    [
+        (serial_chain(12, kind=SPHERICAL, floating=True), ("inward<", "inward_reversed<")),
+        (
+            random_tree(np.random.default_rng(3), 14, [SPHERICAL], branching=0.2, floating=True),
+            ("inward<", "inward_reversed<"),
+        ),
+        (balls_among_hinges(), ("inward_in_columns<", "inward_in_columns_reversed<")),
+    ],
+    ids=["chain", "branches", "among hinges"],
+)
+@pytest.mark.parametrize("scalar", ["double", "float"])
+def test_runs_are_swept_to_a_root_between_their_ends(
+    model: Model, sweeps: tuple[str, ...], scalar: str, builder: Builder, tmp_path: Path
+) -> None:
+    schedule = named_schedule("balanced", Topology.of(model), 2, profile=PROFILE)
+    plan = make_plan(model, schedule, scalar=scalar, meeting="gather")
+    calls = kernels_of(plan).partition("void run_0(")[2]
+    assert all(sweep in calls for sweep in sweeps)
+    solver = builder.solver(plan, ("-O0",), name="balls", shape="kernels")
+    states = random_states(model, 4, seed=5)
+    assert solver.error(model, states, tmp_path, "--check") < 20 * ROUNDING[scalar]
+
+
+@pytest.mark.parametrize("processes", [1, 2])
+def test_needles_keep_the_digits_that_their_inertia_leaves(
+    processes: int, builder: Builder, tmp_path: Path
+) -> None:
+    """Their inertias' condition is 7e5: errors of 2e-10 by pivots taken one after another, too."""
+    model = serial_chain(20, kind=SPHERICAL, mass=1.0, length=1.0, radius=1e-3, floating=True)
+    schedule = named_schedule("balanced", Topology.of(model), processes, profile=PROFILE)
+    plan = make_plan(model, schedule, meeting="gather")
+    solver = builder.solver(plan, ("-O0",), name="needles", shape="kernels")
+    assert solver.error(model, random_states(model, 6, seed=1), tmp_path) < 1e-9
