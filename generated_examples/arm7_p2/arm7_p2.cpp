@@ -2083,17 +2083,32 @@ ADAGEN_INLINE T rotor_of(const Joints<T>& joints) {
   return each(joints, [](const JointConstants& own) { return own.passive.rotor; });
 }
 
-// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21.
+// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21. Without fractions (Bareiss) the three
+// divisions need not wait for each other: with m = xx yy - xy^2 and so on the pivots are xx, m / xx
+// and (m m' - t^2) / (xx m), as exact as by turns. Float's range is too short for fourth powers.
 template <class T>
 ADAGEN_INLINE void factorize_rotations(Workspace& w, const Joints<T>& joints, const Symmetric<T>& A,
                                        T* factors) {
-  const T d0 = 1 / A.xx, l10 = A.xy * d0, l20 = A.xz * d0;
-  const T p1 = A.yy - l10 * A.xy, d1 = 1 / p1, t = A.yz - l20 * A.xy, l21 = t * d1;
-  const T p2 = A.zz - l20 * A.xz - l21 * t, d2 = 1 / p2;
+  T* const l = factors + 3;
+  const T d0 = 1 / A.xx;
+  l[0] = A.xy * d0, l[1] = A.xz * d0;
+  T p1, p2;
+  if constexpr (std::numeric_limits<Real>::min_exponent10 < -300) {
+    const T m = A.xx * A.yy - A.xy * A.xy, t = A.xx * A.yz - A.xy * A.xz;
+    p1 = m, p2 = m * (A.xx * A.zz - A.xz * A.xz) - t * t;
+    const T inverse = 1 / m;
+    factors[1] = A.xx * inverse, factors[2] = A.xx * m / p2;
+    l[2] = t * inverse;
+  } else {
+    const T t = A.yz - l[1] * A.xy;
+    p1 = A.yy - l[0] * A.xy;
+    factors[1] = 1 / p1, l[2] = t * factors[1];
+    p2 = A.zz - l[1] * A.xz - l[2] * t;
+    factors[2] = 1 / p2;
+  }
+  factors[0] = d0;
   for (const T& pivot : {A.xx, p1, p2})
     if (__builtin_expect(!all_positive(pivot), 0)) fail_one(w, joints, pivot);
-  factors[0] = d0, factors[1] = d1, factors[2] = d2;
-  factors[3] = l10, factors[4] = l20, factors[5] = l21;
 }
 
 // A x = b, by these factors.
@@ -2111,43 +2126,63 @@ ADAGEN_INLINE Symmetric<T> with_rotor(Symmetric<T> A, const T& rotor) {
   return A;
 }
 
-// Takes the three rotations out of the body: what is left of it is C and f, so that no rounding
-// stays behind. e gets K = A^-1 B, y = A^-1 (tau - n) and the factors of A. With a rotor J, which
-// is the same about all axes, A + J is in the place of A there, and J K, J (A + J)^-1 A and tau - J
-// y are left, too.
+// Takes the three rotations out of the body at the joint's origin: what is left of it is C and f,
+// and the torque, so that no rounding stays behind. e gets K = A^-1 B, y = A^-1 (torque - n) and
+// the factors of A. With a rotor J, which is the same about all axes, A + J is in the place of A
+// there, and J K, J (A + J)^-1 A and torque - J y are left, too.
 template <bool reversed, class T>
-ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X,
-                                       const Vector<T>& r, const Vector<T>& tau, T* e) {
-  if constexpr (reversed) shift(X, -r);
-  Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * tau;
+ADAGEN_INLINE void take_out_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  T* const e = w.memory(joints).e;
+  Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
   if constexpr (reversed) torque = -torque;
   T* const factors = e + 12;
   const T rotor = rotor_of(joints);
   factorize_rotations(w, joints, kSphericalRotors ? with_rotor(X.A, rotor) : X.A, factors);
-  const auto solve = [&](const Vector<T>& b) { return solve_rotations(factors, b); };
+  const T *d = factors, *l = factors + 3;
   const Matrix<T>& B = X.B;
-  const Vector<T> Bx{B.x.x, B.y.x, B.z.x}, By{B.x.y, B.y.y, B.z.y}, Bz{B.x.z, B.y.z, B.z.z};
-  const Vector<T> Kx = solve(Bx), Ky = solve(By), Kz = solve(Bz), y = solve(torque - X.n);
-  e[0] = Kx.x, e[1] = Ky.x, e[2] = Kz.x, e[3] = Kx.y, e[4] = Ky.y, e[5] = Kz.y;
-  e[6] = Kx.z, e[7] = Ky.z, e[8] = Kz.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
-  X.C.xx -= dot(Bx, Kx), X.C.xy -= dot(Bx, Ky), X.C.xz -= dot(Bx, Kz);
-  X.C.yy -= dot(By, Ky), X.C.yz -= dot(By, Kz), X.C.zz -= dot(Bz, Kz);
+  // With L Y = B, B^T A^-1 B is Y^T D^-1 Y: it waits for no more than the last division.
+  const Vector<T> Yx = B.x, Yy = B.y - B.x * l[0], Yz = (B.z - B.x * l[1]) - Yy * l[2];
+  const Vector<T> Zx = Yx * d[0], Zy = Yy * d[1], Zz = Yz * d[2];
+  using V = Vector<T>;
+  const auto subtract = [&](T& c, T V::* i, T V::* k) ADAGEN_ALWAYS {
+    c = ((c - Yx.*i * Zx.*k) - Yy.*i * Zy.*k) - Yz.*i * Zz.*k;
+  };
+  subtract(X.C.xx, &V::x, &V::x), subtract(X.C.xy, &V::x, &V::y), subtract(X.C.xz, &V::x, &V::z);
+  subtract(X.C.yy, &V::y, &V::y), subtract(X.C.yz, &V::y, &V::z), subtract(X.C.zz, &V::z, &V::z);
+  const Vector<T> Kz = Zz, Ky = Zy - Kz * l[2], Kx = (Zx - Kz * l[1]) - Ky * l[0];
+  const Vector<T> y = solve_rotations(factors, torque - X.n);
+  e[0] = Kx.x, e[1] = Kx.y, e[2] = Kx.z, e[3] = Ky.x, e[4] = Ky.y, e[5] = Ky.z;
+  e[6] = Kz.x, e[7] = Kz.y, e[8] = Kz.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
   X.f += transposed_times(B, y);
   X.n = torque;
   if constexpr (kSphericalRotors) {
     const Symmetric<T>& A = X.A;
+    const auto solve = [&](const Vector<T>& b) { return solve_rotations(factors, b); };
     const Vector<T> x = solve(Vector<T>{A.xx, A.xy, A.xz}), z = solve(Vector<T>{A.xz, A.yz, A.zz});
     const T yy = solve(Vector<T>{A.xy, A.yy, A.yz}).y;
     X.A = {x.x * rotor, x.y * rotor, x.z * rotor, yy * rotor, z.y * rotor, z.z * rotor};
-    X.B = {Vector<T>{Kx.x, Ky.x, Kz.x} * rotor, Vector<T>{Kx.y, Ky.y, Kz.y} * rotor,
-           Vector<T>{Kx.z, Ky.z, Kz.z} * rotor};
+    X.B = {Kx * rotor, Ky * rotor, Kz * rotor};
     X.n += -(y * rotor);
-    if constexpr (!reversed) shift(X, r);
-  } else if constexpr (reversed) {
-    X.A = Symmetric<T>{}, X.B = Matrix<T>{};
   } else {
-    shift_mass(X, r);
+    X.A = Symmetric<T>{}, X.B = Matrix<T>{};
   }
+}
+
+// The same, from the far link's side to the near link's origin.
+template <bool reversed, class T>
+ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Vector<T>& r = w.memory(joints).r;
+  if constexpr (reversed) shift(X, -r);
+  take_out_rotations<reversed>(w, joints, X);
+  if constexpr (!reversed && kSphericalRotors) shift(X, r);
+  if constexpr (!reversed && !kSphericalRotors) shift_mass(X, r);
+}
+
+// Whether joints first .. last leave of a body no more than its mass.
+constexpr bool leave_mass_alone(int first, int last) {
+  for (int j = first; j <= last; ++j)
+    if (kJoints[j].kind != JointKind::kSpherical) return false;
+  return !kSphericalRotors;
 }
 
 // Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
@@ -2166,6 +2201,24 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>&
   X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
   X.n += vector_at<T>(w.at(joints.slot, kTorque));
   X.f += vector_at<T>(w.at(joints.slot, kForce));
+}
+
+// A bare link told about the point at -r from its origin: with d = c + m r / 2, A - (rx dx + dx
+// rx).
+template <class T>
+ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, const Vector<T>& r) {
+  Body<T> X{};
+  add_bare_link(w, joints, X);
+  const Vector<T> c{X.B.z.y, X.B.x.z, X.B.y.x};
+  const T m = X.C.xx;
+  const Vector<T> d = c + r * (m / 2), moved = c + r * m;
+  const T xx = 2 * d.x * r.x, yy = 2 * d.y * r.y, zz = 2 * d.z * r.z;
+  X.A += Symmetric<T>{yy + zz, -(d.x * r.y + d.y * r.x), -(d.x * r.z + d.z * r.x),
+                      xx + zz, -(d.y * r.z + d.z * r.y), xx + yy};
+  const T none{};
+  X.B = {{none, -moved.z, moved.y}, {moved.z, none, -moved.x}, {-moved.y, moved.x, none}};
+  X.n += cross(r, X.f);
+  return X;
 }
 
 constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
@@ -2288,10 +2341,7 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind 
       eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e, arrive);
       return;
     case JointKind::kSpherical:
-      if constexpr (kAnySpherical) {
-        const Vector<T> tau = spherical_torque(w, joints);
-        eliminate_rotations<reversed>(w, joints, X, memory.r, tau, memory.e);
-      }
+      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, joints, X);
       break;
     case JointKind::kPlanar:
       if constexpr (kAnyPlanar && kWidth<T> == 1) eliminate_planar<reversed>(w, joints, X);
@@ -2356,11 +2406,30 @@ void inward(Workspace& w) {
   if constexpr (near > 0) leave<starts>(w, near, X);
 }
 
+// The next for spherical joints with bare links between them: a link is told at the next joint's
+// origin before what is left of the body gets there.
+template <int p, int first, int last>
+ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
+  Body<Value> X{};
+  meet<p>(w, kJoints[first].parent, X);
+  shift(X, -w.joints[first].r);
+  take_out_rotations<true>(w, single(first), X);
+  for (int j = first + 1; j <= last; ++j) {
+    const Vector<Value> r = -w.joints[static_cast<std::size_t>(j)].r;
+    shift_mass(X, r);
+    X += bare_link_from(w, single(j - 1), r);
+    take_out_rotations<true>(w, single(j), X);
+  }
+  return X;
+}
+
 // The same for a root beyond joint last: from the parent link of joint first to the child of last.
 template <int p, int first, int last, bool starts>
 void inward_reversed(Workspace& w) {
-  Body<Value> X{};
   constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick && leave_mass_alone(first, last))
+    return leave<starts>(w, last + 1, turn_inward_reversed<p, first, last>(w));
+  Body<Value> X{};
   if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
@@ -2474,8 +2543,6 @@ ADAGEN_INLINE Body<Real> body(const Columns& X) {
           {p[4], p[5], p[6]}};
 }
 
-typedef Bits ColumnBits __attribute__((vector_size(8 * sizeof(Bits))));
-
 // Eight lanes of a register that may hold more.
 template <int first>
 ADAGEN_INLINE Column eight(const Lanes& x) {
@@ -2486,14 +2553,10 @@ ADAGEN_INLINE Column eight(const Lanes& x) {
   return result;
 }
 
-// One number of a column in all lanes, and the linear half alone.
+// One number of a column in all lanes.
 template <int k>
 ADAGEN_INLINE Column spread(const Column& x) {
   return shuffled<k, k, k, k, k, k, k, k>(x, x);
-}
-ADAGEN_INLINE Column linear_half(const Column& x) {
-  const ColumnBits kept = reinterpret_cast<ColumnBits>(x) & ColumnBits{0, 0, 0, 0, -1, -1, -1, -1};
-  return reinterpret_cast<Column>(kept);
 }
 
 // The lever arm r of a force: [n; f] becomes [n + r x f; f].
@@ -2514,11 +2577,10 @@ ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
 }
 
 // The body told about the point at -r from the one that it is told about: what forces become, then
-// what motions were. A body left by a spherical joint has no angular columns yet.
-template <bool by_mass_alone = false>
+// what motions were.
 ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
   ADAGEN_FOR (k, 0, 3) {
-    if constexpr (!by_mass_alone) X.angular[k] = carried(arm, X.angular[k]);
+    X.angular[k] = carried(arm, X.angular[k]);
     X.linear[k] = carried(arm, X.linear[k]);
   }
   const auto& [x, y, z] = arm.r;
@@ -2662,45 +2724,6 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   X.force += U * u;
 }
 
-// See eliminate_rotations in inward.hpp: with A = L D L^T and L Y = B, the rows of Y are what the
-// angular columns become below the diagonal.
-template <bool reversed>
-ADAGEN_INLINE void eliminate_rotations(Workspace& w, int j, Columns& X, Due& due) {
-  Memory& memory = w.joints[static_cast<std::size_t>(j)];
-  Real* const e = memory.e;
-  const Arm lever = arm(reversed ? -memory.r : memory.r);
-  settle(X, due);
-  if constexpr (reversed) shift(X, lever);
-  const Column &a = X.angular[0], &b = X.angular[1], &c = X.angular[2];
-  Real* const factors = e + 12;
-  factorize_rotations(w, single(j), Symmetric<Real>{a[0], a[1], a[2], b[1], b[2], c[2]}, factors);
-  const Real *d = factors, *l = factors + 3;
-  Vector<Real> torque = matrix_at(w.of(j, kAxes)) * spherical_torque(w, single(j));
-  if constexpr (reversed) torque = -torque;
-  const Vector<Real> n{X.force[0], X.force[1], X.force[2]};
-  const Vector<Real> y = solve_rotations(factors, torque - n);
-  const Column Y[3] = {a, b - a * l[0], c - a * l[1] - (b - a * l[0]) * l[2]};
-  const Column Z[3] = {Y[0] * d[0], Y[1] * d[1], Y[2] * d[2]};
-  X.force = linear_half(X.force + a * y.x + b * y.y + c * y.z) + column(torque, {});
-  ADAGEN_FOR (k, 0, 3) {
-    X.linear[0] -= Z[k] * spread<4>(Y[k]);
-    X.linear[1] -= Z[k] * spread<5>(Y[k]);
-    X.linear[2] -= Z[k] * spread<6>(Y[k]);
-  }
-  const Column K2 = Z[2], K1 = Z[1] - K2 * l[2], K0 = Z[0] - K1 * l[0] - K2 * l[1];
-  Real* to = e;
-  for (const Column& row : {K0, K1, K2}) {  // the fourth number is overwritten by what comes next
-    std::memcpy(to, reinterpret_cast<const Real*>(&row) + 4, 4 * sizeof(Real));
-    to += 3;
-  }
-  e[9] = y.x, e[10] = y.y, e[11] = y.z;
-  ADAGEN_FOR (k, 0, 3) {
-    X.angular[k] = Column{};
-    X.linear[k] = linear_half(X.linear[k]);
-  }
-  if constexpr (!reversed) shift<true>(X, lever);
-}
-
 template <bool reversed, class Arrive>
 ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, Due& due,
                                const Arrive& arrive) {
@@ -2717,14 +2740,8 @@ ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, 
     case JointKind::kPrismatic:
       if constexpr (any_of(JointKind::kPrismatic)) eliminate<true, reversed>(w, j, X, due, arrive);
       return;
-    case JointKind::kSpherical:
-      if constexpr (kSphericalRotors)
-        number_by_number();
-      else if constexpr (kAnySpherical)
-        eliminate_rotations<reversed>(w, j, X, due);
-      break;
     default:
-      if constexpr (kAnyPlanar || kAnyFloating) number_by_number();
+      if constexpr (kAnySpherical || kAnyPlanar || kAnyFloating) number_by_number();
   }
   arrive(X);
 }
@@ -5222,8 +5239,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 142, 0.441};
-constexpr Hop kMessageHop{22.4, 208, 0.644};
+constexpr Hop kWindowHop{0, 130, 0.441};
+constexpr Hop kMessageHop{20.4, 199, 0.625};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {
