@@ -78,6 +78,7 @@ def values(words: Words) -> dict[str, object]:
     return {
         "runtime": [*RUNTIME, *(mobility.runtime(plan) if cuts else ())],
         "cuts": cuts,
+        "holds": mobility.holds_ground(plan),
         "cut_joints": [
             {"type": f"Joint_{words.joints[j]}", "id": f"j_{words.joints[j]}", "members": lines}
             for j, lines in mobility.members(words).items()

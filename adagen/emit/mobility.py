@@ -54,6 +54,11 @@ def has_cuts(plan: Plan) -> bool:
     return any(isinstance(step, STEPS) for process in plan.processes for step in process.steps)
 
 
+def holds_ground(plan: Plan) -> bool:
+    """Return whether a process takes the ground, as joints on it let it yield, for a body."""
+    return any(isinstance(s, HoldMobility) for p in plan.processes for s in all_steps(p))
+
+
 def runtime(plan: Plan) -> list[str]:
     """Return the parts of the runtime that joins need."""
     joined = {s.joint for p in plan.processes for s in all_steps(p) if isinstance(s, Join)}

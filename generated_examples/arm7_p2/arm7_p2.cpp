@@ -2061,6 +2061,61 @@ void pass_outward(Workspace& w) {
   keep(w, slot_of(last), at);
 }
 
+// Symmetric matrices of three rows, eliminated.
+
+// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21. Without fractions (Bareiss) the three
+// divisions need not wait for each other: with m = xx yy - xy^2 and so on the pivots are xx, m / xx
+// and (m m' - t^2) / (xx m), as exact as by turns. Float's range is too short for fourth powers.
+// What pivots gets has their signs.
+template <class T>
+ADAGEN_INLINE void factorize(const Symmetric<T>& A, T* factors, T (&pivots)[3]) {
+  T* const l = factors + 3;
+  const T d0 = 1 / A.xx;
+  l[0] = A.xy * d0, l[1] = A.xz * d0;
+  T p1, p2;
+  if constexpr (std::numeric_limits<Real>::min_exponent10 < -300) {
+    const T m = A.xx * A.yy - A.xy * A.xy, t = A.xx * A.yz - A.xy * A.xz;
+    p1 = m, p2 = m * (A.xx * A.zz - A.xz * A.xz) - t * t;
+    const T inverse = 1 / m;
+    factors[1] = A.xx * inverse, factors[2] = A.xx * m / p2;
+    l[2] = t * inverse;
+  } else {
+    const T t = A.yz - l[1] * A.xy;
+    p1 = A.yy - l[0] * A.xy;
+    factors[1] = 1 / p1, l[2] = t * factors[1];
+    p2 = A.zz - l[1] * A.xz - l[2] * t;
+    factors[2] = 1 / p2;
+  }
+  factors[0] = d0;
+  pivots[0] = A.xx, pivots[1] = p1, pivots[2] = p2;
+}
+
+// A^-1 b, by the factors of A.
+template <class F, class T>
+ADAGEN_INLINE Vector<T> solved(const F* factors, const Vector<T>& b) {
+  const F *d = factors, *l = factors + 3;
+  const T y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
+  const T z = y2 * d[2], y = y1 * d[1] - l[2] * z;
+  return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
+}
+
+// C becomes C - B^T A^-1 B, by the factors of A; returns A^-1 B. With L Y = B what is subtracted is
+// Y^T D^-1 Y, which waits for no more than the last division.
+template <class T>
+ADAGEN_INLINE Matrix<T> complement(Symmetric<T>& C, const Matrix<T>& B, const T* factors) {
+  const T *d = factors, *l = factors + 3;
+  const Vector<T> Yx = B.x, Yy = B.y - B.x * l[0], Yz = (B.z - B.x * l[1]) - Yy * l[2];
+  const Vector<T> Zx = Yx * d[0], Zy = Yy * d[1], Zz = Yz * d[2];
+  using V = Vector<T>;
+  const auto subtract = [&](T& c, T V::* i, T V::* k) ADAGEN_ALWAYS {
+    c = ((c - Yx.*i * Zx.*k) - Yy.*i * Zy.*k) - Yz.*i * Zz.*k;
+  };
+  subtract(C.xx, &V::x, &V::x), subtract(C.xy, &V::x, &V::y), subtract(C.xz, &V::x, &V::z);
+  subtract(C.yy, &V::y, &V::y), subtract(C.yz, &V::y, &V::z), subtract(C.zz, &V::z, &V::z);
+  const Vector<T> Ky = Zy - Zz * l[2];
+  return {(Zx - Zz * l[1]) - Ky * l[0], Ky, Zz};
+}
+
 // Spherical joints: three rotations at once. Damping and a rotor are the same about all axes.
 [[maybe_unused]] constexpr bool any_spherical_rotor() {
   for (const JointConstants& joint : kJoints)
@@ -2083,43 +2138,6 @@ ADAGEN_INLINE T rotor_of(const Joints<T>& joints) {
   return each(joints, [](const JointConstants& own) { return own.passive.rotor; });
 }
 
-// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21. Without fractions (Bareiss) the three
-// divisions need not wait for each other: with m = xx yy - xy^2 and so on the pivots are xx, m / xx
-// and (m m' - t^2) / (xx m), as exact as by turns. Float's range is too short for fourth powers.
-template <class T>
-ADAGEN_INLINE void factorize_rotations(Workspace& w, const Joints<T>& joints, const Symmetric<T>& A,
-                                       T* factors) {
-  T* const l = factors + 3;
-  const T d0 = 1 / A.xx;
-  l[0] = A.xy * d0, l[1] = A.xz * d0;
-  T p1, p2;
-  if constexpr (std::numeric_limits<Real>::min_exponent10 < -300) {
-    const T m = A.xx * A.yy - A.xy * A.xy, t = A.xx * A.yz - A.xy * A.xz;
-    p1 = m, p2 = m * (A.xx * A.zz - A.xz * A.xz) - t * t;
-    const T inverse = 1 / m;
-    factors[1] = A.xx * inverse, factors[2] = A.xx * m / p2;
-    l[2] = t * inverse;
-  } else {
-    const T t = A.yz - l[1] * A.xy;
-    p1 = A.yy - l[0] * A.xy;
-    factors[1] = 1 / p1, l[2] = t * factors[1];
-    p2 = A.zz - l[1] * A.xz - l[2] * t;
-    factors[2] = 1 / p2;
-  }
-  factors[0] = d0;
-  for (const T& pivot : {A.xx, p1, p2})
-    if (__builtin_expect(!all_positive(pivot), 0)) fail_one(w, joints, pivot);
-}
-
-// A x = b, by these factors.
-template <class F, class T>
-ADAGEN_INLINE Vector<T> solve_rotations(const F* factors, const Vector<T>& b) {
-  const F *d = factors, *l = factors + 3;  // l: 10, 20, 21
-  const T y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
-  const T z = y2 * d[2], y = y1 * d[1] - l[2] * z;
-  return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
-}
-
 template <class T>
 ADAGEN_INLINE Symmetric<T> with_rotor(Symmetric<T> A, const T& rotor) {
   A.xx += rotor, A.yy += rotor, A.zz += rotor;
@@ -2136,32 +2154,25 @@ ADAGEN_INLINE void take_out_rotations(Workspace& w, const Joints<T>& joints, Bod
   Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
   if constexpr (reversed) torque = -torque;
   T* const factors = e + 12;
+  T pivots[3];
   const T rotor = rotor_of(joints);
-  factorize_rotations(w, joints, kSphericalRotors ? with_rotor(X.A, rotor) : X.A, factors);
-  const T *d = factors, *l = factors + 3;
+  factorize(kSphericalRotors ? with_rotor(X.A, rotor) : X.A, factors, pivots);
+  for (const T& pivot : pivots)
+    if (__builtin_expect(!all_positive(pivot), 0)) fail_one(w, joints, pivot);
   const Matrix<T>& B = X.B;
-  // With L Y = B, B^T A^-1 B is Y^T D^-1 Y: it waits for no more than the last division.
-  const Vector<T> Yx = B.x, Yy = B.y - B.x * l[0], Yz = (B.z - B.x * l[1]) - Yy * l[2];
-  const Vector<T> Zx = Yx * d[0], Zy = Yy * d[1], Zz = Yz * d[2];
-  using V = Vector<T>;
-  const auto subtract = [&](T& c, T V::* i, T V::* k) ADAGEN_ALWAYS {
-    c = ((c - Yx.*i * Zx.*k) - Yy.*i * Zy.*k) - Yz.*i * Zz.*k;
-  };
-  subtract(X.C.xx, &V::x, &V::x), subtract(X.C.xy, &V::x, &V::y), subtract(X.C.xz, &V::x, &V::z);
-  subtract(X.C.yy, &V::y, &V::y), subtract(X.C.yz, &V::y, &V::z), subtract(X.C.zz, &V::z, &V::z);
-  const Vector<T> Kz = Zz, Ky = Zy - Kz * l[2], Kx = (Zx - Kz * l[1]) - Ky * l[0];
-  const Vector<T> y = solve_rotations(factors, torque - X.n);
-  e[0] = Kx.x, e[1] = Kx.y, e[2] = Kx.z, e[3] = Ky.x, e[4] = Ky.y, e[5] = Ky.z;
-  e[6] = Kz.x, e[7] = Kz.y, e[8] = Kz.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
+  const Matrix<T> K = complement(X.C, B, factors);
+  const Vector<T> y = solved(factors, torque - X.n);
+  e[0] = K.x.x, e[1] = K.x.y, e[2] = K.x.z, e[3] = K.y.x, e[4] = K.y.y, e[5] = K.y.z;
+  e[6] = K.z.x, e[7] = K.z.y, e[8] = K.z.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
   X.f += transposed_times(B, y);
   X.n = torque;
   if constexpr (kSphericalRotors) {
     const Symmetric<T>& A = X.A;
-    const auto solve = [&](const Vector<T>& b) { return solve_rotations(factors, b); };
-    const Vector<T> x = solve(Vector<T>{A.xx, A.xy, A.xz}), z = solve(Vector<T>{A.xz, A.yz, A.zz});
-    const T yy = solve(Vector<T>{A.xy, A.yy, A.yz}).y;
+    const Vector<T> x = solved(factors, Vector<T>{A.xx, A.xy, A.xz});
+    const Vector<T> z = solved(factors, Vector<T>{A.xz, A.yz, A.zz});
+    const T yy = solved(factors, Vector<T>{A.xy, A.yy, A.yz}).y;
     X.A = {x.x * rotor, x.y * rotor, x.z * rotor, yy * rotor, z.y * rotor, z.z * rotor};
-    X.B = {Kx * rotor, Ky * rotor, Kz * rotor};
+    X.B = {K.x * rotor, K.y * rotor, K.z * rotor};
     X.n += -(y * rotor);
   } else {
     X.A = Symmetric<T>{}, X.B = Matrix<T>{};
@@ -2257,32 +2268,20 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   X.f += f * u;
 }
 
-// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), by L D L^T. Whether that
-// could be done.
+// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), A and what it leaves of C
+// by their factors. Whether that could be done.
 ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
-  Value L[6][6] = {{X.A.xx},
-                   {X.A.xy, X.A.yy},
-                   {X.A.xz, X.A.yz, X.A.zz},
-                   {X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx},
-                   {X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy},
-                   {X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz}};
-  Value x[6] = {-X.n.x, -X.n.y, -X.n.z, -X.f.x, -X.f.y, -X.f.z}, inverse[6];
+  Value turning[6], sliding[6], pivots[2][3];
+  factorize(X.A, turning, pivots[0]);
+  Symmetric<Value> C = X.C;
+  const Matrix<Value> K = complement(C, X.B, turning);
+  factorize(C, sliding, pivots[1]);
+  const Vector<Value> y = solved(turning, -X.n);
+  a.linear = solved(sliding, -(X.f + transposed_times(X.B, y)));
+  a.angular = y - K * a.linear;
   bool fine = true;
-  ADAGEN_FOR (c, 0, 6) {
-    fine &= all_positive(L[c][c]);
-    inverse[c] = 1 / L[c][c];
-    ADAGEN_FOR (i, c + 1, 6) {
-      const Value l = L[i][c] * inverse[c];
-      ADAGEN_FOR (k, c + 1, i + 1) L[i][k] -= l * L[k][c];
-      x[i] -= l * x[c];
-    }
-  }
-  ADAGEN_FOR (c, 0, 6) {
-    const int i = 5 - c;
-    x[i] *= inverse[i];
-    ADAGEN_FOR (k, i + 1, 6) x[i] -= L[k][i] * inverse[i] * x[k];
-  }
-  a = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
+  for (const auto& of : pivots)
+    for (const Value& pivot : of) fine &= all_positive(pivot);
   return fine;
 }
 
@@ -2842,7 +2841,7 @@ ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T
   const T* const e = w.memory(joints).e;
   const Matrix<T> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
   Vector<T> far = Vector<T>{e[9], e[10], e[11]} - K * a.linear;
-  if constexpr (kSphericalRotors) far += solve_rotations(e + 12, a.angular) * rotor_of(joints);
+  if constexpr (kSphericalRotors) far += solved(e + 12, a.angular) * rotor_of(joints);
   const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
   const Vector<T> x = transposed_times(R, far - a.angular);
   answer(w, joints, 0, reversed ? -x.x : x.x);
@@ -3025,8 +3024,7 @@ ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a,
       a.angular = {drive.x - (e[0] * v.x + e[1] * v.y + e[2] * v.z),
                    drive.y - (e[3] * v.x + e[4] * v.y + e[5] * v.z),
                    drive.z - (e[6] * v.x + e[7] * v.y + e[8] * v.z)};
-      if constexpr (kSphericalRotors)
-        a.angular += solve_rotations(e + 12, spin) * rotor_of(single(j));
+      if constexpr (kSphericalRotors) a.angular += solved(e + 12, spin) * rotor_of(single(j));
       if constexpr (reversed) carry(a, -memory.r);
     }
     return;
@@ -3077,7 +3075,7 @@ Mat6 own_mobility(Workspace& w, int j) {
     if constexpr (kAnySpherical) {
       for (int k = 0; k < 3; ++k) {
         const Vector<Value> unit{Value(k == 0), Value(k == 1), Value(k == 2)};
-        const Vector<Value> x = solve_rotations(memory.e + 12, unit);
+        const Vector<Value> x = solved(memory.e + 12, unit);
         result(0, k) = x.x, result(1, k) = x.y, result(2, k) = x.z;
       }
     }
@@ -3123,25 +3121,6 @@ Columns6 force_on(Workspace& w) {
   return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
 }
 
-// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to
-// a singular matrix for that, angular and linear ones beside the largest of their kind.
-template <int link>
-void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
-  constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
-  const Real most[2] = {Phi.diagonal().template head<3>().maxCoeff(),
-                        Phi.diagonal().template tail<3>().maxCoeff()};
-  Real least[6];
-  ADAGEN_FOR (k, 0, 6) least[k] = kLeastPivot * most[k / 3];
-  Mat6 I;
-  if (!invert(Phi, least, I)) return fail(w, kSingularPose, link - 1);
-  Body<Value>& X = w.bodies[link];
-  X.A = {I(0, 0), I(1, 0), I(2, 0), I(1, 1), I(2, 1), I(2, 2)};
-  X.B = {{I(3, 0), I(4, 0), I(5, 0)}, {I(3, 1), I(4, 1), I(5, 1)}, {I(3, 2), I(4, 2), I(5, 2)}};
-  X.C = {I(3, 3), I(4, 3), I(5, 3), I(4, 4), I(5, 4), I(5, 5)};
-  const Columns6 p = -(inertia_of(X) * b);
-  X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
-}
-
 // --- joins: adapters to the joints' own frames ---------------------------------------------------
 
 // From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
@@ -3179,7 +3158,7 @@ ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f)
   Vector<T> driven{};
   if (kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) {
-      driven = solve_rotations(e + 12, n);
+      driven = solved(e + 12, n);
       f.x -= e[0] * n.x + e[3] * n.y + e[6] * n.z;
       f.y -= e[1] * n.x + e[4] * n.y + e[7] * n.z;
       f.z -= e[2] * n.x + e[5] * n.y + e[8] * n.z;
@@ -3235,34 +3214,6 @@ void deliver_reversed(Workspace& w) {
     deliver<true>(w, j, n, f);
   }
   w.loads[last + 1] += columns_of({n, f});
-}
-
-// Phi and b of the last of joints first .. last, which hang on the ground: what six wrenches on its
-// link make it do, one in each lane, and in a further lane what it does under none.
-template <int first, int last>
-void respond(Workspace& w, Mat6& Phi, Columns6& b) {
-  static_assert(sizeof(Value) == sizeof(Real));
-  Vector<Lanes> drives[last - first + 1], n{}, f{};
-  n.x[0] = n.y[1] = n.z[2] = f.x[3] = f.y[4] = f.z[5] = 1;
-  for (int j = last; j >= first; --j) {
-    Vector<Lanes>& own = drives[j - first] = hand_on<false>(w, j, n, f);
-    const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
-    if (kJoints[static_cast<std::size_t>(j)].kind != JointKind::kSpherical) {
-      own.x[6] = e[6];
-    } else if constexpr (kAnySpherical) {
-      own.x[6] = e[9], own.y[6] = e[10], own.z[6] = e[11];
-    }
-  }
-  Motion<Lanes> a{};
-  for (int j = first; j <= last; ++j) pass<false>(w, j, a, drives[j - first]);
-  const Vector<Lanes> halves[2] = {a.angular, a.linear};
-  ADAGEN_FOR (half, 0, 2) {
-    const Lanes* const rows[3] = {&halves[half].x, &halves[half].y, &halves[half].z};
-    ADAGEN_FOR (i, 0, 3) {
-      ADAGEN_FOR (k, 0, 6) Phi(3 * half + i, k) = (*rows[i])[k];
-      b[3 * half + i] = (*rows[i])[6];
-    }
-  }
 }
 
 // What goes into a message, and out of one.
@@ -5239,8 +5190,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 130, 0.441};
-constexpr Hop kMessageHop{20.4, 199, 0.625};
+constexpr Hop kWindowHop{0, 128, 0.437};
+constexpr Hop kMessageHop{20, 197, 0.596};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

@@ -55,7 +55,7 @@ ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T
   const T* const e = w.memory(joints).e;
   const Matrix<T> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
   Vector<T> far = Vector<T>{e[9], e[10], e[11]} - K * a.linear;
-  if constexpr (kSphericalRotors) far += solve_rotations(e + 12, a.angular) * rotor_of(joints);
+  if constexpr (kSphericalRotors) far += solved(e + 12, a.angular) * rotor_of(joints);
   const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
   const Vector<T> x = transposed_times(R, far - a.angular);
   answer(w, joints, 0, reversed ? -x.x : x.x);

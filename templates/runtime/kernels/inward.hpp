@@ -70,32 +70,20 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   X.f += f * u;
 }
 
-// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), by L D L^T. Whether that
-// could be done.
+// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), A and what it leaves of C
+// by their factors. Whether that could be done.
 ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
-  Value L[6][6] = {{X.A.xx},
-                   {X.A.xy, X.A.yy},
-                   {X.A.xz, X.A.yz, X.A.zz},
-                   {X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx},
-                   {X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy},
-                   {X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz}};
-  Value x[6] = {-X.n.x, -X.n.y, -X.n.z, -X.f.x, -X.f.y, -X.f.z}, inverse[6];
+  Value turning[6], sliding[6], pivots[2][3];
+  factorize(X.A, turning, pivots[0]);
+  Symmetric<Value> C = X.C;
+  const Matrix<Value> K = complement(C, X.B, turning);
+  factorize(C, sliding, pivots[1]);
+  const Vector<Value> y = solved(turning, -X.n);
+  a.linear = solved(sliding, -(X.f + transposed_times(X.B, y)));
+  a.angular = y - K * a.linear;
   bool fine = true;
-  ADAGEN_FOR (c, 0, 6) {
-    fine &= all_positive(L[c][c]);
-    inverse[c] = 1 / L[c][c];
-    ADAGEN_FOR (i, c + 1, 6) {
-      const Value l = L[i][c] * inverse[c];
-      ADAGEN_FOR (k, c + 1, i + 1) L[i][k] -= l * L[k][c];
-      x[i] -= l * x[c];
-    }
-  }
-  ADAGEN_FOR (c, 0, 6) {
-    const int i = 5 - c;
-    x[i] *= inverse[i];
-    ADAGEN_FOR (k, i + 1, 6) x[i] -= L[k][i] * inverse[i] * x[k];
-  }
-  a = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
+  for (const auto& of : pivots)
+    for (const Value& pivot : of) fine &= all_positive(pivot);
   return fine;
 }
 

@@ -86,8 +86,7 @@ ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a,
       a.angular = {drive.x - (e[0] * v.x + e[1] * v.y + e[2] * v.z),
                    drive.y - (e[3] * v.x + e[4] * v.y + e[5] * v.z),
                    drive.z - (e[6] * v.x + e[7] * v.y + e[8] * v.z)};
-      if constexpr (kSphericalRotors)
-        a.angular += solve_rotations(e + 12, spin) * rotor_of(single(j));
+      if constexpr (kSphericalRotors) a.angular += solved(e + 12, spin) * rotor_of(single(j));
       if constexpr (reversed) carry(a, -memory.r);
     }
     return;
@@ -138,7 +137,7 @@ Mat6 own_mobility(Workspace& w, int j) {
     if constexpr (kAnySpherical) {
       for (int k = 0; k < 3; ++k) {
         const Vector<Value> unit{Value(k == 0), Value(k == 1), Value(k == 2)};
-        const Vector<Value> x = solve_rotations(memory.e + 12, unit);
+        const Vector<Value> x = solved(memory.e + 12, unit);
         result(0, k) = x.x, result(1, k) = x.y, result(2, k) = x.z;
       }
     }
@@ -182,25 +181,6 @@ template <int link>
 Columns6 force_on(Workspace& w) {
   const Body<Value>& X = w.bodies[link];
   return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
-}
-
-// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to
-// a singular matrix for that, angular and linear ones beside the largest of their kind.
-template <int link>
-void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
-  constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
-  const Real most[2] = {Phi.diagonal().template head<3>().maxCoeff(),
-                        Phi.diagonal().template tail<3>().maxCoeff()};
-  Real least[6];
-  ADAGEN_FOR (k, 0, 6) least[k] = kLeastPivot * most[k / 3];
-  Mat6 I;
-  if (!invert(Phi, least, I)) return fail(w, kSingularPose, link - 1);
-  Body<Value>& X = w.bodies[link];
-  X.A = {I(0, 0), I(1, 0), I(2, 0), I(1, 1), I(2, 1), I(2, 2)};
-  X.B = {{I(3, 0), I(4, 0), I(5, 0)}, {I(3, 1), I(4, 1), I(5, 1)}, {I(3, 2), I(4, 2), I(5, 2)}};
-  X.C = {I(3, 3), I(4, 3), I(5, 3), I(4, 4), I(5, 4), I(5, 5)};
-  const Columns6 p = -(inertia_of(X) * b);
-  X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
 }
 
 // --- joins: adapters to the joints' own frames ---------------------------------------------------

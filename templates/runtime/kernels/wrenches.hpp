@@ -12,7 +12,7 @@ ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f)
   Vector<T> driven{};
   if (kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) {
-      driven = solve_rotations(e + 12, n);
+      driven = solved(e + 12, n);
       f.x -= e[0] * n.x + e[3] * n.y + e[6] * n.z;
       f.y -= e[1] * n.x + e[4] * n.y + e[7] * n.z;
       f.z -= e[2] * n.x + e[5] * n.y + e[8] * n.z;
@@ -68,32 +68,4 @@ void deliver_reversed(Workspace& w) {
     deliver<true>(w, j, n, f);
   }
   w.loads[last + 1] += columns_of({n, f});
-}
-
-// Phi and b of the last of joints first .. last, which hang on the ground: what six wrenches on its
-// link make it do, one in each lane, and in a further lane what it does under none.
-template <int first, int last>
-void respond(Workspace& w, Mat6& Phi, Columns6& b) {
-  static_assert(sizeof(Value) == sizeof(Real));
-  Vector<Lanes> drives[last - first + 1], n{}, f{};
-  n.x[0] = n.y[1] = n.z[2] = f.x[3] = f.y[4] = f.z[5] = 1;
-  for (int j = last; j >= first; --j) {
-    Vector<Lanes>& own = drives[j - first] = hand_on<false>(w, j, n, f);
-    const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
-    if (kJoints[static_cast<std::size_t>(j)].kind != JointKind::kSpherical) {
-      own.x[6] = e[6];
-    } else if constexpr (kAnySpherical) {
-      own.x[6] = e[9], own.y[6] = e[10], own.z[6] = e[11];
-    }
-  }
-  Motion<Lanes> a{};
-  for (int j = first; j <= last; ++j) pass<false>(w, j, a, drives[j - first]);
-  const Vector<Lanes> halves[2] = {a.angular, a.linear};
-  ADAGEN_FOR (half, 0, 2) {
-    const Lanes* const rows[3] = {&halves[half].x, &halves[half].y, &halves[half].z};
-    ADAGEN_FOR (i, 0, 3) {
-      ADAGEN_FOR (k, 0, 6) Phi(3 * half + i, k) = (*rows[i])[k];
-      b[3 * half + i] = (*rows[i])[6];
-    }
-  }
 }
