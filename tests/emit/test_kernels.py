@@ -42,6 +42,8 @@ def on_the_ground() -> Model:
         (human_figure(), "balanced", 4, "gather"),
         (on_the_ground(), "balanced", 4, "join"),  # a limb that a handle's force goes through
         (serial_chain(24, axes="xy"), "balanced", 2, "gather"),  # the ground as a body
+        (serial_chain(12, kind=SPHERICAL), "balanced", 2, "gather"),  # held by nine freedoms
+        (serial_chain(20, kind=PRISMATIC), "balanced", 2, "gather"),
         (serial_chain(24, axes="xyz"), "balanced", 3, "join"),
     ],
     ids=[
@@ -50,6 +52,8 @@ def on_the_ground() -> Model:
         "four gathered",
         "humanoid",
         "from the ground",
+        "by balls from the ground",
+        "by slides from the ground",
         "chain joined",
     ],
 )
