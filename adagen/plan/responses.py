@@ -1,6 +1,7 @@
 """Runs from the ground whose mobility is asked for at their last link only.
 
-It is what wrenches there make that link do: no mobility of the links before is needed.
+It is the sum of what each freedom of the run makes that link do: no mobility of the links before is
+needed.
 """
 
 from __future__ import annotations
