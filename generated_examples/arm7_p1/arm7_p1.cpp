@@ -3788,8 +3788,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 128, 0.437};
-constexpr Hop kMessageHop{20, 197, 0.596};
+constexpr Hop kWindowHop{0, 130, 0.176};
+constexpr Hop kMessageHop{22.3, 196, 0.484};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

@@ -125,7 +125,8 @@ def report(solver: Solver, *words: str | Path) -> dict[str, Any]:
 def check_told(time: dict[str, Any], processes: int) -> None:
     """Check what is said of times that are from stretches."""
     assert (time["source"], time["evaluations"], time["pinned"]) == ("stretches", 192, False)
-    assert len(time["work_ns"]) == processes and all(ns > 0 for ns in time["work_ns"])
+    assert len(time["work_ns"]) == processes
+    assert min(time["work_ns"]) >= 0 < max(time["work_ns"])  # some may have nothing to do
     for way in ("in_place", "through_root"):
         figures = time[way]
         assert 0 < figures["min_ns"] <= figures["median_ns"] <= figures["p99_ns"]

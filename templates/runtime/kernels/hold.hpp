@@ -1,6 +1,6 @@
 // The ground as a body: what joints on it let a link do is taken for that link's inertia.
 
-constexpr int freedoms(int first, int last) {
+[[maybe_unused]] constexpr int freedoms(int first, int last) {
   int count = 0;
   for (int j = first; j <= last; ++j) count += kJoints[j].kind == JointKind::kSpherical ? 3 : 1;
   return count;

@@ -72,7 +72,7 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Bo
 }
 
 // Whether joints first .. last leave of a body no more than its mass.
-constexpr bool leave_mass_alone(int first, int last) {
+[[maybe_unused]] constexpr bool leave_mass_alone(int first, int last) {
   for (int j = first; j <= last; ++j)
     if (kJoints[j].kind != JointKind::kSpherical) return false;
   return !kSphericalRotors;
