@@ -25,7 +25,8 @@ DEFAULT = load_profile("default")
 assert DEFAULT.steps is not None
 # Costs under which two processes pay for chains of 80 rods: articulated inertias dearer.
 DEAR = {
-    name: (10 if name.startswith("articulate") else 1) * x for name, x in DEFAULT.steps.table.items()
+    name: (10 if name.startswith("articulate") else 1) * x
+    for name, x in DEFAULT.steps.table.items()
 }
 PROFILE = replace(DEFAULT, steps=replace(DEFAULT.steps, table=DEAR))
 
