@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,8 +12,8 @@ from adagen.model import Model
 from adagen.model.kinds import REVOLUTE, SPHERICAL
 from adagen.plan import make_plan
 from adagen.schedule import Topology, load_profile, named_schedule
-from adagen.states import random_states
-from tests.emitted import ROUNDING, Builder, kernels_of
+from adagen.states import random_states, write_states
+from tests.emitted import ROUNDING, Builder, kernels_of, plan_of
 from tests.models import random_tree, serial_chain
 
 PROFILE = load_profile("default")
@@ -59,3 +60,28 @@ def test_needles_keep_the_digits_that_their_inertia_leaves(
     plan = make_plan(model, schedule, meeting="gather")
     solver = builder.solver(plan, ("-O0",), name="needles", shape="kernels")
     assert solver.error(model, random_states(model, 6, seed=1), tmp_path) < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("mass", "scalar"), [(1e-40, "double"), (1e40, "double"), (1e-12, "float"), (1e9, "float")]
+)
+def test_units_do_not_matter(mass: float, scalar: str, builder: Builder, tmp_path: Path) -> None:
+    """Pivots are found from fourth powers of inertias in double, of none in float."""
+    model = serial_chain(8, kind=SPHERICAL, mass=mass, floating=True)
+    states = random_states(model, 3, seed=2)
+    states = replace(states, tau=states.tau * mass)
+    solver = builder.solver(plan_of(model, 1, scalar=scalar), ("-O0",), name="units")
+    assert solver.error(model, states, tmp_path) < 5 * ROUNDING[scalar]
+
+
+@pytest.mark.parametrize("mass", [1e-79, 1e79])
+def test_inertias_beyond_the_range_of_numbers_are_refused(
+    mass: float, builder: Builder, tmp_path: Path
+) -> None:
+    model = serial_chain(8, kind=SPHERICAL, mass=mass, floating=True)
+    states = random_states(model, 3, seed=2)
+    write_states(replace(states, tau=states.tau * mass), model, tmp_path / "s.json")
+    solver = builder.solver(plan_of(model, 1), ("-O0",), name="range", shape="kernels")
+    done = solver.run("--states", tmp_path / "s.json", "--result", tmp_path / "r.json")
+    assert (done.status, done.stdout) == (1, "")
+    assert "factorization failed" in done.stderr

@@ -2,29 +2,32 @@
 
 // The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21. Without fractions (Bareiss) the three
 // divisions need not wait for each other: with m = xx yy - xy^2 and so on the pivots are xx, m / xx
-// and (m m' - t^2) / (xx m), as exact as by turns. Float's range is too short for fourth powers.
-// What pivots gets has their signs.
+// and (m m' - t^2) / (xx m), as exact as by turns while fourth powers of A keep their digits: in
+// float they would not. All numbers that checks gets are positive if A could be factorized.
 template <class T>
-ADAGEN_INLINE void factorize(const Symmetric<T>& A, T* factors, T (&pivots)[3]) {
+ADAGEN_INLINE void factorize(const Symmetric<T>& A, T* factors, T (&checks)[4]) {
+  using Limits = std::numeric_limits<Real>;
   T* const l = factors + 3;
   const T d0 = 1 / A.xx;
   l[0] = A.xy * d0, l[1] = A.xz * d0;
   T p1, p2;
-  if constexpr (std::numeric_limits<Real>::min_exponent10 < -300) {
+  if constexpr (Limits::min_exponent10 < -300) {
     const T m = A.xx * A.yy - A.xy * A.xy, t = A.xx * A.yz - A.xy * A.xz;
     p1 = m, p2 = m * (A.xx * A.zz - A.xz * A.xz) - t * t;
     const T inverse = 1 / m;
     factors[1] = A.xx * inverse, factors[2] = A.xx * m / p2;
     l[2] = t * inverse;
+    checks[2] = p2 - Limits::min() / Limits::epsilon();
   } else {
     const T t = A.yz - l[1] * A.xy;
     p1 = A.yy - l[0] * A.xy;
     factors[1] = 1 / p1, l[2] = t * factors[1];
     p2 = A.zz - l[1] * A.xz - l[2] * t;
     factors[2] = 1 / p2;
+    checks[2] = p2;
   }
   factors[0] = d0;
-  pivots[0] = A.xx, pivots[1] = p1, pivots[2] = p2;
+  checks[0] = A.xx, checks[1] = p1, checks[3] = Limits::max() - p2;
 }
 
 // A^-1 b, by the factors of A.

@@ -16,8 +16,7 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>&
   X.f += vector_at<T>(w.at(joints.slot, kForce));
 }
 
-// A bare link told about the point at -r from its origin: with d = c + m r / 2, A - (rx dx + dx
-// rx).
+// A bare link told about the point at -r from its origin: A - (rx dx + dx rx), d = c + m r / 2.
 template <class T>
 ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, const Vector<T>& r) {
   Body<T> X{};
@@ -73,17 +72,17 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
 // Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), A and what it leaves of C
 // by their factors. Whether that could be done.
 ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
-  Value turning[6], sliding[6], pivots[2][3];
-  factorize(X.A, turning, pivots[0]);
+  Value turning[6], sliding[6], checks[2][4];
+  factorize(X.A, turning, checks[0]);
   Symmetric<Value> C = X.C;
   const Matrix<Value> K = complement(C, X.B, turning);
-  factorize(C, sliding, pivots[1]);
+  factorize(C, sliding, checks[1]);
   const Vector<Value> y = solved(turning, -X.n);
   a.linear = solved(sliding, -(X.f + transposed_times(X.B, y)));
   a.angular = y - K * a.linear;
   bool fine = true;
-  for (const auto& of : pivots)
-    for (const Value& pivot : of) fine &= all_positive(pivot);
+  for (const auto& of : checks)
+    for (const Value& check : of) fine &= all_positive(check);
   return fine;
 }
 

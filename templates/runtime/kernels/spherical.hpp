@@ -36,11 +36,11 @@ ADAGEN_INLINE void take_out_rotations(Workspace& w, const Joints<T>& joints, Bod
   Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
   if constexpr (reversed) torque = -torque;
   T* const factors = e + 12;
-  T pivots[3];
+  T checks[4];
   const T rotor = rotor_of(joints);
-  factorize(kSphericalRotors ? with_rotor(X.A, rotor) : X.A, factors, pivots);
-  for (const T& pivot : pivots)
-    if (__builtin_expect(!all_positive(pivot), 0)) fail_one(w, joints, pivot);
+  factorize(kSphericalRotors ? with_rotor(X.A, rotor) : X.A, factors, checks);
+  for (const T& check : checks)
+    if (__builtin_expect(!all_positive(check), 0)) fail_one(w, joints, check);
   const Matrix<T>& B = X.B;
   const Matrix<T> K = complement(X.C, B, factors);
   const Vector<T> y = solved(factors, torque - X.n);
