@@ -2221,29 +2221,32 @@ void pass_outward(Workspace& w) {
 
 // The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21. Without fractions (Bareiss) the three
 // divisions need not wait for each other: with m = xx yy - xy^2 and so on the pivots are xx, m / xx
-// and (m m' - t^2) / (xx m), as exact as by turns. Float's range is too short for fourth powers.
-// What pivots gets has their signs.
+// and (m m' - t^2) / (xx m), as exact as by turns while fourth powers of A keep their digits: in
+// float they would not. All numbers that checks gets are positive if A could be factorized.
 template <class T>
-ADAGEN_INLINE void factorize(const Symmetric<T>& A, T* factors, T (&pivots)[3]) {
+ADAGEN_INLINE void factorize(const Symmetric<T>& A, T* factors, T (&checks)[4]) {
+  using Limits = std::numeric_limits<Real>;
   T* const l = factors + 3;
   const T d0 = 1 / A.xx;
   l[0] = A.xy * d0, l[1] = A.xz * d0;
   T p1, p2;
-  if constexpr (std::numeric_limits<Real>::min_exponent10 < -300) {
+  if constexpr (Limits::min_exponent10 < -300) {
     const T m = A.xx * A.yy - A.xy * A.xy, t = A.xx * A.yz - A.xy * A.xz;
     p1 = m, p2 = m * (A.xx * A.zz - A.xz * A.xz) - t * t;
     const T inverse = 1 / m;
     factors[1] = A.xx * inverse, factors[2] = A.xx * m / p2;
     l[2] = t * inverse;
+    checks[2] = p2 - Limits::min() / Limits::epsilon();
   } else {
     const T t = A.yz - l[1] * A.xy;
     p1 = A.yy - l[0] * A.xy;
     factors[1] = 1 / p1, l[2] = t * factors[1];
     p2 = A.zz - l[1] * A.xz - l[2] * t;
     factors[2] = 1 / p2;
+    checks[2] = p2;
   }
   factors[0] = d0;
-  pivots[0] = A.xx, pivots[1] = p1, pivots[2] = p2;
+  checks[0] = A.xx, checks[1] = p1, checks[3] = Limits::max() - p2;
 }
 
 // A^-1 b, by the factors of A.
@@ -2310,11 +2313,11 @@ ADAGEN_INLINE void take_out_rotations(Workspace& w, const Joints<T>& joints, Bod
   Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
   if constexpr (reversed) torque = -torque;
   T* const factors = e + 12;
-  T pivots[3];
+  T checks[4];
   const T rotor = rotor_of(joints);
-  factorize(kSphericalRotors ? with_rotor(X.A, rotor) : X.A, factors, pivots);
-  for (const T& pivot : pivots)
-    if (__builtin_expect(!all_positive(pivot), 0)) fail_one(w, joints, pivot);
+  factorize(kSphericalRotors ? with_rotor(X.A, rotor) : X.A, factors, checks);
+  for (const T& check : checks)
+    if (__builtin_expect(!all_positive(check), 0)) fail_one(w, joints, check);
   const Matrix<T>& B = X.B;
   const Matrix<T> K = complement(X.C, B, factors);
   const Vector<T> y = solved(factors, torque - X.n);
@@ -2370,8 +2373,7 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>&
   X.f += vector_at<T>(w.at(joints.slot, kForce));
 }
 
-// A bare link told about the point at -r from its origin: with d = c + m r / 2, A - (rx dx + dx
-// rx).
+// A bare link told about the point at -r from its origin: A - (rx dx + dx rx), d = c + m r / 2.
 template <class T>
 ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, const Vector<T>& r) {
   Body<T> X{};
@@ -2427,17 +2429,17 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
 // Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), A and what it leaves of C
 // by their factors. Whether that could be done.
 ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
-  Value turning[6], sliding[6], pivots[2][3];
-  factorize(X.A, turning, pivots[0]);
+  Value turning[6], sliding[6], checks[2][4];
+  factorize(X.A, turning, checks[0]);
   Symmetric<Value> C = X.C;
   const Matrix<Value> K = complement(C, X.B, turning);
-  factorize(C, sliding, pivots[1]);
+  factorize(C, sliding, checks[1]);
   const Vector<Value> y = solved(turning, -X.n);
   a.linear = solved(sliding, -(X.f + transposed_times(X.B, y)));
   a.angular = y - K * a.linear;
   bool fine = true;
-  for (const auto& of : pivots)
-    for (const Value& pivot : of) fine &= all_positive(pivot);
+  for (const auto& of : checks)
+    for (const Value& check : of) fine &= all_positive(check);
   return fine;
 }
 
