@@ -4,13 +4,19 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from adagen.calibrate import profile_text
 from adagen.cli import main
+from adagen.cli.predicted import prediction
+from adagen.plan import make_plan
+from adagen.predict import best_schedule, predict
+from adagen.schedule import load_profile
 from tests.cli.test_generate import write_arm
+from tests.models import serial_chain
 from tests.predict.costs import step_profile
 
 
@@ -121,7 +127,17 @@ def test_the_same_time_is_told_everywhere(
     stdout, stderr = capsys.readouterr()
     (told,) = re.findall(r"processes do not pay: predicted (\S+) us", stderr)
     assert f"{told} us step by step" in stdout
-    assert f"{told} us predicted; the search priced it at" in stdout
+    assert f"{told} us predicted" in stdout
     assert "at most -" not in stdout
     assert main([*words, "--out", str(tmp_path / "o")]) == 0
     assert f"{told} us predicted" in capsys.readouterr().err
+
+
+def test_what_the_search_priced_otherwise_is_told() -> None:
+    model, profile = serial_chain(4), load_profile("default")
+    schedule = best_schedule(model, 1, profile)
+    line = predict(make_plan(model, schedule), profile, "kernels")
+    told = f"{line.makespan:.2f} us predicted"
+    searched = prediction(replace(schedule, makespan=9.0), line)
+    assert searched.startswith(f"{told}; the search priced it at 9.00 us (default profile, ")
+    assert prediction(replace(schedule, makespan=line.makespan), line).startswith(f"{told} (")
