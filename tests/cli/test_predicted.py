@@ -131,6 +131,10 @@ def test_the_same_time_is_told_everywhere(
     assert "at most -" not in stdout
     assert main([*words, "--out", str(tmp_path / "o")]) == 0
     assert f"{told} us predicted" in capsys.readouterr().err
+    assert main(["schedule", str(robot), "--procs", "1"]) == 0
+    stdout = capsys.readouterr().out
+    (told,) = re.findall(r"(\S+) us step by step", stdout)
+    assert f"{told} us predicted; the search priced it at" in stdout
 
 
 def test_what_the_search_priced_otherwise_is_told() -> None:

@@ -39,8 +39,8 @@ def meeting(length: int) -> int:
 
 def middling(mass: float) -> Model:
     """Rods that are light where two processes would meet."""
-    light = meeting(80)
-    inertias = [robots.rod(mass if abs(i - light) <= 1 else 1.0) for i in range(80)]
+    light = range(meeting(80) - 2, meeting(80) + 2)
+    inertias = [robots.rod(mass if i in light else 1.0) for i in range(80)]
     return robots.chain("light middle", inertias)
 
 

@@ -13,10 +13,10 @@ ADAGEN_INLINE void drive(const Workspace& w, int j, int lane, Vector<Lanes> (&dr
                          Lanes (&D)[n]) {
   const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
   const auto unit = [&](Value x, Value y, Value z, Value mobility) {
-    Vector<Lanes>& drive = drives[lane / kPerBlock];
-    const int k = lane % kPerBlock;
-    drive.x[k] = x, drive.y[k] = y, drive.z[k] = z;
-    D[lane++ / kPerBlock][k] = mobility;
+    const int group = lane / kPerBlock, k = lane % kPerBlock;
+    drives[group].x[k] = x, drives[group].y[k] = y, drives[group].z[k] = z;
+    D[group][k] = mobility;
+    ++lane;
   };
   if (kJoints[static_cast<std::size_t>(j)].kind != JointKind::kSpherical) {
     unit(1, 0, 0, e[7]);
