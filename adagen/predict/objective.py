@@ -8,13 +8,19 @@ joined, in one order or another; there the orders known by name compete with the
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, get_args
 
+import numpy as np
+
+from adagen.errors import UsageError
 from adagen.model import Model
+from adagen.model.kinds import KINDS
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
-from adagen.plan.growth import Growth, predicted_growth
+from adagen.plan.growth import EPSILON, Growth, generic_configuration, predicted_growth
+from adagen.plan.interpret.refine import interpret_refined
 from adagen.plan.types import FACTORS
 from adagen.predict.best import best_schedule
 from adagen.schedule import CostProfile, Schedule, named_schedule
@@ -34,7 +40,7 @@ class Digits:
 
     Attributes:
         objective: it was searched for.
-        error: predicted relative error.
+        error: predicted relative error, 1 where no digit is.
         growth: the largest growth g where chains are joined.
         joint: where that is; None where nothing is joined.
     """
@@ -88,13 +94,33 @@ def schedule_for(
 def predicted_digits(objective: str, model: Model, plan: Plan) -> Digits:
     """Return what is predicted of a plan's accuracy.
 
+    The error is what the growth of its joins predicts, or what carrying out the plan in generic
+    states is found to lose where that is more: g knows nothing of what inverting I^A costs.
+
     Raises:
         FloatingPointError: a factorization fails already here; the message names the joint.
     """
     growth = predicted_growth(plan)
     joined = growth.largest > 1.0
     name = model.joints[growth.joint].name if joined else None
-    return Digits(objective, growth.error, growth.largest, name)
+    error = min(1.0, max(growth.error, _tried(plan)))
+    return Digits(objective, error, growth.largest, name)
+
+
+def _tried(plan: Plan) -> float:
+    """The relative error found in generic states, the larger of two first corrections.
+
+    Zero where the plan cannot be refined or carried out; infinite where no digit is right.
+    """
+    count = sum(KINDS[joint.kind].nv for joint in plan.joints)
+    sizes = [0.0]
+    for seed in (1, 2):
+        q = generic_configuration(plan.joints, seed)
+        v, tau = (np.sin(step * seed * np.arange(1, count + 1)) for step in (2.3, 3.1))
+        with suppress(UsageError, FloatingPointError):
+            sizes += interpret_refined(plan, q, v, tau, steps=1).corrections
+    in_double = EPSILON[FACTORS[plan.scalar]] / EPSILON["double"]
+    return max(sizes) * in_double if np.isfinite(sizes).all() else np.inf
 
 
 def _orders(model: Model, found: Schedule, profile: CostProfile) -> Iterator[Schedule]:

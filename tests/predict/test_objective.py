@@ -66,8 +66,30 @@ def test_cuts_move_away_from_light_links_as_the_objective_asks() -> None:
     assert time[1].growth > 1e5 > both[1].growth >= accuracy[1].growth
     assert time[2] > 100 * both[2]
     assert both[2] < 1e-12
-    for _, digits, error in (both, accuracy):
+    for _, digits, error in schedules.values():
         assert error < 30 * digits.error
+
+
+@pytest.mark.parametrize("objective", ["time", "both"])
+@pytest.mark.parametrize(("before", "beyond"), [(1, 2), (2, 3), (3, 3)])
+def test_digits_lost_in_inverting_among_light_links_are_predicted(
+    before: int, beyond: int, objective: str
+) -> None:
+    # Where as many light links as a body has freedoms lie side by side, g is small.
+    at = meeting(80)
+    light = range(at - before, at + beyond)
+    model = robots.chain("m", [robots.rod(1e-7 if i in light else 1.0) for i in range(80)])
+    _, digits, error = found(model, objective)
+    assert error < 30 * digits.error
+    assert digits.error < 1e3 * max(error, 1e-15)
+
+
+def test_a_float_solver_is_predicted_to_lose_as_many_digits_of_fewer() -> None:
+    model = middling(1e-7)
+    plans = [make_plan(model, found(model, "time")[0], scalar=name) for name in ("double", "float")]
+    double, single = (predicted_digits("time", model, plan).error for plan in plans)
+    assert double < 1e-2
+    assert single == 1.0
 
 
 def test_ordinary_robots_are_cut_alike_for_time_and_for_both() -> None:
