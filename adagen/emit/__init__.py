@@ -90,10 +90,17 @@ def emit(
     """
     processes = batch or len(plan.processes)
     stem = stem_of(plan, name, batch)
+    text = source(plan, stem, shape, refine, chunk, compiler, batch, profile)
     files = {
-        f"{stem}.cpp": source(plan, stem, shape, refine, chunk, compiler, batch, profile),
+        f"{stem}.cpp": text,
         f"{stem}.plan.json": plan_to_json(plan),
-        "Makefile": render("Makefile.j2", stem=stem, process_count=processes, compiler=compiler),
+        "Makefile": render(
+            "Makefile.j2",
+            stem=stem,
+            process_count=processes,
+            compiler=compiler,
+            eigen="#include <Eigen/" in text,
+        ),
     }
     if svg is not None:
         files[f"{stem}.svg"] = svg

@@ -87,10 +87,6 @@ void humanoid_p1_close(humanoid_p1_solver* solver);
 #include <csignal>
 #endif
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
 // A counted loop that is to be unrolled whole, so that indices computed in it become constants.
 #if defined(__clang__)
@@ -108,14 +104,14 @@ constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 constexpr int kNq = 36, kNv = 35;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
-constexpr bool kBatch = false;  // whether many states are solved at once
-constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
+[[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 0;
 constexpr std::size_t kCacheLine = 64;
-constexpr bool kFloatingBase = true;
-constexpr double kTolerance = 1e-09;
-constexpr int kRandomStates = 64;
-constexpr const char* kRobot = "humanoid";
+[[maybe_unused]] constexpr bool kFloatingBase = true;
+[[maybe_unused]] constexpr double kTolerance = 1e-09;
+[[maybe_unused]] constexpr int kRandomStates = 64;
+[[maybe_unused]] constexpr const char* kRobot = "humanoid";
 const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -179,7 +175,7 @@ struct MessageInfo {
   int source, target, size;  // size in Number, the status not counted
 };
 
-constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
+[[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0},
@@ -370,7 +366,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
 } };
 
-constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
+[[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 // Slaved joints follow their sources; what was given for them is ignored.
 template <class Number>
@@ -2608,7 +2604,7 @@ constexpr std::array<Range, 1> kReadQ_0{ {{0, 36}} };
 constexpr std::array<Range, 1> kReadV_0{ {{0, 35}} };
 constexpr std::array<Range, 1> kOwn_0{ {{0, 35}} };
 constexpr std::array<Range, 1> kTorque_0{ {{0, 35}} };
-constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
+[[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
 } };
 
@@ -3490,7 +3486,7 @@ class PassiveTerms {
 
   // a at the end of a step of length h from (q, v).
   template <class Accelerate>
-  int accelerate(double h, const State& q, const State& v, State& a, Accelerate evaluate) {
+  [[gnu::hot]] int accelerate(double h, const State& q, const State& v, State& a, Accelerate evaluate) {
     const std::size_t n = rows_.size();
     std::fill(extra_.begin(), extra_.end(), 0.0);
     for (const Row& row : rows_) extra_[row.v] = -h * row.stiffness * v[row.v];
@@ -3616,7 +3612,7 @@ class Stepper {
   }
 
   // Moves q along v by the exponential map.
-  void follow(double h, State& q, const State& v) {
+  [[gnu::hot]] void follow(double h, State& q, const State& v) {
     std::fill(x_.begin(), x_.end(), 0.0);
     manifold::local_rate(q, x_, v, x_rate_);
     move(x_, h, x_rate_, x_);
@@ -4999,7 +4995,7 @@ class Simulation {
   }
 
   // Takes all steps; returns an empty string, or what stopped it.
-  std::string follow() {
+  [[gnu::hot]] std::string follow() {
     Stepper stepper;
     manifold::normalise(q_);
     trajectory_.record(0, q_, v_);
@@ -5028,7 +5024,7 @@ class Simulation {
     return text;
   }
 
-  int accelerate(const manifold::State& q, const manifold::State& v, const manifold::State& extra,
+  [[gnu::hot]] int accelerate(const manifold::State& q, const manifold::State& v, const manifold::State& extra,
                  manifold::State& a) {
     std::copy(q.begin(), q.end(), real_q_.begin());
     std::copy(v.begin(), v.end(), real_v_.begin());
@@ -5335,7 +5331,8 @@ class Program {
 
 }  // namespace
 
-int main(int count, char** words) {
+// Compiled for size, and with it what it alone calls: it runs once. Only simulations are hot.
+[[gnu::cold]] int main(int count, char** words) {
   Options options;
   const std::string wrong = parse(count, words, options);
   MPI_Init(&count, &words);

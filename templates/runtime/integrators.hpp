@@ -72,7 +72,7 @@ class Stepper {
   }
 
   // Moves q along v by the exponential map.
-  void follow(double h, State& q, const State& v) {
+  [[gnu::hot]] void follow(double h, State& q, const State& v) {
     std::fill(x_.begin(), x_.end(), 0.0);
     manifold::local_rate(q, x_, v, x_rate_);
     move(x_, h, x_rate_, x_);

@@ -92,7 +92,7 @@ class Simulation {
   }
 
   // Takes all steps; returns an empty string, or what stopped it.
-  std::string follow() {
+  [[gnu::hot]] std::string follow() {
     Stepper stepper;
     manifold::normalise(q_);
     trajectory_.record(0, q_, v_);
@@ -121,7 +121,7 @@ class Simulation {
     return text;
   }
 
-  int accelerate(const manifold::State& q, const manifold::State& v, const manifold::State& extra,
+  [[gnu::hot]] int accelerate(const manifold::State& q, const manifold::State& v, const manifold::State& extra,
                  manifold::State& a) {
     std::copy(q.begin(), q.end(), real_q_.begin());
     std::copy(v.begin(), v.end(), real_v_.begin());

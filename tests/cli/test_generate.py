@@ -278,17 +278,23 @@ class TestSolve:
         assert "no answer within 0.001 s" in said()[1]
 
 
-def test_the_emitted_makefile_builds_and_checks(arm: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("processes", "form"), [(1, "segment"), (2, "ada")])
+def test_the_emitted_makefile_builds_and_checks(
+    processes: int, form: str, arm: Path, tmp_path: Path
+) -> None:
     out = tmp_path / "out"
-    assert main([str(arm), "--procs", "2", "--out", str(out)]) == 0
+    assert main([str(arm), "--procs", str(processes), "--form", form, "--out", str(out)]) == 0
     toolchain = find_toolchain()
+    source = next(out.glob("*.cpp")).read_text()
+    # Joints by themselves are told in 6x6 blocks; a straight line needs no Eigen.
+    assert ("Eigen" in source) == (processes == 2)
     command = [
         "make",
         "-C",
         str(out),
         f"MPICXX={toolchain.mpicxx[0]}",
         f"MPIEXEC={toolchain.mpiexec[0]}",
-        f"EIGEN={toolchain.eigen}",
+        f"EIGEN={toolchain.eigen if processes == 2 else 'nowhere'}",
         "CXXFLAGS=-O1 -Wall -Wextra -Wpedantic -Werror",
         "check",
     ]

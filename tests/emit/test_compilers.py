@@ -29,10 +29,17 @@ def text(example: Example) -> str:
     "stem",
     [stem if stem in SAMPLE else pytest.param(stem, marks=pytest.mark.slow) for stem in BY_STEM],
 )
-def test_clang_has_nothing_to_say(stem: str, builder: Builder) -> None:
+@pytest.mark.parametrize("part", [(), ("-DADAGEN_NO_MAIN",)], ids=["program", "linked"])
+def test_clang_has_nothing_to_say(stem: str, part: tuple[str, ...], builder: Builder) -> None:
     # Warnings come from the front end; what the linker is told is not used here.
-    quiet = ("-Wno-unused-command-line-argument", "-fsyntax-only")
+    quiet = ("-Wno-unused-command-line-argument", "-fsyntax-only", *part)
     builder.with_compiler("clang++").check(text(BY_STEM[stem]), stem, quiet)
+
+
+@pytest.mark.parametrize("stem", BY_STEM)
+def test_eigen_is_included_where_it_is_used(stem: str) -> None:
+    source = text(BY_STEM[stem])
+    assert ("#include <Eigen/" in source) == ("Eigen::" in source)
 
 
 @clang
