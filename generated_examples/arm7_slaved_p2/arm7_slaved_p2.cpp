@@ -2681,7 +2681,8 @@ class PassiveTerms {
 
   // a at the end of a step of length h from (q, v).
   template <class Accelerate>
-  [[gnu::hot]] int accelerate(double h, const State& q, const State& v, State& a, Accelerate evaluate) {
+  [[gnu::hot]] int accelerate(double h, const State& q, const State& v, State& a,
+                              Accelerate evaluate) {
     const std::size_t n = rows_.size();
     std::fill(extra_.begin(), extra_.end(), 0.0);
     for (const Row& row : rows_) extra_[row.v] = -h * row.stiffness * v[row.v];
@@ -4237,8 +4238,8 @@ class Simulation {
     return text;
   }
 
-  [[gnu::hot]] int accelerate(const manifold::State& q, const manifold::State& v, const manifold::State& extra,
-                 manifold::State& a) {
+  [[gnu::hot]] int accelerate(const manifold::State& q, const manifold::State& v,
+                              const manifold::State& extra, manifold::State& a) {
     std::copy(q.begin(), q.end(), real_q_.begin());
     std::copy(v.begin(), v.end(), real_v_.begin());
     std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());

@@ -18,7 +18,8 @@ class PassiveTerms {
 
   // a at the end of a step of length h from (q, v).
   template <class Accelerate>
-  [[gnu::hot]] int accelerate(double h, const State& q, const State& v, State& a, Accelerate evaluate) {
+  [[gnu::hot]] int accelerate(double h, const State& q, const State& v, State& a,
+                              Accelerate evaluate) {
     const std::size_t n = rows_.size();
     std::fill(extra_.begin(), extra_.end(), 0.0);
     for (const Row& row : rows_) extra_[row.v] = -h * row.stiffness * v[row.v];

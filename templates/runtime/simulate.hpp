@@ -121,8 +121,8 @@ class Simulation {
     return text;
   }
 
-  [[gnu::hot]] int accelerate(const manifold::State& q, const manifold::State& v, const manifold::State& extra,
-                 manifold::State& a) {
+  [[gnu::hot]] int accelerate(const manifold::State& q, const manifold::State& v,
+                              const manifold::State& extra, manifold::State& a) {
     std::copy(q.begin(), q.end(), real_q_.begin());
     std::copy(v.begin(), v.end(), real_v_.begin());
     std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
