@@ -94,47 +94,79 @@ ADAGEN_INLINE void keep_levers(Workspace& w, int row, const Vector<Lanes>& axis,
   }
 }
 
-// Numbers of the lanes before each, added up from start on.
-template <std::size_t... lane>
-ADAGEN_INLINE Lanes sums_before(const Lanes& x, Value start, std::index_sequence<lane...>) {
-  Value sums[kPerBlock];
-  ADAGEN_FOR (k, 0, kPerBlock) {
-    sums[k] = start;
-    start += x[k];
-  }
-  return Lanes{sums[lane]...};
+// What lies a distance before each lane, and whether that is a lane; the first ones keep their own.
+template <int distance, std::size_t... lane>
+ADAGEN_INLINE Lanes before(const Lanes& x, std::index_sequence<lane...>) {
+  return shuffled<(lane < distance ? lane : lane - distance)...>(x, x);
 }
-ADAGEN_INLINE Vector<Lanes> sums_before(const Vector<Lanes>& x, const Vector<Value>& start) {
-  return {sums_before(x.x, start.x, kEachLane), sums_before(x.y, start.y, kEachLane),
-          sums_before(x.z, start.z, kEachLane)};
+template <int distance>
+ADAGEN_INLINE Lanes before(const Lanes& x) {
+  return before<distance>(x, kEachLane);
+}
+template <int distance>
+ADAGEN_INLINE Vector<Lanes> before(const Vector<Lanes>& x) {
+  return {before<distance>(x.x), before<distance>(x.y), before<distance>(x.z)};
+}
+template <int distance>
+ADAGEN_INLINE Matrix<Lanes> before(const Matrix<Lanes>& x) {
+  return {before<distance>(x.x), before<distance>(x.y), before<distance>(x.z)};
+}
+template <int distance, std::size_t... lane>
+constexpr LaneBits far_lanes(std::index_sequence<lane...>) {
+  return LaneBits{(lane < distance ? 0 : -1)...};
+}
+// One or the other, the other one in as many lanes as the distance.
+template <int distance>
+ADAGEN_INLINE Lanes beyond(const Lanes& x, const Lanes& y) {
+  return chosen(far_lanes<distance>(kEachLane), x, y);
+}
+template <int distance>
+ADAGEN_INLINE Vector<Lanes> beyond(const Vector<Lanes>& x, const Vector<Lanes>& y) {
+  return {beyond<distance>(x.x, y.x), beyond<distance>(x.y, y.y), beyond<distance>(x.z, y.z)};
+}
+template <int distance>
+ADAGEN_INLINE Matrix<Lanes> beyond(const Matrix<Lanes>& x, const Matrix<Lanes>& y) {
+  return {beyond<distance>(x.x, y.x), beyond<distance>(x.y, y.y), beyond<distance>(x.z, y.z)};
+}
+
+// The lanes up to each put together: of one, two, four ... at a time (Hillis and Steele's scan).
+template <int distance = 1, class T, class Join>
+ADAGEN_INLINE T joined_up(const T& x, const Join& join) {
+  if constexpr (distance < kPerBlock)
+    return joined_up<2 * distance>(beyond<distance>(join(before<distance>(x), x), x), join);
+  else
+    return x;
+}
+
+ADAGEN_INLINE Vector<Lanes> in_all_lanes(const Vector<Value>& a) {
+  return {Lanes{} + a.x, Lanes{} + a.y, Lanes{} + a.z};
 }
 ADAGEN_INLINE Vector<Value> last_of(const Vector<Lanes>& x) {
   return {x.x[kPerBlock - 1], x.y[kPerBlock - 1], x.z[kPerBlock - 1]};
 }
 
+// What the lanes before each add to start; start becomes what all add to it.
+ADAGEN_INLINE Vector<Lanes> sums_before(const Vector<Lanes>& x, Vector<Value>& start) {
+  const auto join = [](const Vector<Lanes>& a, const Vector<Lanes>& b)
+                        ADAGEN_ALWAYS { return a + b; };
+  const Vector<Lanes> first = in_all_lanes(start), sums = joined_up(x, join) + first;
+  start = last_of(sums);
+  return beyond<1>(before<1>(sums), first);
+}
+
 // The product of start and the rotations of the lanes before each; start becomes that of all.
 ADAGEN_INLINE Matrix<Lanes> products_before(const Matrix<Lanes>& x, Matrix<Value>& start) {
-  Value turns[9][kPerBlock], products[9][kPerBlock];
-  std::memcpy(turns, &x, sizeof turns);
-  ADAGEN_FOR (lane, 0, kPerBlock) {
-    Value numbers[9];
-    std::memcpy(numbers, &start, sizeof numbers);
-    ADAGEN_FOR (k, 0, 9) {
-      products[k][lane] = numbers[k];
-      numbers[k] = turns[k][lane];
-    }
-    Matrix<Value> turn;
-    std::memcpy(&turn, numbers, sizeof numbers);
-    start = start * turn;
-  }
-  Matrix<Lanes> result;
-  std::memcpy(&result, products, sizeof products);
-  return result;
+  const auto join = [](const Matrix<Lanes>& a, const Matrix<Lanes>& b)
+                        ADAGEN_ALWAYS { return a * b; };
+  const Matrix<Lanes> first{in_all_lanes(start.x), in_all_lanes(start.y), in_all_lanes(start.z)};
+  const Matrix<Lanes> products = first * joined_up(x, join);
+  start = {last_of(products.x), last_of(products.y), last_of(products.z)};
+  return beyond<1>(before<1>(products), first);
 }
 
 // A row's numbers, from one of its blocks.
-template <class Run>
-ADAGEN_INLINE Value* row_at(Workspace& w, int row, Entry entry) {
+template <class Run, class Memory>
+ADAGEN_INLINE auto* row_at(Memory& w, int row, Entry entry) {
   return w.blocks[static_cast<std::size_t>(Run::kBlock + row)].entries[entry];
 }
 
@@ -152,7 +184,7 @@ ADAGEN_INLINE Matrix<Lanes> orient_segments(Workspace& w) {
 
 // Orientations, r in the place of accelerations, and angular velocities relative to each segment's
 // start: what a joint adds is left in the place of angular accelerations, all added up returned.
-template <class Run, bool kept>
+template <class Run>
 ADAGEN_INLINE Vector<Lanes> spin_segments(Workspace& w, const Matrix<Lanes>& start) {
   Matrix<Lanes> R = start;
   Vector<Lanes> omega{};
@@ -165,11 +197,9 @@ ADAGEN_INLINE Vector<Lanes> spin_segments(Workspace& w, const Matrix<Lanes>& sta
     put_at(row_at<Run>(w, row, kAlpha), spin);
     omega += spin;
     put_at(row_at<Run>(w, row, kOmega), omega);
-    if constexpr (kept) {
-      const Vector<Lanes> axis{R.x.z, R.y.z, R.z.z};
-      keep_levers<Run, 0>(w, row, axis, r);
-      if constexpr (kPerBlock > 8) keep_levers<Run, kPerBlock - 8>(w, row, axis, r);
-    }
+    const Vector<Lanes> axis{R.x.z, R.y.z, R.z.z};
+    keep_levers<Run, 0>(w, row, axis, r);
+    if constexpr (kPerBlock > 8) keep_levers<Run, kPerBlock - 8>(w, row, axis, r);
   }
   return omega;
 }
@@ -203,24 +233,54 @@ ADAGEN_INLINE Vector<Lanes> accelerate_origins(Workspace& w, const Vector<Lanes>
   return a;
 }
 
-// The frame of the last link, what its links' frames need being left in their blocks.
-template <class Run, bool kept>
-ADAGEN_INLINE Frame<Value> along_segments(Workspace& w, Frame<Value> at) {
+// What the links' frames need, left in their blocks.
+template <class Run>
+ADAGEN_INLINE void along_segments(Workspace& w, Frame<Value> at) {
   const Matrix<Lanes> R = products_before(orient_segments<Run>(w), at.R);
-  const Vector<Lanes> spins = spin_segments<Run, kept>(w, R);
-  const Vector<Lanes> omega = sums_before(spins, at.omega);
-  at.omega = last_of(omega + spins);
-  const Vector<Lanes> turns = accelerate_spins<Run>(w, omega);
+  const Vector<Lanes> omega = sums_before(spin_segments<Run>(w, R), at.omega);
+  const Vector<Lanes> alpha = sums_before(accelerate_spins<Run>(w, omega), at.alpha);
+  const Vector<Lanes> a = sums_before(accelerate_origins<Run>(w, omega, alpha), at.a);
+  for (int row = 0; row < Run::kRows; ++row) {
+    Value* const to = row_at<Run>(w, row, kAcceleration);
+    put_at(to, a + vector_at<Lanes>(to));
+  }
+}
+
+// How a segment's last link lies and moves relative to the segment's start, were that at rest: its
+// place, velocity and acceleration last.
+struct Passage {
+  Matrix<Lanes> R;
+  Vector<Lanes> omega, alpha, p, v, a;
+};
+template <class Run>
+ADAGEN_INLINE Passage through_segments(const Workspace& w) {
+  Passage at{matrix_at<Lanes>(row_at<Run>(w, 0, kTurn)), {}, {}, origin_of(Run::row(0)), {}, {}};
+  at.omega = spins<Run>(w, 0, at.R);
+  for (int row = 1; row < Run::kRows; ++row) {
+    const Vector<Lanes> r = at.R * origin_of(Run::row(row)), v = cross(at.omega, r);
+    at.p += r;
+    at.v += v;
+    at.a += cross(at.omega, v) + cross(at.alpha, r);
+    at.R = at.R * matrix_at<Lanes>(row_at<Run>(w, row, kTurn));
+    const Vector<Lanes> spin = spins<Run>(w, row, at.R);
+    at.alpha += cross(at.omega, spin);
+    at.omega += spin;
+  }
+  return at;
+}
+
+// The frame of the last link. Seen from a start that turns, what moves there has the acceleration
+// of Coriolis besides, 2 omega x v, and its spin omega x its own.
+template <class Run>
+ADAGEN_INLINE Frame<Value> past_segments(const Workspace& w, Frame<Value> at) {
+  const Passage own = through_segments<Run>(w);
+  const Matrix<Lanes> R = products_before(own.R, at.R);
+  const Vector<Lanes> spin = R * own.omega, p = R * own.p, v = R * own.v;
+  const Vector<Lanes> omega = sums_before(spin, at.omega);
+  const Vector<Lanes> turns = R * own.alpha + cross(omega, spin);
   const Vector<Lanes> alpha = sums_before(turns, at.alpha);
-  at.alpha = last_of(alpha + turns);
-  const Vector<Lanes> more = accelerate_origins<Run>(w, omega, alpha);
-  const Vector<Lanes> a = sums_before(more, at.a);
-  at.a = last_of(a + more);
-  if constexpr (kept)
-    for (int row = 0; row < Run::kRows; ++row) {
-      Value* const to = row_at<Run>(w, row, kAcceleration);
-      put_at(to, a + vector_at<Lanes>(to));
-    }
+  const Vector<Lanes> more = R * own.a + cross(alpha, p) + cross(omega, cross(omega, p) + (v + v));
+  sums_before(more, at.a);
   return at;
 }
 
@@ -228,11 +288,11 @@ ADAGEN_INLINE Frame<Value> along_segments(Workspace& w, Frame<Value> at) {
 // own: as part of a large one, gcc 12 spills what is carried along.
 template <int first, int last>
 ADAGEN_NOINLINE void outward_in_segments(Workspace& w) {
-  along_segments<Segments<first, last>, true>(w, frame_near<first>(w));
+  along_segments<Segments<first, last>>(w, frame_near<first>(w));
 }
 template <int first, int last>
 ADAGEN_NOINLINE void pass_outward_in_segments(Workspace& w) {
-  keep(w, slot_of(last), along_segments<Segments<first, last>, false>(w, frame_near<first>(w)));
+  keep(w, slot_of(last), past_segments<Segments<first, last>>(w, frame_near<first>(w)));
 }
 template <int first, int last>
 void take_angles_in_segments(Workspace& w) {
