@@ -57,6 +57,8 @@ class KernelLines:
         self.parts: set[int] = set()  # links at which paths part outwards
         self.oriented: set[int] = set()  # joints whose quaternions are taken
         self.columns: set[int] = set()  # links that are added to columns
+        self.bare: set[int] = set()  # links that are set up
+        self.told: set[int] = set()  # those of them that are told by columns, too
 
     def all_lines(self) -> list[str]:
         """Return the lines of the process."""
@@ -148,18 +150,23 @@ class KernelLines:
             copies.append((j, q, count))
         return [f"std::copy_n(w.q + {q}, {n}, w.angle.data() + {j});" for j, q, n in copies]
 
+    def _ranges(self, joints: Iterable[int]) -> list[tuple[int, int]]:
+        """First and last slots of ranges that hold joints and in which no block is empty."""
+        ranges: list[tuple[int, int]] = []
+        for slot in sorted(self.layout.slots[j] for j in joints):
+            if ranges and slot - ranges[-1][1] < _WIDEST:
+                ranges[-1] = (ranges[-1][0], slot)
+            else:
+                ranges.append((slot, slot))
+        return ranges
+
     def _blocks(self, joints: Iterable[int]) -> list[tuple[str, str]]:
         """Ranges of blocks that hold joints, as expressions."""
-        ranges: list[list[int]] = []
-        for j in sorted(self.layout.slots[j] for j in joints):
-            if ranges and j - ranges[-1][1] < _WIDEST:
-                ranges[-1][1] = j
-            else:
-                ranges.append([j, j])
-        return [(f"block({a})", f"block({b}) + 1") for a, b in ranges]
+        return [(f"block({a})", f"block({b}) + 1") for a, b in self._ranges(joints)]
 
     def _StartLink(self, steps: list[StartLink]) -> list[str]:  # noqa: N802
         links = [step.link for step in steps]
+        self.bare.update(links)
         lines = [f"set_up_links<{a}, {b}>(w);" for a, b in self._blocks(link - 1 for link in links)]
         lines += push_calls(self.words, links)
         for link in [link for link in links if link in self.placed]:
@@ -238,8 +245,14 @@ class KernelLines:
             call = sweep_of(self.joints, run, verb, self.p, self._starts(near))
             lines.append(call + self._names(run))
         self.columns |= columns
-        blocks = self._blocks(link - 1 for link in columns & self._own_links())
-        return [*(f"set_up_columns<{a}, {b}>(w);" for a, b in blocks), *lines]
+        return [*self._tell_by_columns(columns & self._own_links()), *lines]
+
+    def _tell_by_columns(self, links: set[int]) -> list[str]:
+        """Tell those links by columns that are not yet, and with them what lies among them."""
+        new = [link - 1 for link in links - self.told]
+        for a, b in self._ranges(new):
+            self.told |= {link for link in self.bare if a <= self.layout.slots[link - 1] <= b}
+        return [f"set_up_columns<{a}, {b}>(w);" for a, b in self._blocks(new)]
 
     def _inward_abreast(self, limbs: Limbs) -> list[str]:
         """Sweep limbs inwards and leave what is found at the links that they hang on."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -33,6 +34,17 @@ def test_only_runs_of_hinges_and_of_some_length_are_taken_by_columns() -> None:
     assert "columns<" not in kernels_of(plan_of(serial_chain(8, kind=SPHERICAL), 1))
     assert "inward_in_columns<0, 0, 5, true>(w);" in kernels_of(plan_of(serial_chain(6), 1))
     assert "columns<" not in kernels_of(plan_of(serial_chain(3), 1))
+
+
+def test_links_are_told_by_columns_once() -> None:
+    # The ground's side is held by the first joints, whose slots lie among those of the others.
+    text = kernels_of(plan_of(serial_chain(80), 2, meeting="gather"))
+    process = text[text.index("void run_0(") : text.index("void run_1(")]
+    assert "hold<" in process
+    told = re.findall(r"set_up_columns<block\((\d+)\), block\((\d+)\) \+ 1>", process)
+    slots = [slot for a, b in told for slot in range(int(a), int(b) + 1)]
+    assert len(told) == 2
+    assert len(slots) == len(set(slots))
 
 
 def test_states_of_a_batch_keep_their_lanes() -> None:
