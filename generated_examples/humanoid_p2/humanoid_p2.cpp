@@ -91,6 +91,7 @@ void humanoid_p2_close(humanoid_p2_solver* solver);
 #endif
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
+#define ADAGEN_HOT [[gnu::hot]] ADAGEN_NOINLINE  // called in each step of a simulation; main is cold
 // A counted loop that is to be unrolled whole, so that indices computed in it become constants.
 #if defined(__clang__)
 #define ADAGEN_FOR(k, first, last) _Pragma("clang loop unroll(full)") for (int k = first; k < last; ++k)
@@ -3454,7 +3455,7 @@ inline double length(const double* x, int count) {
 
 constexpr bool turns_freely(const JointConstants& joint) { return joint.nq >= 4; }
 
-inline void normalise(State& q) {
+ADAGEN_HOT void normalise(State& q) {
   for (const JointConstants& joint : kJoints) {
     if (!turns_freely(joint)) continue;
     double* const quaternion = &q[static_cast<std::size_t>(joint.q + joint.nq - 4)];
@@ -3480,7 +3481,7 @@ inline int position_rate(const JointConstants& joint, const double* q, const dou
 }
 
 // q' as numbers: quaternions by half their product with the angular velocity.
-inline void rate(const State& q, const State& v, State& result) {
+ADAGEN_HOT void rate(const State& q, const State& v, State& result) {
   for (const JointConstants& joint : kJoints) {
     const double* const own = &q[static_cast<std::size_t>(joint.q)];
     const double* const speed = &v[static_cast<std::size_t>(joint.v)];
@@ -3498,7 +3499,7 @@ inline void rate(const State& q, const State& v, State& result) {
 // x' at local coordinates x, where the configuration is q: for rotations the inverse of the
 // exponential's derivative, v + x x v / 2 + c x x (x x v), c = (1 - a cot a) / (2 a)^2 at a =
 // |x|/2.
-inline void local_rate(const State& q, const State& x, const State& v, State& result) {
+ADAGEN_HOT void local_rate(const State& q, const State& x, const State& v, State& result) {
   for (const JointConstants& joint : kJoints) {
     const double* const speed = &v[static_cast<std::size_t>(joint.v)];
     double* const to = &result[static_cast<std::size_t>(joint.v)];
@@ -3517,7 +3518,7 @@ inline void local_rate(const State& q, const State& x, const State& v, State& re
 }
 
 // The configuration with local coordinates x about the anchor.
-inline void advance(const State& anchor, const State& x, State& q) {
+ADAGEN_HOT void advance(const State& anchor, const State& x, State& q) {
   for (const JointConstants& joint : kJoints) {
     const double* const from = &anchor[static_cast<std::size_t>(joint.q)];
     const double* const by = &x[static_cast<std::size_t>(joint.v)];
@@ -3555,8 +3556,7 @@ class PassiveTerms {
 
   // a at the end of a step of length h from (q, v).
   template <class Accelerate>
-  [[gnu::hot]] int accelerate(double h, const State& q, const State& v, State& a,
-                              Accelerate evaluate) {
+  int accelerate(double h, const State& q, const State& v, State& a, Accelerate evaluate) {
     const std::size_t n = rows_.size();
     std::fill(extra_.begin(), extra_.end(), 0.0);
     for (const Row& row : rows_) extra_[row.v] = -h * row.stiffness * v[row.v];
@@ -3590,7 +3590,7 @@ class PassiveTerms {
 
   // y <- matrix^-1 y by elimination; the matrix is symmetric and positive definite but for
   // rounding.
-  void solve() {
+  ADAGEN_HOT void solve() {
     const std::size_t n = rows_.size();
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t i = k + 1; i < n; ++i) {
@@ -3654,7 +3654,7 @@ class Stepper {
   static constexpr std::array<double, 4> kNode{0, 0.5, 0.5, 1}, kWeight{1, 2, 2, 1};
 
   // y + h dy
-  static void move(const State& y, double h, const State& dy, State& result) {
+  ADAGEN_HOT static void move(const State& y, double h, const State& dy, State& result) {
     for (std::size_t k = 0; k < y.size(); ++k) result[k] = y[k] + h * dy[k];
   }
 
@@ -3682,7 +3682,7 @@ class Stepper {
   }
 
   // Moves q along v by the exponential map.
-  [[gnu::hot]] void follow(double h, State& q, const State& v) {
+  void follow(double h, State& q, const State& v) {
     std::fill(x_.begin(), x_.end(), 0.0);
     manifold::local_rate(q, x_, v, x_rate_);
     move(x_, h, x_rate_, x_);
@@ -5076,7 +5076,7 @@ class Simulation {
   }
 
   // Takes all steps; returns an empty string, or what stopped it.
-  [[gnu::hot]] std::string follow() {
+  std::string follow() {
     Stepper stepper;
     manifold::normalise(q_);
     trajectory_.record(0, q_, v_);
@@ -5105,8 +5105,8 @@ class Simulation {
     return text;
   }
 
-  [[gnu::hot]] int accelerate(const manifold::State& q, const manifold::State& v,
-                              const manifold::State& extra, manifold::State& a) {
+  ADAGEN_HOT int accelerate(const manifold::State& q, const manifold::State& v,
+                            const manifold::State& extra, manifold::State& a) {
     std::copy(q.begin(), q.end(), real_q_.begin());
     std::copy(v.begin(), v.end(), real_v_.begin());
     std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
@@ -5412,7 +5412,7 @@ class Program {
 
 }  // namespace
 
-// Compiled for size, and with it what it alone calls: it runs once. Only simulations are hot.
+// Compiled for size, and with it what it alone calls: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   Options options;
   const std::string wrong = parse(count, words, options);

@@ -18,8 +18,7 @@ class PassiveTerms {
 
   // a at the end of a step of length h from (q, v).
   template <class Accelerate>
-  [[gnu::hot]] int accelerate(double h, const State& q, const State& v, State& a,
-                              Accelerate evaluate) {
+  int accelerate(double h, const State& q, const State& v, State& a, Accelerate evaluate) {
     const std::size_t n = rows_.size();
     std::fill(extra_.begin(), extra_.end(), 0.0);
     for (const Row& row : rows_) extra_[row.v] = -h * row.stiffness * v[row.v];
@@ -53,7 +52,7 @@ class PassiveTerms {
 
   // y <- matrix^-1 y by elimination; the matrix is symmetric and positive definite but for
   // rounding.
-  void solve() {
+  ADAGEN_HOT void solve() {
     const std::size_t n = rows_.size();
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t i = k + 1; i < n; ++i) {

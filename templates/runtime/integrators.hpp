@@ -44,7 +44,7 @@ class Stepper {
   static constexpr std::array<double, 4> kNode{0, 0.5, 0.5, 1}, kWeight{1, 2, 2, 1};
 
   // y + h dy
-  static void move(const State& y, double h, const State& dy, State& result) {
+  ADAGEN_HOT static void move(const State& y, double h, const State& dy, State& result) {
     for (std::size_t k = 0; k < y.size(); ++k) result[k] = y[k] + h * dy[k];
   }
 
@@ -72,7 +72,7 @@ class Stepper {
   }
 
   // Moves q along v by the exponential map.
-  [[gnu::hot]] void follow(double h, State& q, const State& v) {
+  void follow(double h, State& q, const State& v) {
     std::fill(x_.begin(), x_.end(), 0.0);
     manifold::local_rate(q, x_, v, x_rate_);
     move(x_, h, x_rate_, x_);

@@ -38,7 +38,7 @@ inline double length(const double* x, int count) {
 
 constexpr bool turns_freely(const JointConstants& joint) { return joint.nq >= 4; }
 
-inline void normalise(State& q) {
+ADAGEN_HOT void normalise(State& q) {
   for (const JointConstants& joint : kJoints) {
     if (!turns_freely(joint)) continue;
     double* const quaternion = &q[static_cast<std::size_t>(joint.q + joint.nq - 4)];
@@ -64,7 +64,7 @@ inline int position_rate(const JointConstants& joint, const double* q, const dou
 }
 
 // q' as numbers: quaternions by half their product with the angular velocity.
-inline void rate(const State& q, const State& v, State& result) {
+ADAGEN_HOT void rate(const State& q, const State& v, State& result) {
   for (const JointConstants& joint : kJoints) {
     const double* const own = &q[static_cast<std::size_t>(joint.q)];
     const double* const speed = &v[static_cast<std::size_t>(joint.v)];
@@ -82,7 +82,7 @@ inline void rate(const State& q, const State& v, State& result) {
 // x' at local coordinates x, where the configuration is q: for rotations the inverse of the
 // exponential's derivative, v + x x v / 2 + c x x (x x v), c = (1 - a cot a) / (2 a)^2 at a =
 // |x|/2.
-inline void local_rate(const State& q, const State& x, const State& v, State& result) {
+ADAGEN_HOT void local_rate(const State& q, const State& x, const State& v, State& result) {
   for (const JointConstants& joint : kJoints) {
     const double* const speed = &v[static_cast<std::size_t>(joint.v)];
     double* const to = &result[static_cast<std::size_t>(joint.v)];
@@ -101,7 +101,7 @@ inline void local_rate(const State& q, const State& x, const State& v, State& re
 }
 
 // The configuration with local coordinates x about the anchor.
-inline void advance(const State& anchor, const State& x, State& q) {
+ADAGEN_HOT void advance(const State& anchor, const State& x, State& q) {
   for (const JointConstants& joint : kJoints) {
     const double* const from = &anchor[static_cast<std::size_t>(joint.q)];
     const double* const by = &x[static_cast<std::size_t>(joint.v)];

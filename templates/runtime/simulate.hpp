@@ -92,7 +92,7 @@ class Simulation {
   }
 
   // Takes all steps; returns an empty string, or what stopped it.
-  [[gnu::hot]] std::string follow() {
+  std::string follow() {
     Stepper stepper;
     manifold::normalise(q_);
     trajectory_.record(0, q_, v_);
@@ -121,8 +121,8 @@ class Simulation {
     return text;
   }
 
-  [[gnu::hot]] int accelerate(const manifold::State& q, const manifold::State& v,
-                              const manifold::State& extra, manifold::State& a) {
+  ADAGEN_HOT int accelerate(const manifold::State& q, const manifold::State& v,
+                            const manifold::State& extra, manifold::State& a) {
     std::copy(q.begin(), q.end(), real_q_.begin());
     std::copy(v.begin(), v.end(), real_v_.begin());
     std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
