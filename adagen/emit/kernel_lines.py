@@ -162,7 +162,7 @@ class KernelLines:
 
     def _blocks(self, joints: Iterable[int]) -> list[tuple[str, str]]:
         """Ranges of blocks that hold joints, as expressions."""
-        return [(f"block({a})", f"block({b}) + 1") for a, b in self._ranges(joints)]
+        return _expressions(self._ranges(joints))
 
     def _StartLink(self, steps: list[StartLink]) -> list[str]:  # noqa: N802
         links = [step.link for step in steps]
@@ -249,10 +249,10 @@ class KernelLines:
 
     def _tell_by_columns(self, links: set[int]) -> list[str]:
         """Tell those links by columns that are not yet, and with them what lies among them."""
-        new = [link - 1 for link in links - self.told]
-        for a, b in self._ranges(new):
+        ranges = self._ranges(link - 1 for link in links - self.told)
+        for a, b in ranges:
             self.told |= {link for link in self.bare if a <= self.layout.slots[link - 1] <= b}
-        return [f"set_up_columns<{a}, {b}>(w);" for a, b in self._blocks(new)]
+        return [f"set_up_columns<{a}, {b}>(w);" for a, b in _expressions(ranges)]
 
     def _inward_abreast(self, limbs: Limbs) -> list[str]:
         """Sweep limbs inwards and leave what is found at the links that they hang on."""
@@ -294,6 +294,11 @@ class KernelLines:
     def _names(self, run: Run) -> str:
         """Which joints a run is of, as a comment."""
         return f"  // {self.words.span(run.first, run.last)}"
+
+
+def _expressions(ranges: list[tuple[int, int]]) -> list[tuple[str, str]]:
+    """First block of each range of slots, and the one behind its last, in C++."""
+    return [(f"block({a})", f"block({b}) + 1") for a, b in ranges]
 
 
 _WIDEST = 16  # joints in the widest block: two apart by less may share one

@@ -110,7 +110,9 @@ def predicted_digits(objective: str, model: Model, plan: Plan) -> Digits:
 def _tried(plan: Plan) -> float:
     """The relative error found in generic states, the larger of two first corrections.
 
-    Zero where the plan cannot be refined or carried out; infinite where no digit is right.
+    Zero where nothing but g is known: where the plan cannot be refined, or takes the second way
+    that it has for singular poses, which refinement does not know. Infinite where no digit is
+    right.
     """
     count = sum(KINDS[joint.kind].nv for joint in plan.joints)
     sizes = [0.0]
