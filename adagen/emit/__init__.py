@@ -129,7 +129,7 @@ def source(
         check_batch(shape, refine)
     shape = chosen_shape(plan, checked_shape(refine, shape), batch=bool(batch))
     plan = refinable(plan) if refine else plan
-    words = Words(plan, refine, chunk, bool(batch))
+    words = Words(plan, shape, refine, chunk, bool(batch))
     processes = batch or len(plan.processes)
     return render(
         "solver.cpp.j2",

@@ -6,8 +6,6 @@ from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from adagen.emit.runs import Run, pays_columns, runs, units_of_sweep
-from adagen.emit.segments import pays_segments, segments_of
 from adagen.emit.shapes import SHAPES
 from adagen.model.kinds import KINDS
 from adagen.plan.abreast import Limbs, limbs_abreast
@@ -41,6 +39,8 @@ from adagen.plan.steps import (
     Step,
 )
 from adagen.plan.types import Plan, PlanJoint, Process
+from adagen.program.runs import Run, pays_columns, runs, units_of_sweep
+from adagen.program.segments import pays_segments, segments_of
 from adagen.schedule.costs import PRESCRIBED, StepCosts, block_rows
 
 Features = dict[str, float]

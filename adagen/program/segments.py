@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
 
-from adagen.emit.runs import Run, outward_units
 from adagen.plan import Plan
 from adagen.plan.abreast import Limbs
 from adagen.plan.steps import Kinematics
 from adagen.plan.types import PlanJoint
+from adagen.program.runs import Run, outward_units
 
 LANES = {"double": 8, "float": 16}
 """Numbers in the widest registers."""
