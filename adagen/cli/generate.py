@@ -43,7 +43,7 @@ def run(argv: Sequence[str]) -> int:
 
     from adagen.cli import pipeline
     from adagen.cli.files import write_files
-    from adagen.cli.predicted import prediction, timeline_of
+    from adagen.cli.predicted import prediction
 
     stages = Stages()
     try:
@@ -56,6 +56,6 @@ def run(argv: Sequence[str]) -> int:
             note(str(stages))
     note(
         f"wrote {', '.join(str(options.out / name) for name in sorted(made.files))}; "
-        f"{prediction(made.schedule, timeline_of(made.plan, options))}"
+        f"{prediction(made.schedule, made.timeline)}"
     )
     return 0

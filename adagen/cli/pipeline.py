@@ -17,8 +17,10 @@ from adagen.cli.predicted import scheduled
 from adagen.errors import InputError, UsageError
 
 if TYPE_CHECKING:
+    from adagen.cost import Timeline
     from adagen.model import Model
     from adagen.plan import Plan
+    from adagen.program import Program
     from adagen.schedule import CostProfile, Schedule, Topology
 
 
@@ -29,12 +31,17 @@ class Generated:
     Attributes:
         schedule: the schedule.
         plan: the plan.
+        program: what is emitted.
+        timeline: how an evaluation is predicted to go; None where the profile or a batch leaves
+            that open.
         files: file name to text: source, plan, drawing and Makefile.
         compiler: what the MPI wrapper is to call; "" for its own choice.
     """
 
     schedule: Schedule
     plan: Plan
+    program: Program
+    timeline: Timeline | None
     files: dict[str, str]
     compiler: str = ""
 
@@ -143,8 +150,8 @@ def _read_schedule(
 
 def draw(schedule: Schedule, model: Model) -> str:
     """Return a schedule drawn as SVG."""
+    from adagen.drawing.tree import schedule_svg
     from adagen.schedule import Topology
-    from adagen.schedule.draw import schedule_svg
 
     title = f"{model.name}, {schedule.processes} process{'es' if schedule.processes > 1 else ''}"
     return schedule_svg(schedule, Topology.of(model), title)
@@ -192,6 +199,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
     with stages.stage("assess"):
         _warn_of_lost_digits(plan, options.model)
     chosen = _shape(plan, options, stages)
+    program, line = _programmed(plan, options, chosen["shape"])
     with stages.stage("emit"), progress("emitting"):
         from adagen.emit import emit
         from adagen.schedule import load_profile
@@ -206,7 +214,18 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             profile=load_profile(options.profile),
             **chosen,
         )
-    return Generated(schedule, plan, files, chosen.get("compiler", ""))
+    return Generated(schedule, plan, program, line, files, chosen.get("compiler", ""))
+
+
+def _programmed(
+    plan: Plan, options: argparse.Namespace, shape: str
+) -> tuple[Program, Timeline | None]:
+    """Return what is emitted of a plan, and how an evaluation is predicted to go."""
+    from adagen.cli.predicted import timeline_of
+    from adagen.emit import program_of
+
+    program = program_of(plan, shape, options.refine, batch=options.batch)
+    return program, None if options.batch else timeline_of(program, options)
 
 
 def _shape(plan: Plan, options: argparse.Namespace, stages: Stages) -> dict[str, Any]:

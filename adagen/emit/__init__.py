@@ -14,6 +14,7 @@ from adagen.errors import UsageError
 from adagen.plan import Plan, plan_to_json
 from adagen.plan.refine import refinable
 from adagen.plan.types import FACTORS
+from adagen.program import Program, check, lower
 from adagen.schedule import CostProfile, load_profile
 
 # Largest residual that an emitted self-check lets pass: what the scalar keeps, with a margin for
@@ -46,7 +47,7 @@ HEADERS = (
     "vector",
 )
 
-__all__ = ["check_batch", "emit", "file_stem", "stem_of", "templates_folder"]
+__all__ = ["check_batch", "emit", "file_stem", "program_of", "stem_of", "templates_folder"]
 
 
 def stem_of(plan: Plan, name: str | None = None, batch: int = 0) -> str:
@@ -107,6 +108,29 @@ def emit(
     return files
 
 
+def program_of(
+    plan: Plan, shape: str = "auto", refine: int | None = None, *, batch: bool = False
+) -> Program:
+    """Return the program that is emitted of a plan.
+
+    Args:
+        plan: what each process computes.
+        shape: of the code, one of ``adagen.emit.shapes.KNOWN``, or "auto".
+        refine: steps of iterative refinement; None: as many as the scalar needs.
+        batch: whether many states are solved at once.
+
+    Raises:
+        UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
+    """
+    refine = refinement_steps(refine, plan.scalar)
+    if batch:
+        if len(plan.processes) > 1:
+            raise UsageError("a batch is solved by the plan of one process")
+        check_batch(shape, refine)
+    shape = chosen_shape(plan, checked_shape(refine, shape), batch=batch)
+    return lower(refinable(plan) if refine else plan, shape, batch=batch)
+
+
 def source(
     plan: Plan,
     stem: str,
@@ -122,14 +146,11 @@ def source(
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
+    program = program_of(plan, shape, refine, batch=bool(batch))
+    check(program)
     refine = refinement_steps(refine, plan.scalar)
-    if batch:
-        if len(plan.processes) > 1:
-            raise UsageError("a batch is solved by the plan of one process")
-        check_batch(shape, refine)
-    shape = chosen_shape(plan, checked_shape(refine, shape), batch=bool(batch))
-    plan = refinable(plan) if refine else plan
-    words = Words(plan, shape, refine, chunk, bool(batch))
+    plan, shape = program.plan, program.shape
+    words = Words(program, refine, chunk)
     processes = batch or len(plan.processes)
     return render(
         "solver.cpp.j2",

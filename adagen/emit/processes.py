@@ -150,12 +150,7 @@ def describe_message(words: Words, message: Message) -> str:
 
 def message_size(words: Words, message: Message) -> int:
     """Return the numbers in a message."""
-    columns = words.plan.right_hand_sides
-    if message.sweep == "torques":
-        return columns - 1
-    vectors = len(message.biases) + len(message.forces) + len(message.inertias)
-    matrices = 36 * len(message.blocks) + 21 * len(message.inertias)
-    return matrices + 6 * columns * vectors + columns * len(message.joints)
+    return message.numbers(words.plan.right_hand_sides)
 
 
 def _send(words: Words, number: int) -> list[str]:

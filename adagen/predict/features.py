@@ -1,126 +1,17 @@
-"""What a step of a plan is made of, in the coefficients of a cost profile."""
+"""What joints weigh in layouts, before it is known what lies side by side (layouts.py)."""
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import groupby
 
-from adagen.emit.shapes import SHAPES
-from adagen.model.kinds import KINDS
-from adagen.plan.abreast import Limbs, limbs_abreast
-from adagen.plan.order import inward_order
-from adagen.plan.responses import responses
-from adagen.plan.steps import (
-    Accelerate,
-    AccelerateRoot,
-    ApplyCoupling,
-    Articulate,
-    Deliver,
-    Disassemble,
-    FreeAcceleration,
-    FreeBase,
-    FusedJoin,
-    HoldMobility,
-    InvertRoot,
-    Join,
-    Kinematics,
-    LinkBias,
-    Load,
-    LoadRoot,
-    Propagate,
-    Receive,
-    Send,
-    SolveCoupling,
-    SolveMobility,
-    SolveRoot,
-    StartEmpty,
-    StartLink,
-    Step,
-)
-from adagen.plan.types import Plan, PlanJoint, Process
-from adagen.program.runs import Run, pays_columns, runs, units_of_sweep
-from adagen.program.segments import pays_segments, segments_of
-from adagen.schedule.costs import PRESCRIBED, StepCosts, block_rows
-
-Features = dict[str, float]
-"""How often each coefficient counts; names as in ``adagen.schedule.costs.NAMES``.
-"""
-
-_PLAIN: dict[type, str] = {
-    LinkBias: "link.bias",
-    StartLink: "link.start",
-    InvertRoot: "root.invert",
-    SolveRoot: "root.solve",
-    SolveMobility: "root.solve",
-    HoldMobility: "root.invert",
-    LoadRoot: "deliver.load",
-    AccelerateRoot: "root.accelerate",
-    FreeBase: "free.base",
-    FreeAcceleration: "free.acceleration",
-    Load: "deliver.load",
-    SolveCoupling: "slaved.solve",
-    ApplyCoupling: "slaved.apply",
-}
-
-
-def features(step: Step, joints: Sequence[PlanJoint]) -> Features:
-    """Return what a step is made of; nothing for a message.
-
-    Args:
-        step: a step of a plan.
-        joints: the plan's joints.
-    """
-    if isinstance(step, Send | Receive | StartEmpty):
-        return {}
-    plain = _PLAIN.get(type(step))
-    if plain is not None:
-        return {plain: 1}
-    joint = joints[step.joint]  # type: ignore[union-attr]
-    kind = PRESCRIBED if joint.prescribed else joint.kind
-    match step:
-        case Kinematics():
-            return {f"kinematics.{joint.kind}": 1}
-        case FusedJoin():
-            freedoms = sum(KINDS[joints[j].kind].nv for j in step.run)
-            own = _join(step, "spherical" if freedoms < 6 else "floating")
-            return {**own, "kinematics.revolute": len(step.run)}
-        case Join():
-            return _join(step, kind)
-        case Disassemble():
-            return {f"disassemble.{kind}": 1, "disassemble.coupling": len(step.forces)}
-        case Articulate():
-            grounded = not step.reversed and joint.parent == 0
-            if grounded and joint.prescribed:  # nothing is handed to the ground
-                return {}
-            return _turned("articulate", "ground" if grounded else kind, step.reversed)
-        case Propagate():
-            first = "ground" if step.near is None else kind
-            found = _turned("propagate", first, step.reversed)
-            return {**found, "propagate.spread": len(step.spreads)}
-        case Deliver():
-            return _turned("deliver", kind, step.reversed)
-        case Accelerate():
-            return _turned("accelerate", kind, step.reversed)
-    raise AssertionError(f"unknown step {step}")
-
-
-def _join(step: Join, kind: str) -> Features:
-    grounded = step.a is None and kind != "floating"
-    on_a = sum(coupling.side == "A" for coupling in step.couplings)
-    across = sum(block.across for block in step.blocks)
-    rows = block_rows(kind)
-    return {
-        f"join.{'ground' if grounded else kind}": 1,
-        "join.coupling_a": on_a,
-        "join.coupling_b": len(step.couplings) - on_a,
-        "join.block": rows * (len(step.blocks) - across),
-        "join.across": rows * across,
-    }
-
-
-def _turned(group: str, key: str, turned: bool) -> Features:
-    return {f"{group}.{key}": 1, **({f"{group}.reversed": 1} if turned else {})}
+from adagen.cost.features import Features, step_features
+from adagen.plan.abreast import Limbs
+from adagen.plan.steps import Accelerate, Articulate, Kinematics, Propagate, Step
+from adagen.plan.types import PlanJoint
+from adagen.program.runs import Run, pays_columns, runs
+from adagen.program.segments import pays_segments
+from adagen.schedule.costs import StepCosts
 
 
 @dataclass(frozen=True)
@@ -149,23 +40,6 @@ SIDE_BY_SIDE: dict[type, str] = {
 """Steps that limbs take side by side, and the groups that price them."""
 
 
-def passed_together(plan: Plan, shape: str = "auto") -> list[Together]:
-    """Return what each process passes its joints with; nothing where the shape does not do that."""
-    if shape not in ("auto", "kernels") or SHAPES["kernels"].why_not(plan) is not None:
-        return [Together({}, {}, {}, ()) for _ in plan.processes]
-    limbs = [limbs_abreast(plan, process) for process in plan.processes]
-    outward = _by_joint(segments_of(plan, limbs))
-    return [
-        Together(
-            {j: each for each in own for j in each.members()},
-            _by_joint(_inward(plan, process, own)),
-            outward,
-            _responding(plan, process),
-        )
-        for process, own in zip(plan.processes, limbs, strict=True)
-    ]
-
-
 def in_runs(joints: Sequence[PlanJoint]) -> Together:
     """Return what joints are passed with where nothing lies side by side."""
     found = runs(joints, range(len(joints)))
@@ -175,25 +49,6 @@ def in_runs(joints: Sequence[PlanJoint]) -> Together:
 
 def _by_joint(own: Iterable[Run]) -> dict[int, Run]:
     return {j: run for run in own for j in range(run.first, run.last + 1)}
-
-
-def _inward(plan: Plan, process: Process, limbs: Sequence[Limbs]) -> Iterator[Run]:
-    for kind, steps in groupby(process.steps, type):
-        if kind is Articulate:
-            for run in units_of_sweep(plan.joints, list(steps), limbs, inward_order):  # type: ignore[arg-type]
-                if isinstance(run, Run):
-                    yield run
-
-
-def _responding(plan: Plan, process: Process) -> set[int]:
-    return {
-        step.joint
-        for kind, steps in groupby(process.steps, type)
-        if kind is Propagate
-        for run in responses(plan, process, list(steps))  # type: ignore[arg-type]
-        if len(run) > 1
-        for step in run
-    }
 
 
 def _shared_features(
@@ -228,7 +83,7 @@ def _row_features(step: Step, kind: str, limbs: Limbs) -> Features:
 
 def _run_features(step: Articulate, joints: Sequence[PlanJoint], run: Run) -> Features:
     """Of one joint of a run, with its share of the way into the run and out of it."""
-    found = features(step, joints)
+    found = step_features(step, joints)
     if pays_columns(joints, run):
         found = {f"articulate_columns.{joints[step.joint].kind}": 1}
         if step.reversed:
@@ -253,7 +108,7 @@ def work_features(
     for step in steps:
         found = _shared_features(step, joints, together) if together else None
         if found is None:
-            found = features(step, joints)
+            found = step_features(step, joints)
         for name, count in found.items():
             total[name] = total.get(name, 0) + count
     return total

@@ -181,7 +181,7 @@ class Loops:
             if any(a <= self.slots.slots[link - 1] <= b for a, b in ranges)
         }
         self.by_columns |= among
-        self._add("link_columns", Links(tuple(sorted(wanted))), "columns")
+        self._add("link_columns", Links(tuple(sorted(among))), "columns")
 
     def _propagate(self, steps: list[Propagate]) -> None:
         for run in responses(self.plan, self.process, steps):

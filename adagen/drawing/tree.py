@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable
 
+from adagen.drawing.outline import Row, robot_rows, schedule_rows
+from adagen.drawing.svg import INK, MUTED, Canvas, colour, shorten, text_width, time_axis
 from adagen.errors import printable
-from adagen.schedule.outline import Row, robot_rows, schedule_rows
-from adagen.schedule.svg import INK, MUTED, Canvas, colour, shorten, text_width, time_axis
 from adagen.schedule.timeline import Timeline, predict
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node, Schedule, preorder

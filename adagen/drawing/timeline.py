@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from adagen.schedule.svg import INK, MUTED, Canvas, colour, shorten, text_width, time_axis
-from adagen.schedule.timeline import Interval, MachineTimeline
+from adagen.cost.timeline import Interval, Timeline
+from adagen.drawing.svg import INK, MUTED, Canvas, colour, shorten, text_width, time_axis
 
 MARGIN = 24.0
 LANE = 22.0
@@ -22,7 +22,7 @@ _LEGEND = (
 )
 
 
-def machine_svg(timelines: Sequence[MachineTimeline], names: Sequence[str], title: str) -> str:
+def machine_svg(timelines: Sequence[Timeline], names: Sequence[str], title: str) -> str:
     """Return a drawing of timelines under each other, on one scale.
 
     Args:
@@ -78,7 +78,7 @@ def _bar(
 
 def _chart(
     canvas: Canvas,
-    line: MachineTimeline,
+    line: Timeline,
     names: Sequence[str],
     left: float,
     top: float,

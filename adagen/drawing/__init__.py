@@ -1,0 +1,1 @@
+"""Pictures of programs, schedules and robots as SVG; the same bytes for the same arguments."""
