@@ -148,13 +148,12 @@ def _read_schedule(
     return schedule
 
 
-def draw(schedule: Schedule, model: Model) -> str:
-    """Return a schedule drawn as SVG."""
-    from adagen.drawing.tree import schedule_svg
+def draw(schedule: Schedule, model: Model, program: Program, profile: CostProfile) -> str:
+    """Return a program drawn as SVG."""
+    from adagen.drawing import draw
     from adagen.schedule import Topology
 
-    title = f"{model.name}, {schedule.processes} process{'es' if schedule.processes > 1 else ''}"
-    return schedule_svg(schedule, Topology.of(model), title)
+    return draw(schedule, Topology.of(model), program, profile, model.name)
 
 
 @contextmanager
@@ -205,13 +204,14 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
         from adagen.schedule import load_profile
 
         name = Path(options.model).stem if options.name is None else options.name
+        profile = load_profile(options.profile)
         files = emit(
             plan,
             name=name,
-            svg=draw(schedule, model),
+            svg=draw(schedule, model, program, profile),
             refine=options.refine,
             batch=batch,
-            profile=load_profile(options.profile),
+            profile=profile,
             **chosen,
         )
     return Generated(schedule, plan, program, line, files, chosen.get("compiler", ""))

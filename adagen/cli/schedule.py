@@ -98,9 +98,12 @@ def _found(model: Model, schedule: Schedule, options: argparse.Namespace) -> _Fo
 
 def _show(found: _Found) -> None:
     """Print the tree, what each process does, and what is predicted, for people."""
+    from adagen.program.summary import meeting, program_text
     from adagen.schedule import Topology, schedule_tree
 
-    print(schedule_tree(found.schedule, Topology.of(found.model)))
+    print(program_text(found.program))
+    if meeting(found.program) == "joined":  # there the tree says what is joined when, and by whom
+        print(schedule_tree(found.schedule, Topology.of(found.model)))
     if found.timeline is None:
         _show_loads(found.schedule)
     else:
@@ -111,11 +114,12 @@ def _show(found: _Found) -> None:
 def _drawing(found: _Found, options: argparse.Namespace) -> str:
     """Return the schedule as SVG, or predicted and measured timelines where there is a trace."""
     from adagen.cli import pipeline
+    from adagen.schedule import load_profile
 
     model, processes = found.model, found.schedule.processes
     if options.trace is None:
-        return pipeline.draw(found.schedule, model)
-    from adagen.drawing.timeline import machine_svg
+        return pipeline.draw(found.schedule, model, found.program, load_profile(options.profile))
+    from adagen.drawing.trace import machine_svg
     from adagen.run.trace import read_trace
 
     names = [joint.name for joint in model.joints]

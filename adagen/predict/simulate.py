@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from adagen.cost.timeline import Timeline, timeline
+from adagen.cost.play import Timeline, timeline
 from adagen.emit.shapes import SHAPES, chosen_shape, stepwise
 from adagen.plan import Plan
 from adagen.program import Program, lower

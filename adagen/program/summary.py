@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from adagen.errors import printable
 from adagen.plan.abreast import Limbs
 from adagen.plan.steps import Join, SolveMobility, SolveRoot
 from adagen.plan.types import Process
@@ -60,25 +61,29 @@ def lanes(program: Program) -> list[tuple[int, Limbs]]:
     return [(p, limbs) for p, own in enumerate(program.slots.limbs) for limbs in own]
 
 
-def groups(program: Program, process: int) -> list[str]:
-    """Return what a process treats, run by run and limbs by limbs, in words."""
+def groups(program: Program, process: int, *, whole: bool = False) -> list[str]:
+    """Return what a process treats, run by run and limbs by limbs, in words.
+
+    Args:
+        program: the program.
+        process: one of its processes.
+        whole: whether all joints of a run are named, and not its first and last alone.
+    """
     own: Process = program.plan.processes[process]
     side_by_side = program.slots.limbs[process]
-    found = [_limbs_words(program, limbs) for limbs in side_by_side]
+    found = []
+    for limbs in side_by_side:
+        chains = (_run_words(program, chain, whole) for chain in zip(*limbs.rows, strict=True))
+        found.append(f"{' | '.join(chains)} in {limbs.lanes} lanes")
     taken = {j for limbs in side_by_side for j in limbs.members()}
-    found += [_run_words(program, *span) for span in spans(set(own.owns) - taken)]
-    return found
+    left = spans(set(own.owns) - taken)
+    return found + [_run_words(program, range(a, b + 1), whole) for a, b in left]
 
 
-def _limbs_words(program: Program, limbs: Limbs) -> str:
-    ends = zip(limbs.rows[0], limbs.rows[-1], strict=True)
-    words = " | ".join(_run_words(program, first, last) for first, last in ends)
-    return f"{words} in {limbs.lanes} lanes"
-
-
-def _run_words(program: Program, first: int, last: int) -> str:
-    names = [program.plan.joints[j].name for j in dict.fromkeys((first, last))]
-    return " .. ".join(names)
+def _run_words(program: Program, run: Sequence[int], whole: bool) -> str:
+    shown = run if whole else dict.fromkeys((run[0], run[-1]))
+    names = [program.plan.joints[j].name for j in shown]
+    return (", " if whole else " .. ").join(names)
 
 
 def title(program: Program) -> str:
@@ -114,3 +119,15 @@ def named(names: list[str]) -> str:
     """Return a few names, and how many more there are."""
     more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
     return ", ".join(names[:_NAMED]) + more
+
+
+def program_text(program: Program) -> str:
+    """Return who does what in lines of text, for people."""
+    lines = [title(program)]
+    if program.shape == "unrolled":
+        lines[0] += ", straight lines of statements"
+    for p in range(len(program.plan.processes)):
+        own = groups(program, p, whole=True) or ["nothing"]
+        lines.append(f"process {p}")
+        lines += [f"  {printable(words)}" for words in own]
+    return "\n".join(lines) + "\n"

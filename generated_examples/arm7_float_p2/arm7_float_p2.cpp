@@ -2,16 +2,18 @@
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // options   form segment, shape kernels, scalar float, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// program   2 processes, joined at cuts; 1.02 us predicted (default profile)
+//           process 0: base_yaw .. forearm_roll
+//           process 1: wrist_pitch .. right_finger_slide
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
 // link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
-// accelerations come back. Spatial vectors are [angular; linear], in link frames turned so that every
-// joint axis is z.
-// Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura joins them: Phi =
-// (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent link's side) and
-// chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
+// accelerations come back. Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura
+// joins them: Phi = (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent
+// link's side) and chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
+// Spatial vectors are [angular; linear], in the axes of the base, about each link's origin.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls

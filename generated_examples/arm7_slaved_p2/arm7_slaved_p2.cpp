@@ -2,13 +2,16 @@
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// program   2 processes, joined at cuts; 2.4 us predicted (default profile)
+//           process 0: base_yaw .. forearm_roll
+//           process 1: wrist_pitch .. right_finger_slide
 // schedule  forearm_roll@0-1(elbow_pitch@0(upper_arm_roll(shoulder_pitch(base_yaw|)|)|) | wrist_pitch@1(|flange_roll(|left_finger_slide(right_finger_slide|))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
-// b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
-// joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
-// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
+// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
+// bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
+// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
+// vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls

@@ -2,16 +2,19 @@
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// program   3 processes, joined at cuts; 1.75 us predicted (default profile)
+//           process 0: joint01 .. joint08
+//           process 1: joint09 .. joint12
+//           process 2: joint13 .. joint16
 // schedule  joint08@0-2(joint04@0(joint02(joint01 | joint03) | joint06(joint05 | joint07)) | joint12@1-2(joint10@1(joint09 | joint11) | joint14@2(joint13 | joint15(|joint16))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
 // link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
-// accelerations come back. Spatial vectors are [angular; linear], in link frames turned so that every
-// joint axis is z.
-// Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura joins them: Phi =
-// (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent link's side) and
-// chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
+// accelerations come back. Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura
+// joins them: Phi = (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent
+// link's side) and chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
+// Spatial vectors are [angular; linear], in the axes of the base, about each link's origin.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls

@@ -2,16 +2,14 @@
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// schedule  __base__@0(|left_hip_pitch(right_hip_pitch(waist_yaw(|waist_roll(|waist_pitch(|left_shoulder_pitch(neck_yaw(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch)))))))) | right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll))))))
+// program   1 process
+//           process 0: __base__ .. right_wrist_pitch
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
-// link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
-// accelerations come back. Spatial vectors are [angular; linear], in link frames turned so that every
-// joint axis is z.
-// Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura joins them: Phi =
-// (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent link's side) and
-// chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
+// The articulated-body algorithm: I^A and p^A (IA, pA), a link's inertia and bias force with all that
+// hangs on it, are swept to the base, and the accelerations come back. Spatial vectors are [angular;
+// linear], in the axes of the base, about each link's origin. Each SIMD lane holds a state; the processes
+// share the states of a batch, not the robot.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls

@@ -2,16 +2,19 @@
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// schedule  __base__@0-1(|neck_yaw(left_shoulder_pitch(right_shoulder_pitch(left_ankle_roll@0(left_ankle_pitch(left_knee(left_hip_yaw(left_hip_roll(left_hip_pitch(right_ankle_roll(right_ankle_pitch(right_knee(right_hip_yaw(right_hip_roll(right_hip_pitch(waist_yaw(|waist_roll(|waist_pitch))|)|)|)|)|)|)|)|)|)|)|)|) | right_wrist_pitch@1(right_wrist_roll(right_elbow(right_shoulder_yaw(right_shoulder_roll|)|)|)|)) | left_wrist_pitch@1(left_wrist_roll(left_elbow(left_shoulder_yaw(left_shoulder_roll|)|)|)|)) | neck_pitch@1))
+// program   2 processes, gathered at torso; 0.648 us predicted (default profile)
+//           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll in 2
+//           lanes, __base__, waist_yaw .. waist_pitch
+//           process 1: left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch ..
+//           right_wrist_pitch in 2 lanes, neck_yaw .. neck_pitch
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
-// link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
-// accelerations come back. Spatial vectors are [angular; linear], in link frames turned so that every
-// joint axis is z.
-// Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura joins them: Phi =
-// (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent link's side) and
-// chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
+// Each process sweeps its own limbs by the articulated-body algorithm: I^A and p^A, a link's inertia and
+// bias force with all that hangs on it. Processes meet once: each tells the others the I^A and p^A that
+// it found at the links where limbs of several processes meet. What lies between those links, up to the
+// root, every process then sweeps for itself, solves for the root's acceleration and goes outwards again
+// through its own limbs. Spatial vectors are [angular; linear], in the axes of the base, about each
+// link's origin.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls

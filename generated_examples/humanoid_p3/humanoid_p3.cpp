@@ -2,13 +2,17 @@
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // options   form ada, shape joints, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
+// program   3 processes, joined at cuts; 3.57 us predicted (default profile)
+//           process 0: __base__ .. waist_yaw
+//           process 1: waist_roll .. left_shoulder_pitch, neck_yaw .. right_wrist_pitch
+//           process 2: left_shoulder_roll .. left_wrist_pitch
 // schedule  waist_yaw@0-2(__base__@0(|left_hip_pitch(right_hip_pitch(|right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll)))))) | waist_roll@1-2(|waist_pitch(|left_shoulder_pitch(neck_yaw@1(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll@2(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch))))))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
-// b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
-// joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
-// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
+// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
+// bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
+// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
+// vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls

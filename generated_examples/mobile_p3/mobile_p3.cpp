@@ -2,13 +2,17 @@
 //
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
 // options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// program   3 processes, joined at cuts; 1.25 us predicted (default profile)
+//           process 0: drive .. lift
+//           process 1: shoulder .. wrist
+//           process 2: loose
 // schedule  lift@0-2(drive@0(|laser_spin) | wrist@1-2(shoulder@1 | loose@2))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
-// b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
-// joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
-// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
+// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
+// bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
+// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
+// vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls

@@ -11,7 +11,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from adagen.calibrate.measure import Program, least
-from adagen.drawing.timeline import machine_svg
+from adagen.drawing.trace import machine_svg
 from adagen.errors import InputError
 from adagen.plan import Plan, make_plan
 from adagen.plan.stages import stages
