@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
 from adagen.cli.console import Stages, progress, tell, warn
-from adagen.cli.options import AUTO
+from adagen.cli.options import AUTO, refinement
 from adagen.cli.predicted import scheduled
 from adagen.errors import InputError, UsageError
 
@@ -242,8 +242,7 @@ def _may_gather(options: argparse.Namespace) -> bool:
     if options.strategy != "exact" or options.split != "always":
         return False
     shape = getattr(options, "shape", "auto")
-    refined = getattr(options, "refine", 0) or options.scalar == "mixed"
-    whole = refined or getattr(options, "tune", False)
+    whole = refinement(options) or getattr(options, "tune", False)
     return shape in ("auto", "kernels") and not whole
 
 
