@@ -42,6 +42,15 @@ def write_arm(path: Path, joints: int = 3, name: str = "arm") -> Path:
     return path
 
 
+def write_points(path: Path) -> Path:
+    """Write a chain of six point masses at the ends of rods; axes are across the rods."""
+    text = write_arm(path, 6).read_text()
+    text = re.sub(r'\b(i[xyz]{2})="[^"]*"', r'\1="0"', text)
+    text = text.replace("0.01 0.02 0.1", "0 0 0.3").replace("0 0.1 0.3", "0 0 0.3")
+    path.write_text(text.replace('axis xyz="0 0 1"', 'axis xyz="1 0 0"'))
+    return path
+
+
 @pytest.fixture
 def arm(tmp_path: Path) -> Path:
     return write_arm(tmp_path / "arm.urdf")
@@ -170,6 +179,26 @@ class TestGenerate:
         plan = plan_from_json((tmp_path / "b" / "b_p2.plan.json").read_text())
         steps = [step for process in plan.processes for step in process.steps]
         assert any(isinstance(step, StartLink) and step.link == 2 for step in steps)
+
+    def test_a_named_schedule_that_cuts_where_that_fails_is_refused_by_the_cut(
+        self, tmp_path: Path, said: Said
+    ) -> None:
+        words = [str(write_points(tmp_path / "b.urdf")), "--out", str(tmp_path / "b")]
+        assert main([*words, "--procs", "2", "--schedule", "middle-out"]) == 1
+        line = said()[1].splitlines()[-1]
+        start = f"{words[0]}: error: --schedule middle-out lets processes meet at "
+        assert line.startswith(start + '"j2", beside links')
+        assert line.endswith("leave out --schedule, or say --procs 1")
+        assert not (tmp_path / "b").exists()
+        assert main([*words, "--procs", "2"]) == 0
+        assert main([*words, "--procs", "1", "--schedule", "middle-out"]) == 0
+
+    def test_a_robot_of_one_cluster_has_no_order_to_name(self, tmp_path: Path, said: Said) -> None:
+        words = [str(write_points(tmp_path / "b.urdf")), "--procs", "2", "--form", "ada"]
+        words += ["--out", str(tmp_path / "b")]
+        assert main([*words, "--schedule", "balanced"]) == 1
+        assert "form ada treats all links of this robot as one" in said()[1]
+        assert main(words) == 0
 
     def test_the_stages_are_timed_for_who_asks(self, arm: Path, tmp_path: Path, said: Said) -> None:
         assert main([str(arm), "--procs", "2", "--out", str(tmp_path / "o"), "-v"]) == 0
