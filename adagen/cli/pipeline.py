@@ -30,12 +30,14 @@ class Generated:
         schedule: the schedule.
         plan: the plan.
         files: file name to text: source, plan, drawing and Makefile.
+        processes: how many run it; they share the robot, or the states of a batch.
         compiler: what the MPI wrapper is to call; "" for its own choice.
     """
 
     schedule: Schedule
     plan: Plan
     files: dict[str, str]
+    processes: int
     compiler: str = ""
 
     @property
@@ -225,7 +227,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             profile=load_profile(options.profile),
             **chosen,
         )
-    return Generated(schedule, plan, files, chosen.get("compiler", ""))
+    return Generated(schedule, plan, files, batch or options.procs, chosen.get("compiler", ""))
 
 
 def _shape(plan: Plan, options: argparse.Namespace, stages: Stages) -> dict[str, Any]:

@@ -266,6 +266,20 @@ class TestSolve:
         monkeypatch.setenv("XDG_CACHE_HOME", str(cache))
         monkeypatch.setenv("CXXFLAGS", "-O1")  # the compiler's time, not the program's
 
+    @pytest.mark.parametrize("processes", ["2", "3", "auto"])
+    def test_states_of_a_batch_are_shared_by_the_processes(
+        self, processes: str, arm: Path, tmp_path: Path
+    ) -> None:
+        model = read_robot(arm).model
+        states = random_states(model, 40)
+        write_states(states, model, tmp_path / "states.json")
+        words = ["solve", str(arm), "--procs", processes, "--batch"]
+        words += ["--states", str(tmp_path / "states.json")]
+        assert main([*words, "--result", str(tmp_path / "r.json")]) == 0
+        found = read_result(tmp_path / "r.json", model)
+        for q, v, tau, qdd in zip(states.q, states.v, states.tau, found, strict=True):
+            np.testing.assert_allclose(qdd, forward_dynamics(model, q, v, tau), rtol=1e-10)
+
     @pytest.mark.parametrize("processes", [1, 2])
     def test_right_accelerations_and_a_second_call_without_a_compiler(
         self, processes: int, arm: Path, tmp_path: Path, said: Said, monkeypatch: pytest.MonkeyPatch
