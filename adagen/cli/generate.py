@@ -49,13 +49,11 @@ def run(argv: Sequence[str]) -> int:
     try:
         model = pipeline.read_model(options, stages, options.gravity)
         made = pipeline.generate(model, options, stages)
+        told = prediction(made.schedule, made.timeline)
         with stages.stage("write"):
             write_files(options.out, made.files)
     finally:
         if options.verbose:
             note(str(stages))
-    note(
-        f"wrote {', '.join(str(options.out / name) for name in sorted(made.files))}; "
-        f"{prediction(made.schedule, made.timeline)}"
-    )
+    note(f"wrote {', '.join(str(options.out / name) for name in sorted(made.files))}; {told}")
     return 0

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
 from adagen.cli.console import Stages, progress, tell, warn
-from adagen.cli.options import AUTO
+from adagen.cli.options import AUTO, refinement
 from adagen.cli.predicted import scheduled
 from adagen.errors import InputError, UsageError
 
@@ -35,6 +35,7 @@ class Generated:
         timeline: how an evaluation is predicted to go; None where the profile or a batch leaves
             that open.
         files: file name to text: source, plan, drawing and Makefile.
+        processes: how many run it; they share the robot, or the states of a batch.
         compiler: what the MPI wrapper is to call; "" for its own choice.
     """
 
@@ -43,6 +44,7 @@ class Generated:
     program: Program
     timeline: Timeline | None
     files: dict[str, str]
+    processes: int
     compiler: str = ""
 
     @property
@@ -84,9 +86,8 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
         UsageError: there is no such profile or schedule.
     """
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
-        from adagen.plan.clusters import fold_of
         from adagen.predict.objective import schedule_for
-        from adagen.schedule import Topology, load_profile, named_schedule
+        from adagen.schedule import Topology, load_profile
         from adagen.schedule.tree import Named
 
         profile = load_profile(options.profile)
@@ -97,9 +98,7 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
 
         def schedule(processes: int) -> Schedule:
             if options.schedule != "auto":
-                seen = fold_of(model, options.form)
-                found = named_schedule(options.schedule, seen.topology, processes, profile=profile)
-                return seen.unfold(found, profile)
+                return _named_schedule(model, options, processes, profile)
             return schedule_for(
                 options.objective,
                 model,
@@ -116,6 +115,28 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
             )
 
         return scheduled(model, options, schedule)
+
+
+def _named_schedule(
+    model: Model, options: argparse.Namespace, processes: int, profile: CostProfile
+) -> Schedule:
+    """Return the schedule of the name that the user gave.
+
+    Raises:
+        InputError: the robot has no joint at which anything could be joined.
+    """
+    from adagen.plan.clusters import fold_of
+    from adagen.schedule import named_schedule
+
+    seen = fold_of(model, options.form)
+    if not len(seen.topology):
+        raise InputError(
+            f"form {options.form} treats all links of this robot as one, as their inertias cannot"
+            f" be inverted: there is no order of joints for --schedule {options.schedule}; leave it"
+            " out"
+        )
+    found = named_schedule(options.schedule, seen.topology, processes, profile=profile)
+    return seen.unfold(found, profile)
 
 
 def _read_schedule(
@@ -196,7 +217,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
         with stages.stage("compare"):
             tell_savings(plan, schedule, options)
     with stages.stage("assess"):
-        _warn_of_lost_digits(plan, options.model)
+        _warn_of_lost_digits(plan, model, options)
     chosen = _shape(plan, options, stages)
     program, line = _programmed(plan, options, chosen["shape"])
     with stages.stage("emit"), progress("emitting"):
@@ -214,7 +235,8 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             profile=profile,
             **chosen,
         )
-    return Generated(schedule, plan, program, line, files, chosen.get("compiler", ""))
+    processes = batch or options.procs
+    return Generated(schedule, plan, program, line, files, processes, chosen.get("compiler", ""))
 
 
 def _programmed(
@@ -261,12 +283,11 @@ def _may_gather(options: argparse.Namespace) -> bool:
     if options.strategy != "exact" or options.split != "always":
         return False
     shape = getattr(options, "shape", "auto")
-    refined = getattr(options, "refine", 0) or options.scalar == "mixed"
-    whole = refined or getattr(options, "tune", False)
+    whole = refinement(options) or getattr(options, "tune", False)
     return shape in ("auto", "kernels") and not whole
 
 
-def _warn_of_lost_digits(plan: Plan, file: str) -> None:
+def _warn_of_lost_digits(plan: Plan, model: Model, options: argparse.Namespace) -> None:
     """Warn where the emitted code will keep fewer digits than its own check asks for.
 
     Raises:
@@ -275,10 +296,11 @@ def _warn_of_lost_digits(plan: Plan, file: str) -> None:
     from adagen.emit import TOLERANCE
     from adagen.plan.growth import predicted_growth
 
+    file = options.model
     try:
         growth = predicted_growth(plan)
     except FloatingPointError as error:
-        raise InputError(f"form {plan.form} cannot solve this robot: {error}", file) from None
+        raise InputError(_why_it_fails(plan, model, options, str(error)), file) from None
     # In form segment, cuts beside light links are not made in the first place; what refinement
     # makes good, a mixed solver says itself.
     if plan.form == "ada" and plan.scalar != "mixed" and growth.error > TOLERANCE[plan.scalar]:
@@ -287,6 +309,28 @@ def _warn_of_lost_digits(plan: Plan, file: str) -> None:
             f'link at joint "{plan.joints[growth.joint].name}" is much lighter than its neighbours;'
             " form segment keeps more digits"
         )
+
+
+def _why_it_fails(plan: Plan, model: Model, options: argparse.Namespace, failure: str) -> str:
+    """Return why a factorization of a plan fails, and what to do."""
+    from adagen.plan.cuts import cuttable_joints
+    from adagen.plan.steps import Join
+    from adagen.urdf.notes import quoted
+
+    if plan.form == "ada":
+        return f"form ada cannot solve this robot: {failure}; say --form segment"
+    cuts = {s.joint for process in plan.processes for s in process.steps if isinstance(s, Join)}
+    good = cuttable_joints(model, plan.scalar)
+    bad = quoted([joint.name for j, joint in enumerate(plan.joints) if j in cuts and not good[j]])
+    if options.schedule == "auto":
+        return f"form segment cannot solve this robot: {failure}"
+    if not bad:
+        return f"--schedule {options.schedule} cannot be solved: {failure}; leave it out"
+    return (
+        f"--schedule {options.schedule} lets processes meet at {bad}, beside links whose inertia "
+        f"is singular or too small to be joined there ({failure}): leave out --schedule, or say"
+        " --procs 1"
+    )
 
 
 def source_hash(path: Path) -> str:

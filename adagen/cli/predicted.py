@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import note, warn
-from adagen.cli.options import AUTO
+from adagen.cli.options import AUTO, refinement
 from adagen.errors import printable
 
 if TYPE_CHECKING:
@@ -74,7 +74,7 @@ def priced_shape(options: argparse.Namespace) -> str:
     """Return the shape that a prediction is of: what is asked for, or comes with other wishes."""
     if getattr(options, "batch", False):
         return "kernels"
-    if getattr(options, "refine", 0):
+    if refinement(options):
         return "joints"
     return str(getattr(options, "shape", "auto"))
 

@@ -23,7 +23,7 @@ from adagen.urdf.numbers import LARGEST
 from adagen.urdf.peer import agreed
 from adagen.urdf.remarks import remark_ignored, warn_inertias, warn_limits
 from adagen.urdf.source import read_text
-from adagen.urdf.tree import make_tree
+from adagen.urdf.tree import make_tree, refuse_closed
 
 
 @dataclass(frozen=True)
@@ -78,6 +78,7 @@ def read_robot(
     notes = Notes(os.fspath(path))
     root = parse(read_text(path, notes), notes)
     description = describe(root, Path(path).stem, notes)
+    refuse_closed(root, notes)
     _check_base(description, floating, notes)
     tree = make_tree(description, notes)
     mimics = resolve(description, mimic, notes)
