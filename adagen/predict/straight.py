@@ -10,7 +10,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from adagen.emit.shapes import SHAPES, chosen_shape, stepwise
-from adagen.emit.unrolled import simulate
+from adagen.executor import simulate
 from adagen.graph import live_nodes
 from adagen.plan import Plan
 from adagen.plan.stages import stages

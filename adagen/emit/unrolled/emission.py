@@ -10,9 +10,9 @@ from adagen.emit.entries import entries_of, ranges, read_joints
 from adagen.emit.processes import describe_message
 from adagen.emit.unrolled.describe import DESCRIBED, describe_step
 from adagen.emit.unrolled.layout import Chunk, Layout, Stretch, is_given, laid_out, looked_at
-from adagen.emit.unrolled.simulate import Simulated, simulate
 from adagen.emit.unrolled.text import Text
 from adagen.emit.words import Words
+from adagen.executor import Simulated, simulate
 from adagen.graph import Expression, live_nodes
 from adagen.plan import Plan
 from adagen.plan.stages import stages

@@ -10,9 +10,8 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from adagen.emit.unrolled.checks import Check
-from adagen.emit.unrolled.machine import RECEIVED, Machine
 from adagen.emit.unrolled.order import in_order
+from adagen.executor import RECEIVED, Check, Machine
 from adagen.graph import Node, live_nodes
 from adagen.plan.stages import Stage, stages
 from adagen.plan.types import Process

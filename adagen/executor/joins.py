@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.emit.joins import least_mobility
-from adagen.emit.unrolled.checks import Check
-from adagen.emit.unrolled.frames import Transform, columnwise
+from adagen.executor.checks import Check
+from adagen.executor.frames import Transform, columnwise
+from adagen.executor.kinematics import Motion
+from adagen.executor.state import State
 from adagen.graph import Factors, matrix_times, total
+from adagen.plan.digits import least_mobility
 from adagen.plan.steps import Bias, Block, Disassemble, Join
-
-if TYPE_CHECKING:
-    from adagen.emit.unrolled.machine import Machine
 
 Array = NDArray[Any]
 
@@ -44,40 +43,40 @@ class Joined:
     tau: Array
 
 
-class JoinMachine:
+class Joins:
     """Executes joins and disassemblies on a process's memory."""
 
-    def __init__(self, machine: Machine) -> None:
-        self.machine = machine
-        self.memory: dict[Any, Any] = machine.memory
+    def __init__(self, state: State, motion: Motion) -> None:
+        self.state, self.motion = state, motion
+        self.memory: dict[Any, Any] = state.memory
 
     def link_bias(self, number: int) -> None:
         """Deviation of a bare link from the reference field when nothing acts on it: -Phi p."""
-        p = self.machine.column(self.machine.motion.link_force(number))
+        p = self.state.column(self.motion.link_force(number))
         self.memory[Bias(None, number)] = -matrix_times(self._block(Block(None, number, number)), p)
 
     def join(self, step: Join) -> None:
         """Assembly of a joint: Eq. (3)-(7)."""
-        kind = self.machine.kind(step.joint)
+        kind = self.state.kind(step.joint)
         free, constrained = list(kind.free), list(kind.constrained)
         x: Transform = self.memory["X", step.joint]
-        tau = self.machine.torques(step.joint)
+        tau = self.state.torques(step.joint)
         b_b, phi_b = self.memory[step.b_bias], self._block(step.b)
         phi = phi_b if step.a is None else x.mobility(self._block(step.a)) + phi_b
         beta = -b_b if step.a_bias is None else columnwise(x.motion, self.memory[step.a_bias]) - b_b
-        drift = self.machine.motion.drift(step.joint)
+        drift = self.motion.drift(step.joint)
         if drift is not None:
             beta = beta + drift
         if free:
             beta = beta - matrix_times(phi[:, free], tau)
-        least = least_mobility(self.machine.plan, step)
-        self.machine.checks.extend(
-            Check(phi[row, row], self.machine.graph.constant(least[row]), step.joint, "kGrowth")
+        least = least_mobility(self.state.plan, step)
+        self.state.checks.extend(
+            Check(phi[row, row], self.state.graph.constant(least[row]), step.joint, "kGrowth")
             for row in (constrained if least else [])
         )
         factors = None
         if constrained:
-            factors = self.machine.factorize(phi[np.ix_(constrained, constrained)], step.joint)
+            factors = self.state.factorize(phi[np.ix_(constrained, constrained)], step.joint)
         z0 = self._forward(factors, beta[constrained])
         z: dict[int, Array] = {}
         y: dict[int, Array] = {}
@@ -96,18 +95,18 @@ class JoinMachine:
 
     def _block(self, block: Block, transposed: bool = False) -> Array:
         if block.joint is None:
-            matrix = self.machine.constants(self.machine.plan.links[block.row].phi)
+            matrix = self.state.constants(self.state.plan.links[block.row].phi)
         else:
             matrix = self.memory[block]
         return matrix.T if transposed else matrix
 
     def _update(self, joined: Joined) -> None:
         """Blocks and biases of the chain that a join completes."""
-        zero, factors = self.machine.graph.constant(0), joined.factors
+        zero, factors = self.state.graph.constant(0), joined.factors
         over = {h: z if factors is None else factors.scaled(z) for h, z in joined.z.items()}
         for block in joined.step.blocks:
             row, column = block.target.row, block.target.column
-            result = self.machine.zeros(6, 6)
+            result = self.state.zeros(6, 6)
             source = None if block.across or block.source is None else self._block(block.source)
             for i in range(6):
                 for k in range(6):
@@ -123,7 +122,7 @@ class JoinMachine:
             self.memory[block.target] = result
         for bias in joined.step.biases:
             h = bias.target.handle
-            change = self.machine.zeros(6, self.machine.columns)
+            change = self.state.zeros(6, self.state.columns)
             if len(joined.tau):
                 change = matrix_times(joined.y[h].T, joined.tau)
             if factors is not None:
@@ -133,7 +132,7 @@ class JoinMachine:
 
     def disassemble(self, step: Disassemble) -> None:
         """Acceleration and force of a joint: Eq. (8)-(10)."""
-        kind = self.machine.kind(step.joint)
+        kind = self.state.kind(step.joint)
         free, constrained = list(kind.free), list(kind.constrained)
         joined: Joined = self.memory["join", step.joint]
         right, qdd = joined.z0, -joined.beta[free]
@@ -144,7 +143,7 @@ class JoinMachine:
                 right = right + felt if coupling.side == "A" else right - felt
             moved = matrix_times(joined.y[coupling.handle], force)
             qdd = qdd - moved if coupling.side == "A" else qdd + moved
-        f = self.machine.zeros(6, self.machine.columns)
+        f = self.state.zeros(6, self.state.columns)
         f[free] = joined.tau
         if joined.factors is not None:
             n = joined.factors.backward(joined.factors.scaled(right))
@@ -156,4 +155,4 @@ class JoinMachine:
             if update.source is not None:
                 value = self.memory[update.source] + value
             self.memory[update.target] = value
-        self.machine.accelerate(step.joint, qdd)
+        self.state.accelerate(step.joint, qdd)
