@@ -6,8 +6,19 @@ text or counts takes them from the graphs.
 
 from __future__ import annotations
 
-from adagen.executor.checks import Check
+from adagen.executor.checks import SINGULAR, Check
 from adagen.executor.machine import RECEIVED, Machine
-from adagen.executor.run import Simulated, simulate
+from adagen.executor.run import PlanError, Simulated, simulate
+from adagen.executor.solve import Run, interpret
 
-__all__ = ["RECEIVED", "Check", "Machine", "Simulated", "simulate"]
+__all__ = [
+    "RECEIVED",
+    "SINGULAR",
+    "Check",
+    "Machine",
+    "PlanError",
+    "Run",
+    "Simulated",
+    "interpret",
+    "simulate",
+]

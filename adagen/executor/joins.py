@@ -1,4 +1,4 @@
-"""What joining and releasing joints means, over expressions (see adagen/plan/interpret/)."""
+"""What joining and releasing joints means: Eq. (3)-(10)."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import Check
-from adagen.executor.frames import Transform, columnwise
+from adagen.executor.join_frames import JointFrame, joint_frame
 from adagen.executor.kinematics import Motion
 from adagen.executor.state import State
 from adagen.graph import Factors, matrix_times, total
@@ -24,23 +24,24 @@ class Joined:
     """What disassembly needs of a joint that was assembled.
 
     Attributes:
+        step: the join.
+        frame: what it is done in.
         factors: L D L^T = N (Phi_A + Phi_B) N^T.
         z0: L^-1 N beta.
         z: by handle, L^-1 N Phi_ij.
         y: by handle, R Phi_ij.
         phi: Phi_A + Phi_B in the joint's frame.
         beta: the right-hand side.
-        tau: torques.
     """
 
     step: Join
+    frame: JointFrame
     factors: Factors | None
     z0: Array
     z: dict[int, Array]
     y: dict[int, Array]
     phi: Array
     beta: Array
-    tau: Array
 
 
 class Joins:
@@ -56,20 +57,21 @@ class Joins:
         self.memory[Bias(None, number)] = -matrix_times(self._block(Block(None, number, number)), p)
 
     def join(self, step: Join) -> None:
-        """Assembly of a joint: Eq. (3)-(7)."""
-        kind = self.state.kind(step.joint)
-        free, constrained = list(kind.free), list(kind.constrained)
-        x: Transform = self.memory["X", step.joint]
-        tau = self.state.torques(step.joint)
-        b_b, phi_b = self.memory[step.b_bias], self._block(step.b)
-        phi = phi_b if step.a is None else x.mobility(self._block(step.a)) + phi_b
-        beta = -b_b if step.a_bias is None else columnwise(x.motion, self.memory[step.a_bias]) - b_b
-        drift = self.motion.drift(step.joint)
-        if drift is not None:
-            beta = beta + drift
+        """Assembly of a joint, or of a run of joints as one: Eq. (3)-(7)."""
+        frame = joint_frame(self.state, self.motion, step)
+        free, constrained, tau = frame.free, frame.constrained, frame.tau
+        b_b, phi_b = self.memory[step.b_bias], frame.mobility_of_child(self._block(step.b))
+        b_b = frame.from_child(b_b)
+        phi = phi_b if step.a is None else frame.mobility_of_parent(self._block(step.a)) + phi_b
+        phi = phi.copy() if frame.give else phi
+        for row, more in frame.give.items():
+            phi[row, row] = phi[row, row] + more
+        beta = -b_b if step.a_bias is None else frame.from_parent(self.memory[step.a_bias]) - b_b
+        if frame.drift is not None:
+            beta = beta + frame.drift
         if free:
             beta = beta - matrix_times(phi[:, free], tau)
-        least = least_mobility(self.state.plan, step)
+        least = [] if frame.turn is not None else least_mobility(self.state.plan, step)
         self.state.checks.extend(
             Check(phi[row, row], self.state.graph.constant(least[row]), step.joint, "kGrowth")
             for row in (constrained if least else [])
@@ -82,10 +84,11 @@ class Joins:
         y: dict[int, Array] = {}
         for coupling in step.couplings:
             phi_ij = self._block(coupling.source, coupling.transposed)
-            phi_ij = columnwise(x.motion, phi_ij) if coupling.side == "A" else phi_ij
+            parent = coupling.side == "A"
+            phi_ij = frame.from_parent(phi_ij) if parent else frame.from_child(phi_ij)
             z[coupling.handle] = self._forward(factors, phi_ij[constrained])
             y[coupling.handle] = phi_ij[free]
-        joined = Joined(step, factors, z0, z, y, phi, beta, tau)
+        joined = Joined(step, frame, factors, z0, z, y, phi, beta)
         self.memory["join", step.joint] = joined
         self._update(joined)
 
@@ -123,8 +126,8 @@ class Joins:
         for bias in joined.step.biases:
             h = bias.target.handle
             change = self.state.zeros(6, self.state.columns)
-            if len(joined.tau):
-                change = matrix_times(joined.y[h].T, joined.tau)
+            if len(joined.frame.tau):
+                change = matrix_times(joined.y[h].T, joined.frame.tau)
             if factors is not None:
                 change = change + matrix_times(over[h].T, joined.z0)
             before = self.memory[bias.source]
@@ -132,9 +135,9 @@ class Joins:
 
     def disassemble(self, step: Disassemble) -> None:
         """Acceleration and force of a joint: Eq. (8)-(10)."""
-        kind = self.state.kind(step.joint)
-        free, constrained = list(kind.free), list(kind.constrained)
         joined: Joined = self.memory["join", step.joint]
+        frame = joined.frame
+        free, constrained = frame.free, frame.constrained
         right, qdd = joined.z0, -joined.beta[free]
         for coupling, name in zip(joined.step.couplings, step.forces, strict=True):
             force = self.memory[name]
@@ -144,15 +147,19 @@ class Joins:
             moved = matrix_times(joined.y[coupling.handle], force)
             qdd = qdd - moved if coupling.side == "A" else qdd + moved
         f = self.state.zeros(6, self.state.columns)
-        f[free] = joined.tau
+        f[free] = joined.frame.tau
         if joined.factors is not None:
             n = joined.factors.backward(joined.factors.scaled(right))
             qdd = qdd + matrix_times(joined.phi[np.ix_(free, constrained)], n)
             f[constrained] = n
-        x: Transform = self.memory["X", step.joint]
         for update in step.updates:
-            value = -columnwise(x.force, f) if update.side == "A" else f
+            value = -frame.on_parent(f) if update.side == "A" else frame.on_child(f)
             if update.source is not None:
                 value = self.memory[update.source] + value
             self.memory[update.target] = value
-        self.state.accelerate(step.joint, qdd)
+        rotor = self.state.rotor(step.joint)
+        if rotor is not None:
+            over, own = self.state.graph.reciprocal(rotor), list(self.state.kind(step.joint).free)
+            qdd = (self.state.torques(step.joint) - f[own]) * over
+        for j, rows in zip(frame.run, frame.parts, strict=True):
+            self.state.accelerate(j, qdd[rows])

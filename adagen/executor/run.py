@@ -8,7 +8,12 @@ from typing import Any
 
 from adagen.executor.machine import Machine
 from adagen.graph import Operations, count_operations
+from adagen.plan.steps import Step
 from adagen.plan.types import Plan
+
+
+class PlanError(Exception):
+    """A plan that cannot be executed: it deadlocks, or a step reads what nobody wrote."""
 
 
 @dataclass(frozen=True)
@@ -29,12 +34,20 @@ class Simulated:
         return count_operations(self.machine.graph, self.machine.roots())
 
 
+def _done(machine: Machine, step: Step) -> bool:
+    """Do a step; whether it need not wait for a message."""
+    try:
+        return machine.step(step)
+    except KeyError as missing:
+        raise PlanError(f"{step} reads {missing}, which this process does not have") from None
+
+
 @lru_cache(maxsize=2)  # a plan is judged, priced and emitted one after the other
 def simulate(plan: Plan) -> tuple[Simulated, ...]:
     """Return the plan's processes, each after all its steps; nobody may change them.
 
     Raises:
-        RuntimeError: the plan deadlocks.
+        PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
     mail: dict[int, list[Any]] = {}
     machines = [Machine(plan, mail) for _ in plan.processes]
@@ -45,11 +58,11 @@ def simulate(plan: Plan) -> tuple[Simulated, ...]:
         for machine, process, reached in zip(machines, plan.processes, ends, strict=True):
             while len(reached) < len(process.steps):
                 machine.graph.mark = len(reached)
-                if not machine.step(process.steps[len(reached)]):
+                if not _done(machine, process.steps[len(reached)]):
                     break
                 reached.append(len(machine.graph.nodes))
                 moved = True
     for p, (process, reached) in enumerate(zip(plan.processes, ends, strict=True)):
         if len(reached) < len(process.steps):
-            raise RuntimeError(f"process {p} waits for ever at {process.steps[len(reached)]}")
+            raise PlanError(f"process {p} waits for ever at {process.steps[len(reached)]}")
     return tuple(Simulated(*pair) for pair in zip(machines, map(tuple, ends), strict=True))

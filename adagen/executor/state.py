@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import Check
-from adagen.graph import Expression, Factors, Graph, factorize
+from adagen.graph import Expression, Factors, Graph, factorize, total
 from adagen.model.kinds import HELD, KINDS, JointKind
 from adagen.plan.digits import EPSILON
-from adagen.plan.types import Plan
+from adagen.plan.types import FACTORS, Plan
 
 Array = NDArray[Any]
 READY = 40
@@ -67,7 +67,7 @@ class State:
 
         A pivot has to be positive, and not lost against the entry that it was subtracted from.
         """
-        factors, lost = factorize(matrix), 16 * EPSILON[self.plan.scalar]
+        factors, lost = factorize(matrix), 16 * EPSILON[FACTORS[self.plan.scalar]]
         for pivot, entry in zip(factors.pivots, factors.diagonal, strict=True):
             least = self.graph.constant(0) if pivot == entry else entry * lost
             self.checks.append(Check(pivot, least, joint))
@@ -104,8 +104,13 @@ class State:
         return np.array(own, dtype=object)
 
     def torques(self, j: int) -> Array:
-        """Torques of joint j, shape (n, columns): its own, then those of the coupling rows."""
+        """Torques of joint j, shape (n, columns): those at work, then those of the coupling rows.
+
+        At work is what tau holds, less damping, friction and what a spring takes.
+        """
         result = self.column(self.given(j)[: self.kind(j).nv])
+        for k, lost in enumerate(self._lost(j)):
+            result[k, 0] = total([result[k, 0], *lost])
         for column, slaved in enumerate(self.plan.slaved, start=1):
             mimic = self.plan.joints[slaved].mimic
             assert mimic is not None
@@ -114,6 +119,26 @@ class State:
             if j == mimic[0]:
                 result[0, column] = self.graph.constant(-mimic[1])
         return result
+
+    def _lost(self, j: int) -> list[list[Expression]]:
+        """What damping, friction and a spring add to each torque of a joint."""
+        joint = self.plan.joints[j]
+        if not (joint.damping or joint.friction or joint.stiffness):
+            return []
+        q, v = self.configuration(j)
+        lost = [[-(joint.damping * rate)] for rate in v] if joint.damping else [[] for _ in v]
+        if joint.friction:
+            slope = self.graph.reciprocal(self.graph.constant(joint.friction_speed))
+            for terms, rate in zip(lost, v, strict=True):
+                terms.append(-(joint.friction * self.graph.tanh(rate * slope)))
+        if joint.stiffness:
+            lost[0].append(-(joint.stiffness * (q[0] - joint.rest)))
+        return lost
+
+    def rotor(self, j: int) -> Expression | None:
+        """Rotor inertia of a joint, None for none."""
+        size = self.plan.joints[j].rotor_inertia
+        return self.graph.constant(size) if size else None
 
     def accelerate(self, j: int, qdd: Array) -> None:
         """Keep a joint's accelerations, shape (n, columns); with slaved joints they come later."""

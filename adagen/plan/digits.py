@@ -16,6 +16,9 @@ EPSILON = {"double": 2.0**-53, "float": 2.0**-24}
 KEPT = 128
 """What of a bare link's mobility must be left, in units of the rounding error of one operation."""
 
+GIMBAL_LOCK = {"double": 1e-7, "float": 2.0**-19}
+"""Joints that are joined as one are so near to gimbal lock (1 / |S^+|) at the least."""
+
 LEAST_PIVOT = {"double": 1e-5, "float": 1e-2}
 """Least pivot of Phi with which a mobility is taken for an inertia, angular and linear pivots each
 relative to the largest entry of their diagonal."""
