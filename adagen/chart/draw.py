@@ -11,7 +11,7 @@ from typing import Any
 from adagen.chart.record import Chart, Point
 from adagen.chart.variants import NAMES
 from adagen.errors import EnvironmentFault
-from adagen.plan.growth import EPSILON
+from adagen.plan.digits import EPSILON
 
 COLOURS = {
     "segment": "#0072b2",

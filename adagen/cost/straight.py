@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from adagen.cost.features import Features, added
-from adagen.emit.unrolled import Simulated, simulate
+from adagen.executor import Simulated, simulate
 from adagen.graph import live_nodes
 from adagen.plan import Plan
 from adagen.plan.steps import Receive, Send, Step

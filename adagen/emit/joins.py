@@ -5,13 +5,8 @@ from __future__ import annotations
 from adagen.emit import effects
 from adagen.emit.kinematics import configuration, velocity
 from adagen.emit.words import Words
-from adagen.plan import Plan
-from adagen.plan.growth import EPSILON
+from adagen.plan.digits import least_mobility
 from adagen.plan.steps import Coupling, Disassemble, FusedJoin, Join
-from adagen.plan.types import FACTORS
-
-KEPT = 128
-"""What of a bare link's mobility must be left, in units of the rounding error of one operation."""
 
 
 def parts(words: Words, join: Join, end: Disassemble) -> str:
@@ -71,21 +66,6 @@ def assembly(words: Words, join: Join, *, turned: bool = False) -> list[str]:
     lines.extend(block_updates(words, join))
     lines.extend(bias_updates(words, join))
     return lines
-
-
-def least_mobility(plan: Plan, join: Join) -> list[float]:
-    """Return what each diagonal entry of M must exceed to have digits; empty: nothing is known.
-
-    Where the links beside the joint were joined bare, it is a multiple of what they brought.
-    """
-    if plan.joints[join.joint].rotor_inertia or plan.joints[join.joint].prescribed:
-        return []  # the rotor's mobility is added to M; what is prescribed frees nothing
-    child, parent = plan.links[join.joint + 1], plan.links[plan.joints[join.joint].parent]
-    least = [row[k] for k, row in enumerate(child.phi)] or [0.0] * 6
-    if parent.phi:  # at least: 1 / trace of the inertia about any axis, 1 / mass in any direction
-        trace = sum(parent.tensor[k][k] for k in range(3))
-        least = [x + 1.0 / (trace if k < 3 else parent.mass) for k, x in enumerate(least)]
-    return [KEPT * EPSILON[FACTORS[plan.scalar]] * x for x in least] if any(least) else []
 
 
 def _digits(words: Words, join: Join, phi_a: str, phi_b: str) -> list[str]:

@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 from adagen.graph.count import Operations, count_operations, live_nodes
+from adagen.graph.evaluate import BALLS, DOUBLE, FLOAT, Algebra, Evaluation
 from adagen.graph.linear import Factors, cross, dot, factorize, matrix_times, total
 from adagen.graph.nodes import Expression, Graph, Node
 
 __all__ = [
+    "BALLS",
+    "DOUBLE",
+    "FLOAT",
+    "Algebra",
+    "Evaluation",
     "Expression",
     "Factors",
     "Graph",

@@ -9,16 +9,27 @@ is merely tiny is not touched.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isqrt
 from typing import Any, Literal
 
 from flint import fmpq
 
-Op = Literal["constant", "input", "add", "sub", "mul", "neg", "reciprocal"]
+Op = Literal[
+    "constant", "input", "add", "sub", "mul", "neg", "reciprocal", "sqrt", "sign", "tanh", "max"
+]
 
 _LONGEST = 2048  # bits of a numerator or denominator before it is cut to
 _KEPT = 256
 
-_CYCLES: dict[Op, int] = {"constant": -1, "input": 0, "neg": 0, "reciprocal": 14}
+_CYCLES: dict[Op, int] = {
+    "constant": -1,
+    "input": 0,
+    "neg": 0,
+    "reciprocal": 14,
+    "sqrt": 18,
+    "sign": 2,
+    "tanh": 60,
+}
 
 
 @dataclass(frozen=True)
@@ -134,6 +145,35 @@ class Graph:
         if a.negated is not None:
             return self.neg(self.reciprocal(a.negated))
         return self._node("reciprocal", (a.index,))
+
+    def sqrt(self, a: Expression) -> Expression:
+        """Return the square root of a; of a number to 256 bits behind the point."""
+        x = a.constant
+        if x is None or x < 0:
+            return self._node("sqrt", (a.index,))
+        root = isqrt((int(x.p) << 2 * _KEPT) // int(x.q))
+        return self.constant(fmpq(root) / fmpq(2) ** _KEPT)
+
+    def sign(self, a: Expression) -> Expression:
+        """Return 1 where a is not negative, else -1."""
+        if a.constant is not None:
+            return self.constant(1 if a.constant >= 0 else -1)
+        return self._node("sign", (a.index,))
+
+    def tanh(self, a: Expression) -> Expression:
+        """Return the hyperbolic tangent of a; an odd function."""
+        if a.negated is not None:
+            return self.neg(self.tanh(a.negated))
+        return a if a.constant == 0 else self._node("tanh", (a.index,))
+
+    def larger(self, a: Expression, b: Expression) -> Expression:
+        """Return the larger of a and b."""
+        x, y = a.constant, b.constant
+        if x is not None and y is not None:
+            return a if x >= y else b
+        if a.index == b.index:
+            return a
+        return self._node("max", (min(a.index, b.index), max(a.index, b.index)))
 
     def _node(self, op: Op, args: tuple[int, ...], value: Any = None, ready: int = 0) -> Expression:
         key = (op, args, value)

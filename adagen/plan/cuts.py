@@ -22,9 +22,9 @@ from adagen.model.fuse import Run, settled
 from adagen.model.kinds import KINDS
 from adagen.plan.clusters import is_regular, spatial_inertia
 from adagen.plan.constants import joints_of
+from adagen.plan.digits import generic_configuration, lost_mobility
 from adagen.plan.edges import is_free_base
 from adagen.plan.fused_frame import joint_coordinates, run_motion
-from adagen.plan.growth import generic_configuration, lost_mobility
 from adagen.plan.placement import motion_transform, placement
 from adagen.plan.types import FACTORS
 

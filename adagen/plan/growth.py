@@ -8,7 +8,6 @@ log10(g) digits go with it, in whatever order the joints are assembled.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,12 +16,11 @@ from adagen.model import Inertia
 from adagen.model.kinds import KINDS
 from adagen.plan.clusters import is_solid
 from adagen.plan.constants import inverse_inertia
+from adagen.plan.digits import EPSILON, generic_configuration, lost_mobility
 from adagen.plan.interpret import execute
 from adagen.plan.interpret.joins import Joined
 from adagen.plan.steps import Join
-from adagen.plan.types import FACTORS, Plan, PlanJoint
-
-EPSILON = {"double": 2.0**-53, "float": 2.0**-24}
+from adagen.plan.types import FACTORS, Plan
 
 
 @dataclass(frozen=True)
@@ -89,28 +87,3 @@ def _bare_mobility(plan: Plan, number: int) -> NDArray[np.float64] | None:
     inertia = Inertia(link.mass, np.array(link.com), np.array(link.tensor))
     places = [joint.translation for joint in plan.joints if joint.parent == number]
     return inverse_inertia(inertia, link.name)[1] if is_solid(inertia, places) else None
-
-
-def lost_mobility(bare: NDArray[Any], assembled: NDArray[Any]) -> float:
-    """Return the largest generalised eigenvalue of two symmetric matrices of equal shape.
-
-    Raises:
-        LinAlgError: the second one is not positive definite.
-    """
-    scale = 1.0 / np.sqrt(np.diag(assembled))  # mixed units: rotations beside translations
-    lower = np.linalg.cholesky(assembled * np.outer(scale, scale))
-    half = np.linalg.solve(lower, bare * np.outer(scale, scale))
-    return float(np.linalg.eigvalsh(np.linalg.solve(lower, half.T))[-1])
-
-
-def generic_configuration(joints: tuple[PlanJoint, ...], seed: int) -> NDArray[np.float64]:
-    """Return a generic configuration, shape (nq,): irrational steps round the circle."""
-    result = []
-    for j, joint in enumerate(joints):
-        kind = KINDS[joint.kind]
-        values = np.sin(1.7 * (j + 1) * seed + np.arange(kind.nq))
-        if kind.quaternion is not None:
-            part = slice(kind.quaternion, None)
-            values[part] /= np.linalg.norm(values[part])
-        result.append(values)
-    return np.concatenate(result)

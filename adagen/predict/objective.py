@@ -19,7 +19,8 @@ from adagen.model import Model
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
-from adagen.plan.growth import EPSILON, Growth, generic_configuration, predicted_growth
+from adagen.plan.digits import EPSILON, generic_configuration
+from adagen.plan.growth import Growth, predicted_growth
 from adagen.plan.interpret.refine import interpret_refined
 from adagen.plan.types import FACTORS
 from adagen.predict.best import best_schedule

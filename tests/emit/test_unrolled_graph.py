@@ -10,7 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from adagen.emit.unrolled import Simulated, pays_unrolled, simulate
+from adagen.emit.unrolled import pays_unrolled
+from adagen.executor import Simulated, simulate
 from adagen.graph import Operations
 from adagen.model import FLOATING, REVOLUTE, Inertia, Model
 from adagen.plan import FORMS, Plan, make_plan

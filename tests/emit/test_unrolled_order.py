@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from adagen.emit.unrolled.order import in_order
-from adagen.emit.unrolled.simulate import simulate
+from adagen.executor import simulate
 from adagen.graph import Graph, live_nodes
 from adagen.plan import make_plan
 from adagen.plan.steps import Kinematics

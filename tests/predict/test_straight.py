@@ -10,7 +10,7 @@ import pytest
 from adagen.calibrate.robots import chain, robot, squared, star
 from adagen.cost.straight import straight_features
 from adagen.emit.shapes import SHAPES, chosen_shape
-from adagen.emit.unrolled import simulate
+from adagen.executor import simulate
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.stages import stages

@@ -1,25 +1,18 @@
 """Code shape `unrolled`: a plan's steps as one straight line of scalar statements.
 
-The steps run over expressions (machine.py), which folds what is known beforehand and computes
+The steps run over expressions (adagen/executor/), which folds what is known beforehand and computes
 nothing twice; what is left is cut into functions (layout.py) and printed (text.py).
 """
 
 from __future__ import annotations
 
 from adagen.emit.unrolled.emission import CHUNK, unrolled_values, why_not_unrolled
-from adagen.emit.unrolled.simulate import (
-    Simulated,
-    pays_unrolled,
-    pays_unrolled_in_lanes,
-    simulate,
-)
+from adagen.emit.unrolled.pays import pays_unrolled, pays_unrolled_in_lanes
 
 __all__ = [
     "CHUNK",
-    "Simulated",
     "pays_unrolled",
     "pays_unrolled_in_lanes",
-    "simulate",
     "unrolled_values",
     "why_not_unrolled",
 ]

@@ -12,16 +12,21 @@ from adagen.plan.steps import (
     Disassemble,
     FreeAcceleration,
     FreeBase,
+    FusedJoin,
+    HoldMobility,
     InvertRoot,
     Join,
     Kinematics,
     LinkBias,
     Load,
+    LoadRoot,
     Propagate,
     Receive,
     Send,
     SolveCoupling,
+    SolveMobility,
     SolveRoot,
+    StartEmpty,
     StartLink,
     Step,
 )
@@ -35,14 +40,19 @@ _OF_JOINT: dict[type, str] = {
     Accelerate: "its acceleration, and that of the link beyond",
     FreeAcceleration: "acceleration of the base",
     Join: "assembly: its two sides become one chain",
+    FusedJoin: "assembly of the run that it ends: its two sides become one chain",
     Disassemble: "disassembly: its acceleration and force",
 }
 _OF_LINK: dict[type, str] = {
     LinkBias: "acceleration where nothing acts on it",
     StartLink: "force that the reference field takes",
     InvertRoot: "mobility from its articulated-body inertia",
+    StartEmpty: "nothing: it is another process's to add",
+    SolveMobility: "acceleration from its mobility and its articulated-body inertia",
+    HoldMobility: "what holds it, taken for a body",
     SolveRoot: "acceleration from its articulated-body inertia",
     Load: "handle forces on it",
+    LoadRoot: "force that its acceleration takes",
     AccelerateRoot: "acceleration under the handle forces",
 }
 _OTHER: dict[type, str] = {
@@ -51,9 +61,6 @@ _OTHER: dict[type, str] = {
     SolveCoupling: "torques that keep slaved joints in step",
     ApplyCoupling: "accelerations under these torques",
 }
-
-DESCRIBED = frozenset((*_OF_JOINT, *_OF_LINK, *_OTHER))
-"""The kinds of steps that this shape knows."""
 
 
 def describe_step(words: Words, step: Step) -> str:

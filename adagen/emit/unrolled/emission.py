@@ -8,16 +8,16 @@ from collections.abc import Sequence
 from adagen.emit import guards
 from adagen.emit.entries import entries_of, ranges, read_joints
 from adagen.emit.processes import describe_message
-from adagen.emit.unrolled.describe import DESCRIBED, describe_step
+from adagen.emit.unrolled.describe import describe_step
 from adagen.emit.unrolled.layout import Chunk, Layout, Stretch, is_given, laid_out, looked_at
-from adagen.emit.unrolled.simulate import Simulated, simulate
-from adagen.emit.unrolled.text import Text
+from adagen.emit.unrolled.text import FUNCTIONS, Text
 from adagen.emit.words import Words
+from adagen.executor import Simulated, simulate
 from adagen.graph import Expression, live_nodes
 from adagen.plan import Plan
 from adagen.plan.stages import stages
 from adagen.plan.steps import LinkBias, StartLink
-from adagen.plan.types import PlanJoint, Process
+from adagen.plan.types import Process
 
 CHUNK = 1000
 """Values that one function computes, unless it is said otherwise."""
@@ -25,15 +25,7 @@ CHUNK = 1000
 
 def why_not_unrolled(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted in this shape, None if it can."""
-    kinds = {type(step) for process in plan.processes for step in process.steps}
-    if any(_with_effects(joint) for joint in plan.joints):
-        return "it does not know passive torques and rotors yet"
-    unknown = sorted(kind.__name__ for kind in kinds - DESCRIBED)
-    return f"it does not know what {', '.join(unknown)} means" if unknown else None
-
-
-def _with_effects(joint: PlanJoint) -> bool:
-    return any((joint.damping, joint.friction, joint.stiffness, joint.rotor_inertia))
+    return "it computes in one number type" if plan.scalar == "mixed" else None
 
 
 def unrolled_values(words: Words, chunk: int = 0) -> dict[str, object]:
@@ -44,12 +36,26 @@ def unrolled_values(words: Words, chunk: int = 0) -> dict[str, object]:
         chunk: values that one function computes at most; by default what the words say, or CHUNK.
     """
     chunk = chunk or words.chunk or CHUNK
+    plan = words.plan
+    again = plan.recovering() if any(process.recovery for process in plan.processes) else None
     rows = [
-        _ProcessText(words, p, simulated, chunk) for p, simulated in enumerate(simulate(words.plan))
+        _ProcessText(words, p, process, simulated, chunk)
+        for p, (process, simulated) in enumerate(
+            zip(
+                (*plan.processes, *(again.processes if again else ())),
+                (*simulate(plan), *(simulate(again) if again else ())),
+                strict=True,
+            )
+        )
     ]
+    told = [row.values() for row in rows]
+    functions = any(row.calls_functions() for row in rows)
     return {
         "runtime": ["status.hpp", *["kernels/lanes.hpp"] * words.batch],
-        "unrolled": [row.values() for row in rows],
+        "functions": ["unrolled_functions.hpp"] * functions
+        + ["unrolled_lane_functions.hpp"] * (functions and words.batch),
+        "unrolled": told[: len(plan.processes)],
+        "recovery": told[len(plan.processes) :],
         "places": max((row.layout.places for row in rows), default=0),
         "angle_count": max(len(row.machine.angles) for row in rows),
     }
@@ -58,9 +64,12 @@ def unrolled_values(words: Words, chunk: int = 0) -> dict[str, object]:
 class _ProcessText:
     """The functions of one process."""
 
-    def __init__(self, words: Words, p: int, simulated: Simulated, chunk: int) -> None:
+    def __init__(
+        self, words: Words, p: int, process: Process, simulated: Simulated, chunk: int
+    ) -> None:
         self.words, self.p, self.machine = words, p, simulated.machine
-        self.process: Process = words.plan.processes[p]
+        self.process = process
+        self.owner = p % len(words.plan.processes)  # processes come again for their recovery
         self.graph = simulated.machine.graph
         self.operations = simulated.operations
         self.layout: Layout = laid_out(
@@ -83,6 +92,11 @@ class _ProcessText:
             "read": read_joints(self.words, self.process),
             "owned": owned,
         }
+
+    def calls_functions(self) -> bool:
+        """Return whether its statements call functions of the runtime."""
+        nodes = self.graph.nodes
+        return any(nodes[k].op in FUNCTIONS for k in live_nodes(self.graph, self.machine.roots()))
 
     def _only_users(self) -> dict[int, int]:
         """By index, the value that is the one use of a value."""
@@ -196,7 +210,7 @@ class _ProcessText:
         return [*lines, *self._look_at_outer_forces()]
 
     def _names_state(self) -> str:
-        return f"name_what_is_not_finite(w, kRead_{self.p}, kOwned_{self.p});"
+        return f"name_what_is_not_finite(w, kRead_{self.owner}, kOwned_{self.owner});"
 
     def _told_of(self) -> set[str]:
         """Inputs that are not finite only if an acceleration or what is checked is not, either.
@@ -232,7 +246,7 @@ class _ProcessText:
         owned = ranges(entries_of(self.words, "v", self.process.owns))
         terms = [f"unlike_zero(w.result.data() + {first}, {count})" for first, count in owned]
         amiss = f"!all({' + '.join(terms)} == 0)"
-        overflow = f"name_what_overflows(w, kOwned_{self.p});"
+        overflow = f"name_what_overflows(w, kOwned_{self.owner});"
         if guards.talks(self.process):
             lines = [f"if ({amiss}) {overflow}"]
         else:

@@ -10,9 +10,8 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from adagen.emit.unrolled.checks import Check
-from adagen.emit.unrolled.machine import RECEIVED, Machine
 from adagen.emit.unrolled.order import in_order
+from adagen.executor import RECEIVED, SINGULAR, Check, Machine
 from adagen.graph import Node, live_nodes
 from adagen.plan.stages import Stage, stages
 from adagen.plan.types import Process
@@ -119,6 +118,11 @@ def _needed(machine: Machine, pending: Iterable[int], stage: Stage | None) -> se
     if stage is None or stage.what != "send" or stage.message is None:
         return pending
     wanted = set(live_nodes(machine.graph, machine.sent[stage.message]))
+    # Whether to do it all again is known to others by the message: that is looked at before.
+    singular = [
+        c.least for c in machine.checks if c.failure == SINGULAR and c.pivot.index in wanted
+    ]
+    wanted.update(live_nodes(machine.graph, singular))
     # A message's slot may be written anew once it is answered: it is read before that.
     wanted.update(k for k in pending if machine.graph.nodes[k].op == "input")
     return pending & wanted

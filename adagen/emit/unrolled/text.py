@@ -12,6 +12,8 @@ from adagen.graph import Graph
 _MOST = 6  # operands of one statement
 _LARGEST = {"double": 1.7976931348623157e308, "float": 3.4028234663852886e38}
 _LEAST = {"double": 5e-324, "float": 1.401298464324817e-45}
+FUNCTIONS = {"sqrt": "sqrt_of", "sign": "sign_of", "tanh": "tanh_of", "max": "max_of"}
+"""Operations that are functions of the runtime, and their names there."""
 _SUM, _PRODUCT, _SIGN, _ATOM = range(4)  # how tightly a text binds
 
 
@@ -106,6 +108,8 @@ def _combined(op: str, pieces: Sequence[_Piece]) -> _Piece:
         return _Piece(f"-{_within(pieces[0], _PRODUCT)}", _SIGN, count)
     if op == "reciprocal":
         return _Piece(f"1 / {_within(pieces[0], _ATOM)}", _PRODUCT, count)
+    if op in FUNCTIONS:
+        return _Piece(f"{FUNCTIONS[op]}({', '.join(p.text for p in pieces)})", _ATOM, count)
     a, b = pieces
     if op == "mul":
         return _Piece(f"{_within(a, _PRODUCT)} * {_within(b, _SIGN)}", _PRODUCT, count)

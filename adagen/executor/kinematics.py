@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.emit.unrolled.frames import Dense, Transform, Turn, about_z, placed, plus_cross
+from adagen.executor.frames import Dense, Transform, Turn, about_z, placed, plus_cross
+from adagen.executor.state import State
 from adagen.graph import Expression, dot, matrix_times, total
 from adagen.model.kinds import KINDS, JointKind
 
-if TYPE_CHECKING:
-    from adagen.emit.unrolled.machine import Machine
-
 Array = NDArray[Any]
-_READY = 40  # cycles until the polynomials have given sines and cosines
 
 
 @dataclass(frozen=True)
@@ -37,71 +34,53 @@ class Field:
     gradient: Array
 
 
-class KinematicMachine:
+class Motion:
     """Executes kinematics on a process's memory; what links take of the reference field."""
 
-    def __init__(self, machine: Machine) -> None:
-        self.machine = machine
+    def __init__(self, state: State) -> None:
+        self.state = state
 
     def _kind(self, j: int) -> JointKind:
         """A joint's kind, whether it moves freely or as prescribed."""
-        return KINDS[self.machine.plan.joints[j].kind]
-
-    def state(self, j: int) -> tuple[list[Expression], list[Expression]]:
-        """Configuration and velocity of a joint, a slaved one's from its source."""
-        joint, kind = self.machine.plan.joints[j], self._kind(j)
-        if joint.mimic is None:
-            q = [self.machine.graph.input(f"q[{joint.q + k}]") for k in range(kind.nq)]
-            return q, [self.machine.graph.input(f"v[{joint.v + k}]") for k in range(kind.nv)]
-        source, multiplier, offset = joint.mimic
-        (angle, *_), (rate, *_) = self.state(source)
-        return [angle * multiplier + offset], [rate * multiplier]
+        return KINDS[self.state.plan.joints[j].kind]
 
     def kinematics(self, j: int) -> None:
         """Placement of a joint's child link, its velocity and its reference acceleration."""
-        joint, kind = self.machine.plan.joints[j], self._kind(j)
-        q, v = self.state(j)
-        base = self.machine.constants(joint.rotation)
+        joint, kind = self.state.plan.joints[j], self._kind(j)
+        q, v = self.state.configuration(j)
+        base = self.state.constants(joint.rotation)
         turn, shift = self._placement(j, q)
-        origin = self.machine.constants(joint.translation)
+        origin = self.state.constants(joint.translation)
         if shift is not None:
             origin = np.array(
                 [total([origin[k], *(base[k] * shift)]) for k in range(3)], dtype=object
             )
         x = Transform(placed(base, turn), origin)
-        motion = self.machine.zeros(6)
+        motion = self.state.zeros(6)
         motion[list(kind.free)] = v
-        self.machine.memory["X", j] = x
+        self.state.memory["X", j] = x
         self._advance(j, x, motion[:3], motion[3:])
         if joint.prescribed:
-            drift = self.machine.memory.get(("drift", j), self.machine.zeros(6)).copy()
-            drift[list(kind.free)] = drift[list(kind.free)] + self.machine.given(j)
-            self.machine.memory["drift", j] = drift
+            drift = self.state.memory.get(("drift", j), self.state.zeros(6)).copy()
+            drift[list(kind.free)] = drift[list(kind.free)] + self.state.given(j)
+            self.state.memory["drift", j] = drift
 
     def _placement(self, j: int, q: list[Expression]) -> tuple[Turn | Dense | None, Array | None]:
         """Turn and shift of the child frame in the canonical joint frame, None for neither."""
-        kind, zero = self._kind(j), self.machine.graph.constant(0)
+        kind, zero = self._kind(j), self.state.graph.constant(0)
         if kind.quaternion is not None:
             shift = np.array(q[:3], dtype=object) if kind.quaternion else None
             return Dense(self._orientation(j, q[kind.quaternion :])), shift
         if kind.name == "prismatic":
             return None, np.array([zero, zero, q[0]], dtype=object)
         shift = np.array([q[0], q[1], zero], dtype=object) if kind.name == "planar" else None
-        return about_z(*self._circular(q[-1])), shift
-
-    def _circular(self, angle: Expression) -> tuple[Expression, Expression]:
-        """Cosine and sine; they are taken of all angles of the process at once."""
-        if angle not in self.machine.angles:
-            self.machine.angles.append(angle)
-        k = self.machine.angles.index(angle)
-        cosine = self.machine.graph.input(f"cosine[{k}]", _READY)
-        return cosine, self.machine.graph.input(f"sine[{k}]", _READY)
+        return about_z(*self.state.circular(q[-1])), shift
 
     def _orientation(self, j: int, quaternion: list[Expression]) -> Array:
         """Rotation matrix of a quaternion (x, y, z, w) of any length."""
         squared = total(part * part for part in quaternion)
-        self.machine.lengths.append((squared, j))
-        scale = 2 * self.machine.graph.reciprocal(squared)
+        self.state.lengths.append((squared, j))
+        scale = 2 * self.state.graph.reciprocal(squared)
         x, y, z, w = quaternion
         sx, sy, sz = scale * x, scale * y, scale * z
         return np.array(
@@ -115,48 +94,48 @@ class KinematicMachine:
 
     def _advance(self, j: int, x: Transform, turning: Array, sliding: Array) -> None:
         """Velocity and reference acceleration of a joint's child link."""
-        parent = self.machine.plan.joints[j].parent
+        parent = self.state.plan.joints[j].parent
         back = x.rotation.transposed()
         if parent == 0 and self._kind(j).name == "floating":
             # It falls freely: gravity then enters its own acceleration only, at the very end.
-            omega, alpha, a = turning, self.machine.zeros(3), self.machine.zeros(3)
-            ground = back.vector(self.machine.constants([-g for g in self.machine.plan.gravity]))
-            self.machine.memory["drift", j] = np.concatenate(
-                [self.machine.zeros(3), plus_cross(ground, omega, sliding)]
+            omega, alpha, a = turning, self.state.zeros(3), self.state.zeros(3)
+            ground = back.vector(self.state.constants([-g for g in self.state.plan.gravity]))
+            self.state.memory["drift", j] = np.concatenate(
+                [self.state.zeros(3), plus_cross(ground, omega, sliding)]
             )
         else:
-            above: Field = self.machine.memory["field", parent] if parent > 0 else self._ground()
+            above: Field = self.state.memory["field", parent] if parent > 0 else self._ground()
             turned = back.vector(above.omega)
             omega = turned + turning
             alpha = plus_cross(back.vector(above.alpha), turned, turning)
             carried = [total([above.a[k], *(above.gradient[k] * x.origin)]) for k in range(3)]
             a = back.vector(np.array(carried, dtype=object))
             a = plus_cross(plus_cross(a, turned + turned, sliding), turning, sliding)
-        self.machine.memory["field", j + 1] = Field(omega, alpha, a, _gradient(omega, alpha))
+        self.state.memory["field", j + 1] = Field(omega, alpha, a, _gradient(omega, alpha))
 
     def _ground(self) -> Field:
-        nothing = self.machine.zeros(3)
-        upwards = self.machine.constants([-g for g in self.machine.plan.gravity])
-        return Field(nothing, nothing, upwards, self.machine.zeros(3, 3))
+        nothing = self.state.zeros(3)
+        upwards = self.state.constants([-g for g in self.state.plan.gravity])
+        return Field(nothing, nothing, upwards, self.state.zeros(3, 3))
 
     def drift(self, j: int) -> Array | None:
         """What a joint's sides differ by beyond the reference field and S qdd; None for nothing.
 
         Where qdd is prescribed, S qdd is that.
         """
-        drift = self.machine.memory.get(("drift", j))
-        return None if drift is None else self.machine.column(drift)
+        drift = self.state.memory.get(("drift", j))
+        return None if drift is None else self.state.column(drift)
 
     def link_inertia(self, number: int) -> Array:
         """Spatial inertia at the link's origin, constant, shape (6, 6)."""
-        link = self.machine.plan.links[number]
-        c, mass = self.machine.constants(link.com), self.machine.graph.constant(link.mass)
-        zero = self.machine.graph.constant(0)
+        link = self.state.plan.links[number]
+        c, mass = self.state.constants(link.com), self.state.graph.constant(link.mass)
+        zero = self.state.graph.constant(0)
         m = c * mass
         mx = np.array([[zero, -m[2], m[1]], [m[2], zero, -m[0]], [-m[1], m[0], zero]])
-        inertia = self.machine.zeros(6, 6)
+        inertia = self.state.zeros(6, 6)
         inertia[:3, 3:], inertia[3:, :3] = mx, mx.T
-        about_com = self.machine.constants(link.tensor)
+        about_com = self.state.constants(link.tensor)
         for i in range(3):
             inertia[3 + i, 3 + i] = mass
             for k in range(3):
@@ -170,7 +149,7 @@ class KinematicMachine:
         The moment I alpha + omega x I omega + m c x a, the products in H being used again; less
         what outer forces do for it.
         """
-        field: Field = self.machine.memory["field", number]
+        field: Field = self.state.memory["field", number]
         inertia = self.link_inertia(number)
         mass = inertia[3, 3]
         moment_of_mass = np.array([inertia[2, 4], inertia[0, 5], inertia[1, 3]], dtype=object)
@@ -194,15 +173,15 @@ class KinematicMachine:
 
     def _pushes(self, number: int) -> Iterator[Array]:
         """Outer wrenches [moment; force] on a link at its origin, shape (6,)."""
-        plan, machine = self.machine.plan, self.machine
+        plan, state = self.state.plan, self.state
         for k, wrench in enumerate(plan.wrenches):
             if wrench.link == number:
                 first = plan.entry_of_wrench(k)
-                given = [machine.graph.input(f"tau[{first + i}]") for i in range(6)]
-                turn = machine.constants(wrench.rotation)
+                given = [state.graph.input(f"tau[{first + i}]") for i in range(6)]
+                turn = state.constants(wrench.rotation)
                 force = matrix_times(turn, np.array(given[:3], dtype=object))
                 moment = matrix_times(turn, np.array(given[3:], dtype=object))
-                place = machine.constants(wrench.translation)
+                place = state.constants(wrench.translation)
                 yield np.concatenate([plus_cross(moment, place, force), force])
 
 

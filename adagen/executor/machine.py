@@ -1,4 +1,4 @@
-"""Runs a process's steps over expressions: what each means is told in adagen/plan/interpret/.
+"""Runs a process's steps: what each of them means, over expressions.
 
 Frames are the links' own, with every joint axis z: a joint's inertia D is an entry of a matrix,
 what a joint hands on has structural zeros, and link inertias are constants. Accelerations are
@@ -14,14 +14,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.emit.unrolled.checks import Check
-from adagen.emit.unrolled.joins import JoinMachine
-from adagen.emit.unrolled.kinematics import KinematicMachine
-from adagen.emit.unrolled.segments import SegmentMachine
-from adagen.graph import Expression, Factors, Graph, factorize, total
-from adagen.model.kinds import HELD, KINDS, JointKind
-from adagen.plan import Plan
-from adagen.plan.growth import EPSILON
+from adagen.executor.joins import Joins
+from adagen.executor.kinematics import Motion
+from adagen.executor.segments import Segments
+from adagen.executor.state import State
+from adagen.graph import Expression, total
 from adagen.plan.steps import (
     ApplyCoupling,
     Disassemble,
@@ -33,38 +30,27 @@ from adagen.plan.steps import (
     SolveCoupling,
     Step,
 )
-from adagen.plan.types import Message
+from adagen.plan.types import Message, Plan
 
 Array = NDArray[Any]
 RECEIVED = "w.from"
 """What names of inputs that messages bring begin with."""
 
 
-class Machine:
-    """One process: a graph, a memory and the meaning of each step.
+class Machine(State):
+    """One process: its state and the meaning of each step.
 
     Attributes:
-        graph: all that the process computes; inputs are named as the emitted code names them.
-        angles: joint angles whose sine and cosine are taken, in order.
-        checks: pivots to be looked at.
-        lengths: squared lengths of quaternions and their joints.
-        results: accelerations in the order of ``owns``, known after the last step.
         sent: contents of the messages sent so far, without what is known beforehand.
     """
 
     def __init__(self, plan: Plan, mail: dict[int, list[Any]]) -> None:
-        self.plan, self.mail = plan, mail
-        self.graph = Graph()
-        self.columns = plan.right_hand_sides
-        self.memory: dict[Any, Any] = {}
-        self.angles: list[Expression] = []
-        self.checks: list[Check] = []
-        self.lengths: list[tuple[Expression, int]] = []
-        self.results: dict[int, Array] = {}
+        super().__init__(plan)
+        self.mail = mail
         self.sent: dict[int, list[Expression]] = {}
-        self.motion = KinematicMachine(self)
-        self.segments = SegmentMachine(self)
-        self.joins = JoinMachine(self)
+        self.motion = Motion(self)
+        self.segments = Segments(self, self.motion)
+        self.joins = Joins(self, self.motion)
 
     def step(self, step: Step) -> bool:
         """Do one step; return False if it has to wait for a message."""
@@ -96,67 +82,14 @@ class Machine:
         pivots = [x for check in self.checks for x in (check.pivot, check.least)]
         return [*results, *contents, *pivots, *(length for length, _ in self.lengths)]
 
-    # -- numbers ----------------------------------------------------------------------------------
-
-    def constants(self, values: Any) -> Array:
-        """Return numbers as constants, in the shape they have."""
-        array = np.asarray(values, dtype=float)
-        result = np.empty(array.shape, dtype=object)
-        for index, value in np.ndenumerate(array):
-            result[index] = self.graph.constant(float(value))
-        return result
-
-    def zeros(self, *shape: int) -> Array:
-        """Return zeros."""
-        return self.constants(np.zeros(shape))
-
-    def column(self, first: Array) -> Array:
-        """First column of a right-hand side; the others answer to unit torques of slaved joints."""
-        result = self.zeros(len(first), self.columns)
-        result[:, 0] = first
-        return result
-
-    def kind(self, j: int) -> JointKind:
-        """What a joint leaves free: nothing where its acceleration is prescribed."""
-        joint = self.plan.joints[j]
-        return HELD if joint.prescribed else KINDS[joint.kind]
-
-    def given(self, j: int) -> Array:
-        """What tau holds for joint j: its torques, or its accelerations; shape (n,)."""
-        joint = self.plan.joints[j]
-        own = [self.graph.input(f"tau[{joint.v + k}]") for k in range(KINDS[joint.kind].nv)]
-        return np.array(own, dtype=object)
-
-    def factorize(self, matrix: Array, joint: int) -> Factors:
-        """Return the factors of a matrix, its pivots being checked in the name of a joint.
-
-        A pivot has to be positive, and not lost against the entry that it was subtracted from.
-        """
-        factors, lost = factorize(matrix), 16 * EPSILON[self.plan.scalar]
-        for pivot, entry in zip(factors.pivots, factors.diagonal, strict=True):
-            least = self.graph.constant(0) if pivot == entry else entry * lost
-            self.checks.append(Check(pivot, least, joint))
-        return factors
-
-    def torques(self, j: int) -> Array:
-        """Torques of joint j, shape (n, columns): its own, then those of the coupling rows."""
-        result = self.column(self.given(j)[: self.kind(j).nv])
-        for column, slaved in enumerate(self.plan.slaved, start=1):
-            mimic = self.plan.joints[slaved].mimic
-            assert mimic is not None
-            if j == slaved:
-                result[0, column] = self.graph.constant(1)
-            if j == mimic[0]:
-                result[0, column] = self.graph.constant(-mimic[1])
-        return result
-
     # -- messages ---------------------------------------------------------------------------------
 
     def _items(self, message: Message) -> list[Any]:
         if message.sweep == "torques":
             return ["torques"]
         accelerations = [("qdd", j) for j in message.joints]
-        return [*message.blocks, *message.biases, *message.forces, *accelerations]
+        inertias = [(what, link) for link in message.inertias for what in ("IA", "pA")]
+        return [*message.blocks, *message.biases, *message.forces, *accelerations, *inertias]
 
     def _send(self, number: int) -> None:
         items = [(item, self.memory[item]) for item in self._items(self.plan.messages[number])]
@@ -171,8 +104,11 @@ class Machine:
         ]
 
     def _receive(self, number: int) -> bool:
+        """Take what a message brings; inertias and bias forces are added to the process's own."""
         if number not in self.mail:
             return False
+        links = self.plan.messages[number].inertias
+        added = {(what, link) for link in links for what in ("IA", "pA")}
         for item, entries, shape in self.mail.pop(number):
             values = [
                 self.graph.constant(known)
@@ -182,18 +118,11 @@ class Machine:
             ]
             flat = np.empty(len(values), dtype=object)
             flat[:] = values
-            self.memory[item] = flat.reshape(shape)
+            value = flat.reshape(shape)
+            self.memory[item] = self.memory[item] + value if item in added else value
         return True
 
-    # -- results ----------------------------------------------------------------------------------
-
-    def accelerate(self, j: int, qdd: Array) -> None:
-        """Keep a joint's accelerations, shape (n, columns); with slaved joints they come later."""
-        if self.plan.joints[j].prescribed:
-            qdd = self.column(self.given(j))
-        self.memory["qdd", j] = qdd
-        if not self.plan.slaved:
-            self.results[j] = qdd[:, 0]
+    # -- slaved joints ----------------------------------------------------------------------------
 
     def _solve_coupling(self) -> None:
         """Solve A qdd = 0 for the coupling torques; a row is qdd_slaved - multiplier qdd_source."""

@@ -6,6 +6,9 @@ from dataclasses import dataclass
 
 from adagen.graph import Expression
 
+SINGULAR = "kSingularPose"
+"""The failure after which the recovery of a plan is carried out."""
+
 
 @dataclass(frozen=True)
 class Check:

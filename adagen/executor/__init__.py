@@ -1,0 +1,24 @@
+"""What the steps of a plan mean: the one place where it is told.
+
+The steps run over expressions (adagen/graph), one graph for each process; whoever wants numbers,
+text or counts takes them from the graphs.
+"""
+
+from __future__ import annotations
+
+from adagen.executor.checks import SINGULAR, Check
+from adagen.executor.machine import RECEIVED, Machine
+from adagen.executor.run import PlanError, Simulated, simulate
+from adagen.executor.solve import Run, interpret
+
+__all__ = [
+    "RECEIVED",
+    "SINGULAR",
+    "Check",
+    "Machine",
+    "PlanError",
+    "Run",
+    "Simulated",
+    "interpret",
+    "simulate",
+]

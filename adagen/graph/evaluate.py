@@ -1,0 +1,239 @@
+"""Evaluates expressions: in double or float as a processor does, or in balls that hold the truth.
+
+Each operation of a graph is one operation of the arithmetic, and constants are rounded once, so
+that values are those of emitted code to the last bit where that is compiled without contraction.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+from flint import arb
+
+from adagen.graph.nodes import Expression, Graph
+
+_FAR = 1e5  # beyond, three parts of pi/2 would lose digits
+
+
+class Algebra(Protocol):
+    """Numbers with +, -, *, / and what else graphs do to them."""
+
+    def number(self, value: Any) -> Any:
+        """Return a rational number (fmpq) as one of the algebra."""
+
+    def given(self, value: Any) -> Any:
+        """Return an input as one of the algebra."""
+
+    def together(self, values: Sequence[Any]) -> Any:
+        """Return values as one array, the place among them being the first index."""
+
+    def sines_and_cosines(self, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
+        """Return sine and cosine of all angles that a process has."""
+
+    def sqrt(self, a: Any) -> Any:
+        """Return the square root."""
+
+    def sign(self, a: Any) -> Any:
+        """Return 1 or -1."""
+
+    def tanh(self, a: Any) -> Any:
+        """Return the hyperbolic tangent."""
+
+    def larger(self, a: Any, b: Any) -> Any:
+        """Return the larger number."""
+
+
+class Floating:
+    """Numbers of a processor, or numpy arrays of them: as many states at once as they hold.
+
+    Args:
+        scalar: np.float64 or np.float32.
+    """
+
+    def __init__(self, scalar: type[np.floating[Any]] = np.float64) -> None:
+        self.scalar = scalar
+
+    def number(self, value: Any) -> Any:
+        """Return a rational number, rounded as a literal of emitted code is."""
+        p, q = int(value.p), int(value.q)
+        try:
+            return self.scalar(p / q)
+        except OverflowError:
+            return self.scalar(math.copysign(math.inf, p))
+
+    def given(self, value: Any) -> Any:
+        """Return an input, rounded."""
+        return np.asarray(value).astype(self.scalar)[()]
+
+    def together(self, values: Sequence[Any]) -> Any:
+        """Return values as one array."""
+        return np.array(np.broadcast_arrays(*values))
+
+    def sines_and_cosines(self, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
+        """Return what templates/runtime/unrolled_numbers.hpp computes, in double.
+
+        Where one angle is far from zero, all are left to the C library.
+        """
+        stacked = np.array(np.broadcast_arrays(*angles), dtype=np.float64)
+        near = _sine_and_cosine(stacked)
+        far = np.abs(stacked).max(axis=0) > _FAR
+        library = (np.vectorize(f, otypes=[np.float64]) for f in (math.sin, math.cos))
+        if far.any():
+            near = tuple(np.where(far, f(stacked), x) for f, x in zip(library, near, strict=True))
+        return list(zip(*map(self.given, near), strict=True))
+
+    def sqrt(self, a: Any) -> Any:
+        """Return the square root."""
+        return np.sqrt(a)
+
+    def sign(self, a: Any) -> Any:
+        """Return 1 or -1."""
+        return np.copysign(self.scalar(1), a)
+
+    def tanh(self, a: Any) -> Any:
+        """Return the C library's hyperbolic tangent."""
+        return self.given(np.vectorize(math.tanh, otypes=[np.float64])(a))
+
+    def larger(self, a: Any, b: Any) -> Any:
+        """Return the larger number."""
+        return np.where(a > b, a, b)[()]
+
+
+class Balls:
+    """Intervals around midpoints of any length (python-flint's arb, at the context's precision)."""
+
+    @staticmethod
+    def number(value: Any) -> Any:
+        """Return a ball around a rational number."""
+        return arb(value)
+
+    @staticmethod
+    def given(value: Any) -> Any:
+        """Return an input, which is a double."""
+        return arb(float(value))
+
+    @staticmethod
+    def together(values: Sequence[Any]) -> Any:
+        """Return values as one array."""
+        return np.array(values, dtype=object)
+
+    @staticmethod
+    def sines_and_cosines(angles: Sequence[Any]) -> list[tuple[Any, Any]]:
+        """Return sine and cosine of each angle."""
+        return [(angle.sin(), angle.cos()) for angle in angles]
+
+    @staticmethod
+    def sqrt(a: Any) -> Any:
+        """Return the square root."""
+        return a.sqrt()
+
+    @staticmethod
+    def sign(a: Any) -> Any:
+        """Return 1 or -1; either will do where the ball does not tell."""
+        return arb(-1 if a < 0 else 1)
+
+    @staticmethod
+    def tanh(a: Any) -> Any:
+        """Return the hyperbolic tangent."""
+        return a.tanh()
+
+    @staticmethod
+    def larger(a: Any, b: Any) -> Any:
+        """Return the larger number."""
+        return a.max(b)
+
+
+DOUBLE, FLOAT, BALLS = Floating(np.float64), Floating(np.float32), Balls()
+
+
+class Evaluation:
+    """The values of a graph's expressions, each computed when it is first needed.
+
+    Args:
+        graph: the graph.
+        lookup: returns an input by its name; it may ask other evaluations.
+        algebra: what is computed with.
+    """
+
+    def __init__(
+        self, graph: Graph, lookup: Callable[[str], Any], algebra: Algebra = DOUBLE
+    ) -> None:
+        self.graph, self.lookup, self.algebra = graph, lookup, algebra
+        self.values: dict[int, Any] = {}
+
+    def of(self, expressions: Iterable[Expression]) -> list[Any]:
+        """Return the values of some expressions."""
+        indices = [x.index for x in expressions]
+        for index in self._missing(indices):
+            self.values[index] = self._value(index)
+        return [self.values[k] for k in indices]
+
+    def _missing(self, indices: Iterable[int]) -> list[int]:
+        """What is to be computed for some expressions, operands first."""
+        nodes, found = self.graph.nodes, set[int]()
+        waiting = [k for k in indices if k not in self.values]
+        while waiting:
+            index = waiting.pop()
+            if index not in found:
+                found.add(index)
+                waiting += [k for k in nodes[index].args if k not in self.values]
+        return sorted(found)
+
+    def _value(self, index: int) -> Any:
+        node, values = self.graph.nodes[index], self.values
+        match node.op:
+            case "mul":
+                return values[node.args[0]] * values[node.args[1]]
+            case "add":
+                return values[node.args[0]] + values[node.args[1]]
+            case "sub":
+                return values[node.args[0]] - values[node.args[1]]
+            case "neg":
+                return -values[node.args[0]]
+            case "constant":
+                return self.algebra.number(node.value)
+            case "input":
+                return self.lookup(node.value)
+        return self._function(node.op, [values[k] for k in node.args])
+
+    def _function(self, op: str, args: list[Any]) -> Any:
+        algebra = self.algebra
+        match op:
+            case "reciprocal":
+                return 1 / args[0]
+            case "sqrt":
+                return algebra.sqrt(args[0])
+            case "sign":
+                return algebra.sign(args[0])
+            case "tanh":
+                return algebra.tanh(args[0])
+            case "max":
+                return algebra.larger(*args)
+        raise AssertionError(f"no meaning for {op}")
+
+
+def _sine_and_cosine(angle: Any) -> tuple[Any, ...]:
+    """Sine and cosine, operation by operation those of the runtime; shape of the angle."""
+    turns = (angle * 0.63661977236758134308 + 6755399441055744.0) - 6755399441055744.0
+    r = (angle - turns * 1.57079632673412561417e00) - turns * 6.07710050630396597660e-11
+    r = r - turns * 2.02226624871116645580e-21
+    z = r * r
+    z2 = z * z
+    z4 = z2 * z2
+    s = (-1.66666666666666307295e-1 + z * 8.33333333332211858878e-3) + z2 * (
+        -1.98412698295895385996e-4 + z * 2.75573136213857245213e-6
+    )
+    s = s + z4 * (-2.50507477628578072866e-8 + z * 1.58962301576546568060e-10)
+    s = r + r * z * s
+    c = (4.16666666666665929218e-2 - z * 1.38888888888730564116e-3) + z2 * (
+        2.48015872888517045348e-5 - z * 2.75573141792967388112e-7
+    )
+    c = c + z4 * (2.08757008419747316778e-9 - z * 1.13585365213876817300e-11)
+    c = (1 - 0.5 * z) + z2 * c
+    half = np.floor(turns * 0.5)
+    odd = turns - 2 * half != 0
+    sign = 1 - 2 * (half - 2 * np.floor(half * 0.5))
+    return sign * np.where(odd, c, s), sign * np.where(odd, -s, c)

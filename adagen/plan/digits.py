@@ -1,0 +1,64 @@
+"""What rounding may take of mobilities: how much has to be left, and how much joining takes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.model.kinds import KINDS
+from adagen.plan.steps import Join
+from adagen.plan.types import FACTORS, Plan, PlanJoint
+
+EPSILON = {"double": 2.0**-53, "float": 2.0**-24}
+
+KEPT = 128
+"""What of a bare link's mobility must be left, in units of the rounding error of one operation."""
+
+GIMBAL_LOCK = {"double": 1e-7, "float": 2.0**-19}
+"""Joints that are joined as one are so near to gimbal lock (1 / |S^+|) at the least."""
+
+LEAST_PIVOT = {"double": 1e-5, "float": 1e-2}
+"""Least pivot of Phi with which a mobility is taken for an inertia, angular and linear pivots each
+relative to the largest entry of their diagonal."""
+
+
+def least_mobility(plan: Plan, join: Join) -> list[float]:
+    """Return what each diagonal entry of M must exceed to have digits; empty: nothing is known.
+
+    Where the links beside the joint were joined bare, it is a multiple of what they brought.
+    """
+    if plan.joints[join.joint].rotor_inertia or plan.joints[join.joint].prescribed:
+        return []  # the rotor's mobility is added to M; what is prescribed frees nothing
+    child, parent = plan.links[join.joint + 1], plan.links[plan.joints[join.joint].parent]
+    least = [row[k] for k, row in enumerate(child.phi)] or [0.0] * 6
+    if parent.phi:  # at least: 1 / trace of the inertia about any axis, 1 / mass in any direction
+        trace = sum(parent.tensor[k][k] for k in range(3))
+        least = [x + 1.0 / (trace if k < 3 else parent.mass) for k, x in enumerate(least)]
+    return [KEPT * EPSILON[FACTORS[plan.scalar]] * x for x in least] if any(least) else []
+
+
+def lost_mobility(bare: NDArray[Any], assembled: NDArray[Any]) -> float:
+    """Return the largest generalised eigenvalue of two symmetric matrices of equal shape.
+
+    Raises:
+        LinAlgError: the second one is not positive definite.
+    """
+    scale = 1.0 / np.sqrt(np.diag(assembled))  # mixed units: rotations beside translations
+    lower = np.linalg.cholesky(assembled * np.outer(scale, scale))
+    half = np.linalg.solve(lower, bare * np.outer(scale, scale))
+    return float(np.linalg.eigvalsh(np.linalg.solve(lower, half.T))[-1])
+
+
+def generic_configuration(joints: tuple[PlanJoint, ...], seed: int) -> NDArray[np.float64]:
+    """Return a generic configuration, shape (nq,): irrational steps round the circle."""
+    result = []
+    for j, joint in enumerate(joints):
+        kind = KINDS[joint.kind]
+        values = np.sin(1.7 * (j + 1) * seed + np.arange(kind.nq))
+        if kind.quaternion is not None:
+            part = slice(kind.quaternion, None)
+            values[part] /= np.linalg.norm(values[part])
+        result.append(values)
+    return np.concatenate(result)
