@@ -1,0 +1,1 @@
+"""Schedules searched at the price that is played."""
