@@ -245,8 +245,10 @@ def _programmed(
     """Return what is emitted of a plan, and how an evaluation is predicted to go."""
     from adagen.cli.predicted import timeline_of
     from adagen.emit import program_of
+    from adagen.schedule import load_profile
 
-    program = program_of(plan, shape, options.refine, batch=options.batch)
+    profile = load_profile(options.profile)
+    program = program_of(plan, shape, options.refine, batch=options.batch, profile=profile)
     return program, None if options.batch else timeline_of(program, options)
 
 

@@ -83,7 +83,7 @@ def program_for(plan: Plan, options: argparse.Namespace) -> Program:
     """Return the program that a plan is emitted as under the options, for one state at a time."""
     from adagen.predict import program_of
 
-    return program_of(plan, priced_shape(options))
+    return program_of(plan, priced_shape(options), _profile(options))
 
 
 def timeline_of(program: Program, options: argparse.Namespace) -> Timeline | None:

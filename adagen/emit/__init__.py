@@ -111,7 +111,12 @@ def emit(
 
 
 def program_of(
-    plan: Plan, shape: str = "auto", refine: int | None = None, *, batch: bool = False
+    plan: Plan,
+    shape: str = "auto",
+    refine: int | None = None,
+    *,
+    batch: bool = False,
+    profile: CostProfile | None = None,
 ) -> Program:
     """Return the program that is emitted of a plan.
 
@@ -120,6 +125,7 @@ def program_of(
         shape: of the code, one of ``adagen.emit.shapes.KNOWN``, or "auto".
         refine: steps of iterative refinement; None: as many as the scalar needs.
         batch: whether many states are solved at once.
+        profile: what "auto" goes by; the shipped one if not given.
 
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
@@ -129,7 +135,7 @@ def program_of(
         if len(plan.processes) > 1:
             raise UsageError("a batch is solved by the plan of one process")
         check_batch(shape, refine)
-    shape = chosen_shape(plan, checked_shape(refine, shape), batch=batch)
+    shape = chosen_shape(plan, checked_shape(refine, shape), batch=batch, profile=profile)
     return lower(refinable(plan) if refine else plan, shape, batch=batch)
 
 
@@ -148,7 +154,7 @@ def source(
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
-    program = program_of(plan, shape, refine, batch=bool(batch))
+    program = program_of(plan, shape, refine, batch=bool(batch), profile=profile)
     check(program)
     refine = refinement_steps(refine, plan.scalar)
     plan, shape = program.plan, program.shape

@@ -9,16 +9,17 @@ from adagen.program import Program, lower
 from adagen.schedule.profile import CostProfile
 
 
-def program_of(plan: Plan, shape: str = "auto") -> Program:
+def program_of(plan: Plan, shape: str = "auto", profile: CostProfile | None = None) -> Program:
     """Return the program that is emitted of a plan for one state at a time.
 
     Args:
         plan: what each process computes.
         shape: of the code, as ``adagen.emit.emit`` takes it; where the plan cannot be had in it,
             the fastest that does the plan step by step.
+        profile: what "auto" goes by; the shipped one if not given.
     """
     if shape == "auto":
-        return lower(plan, chosen_shape(plan))
+        return lower(plan, chosen_shape(plan, profile=profile))
     known = shape in SHAPES and SHAPES[shape].why_not(plan) is None
     return lower(plan, shape if known else stepwise(plan))
 
@@ -34,4 +35,4 @@ def predict(plan: Plan, profile: CostProfile, shape: str = "auto") -> Timeline:
     Raises:
         ValueError: the profile prices joins alone, as the paper's does.
     """
-    return timeline(program_of(plan, shape), profile)
+    return timeline(program_of(plan, shape, profile), profile)

@@ -111,7 +111,7 @@ class StepCosts:
         ValueError: a coefficient is missing, unknown, negative or not finite.
     """
 
-    table: Mapping[str, float]
+    table: Mapping[str, float] = field(hash=False)
     window: ChannelCosts
     message: ChannelCosts
     cores: tuple[float, ...] = field(default=())
