@@ -206,7 +206,9 @@ def check_search(parser: Parser, options: argparse.Namespace) -> None:
         return
     for name, default in _SEARCH.items():
         if getattr(options, name.removeprefix("--")) != default:
-            parser.error(f"{name} is for a schedule that is searched: leave out it or --schedule")
+            parser.error(
+                f"{name} is for a schedule that is searched: leave out {name} or --schedule"
+            )
 
 
 def check_emission(parser: Parser, options: argparse.Namespace) -> None:

@@ -39,6 +39,7 @@ def read_in_scene(options: argparse.Namespace, gravity: Sequence[float] | None) 
         mimic=options.mimic or bool(scene.mimic),
         gravity=gravity,
         effects=scene.from_urdf,
+        decided=scene.decides,
         check=False,
     )
     tell(reading, options.verbose > 0)

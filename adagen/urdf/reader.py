@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,7 +16,7 @@ from adagen.urdf.bodies import build, gather
 from adagen.urdf.checks import Lines, check_model
 from adagen.urdf.description import Description, describe
 from adagen.urdf.document import parse
-from adagen.urdf.effects import read_effects, with_effects
+from adagen.urdf.effects import read_effects, warn_dropped, with_effects
 from adagen.urdf.mimics import resolve
 from adagen.urdf.notes import Notes
 from adagen.urdf.numbers import LARGEST
@@ -52,6 +52,7 @@ def read_robot(
     mimic: bool = False,
     gravity: Sequence[float] | None = None,
     effects: Collection[str] = (),
+    decided: Callable[[str, str], bool] = lambda _effect, _joint: False,
     check: bool = True,
 ) -> Reading:
     """Read a URDF, strictly.
@@ -64,6 +65,8 @@ def read_robot(
         gravity: acceleration of free fall in ground coordinates, three numbers, m/s^2;
             (0, 0, -9.81) by default.
         effects: what of joints' <dynamics> is modelled: "damping", "friction".
+        decided: whether an effect of a joint, by their names, was decided on: of the others in
+            <dynamics> a warning says that they are not modelled.
         check: refuse a robot whose forward dynamics has no answer; if not, ``check_reduced`` has to
             judge what is made of it.
 
@@ -84,7 +87,8 @@ def read_robot(
     mimics = resolve(description, mimic, notes)
     warn_limits(root, notes)
     warn_inertias(description, notes)
-    remark_ignored(root, notes, effects)
+    remark_ignored(root, notes)
+    warn_dropped(root, lambda effect, joint: effect in effects or decided(effect, joint), notes)
     passive = read_effects(root, effects, notes)
     description = agreed(root, description, notes)
     model = build(description.name, gather(description, tree, floating), mimics, floating)
