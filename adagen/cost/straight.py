@@ -17,6 +17,10 @@ from adagen.plan.steps import Receive, Send, Step
 from adagen.program import Program
 from adagen.schedule.costs import StepCosts
 
+HELD = 2500
+"""Statements whose instructions a first-level instruction cache of 32 kB holds, about: straight
+lines that are longer are fetched anew in each evaluation."""
+
 _COMPUTED = ("add", "sub", "mul", "reciprocal")
 
 
@@ -66,11 +70,13 @@ def _stretches(
     operations = simulated.operations
     taken = 1 - operations.fused / max(1, operations.arithmetic)  # a sum takes up a product
     computed = sum(sum(count.values()) for count in counts) or 1
+    statements = operations.arithmetic * taken
     parts = []
     for k, (count, cycles) in enumerate(zip(counts, done, strict=True)):
         share = sum(count.values()) / computed
         features: Features = {
-            "unrolled.operation": operations.arithmetic * taken * share,
+            "unrolled.operation": statements * share,
+            "unrolled.fetched": max(0.0, statements - HELD) * share,
             "unrolled.sine": len(simulated.machine.angles) if k == 0 else 0,
             "unrolled.cycle": cycles,
         }

@@ -11,7 +11,7 @@ from itertools import groupby, pairwise
 from adagen.plan import Plan
 from adagen.plan.abreast import Limbs
 from adagen.plan.steps import Kinematics
-from adagen.plan.types import PlanJoint
+from adagen.plan.types import FACTORS, PlanJoint
 from adagen.program.runs import Run, outward_units
 
 LANES = {"double": 8, "float": 16}
@@ -50,7 +50,7 @@ def segments_of(plan: Plan, limbs: Sequence[Sequence[Limbs]]) -> list[Run]:
 def pays_segments(joints: Sequence[PlanJoint], run: Run, scalar: str) -> bool:
     """Whether a run is long enough for segments, and of kinds that all lanes can take at once."""
     own = joints[run.first : run.last + 1]
-    return len(own) >= _FEWEST_ROWS * LANES[scalar] and all(j.kind in _KINDS for j in own)
+    return len(own) >= _FEWEST_ROWS * LANES[FACTORS[scalar]] and all(j.kind in _KINDS for j in own)
 
 
 def _outward(plan: Plan, p: int, limbs: Sequence[Limbs]) -> Iterator[Run]:

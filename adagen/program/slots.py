@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from adagen.plan import Plan
 from adagen.plan.abreast import Limbs, limbs_abreast
+from adagen.plan.types import FACTORS
 from adagen.program.runs import Run
 from adagen.program.segments import LANES, segments_of, slots_of
 
@@ -60,7 +61,7 @@ class Slots:
             () if batch else tuple(limbs_abreast(plan, process)) for process in plan.processes
         )
         segments = () if batch else tuple(segments_of(plan, limbs))
-        count, width = len(plan.joints), LANES[plan.scalar]
+        count, width = len(plan.joints), LANES[FACTORS[plan.scalar]]
         if not segments and not any(limbs):
             return Slots(tuple(range(count)), count, limbs, segments)
         slots, next_ = [-1] * count, 0

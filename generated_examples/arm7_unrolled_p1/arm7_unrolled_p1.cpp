@@ -2,7 +2,7 @@
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// program   1 process; 0.258 us predicted (default profile)
+// program   1 process; 0.251 us predicted (default profile)
 //           process 0: base_yaw .. right_finger_slide
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //

@@ -2,7 +2,7 @@
 //
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// program   1 process; 0.174 us predicted (default profile)
+// program   1 process; 0.186 us predicted (default profile)
 //           process 0: drive .. loose
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
