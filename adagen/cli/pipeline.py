@@ -78,9 +78,9 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
     """
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
         from adagen.plan.clusters import fold_of
-        from adagen.predict.objective import schedule_for
         from adagen.schedule import Topology, load_profile, named_schedule
         from adagen.schedule.tree import Named
+        from adagen.search.objective import schedule_for
 
         profile = load_profile(options.profile)
         if options.form == "ada":

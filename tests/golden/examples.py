@@ -10,9 +10,9 @@ from pathlib import Path
 from adagen.emit import emit
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.predict import best_schedule
 from adagen.schedule import Schedule, Topology, load_profile, named_schedule, schedule_to_json
 from adagen.schedule.draw import schedule_svg
+from adagen.search import best_schedule
 from adagen.urdf import read_robot
 from tests.golden.make_models import MODELS, ROBOTS
 

@@ -13,10 +13,11 @@ from adagen.emit.unrolled import simulate
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.stages import stages
-from adagen.predict import choose_processes, goes_straight, is_priced, predict, predicted_time
+from adagen.predict import goes_straight, is_priced, predict
 from adagen.predict.straight import straight_features
 from adagen.schedule import Schedule, Topology, find_schedule, load_profile
 from adagen.schedule.costs import NAMES
+from adagen.search import choose_processes, predicted_time
 from tests.models import serial_chain
 from tests.predict.costs import step_costs, step_profile
 
