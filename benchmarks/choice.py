@@ -26,9 +26,9 @@ from adagen.cost import timeline
 from adagen.emit.shapes import SHAPES, chosen_shape
 from adagen.errors import AdagenError
 from adagen.plan import Plan, make_plan
-from adagen.predict import best_schedule
 from adagen.program import lower
 from adagen.schedule import load_profile
+from adagen.search import best_schedule
 from adagen.urdf import read_robot
 from benchmarks.page import write_between_marks
 

@@ -21,9 +21,9 @@ from adagen.emit.shapes import SHAPES, chosen_shape
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.interpret import interpret
-from adagen.predict import best_schedule
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import load_profile
+from adagen.search import best_schedule
 from adagen.stability import robots
 from adagen.states import States, random_states
 from benchmarks.page import write_between_marks

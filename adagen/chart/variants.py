@@ -13,10 +13,10 @@ from adagen.emit.shapes import BASELINES
 from adagen.errors import UsageError
 from adagen.model import Model
 from adagen.plan import SCALARS, Plan, make_plan
-from adagen.predict import best_schedule
 from adagen.program import Program
 from adagen.schedule import Schedule, Topology, load_profile, named_schedule
 from adagen.schedule.tree import Named
+from adagen.search import best_schedule
 
 NAMES = {
     "crba": "CRBA",

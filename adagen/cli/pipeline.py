@@ -86,19 +86,18 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
         UsageError: there is no such profile or schedule.
     """
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
-        from adagen.predict.objective import schedule_for
         from adagen.schedule import Topology, load_profile
         from adagen.schedule.tree import Named
+        from adagen.search.objective import schedule_for
 
         profile = load_profile(options.profile)
-        if options.form == "ada":
-            profile = profile.joins_only()
+        joins = profile.joins_only() if options.form == "ada" else profile
         if options.schedule not in ("auto", *get_args(Named)):
-            return _read_schedule(options, Topology.of(model), profile)
+            return _read_schedule(options, Topology.of(model), joins)
 
         def schedule(processes: int) -> Schedule:
             if options.schedule != "auto":
-                return _named_schedule(model, options, processes, profile)
+                return _named_schedule(model, options, processes, joins)
             return schedule_for(
                 options.objective,
                 model,

@@ -17,9 +17,9 @@ if TYPE_CHECKING:
     from adagen.cost import Timeline
     from adagen.model import Model
     from adagen.plan import Plan
-    from adagen.predict.objective import Digits
     from adagen.program import Program
     from adagen.schedule import CostProfile, Schedule
+    from adagen.search.objective import Digits
 
 MOST_CORES = 16
 """Processes that --procs auto considers at most."""
@@ -37,8 +37,8 @@ def scheduled(
         options: the command line; ``procs`` is set where it was left open.
         schedule: finds a schedule for a number of processes.
     """
-    from adagen.predict import choose_processes, predicted_time
-    from adagen.predict.choose import WORTH
+    from adagen.search import choose_processes, predicted_time
+    from adagen.search.choose import WORTH
 
     profile, shape = _profile(options), priced_shape(options)
     if options.procs == AUTO:
@@ -120,7 +120,7 @@ def predicted_accuracy(
 ) -> Digits | None:
     """Return what is predicted of a schedule's digits; None where a factorization fails."""
     from adagen.plan import make_plan
-    from adagen.predict.objective import predicted_digits
+    from adagen.search.objective import predicted_digits
 
     plan = make_plan(model, schedule, form=options.form, scalar=options.scalar)
     try:

@@ -12,9 +12,10 @@ from adagen.drawing import draw
 from adagen.drawing.program import swept_rows
 from adagen.model import Model
 from adagen.plan import make_plan
-from adagen.predict import best_schedule, program_of
+from adagen.predict import program_of
 from adagen.program import Program
 from adagen.schedule import Schedule, Topology, load_profile
+from adagen.search import best_schedule
 from tests.models import human_figure, serial_chain
 
 PROFILE = load_profile("default")

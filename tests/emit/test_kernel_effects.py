@@ -22,8 +22,9 @@ from adagen.plan.steps import (
     Propagate,
     SolveMobility,
 )
-from adagen.predict import best_schedule, predict
+from adagen.predict import predict
 from adagen.schedule import load_profile
+from adagen.search import best_schedule
 from adagen.states import random_states, write_states
 from tests.emitted import ROUNDING, Builder, Solver, forward_error, kernels_of, plan_of, truth_of
 from tests.models import human_figure, random_tree, serial_chain

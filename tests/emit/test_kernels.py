@@ -12,9 +12,9 @@ from adagen.model import Model
 from adagen.model.kinds import PRISMATIC, SPHERICAL
 from adagen.plan import make_plan
 from adagen.plan.abreast import limbs_abreast
-from adagen.predict import best_schedule
 from adagen.schedule import Topology, load_profile, named_schedule
 from adagen.schedule.tree import Named
+from adagen.search import best_schedule
 from adagen.states import random_states
 from adagen.urdf import read_robot
 from tests.emitted import ROUNDING, Builder

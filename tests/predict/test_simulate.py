@@ -15,7 +15,7 @@ from adagen.plan import Plan, make_plan
 from adagen.plan.stages import stages
 from adagen.plan.steps import Articulate, Receive, Send
 from adagen.plan.types import Message, Process
-from adagen.predict import predict, step_time
+from adagen.predict import predict
 from adagen.schedule import Topology, find_schedule, load_profile
 from adagen.schedule.costs import NAMES
 from tests.models import human_figure, random_tree, serial_chain
@@ -55,7 +55,7 @@ def test_what_is_predicted_can_happen(form: str, processes: int, seed: int) -> N
 @pytest.mark.parametrize("form", ["ada", "segment"])
 def test_one_process_takes_the_sum_of_its_steps(form: str) -> None:
     made, costs = plan(1, form), step_costs()
-    total = sum(step_time(step, made.joints, costs) for step in made.processes[0].steps)
+    total = sum(costs.total(step_features(step, made.joints)) for step in made.processes[0].steps)
     line = predict(made, step_profile(), "joints")
     assert line.makespan == pytest.approx(total + costs["process.evaluation"])
     assert line.waiting(0) == 0
@@ -72,7 +72,7 @@ def test_a_receiver_waits_for_latency_and_numbers() -> None:
         messages=(message,),
     )
     start = step_costs()["process.evaluation"]
-    line = predict(idle, step_profile())
+    line = predict(idle, step_profile(), "kernels")
     sent = start + WINDOW.send + 3 * WINDOW.number  # half of 6 numbers
     assert line.exchanges[0].sent == pytest.approx(sent)
     assert line.makespan == pytest.approx(sent + WINDOW.latency + 3 * WINDOW.number)

@@ -14,10 +14,10 @@ from adagen.errors import UsageError
 from adagen.plan import Plan, make_plan
 from adagen.plan.abreast import Limbs
 from adagen.plan.steps import Accelerate, Receive, Send
-from adagen.predict import best_schedule
 from adagen.program import Operation, Program, ProgramError, check, lower
 from adagen.program.runs import Run
 from adagen.schedule import Topology, load_profile
+from adagen.search import best_schedule
 from tests.models import human_figure, random_tree, serial_chain
 
 PROFILE = load_profile("default")
