@@ -254,7 +254,7 @@ def _warn_of_lost_digits(plan: Plan, file: str) -> None:
         InputError: it keeps none: a factorization fails already here.
     """
     from adagen.emit import TOLERANCE
-    from adagen.plan.growth import predicted_growth
+    from adagen.executor.growth import predicted_growth
 
     try:
         growth = predicted_growth(plan)
