@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.emit.shapes import SHAPES, chosen_shape
+from adagen.executor import interpret
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.plan.interpret import interpret
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import load_profile
 from adagen.search import best_schedule

@@ -17,11 +17,11 @@ from typing import get_args
 
 import numpy as np
 
+from adagen.executor import interpret
+from adagen.executor.growth import predicted_growth
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.cuts import LARGEST_GROWTH
-from adagen.plan.growth import predicted_growth
-from adagen.plan.interpret import interpret
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import Node, Schedule, Topology, load_profile, named_schedule
 from adagen.schedule.tree import Named

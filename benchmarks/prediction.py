@@ -30,9 +30,9 @@ from adagen.calibrate.robots import chain, robot, squared, star, tree
 from adagen.calibrate.schedules import random_schedule
 from adagen.cli.console import note
 from adagen.errors import AdagenError
+from adagen.executor.growth import predicted_growth
 from adagen.model import Model
 from adagen.plan import Plan, make_plan, plan_to_json
-from adagen.plan.growth import predicted_growth
 from adagen.schedule import Schedule, Topology, find_schedule, load_profile
 from adagen.search import best_schedule
 from adagen.urdf import read_robot

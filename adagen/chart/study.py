@@ -17,8 +17,8 @@ from adagen.chart.truth import Truth
 from adagen.chart.variants import REFERENCE, Variant
 from adagen.emit import stem_of
 from adagen.errors import AdagenError
+from adagen.executor.growth import predicted_growth
 from adagen.model import Model
-from adagen.plan.growth import predicted_growth
 
 Said = Callable[[str], None]
 

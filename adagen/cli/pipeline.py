@@ -295,7 +295,7 @@ def _warn_of_lost_digits(plan: Plan, model: Model, options: argparse.Namespace) 
         InputError: it keeps none: a factorization fails already here.
     """
     from adagen.emit import TOLERANCE
-    from adagen.plan.growth import predicted_growth
+    from adagen.executor.growth import predicted_growth
 
     file = options.model
     try:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import Check
+from adagen.executor.frames import columnwise
 from adagen.executor.join_frames import JointFrame, joint_frame
 from adagen.executor.kinematics import Motion
 from adagen.executor.state import State
@@ -163,3 +164,8 @@ class Joins:
             qdd = (self.state.torques(step.joint) - f[own]) * over
         for j, rows in zip(frame.run, frame.parts, strict=True):
             self.state.accelerate(j, qdd[rows])
+        if self.state.refining:
+            f = frame.on_child(f)
+            for j, x in zip(reversed(frame.run), reversed(frame.transforms), strict=True):
+                self.state.keep_force(j, f)  # a link without mass hands on what it gets
+                f = columnwise(x.force, f)

@@ -99,7 +99,7 @@ class Motion:
         if parent == 0 and self._kind(j).name == "floating":
             # It falls freely: gravity then enters its own acceleration only, at the very end.
             omega, alpha, a = turning, self.state.zeros(3), self.state.zeros(3)
-            ground = back.vector(self.state.constants([-g for g in self.state.plan.gravity]))
+            ground = back.vector(self.state.upwards())
             self.state.memory["drift", j] = np.concatenate(
                 [self.state.zeros(3), plus_cross(ground, omega, sliding)]
             )
@@ -115,8 +115,7 @@ class Motion:
 
     def _ground(self) -> Field:
         nothing = self.state.zeros(3)
-        upwards = self.state.constants([-g for g in self.state.plan.gravity])
-        return Field(nothing, nothing, upwards, self.state.zeros(3, 3))
+        return Field(nothing, nothing, self.state.upwards(), self.state.zeros(3, 3))
 
     def drift(self, j: int) -> Array | None:
         """What a joint's sides differ by beyond the reference field and S qdd; None for nothing.
@@ -147,8 +146,11 @@ class Motion:
         """What the reference field takes to be had by the link alone: [moment; force], shape (6,).
 
         The moment I alpha + omega x I omega + m c x a, the products in H being used again; less
-        what outer forces do for it.
+        what outer forces do for it. In refinement the opposite of what is left over.
         """
+        if self.state.refining == "correction":
+            left = [self.state.graph.input(f"rho[{6 * number + k}]") for k in range(6)]
+            return -np.array(left, dtype=object)
         field: Field = self.state.memory["field", number]
         inertia = self.link_inertia(number)
         mass = inertia[3, 3]

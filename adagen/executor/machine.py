@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from adagen.executor.joins import Joins
 from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Segments
-from adagen.executor.state import State
-from adagen.graph import Expression, total
+from adagen.executor.state import Refining, State
+from adagen.graph import Expression, Graph, Numbers, total
 from adagen.plan.steps import (
     ApplyCoupling,
     Disassemble,
@@ -44,8 +44,14 @@ class Machine(State):
         sent: contents of the messages sent so far, without what is known beforehand.
     """
 
-    def __init__(self, plan: Plan, mail: dict[int, list[Any]]) -> None:
-        super().__init__(plan)
+    def __init__(
+        self,
+        plan: Plan,
+        mail: dict[int, list[Any]],
+        refining: Refining = None,
+        graph: Graph | Numbers | None = None,
+    ) -> None:
+        super().__init__(plan, refining, graph)
         self.mail = mail
         self.sent: dict[int, list[Expression]] = {}
         self.motion = Motion(self)

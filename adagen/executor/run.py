@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
 
 from adagen.executor.machine import Machine
+from adagen.executor.state import Refining
 from adagen.graph import Operations, count_operations
 from adagen.plan.steps import Step
 from adagen.plan.types import Plan
@@ -42,15 +44,27 @@ def _done(machine: Machine, step: Step) -> bool:
         raise PlanError(f"{step} reads {missing}, which this process does not have") from None
 
 
-@lru_cache(maxsize=2)  # a plan is judged, priced and emitted one after the other
-def simulate(plan: Plan) -> tuple[Simulated, ...]:
+@lru_cache(maxsize=4)  # a plan is judged, priced and emitted one after the other
+def simulate(plan: Plan, refining: Refining = None) -> tuple[Simulated, ...]:
     """Return the plan's processes, each after all its steps; nobody may change them.
+
+    Args:
+        plan: the plan.
+        refining: what of iterative refinement is computed, if any.
 
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
     mail: dict[int, list[Any]] = {}
-    machines = [Machine(plan, mail) for _ in plan.processes]
+    return after_all_steps(plan, [Machine(plan, mail, refining) for _ in plan.processes])
+
+
+def after_all_steps(plan: Plan, machines: Sequence[Machine]) -> tuple[Simulated, ...]:
+    """Let machines that share their mail do the steps of a plan's processes.
+
+    Raises:
+        PlanError: the plan deadlocks, or a step reads what its process does not have.
+    """
     ends: list[list[int]] = [[] for _ in machines]
     moved = True
     while moved:

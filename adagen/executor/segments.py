@@ -92,6 +92,8 @@ class Segments:
                 a, drift = self.memory["a", step.joint + 1], self.motion.drift(step.joint)
                 free = list(self.state.kind(step.joint).free)
                 self.state.accelerate(step.joint, (a if drift is None else a - drift)[free])
+                if self.state.refining:
+                    self.state.keep_force(step.joint, self.state.zeros(*a.shape), driven=True)
             case Accelerate():
                 self._accelerate(step)
             case _:
@@ -255,6 +257,18 @@ class Segments:
         start = None if near == 0 else self.memory["a", near]
         moved, self.memory["a", far] = self._far_acceleration(step, start)
         self.state.accelerate(step.joint, moved * sigma)
+        if self.state.refining:
+            self._keep_force(step, far)
+
+    def _keep_force(self, step: Accelerate, far: int) -> None:
+        """Keep f = I^A a + p^A - load of the far link, as it acts on the child link."""
+        force = matrix_times(self.memory["IA", far], self.memory["a", far]) + self.memory["pA", far]
+        if ("load", far) in self.memory:
+            force = force - self.memory["load", far]
+        if step.reversed:
+            x: Transform = self.memory["X", step.joint]
+            force = -columnwise(x.force_back, force)
+        self.state.keep_force(step.joint, force, driven=True)
 
 
 def _mirrored(matrix: Array) -> Array:

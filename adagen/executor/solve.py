@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import SINGULAR, Check
-from adagen.executor.machine import RECEIVED
-from adagen.executor.run import Simulated, simulate
-from adagen.graph import DOUBLE, Algebra, Evaluation
+from adagen.executor.machine import RECEIVED, Machine
+from adagen.executor.run import after_all_steps, simulate
+from adagen.executor.state import Refining
+from adagen.graph import DOUBLE, Algebra, Evaluation, Numbers
 from adagen.model.kinds import KINDS
 from adagen.plan.steps import FusedJoin
 from adagen.plan.types import Plan
@@ -21,8 +24,13 @@ Array = NDArray[Any]
 class SingularPoseError(FloatingPointError):
     """A mobility cannot be taken for an inertia: the plan's recovery is to be carried out."""
 
+    def __init__(self) -> None:
+        super().__init__("a mobility is singular in this pose")
 
-def interpret(plan: Plan, q: Any, v: Any, tau: Any, algebra: Algebra = DOUBLE) -> Array:
+
+def interpret(
+    plan: Plan, q: Any, v: Any, tau: Any, algebra: Algebra = DOUBLE, *, once: bool = False
+) -> Array:
     """Return the joint accelerations that a plan computes.
 
     Args:
@@ -31,6 +39,7 @@ def interpret(plan: Plan, q: Any, v: Any, tau: Any, algebra: Algebra = DOUBLE) -
         v: velocity, shape (nv,) or (nv, S).
         tau: joint torques and forces (prescribed joints: accelerations), then outer forces.
         algebra: what is computed with.
+        once: whether to compute in double at once, without graphs (see ``Run``).
 
     Returns:
         Accelerations, shape (nv,) or (nv, S).
@@ -39,11 +48,11 @@ def interpret(plan: Plan, q: Any, v: Any, tau: Any, algebra: Algebra = DOUBLE) -
         PlanError: a process waits for a message that never comes, or reads what it does not have.
         FloatingPointError: a factorization failed; the message names the joint.
     """
-    run = Run(plan, {"q": q, "v": v, "tau": tau}, algebra)
+    run = Run(plan, {"q": q, "v": v, "tau": tau}, algebra, once=once)
     try:
         run.check()
     except SingularPoseError:
-        return interpret(plan.recovering(), q, v, tau, algebra)
+        return interpret(plan.recovering(), q, v, tau, algebra, once=once)
     return run.accelerations()
 
 
@@ -54,7 +63,12 @@ class Run:
         plan: the plan.
         inputs: numbers by the names of the arrays that inputs are entries of: "q", "v", "tau".
         algebra: what is computed with.
-        simulated: the plan's processes, by default as they come from it.
+        refining: what of iterative refinement is computed, if any.
+        once: whether to compute in double at once, without graphs. It is the faster way where a
+            plan is carried out a few times; last digits are others.
+
+    Attributes:
+        machines: one for each process, after all its steps.
     """
 
     def __init__(
@@ -62,46 +76,67 @@ class Run:
         plan: Plan,
         inputs: dict[str, Any],
         algebra: Algebra = DOUBLE,
-        simulated: tuple[Simulated, ...] | None = None,
+        refining: Refining = None,
+        *,
+        once: bool = False,
     ) -> None:
-        self.plan, self.inputs, self.algebra = plan, inputs, algebra
-        self.simulated = simulate(plan) if simulated is None else simulated
-        self.circular: dict[int, list[tuple[Any, Any]]] = {}
-        self.mail: dict[int, list[Any]] = {}
-        self.evaluations = [
-            Evaluation(one.machine.graph, self._lookup(p), algebra)
-            for p, one in enumerate(self.simulated)
+        self.plan, self.inputs, self.algebra, self.once = plan, inputs, algebra, once
+        self._circular: dict[int, list[tuple[Any, Any]]] = {}
+        self._mail: dict[int, list[Any]] = {}
+        lookups = [self._lookup(p) for p in range(len(plan.processes))]
+        self.machines: list[Machine] = []
+        if once:
+            mail: dict[int, list[Any]] = {}
+            self.machines += [Machine(plan, mail, refining, Numbers(look)) for look in lookups]
+            with np.errstate(all="ignore"):  # pivots are looked at afterwards
+                after_all_steps(plan, self.machines)
+        else:
+            self.machines += [one.machine for one in simulate(plan, refining)]
+        self._evaluations = [
+            Evaluation(machine.graph, lookup, algebra)
+            for machine, lookup in zip(self.machines, lookups, strict=True)
         ]
+
+    def _values(self, p: int, expressions: Iterable[Any]) -> list[Any]:
+        if self.once:
+            return [number.x for number in expressions]
+        return self._evaluations[p].of(expressions)
 
     def of(self, p: int, expressions: Any) -> Array:
         """Return the values of an array of expressions of process p, in its shape, states last."""
         array = np.asarray(expressions, dtype=object)
-        values = self.algebra.together(self.evaluations[p].of(array.flat)) if array.size else array
+        values = self.algebra.together(self._values(p, array.flat)) if array.size else array
         return np.asarray(values).reshape(*array.shape, *np.shape(values)[1:])
 
     def accelerations(self) -> Array:
         """Return the accelerations of all joints, shape (nv,) or (nv, S)."""
         rows: list[Any] = [np.nan] * sum(KINDS[joint.kind].nv for joint in self.plan.joints)
-        for process, one, evaluation in zip(
-            self.plan.processes, self.simulated, self.evaluations, strict=True
+        for p, (process, machine) in enumerate(
+            zip(self.plan.processes, self.machines, strict=True)
         ):
             for j in process.owns:
                 v = self.plan.joints[j].v
-                values = one.machine.results[j]
-                rows[v : v + len(values)] = evaluation.of(values)
+                values = machine.results[j]
+                rows[v : v + len(values)] = self._values(p, values)
         return np.asarray(self.algebra.together(rows))
 
-    def check(self) -> None:
-        """Look at all pivots.
+    def check(self, *, digits: bool = True) -> None:
+        """Look at all pivots, in the order in which processes and their steps come.
+
+        Args:
+            digits: whether a pivot that has lost its digits is refused, as emitted code does, or
+                only what is not positive.
 
         Raises:
             FloatingPointError: a factorization failed; the message names the joint.
         """
-        for one, evaluation in zip(self.simulated, self.evaluations, strict=True):
-            checks = one.machine.checks
-            values = evaluation.of(x for check in checks for x in (check.pivot, check.least))
+        for p, machine in enumerate(self.machines):
+            checks = machine.checks
+            values = self._values(p, (x for c in checks for x in (c.pivot, c.least)))
             for k, check in enumerate(checks):
                 pivot, least = values[2 * k : 2 * k + 2]
+                if not digits and check.failure in ("kFactorization", "kGrowth"):
+                    least = 0
                 if not np.all(pivot > least):
                     self._fail(check)
 
@@ -115,28 +150,34 @@ class Run:
             names = "joints " + ", ".join(f'"{self.plan.joints[j].name}"' for j in run)
         raise FloatingPointError(f"{names}: {_SAID[check.failure]}")
 
-    def _lookup(self, p: int) -> Any:
-        """Returns inputs of process p by name: the state, sines, what messages bring."""
-        machine = self.simulated[p].machine
+    def _lookup(self, p: int) -> Callable[[str], Any]:
+        """What returns inputs of process p by name: the state, sines, what messages bring."""
 
         def lookup(name: str) -> Any:
             word, *places = name.removesuffix("]").replace("]", "").split("[")
             if word == RECEIVED:
-                number, place = map(int, places)
-                if number not in self.mail:
-                    source = self.plan.messages[number].source
-                    sent = self.simulated[source].machine.sent[number]
-                    self.mail[number] = self.evaluations[source].of(sent)
-                return self.mail[number][place]
-            k = int(places[0])
+                return self._received(*map(int, places))
             if word in ("sine", "cosine"):
-                if p not in self.circular:
-                    angles = self.evaluations[p].of(machine.angles)
-                    self.circular[p] = self.algebra.sines_and_cosines(angles)
-                return self.circular[p][k][word == "cosine"]
-            return self.algebra.given(self.inputs[word][k])
+                return self._sine_and_cosine(p, int(places[0]))[word == "cosine"]
+            given = self.algebra.given(self.inputs[word][int(places[0])])
+            return float(given) if self.once else given
 
         return lookup
+
+    def _received(self, number: int, place: int) -> Any:
+        if number not in self._mail:
+            source = self.plan.messages[number].source
+            self._mail[number] = self._values(source, self.machines[source].sent[number])
+        return self._mail[number][place]
+
+    def _sine_and_cosine(self, p: int, k: int) -> tuple[Any, Any]:
+        angles = self.machines[p].angles
+        if self.once:
+            angle = angles[k].x  # type: ignore[attr-defined]
+            return math.sin(angle), math.cos(angle)
+        if p not in self._circular:
+            self._circular[p] = self.algebra.sines_and_cosines(self._values(p, angles))
+        return self._circular[p][k]
 
 
 _SAID = {

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import Check
-from adagen.graph import Expression, Factors, Graph, factorize, total
+from adagen.graph import Expression, Factors, Graph, Numbers, factorize, total
 from adagen.model.kinds import HELD, KINDS, JointKind
 from adagen.plan.digits import EPSILON
 from adagen.plan.types import FACTORS, Plan
 
 Array = NDArray[Any]
+Refining = Literal["answer", "correction"] | None
+"""What of iterative refinement (adagen/executor/refine.py) is computed: the answer, joint forces
+being kept, or a correction of it; None: it is no refinement."""
+
 READY = 40
 """Cycles until the polynomials have given sines and cosines."""
 
@@ -23,19 +27,25 @@ class State:
 
     Attributes:
         plan: whose process it is.
-        graph: all that the process computes; inputs are named as the emitted code names them.
+        graph: all that the process computes, or what computes it at once; inputs are named as the
+            emitted code names them.
         memory: values by the names that steps give them.
         columns: right-hand sides: the motion, and one for each slaved joint.
         angles: joint angles whose sine and cosine are taken, in order.
         checks: pivots to be looked at.
         lengths: squared lengths of quaternions and their joints.
         results: accelerations in the order of ``owns``, known after the last step.
+        refining: whether joint forces are kept, in the frames of the child links, and whether links
+            feel what is left over of their equations of motion, and nothing else.
     """
 
-    def __init__(self, plan: Plan) -> None:
-        self.plan = plan
-        self.graph = Graph()
+    def __init__(
+        self, plan: Plan, refining: Refining = None, graph: Graph | Numbers | None = None
+    ) -> None:
+        self.plan, self.refining = plan, refining
+        self.graph: Any = Graph() if graph is None else graph
         self.memory: dict[Any, Any] = {}
+        self._constants: dict[float, Any] = {}
         self.columns = plan.right_hand_sides
         self.angles: list[Expression] = []
         self.checks: list[Check] = []
@@ -47,10 +57,12 @@ class State:
     def constants(self, values: Any) -> Array:
         """Return numbers as constants, in the shape they have."""
         array = np.asarray(values, dtype=float)
-        result = np.empty(array.shape, dtype=object)
-        for index, value in np.ndenumerate(array):
-            result[index] = self.graph.constant(float(value))
-        return result
+        result, known = np.empty(array.size, dtype=object), self._constants
+        for k, value in enumerate(array.ravel().tolist()):
+            if value not in known:
+                known[value] = self.graph.constant(value)
+            result[k] = known[value]
+        return result.reshape(array.shape)
 
     def zeros(self, *shape: int) -> Array:
         """Return zeros."""
@@ -85,10 +97,18 @@ class State:
         joint, kind = self.plan.joints[j], KINDS[self.plan.joints[j].kind]
         if joint.mimic is None:
             q = [self.graph.input(f"q[{joint.q + k}]") for k in range(kind.nq)]
+            if self.refining == "correction":
+                return q, [self.graph.constant(0)] * kind.nv
             return q, [self.graph.input(f"v[{joint.v + k}]") for k in range(kind.nv)]
         source, multiplier, offset = joint.mimic
         (angle, *_), (rate, *_) = self.configuration(source)
         return [angle * multiplier + offset], [rate * multiplier]
+
+    def upwards(self) -> Array:
+        """Return the ground's acceleration relative to free fall, shape (3,)."""
+        if self.refining == "correction":
+            return self.zeros(3)
+        return self.constants([-g for g in self.plan.gravity])
 
     def circular(self, angle: Expression) -> tuple[Expression, Expression]:
         """Cosine and sine; they are taken of all angles of the process at once."""
@@ -139,6 +159,19 @@ class State:
         """Rotor inertia of a joint, None for none."""
         size = self.plan.joints[j].rotor_inertia
         return self.graph.constant(size) if size else None
+
+    def keep_force(self, j: int, force: Array, *, driven: bool = False) -> None:
+        """Keep the force of a joint in its child link's frame, shape (6, columns).
+
+        Args:
+            j: the joint.
+            force: its force.
+            driven: whether it is the torque along the joint, to the bit.
+        """
+        if driven:
+            force = force.copy()
+            force[list(self.kind(j).free)] = self.torques(j)
+        self.memory["force", j] = force
 
     def accelerate(self, j: int, qdd: Array) -> None:
         """Keep a joint's accelerations, shape (n, columns); with slaved joints they come later."""

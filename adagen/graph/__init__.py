@@ -6,6 +6,7 @@ from adagen.graph.count import Operations, count_operations, live_nodes
 from adagen.graph.evaluate import BALLS, DOUBLE, FLOAT, Algebra, Evaluation
 from adagen.graph.linear import Factors, cross, dot, factorize, matrix_times, total
 from adagen.graph.nodes import Expression, Graph, Node
+from adagen.graph.numbers import Number, Numbers
 
 __all__ = [
     "BALLS",
@@ -17,6 +18,8 @@ __all__ = [
     "Factors",
     "Graph",
     "Node",
+    "Number",
+    "Numbers",
     "Operations",
     "count_operations",
     "cross",

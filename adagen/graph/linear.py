@@ -18,9 +18,16 @@ from adagen.graph.nodes import Expression
 Array = NDArray[Any]
 
 
+def _ready(term: Expression) -> int:
+    return term.graph.nodes[term.index].ready
+
+
 def total(terms: Iterable[Expression]) -> Expression:
     """Return the sum of at least one term."""
-    first, *others = sorted(terms, key=lambda term: term.node.ready)
+    found = list(terms)
+    if len(found) > 1 and type(found[0]) is Expression:  # numbers are all there at once
+        found.sort(key=_ready)
+    first, *others = found
     for term in others:
         first = first + term
     return first

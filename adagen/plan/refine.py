@@ -1,4 +1,4 @@
-"""What processes need of each other to refine an answer; adagen/plan/interpret/refine.py: how.
+"""What processes need of each other to refine an answer; adagen/executor/refine.py: how.
 
 Each link's residual is computed by the process that brought the link into its chain. It needs the
 accelerations of all joints on the way to the ground, and the forces of all joints at the link.

@@ -1,6 +1,6 @@
 """The plan: what each process does, step by step, frozen and printable.
 
-A plan is the whole input of the emitter and of the interpreter. Its steps and the buffers that they
+A plan is the whole input of the emitter and of the executor. Its steps and the buffers that they
 name are in adagen/plan/steps/.
 """
 

@@ -32,8 +32,8 @@ def best_schedule(
 
     Where the profile has costs of steps, both forms are searched at the price that is played, form
     `ada` from the schedule on that is best by Eq. (11) (adagen/search/played.py), form `segment` by
-    families (adagen/search/families.py), at joints alone where cuts lose no digits. By other
-    strategies, splits or ties than the usual ones, and by the paper's profile, Eq. (11) alone counts.
+    families (adagen/search/families.py), at joints alone where cuts lose no digits. By another
+    strategy, split or tie than the usual one, and by the paper's profile, Eq. (11) alone counts.
 
     Args:
         model: the robot.

@@ -15,13 +15,13 @@ from typing import Any, get_args
 import numpy as np
 
 from adagen.errors import UsageError
+from adagen.executor.growth import Growth, predicted_growth
+from adagen.executor.refine import interpret_refined
 from adagen.model import Model
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.digits import EPSILON, generic_configuration
-from adagen.plan.growth import Growth, predicted_growth
-from adagen.plan.interpret.refine import interpret_refined
 from adagen.plan.types import FACTORS
 from adagen.schedule import CostProfile, Schedule, named_schedule
 from adagen.schedule.tree import Named

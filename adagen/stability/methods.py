@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.errors import AdagenError
+from adagen.executor import interpret
+from adagen.executor.refine import WideLinks, interpret_refined
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
-from adagen.plan.interpret import interpret
-from adagen.plan.interpret.refine import WideLinks, interpret_refined
 from adagen.schedule import Topology, load_profile, named_schedule
 from adagen.search.objective import schedule_for
 from adagen.stability.robots import state
@@ -95,7 +95,7 @@ class Trial:
 
 
 def _planned(form: str, fused: bool = True) -> Callable[[Trial], Array]:
-    return lambda trial: interpret(trial.plan(form, fused), *trial.state)
+    return lambda trial: interpret(trial.plan(form, fused), *trial.state, once=True)
 
 
 def _refined(form: str, steps: int) -> Callable[[Trial], Array]:
@@ -103,7 +103,7 @@ def _refined(form: str, steps: int) -> Callable[[Trial], Array]:
 
 
 def _cut(trial: Trial) -> Array:
-    return interpret(trial.cut(4), *trial.state)
+    return interpret(trial.cut(4), *trial.state, once=True)
 
 
 def _weak(method: Callable[..., Array], **options: Any) -> Callable[[Trial], Array]:

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from adagen.errors import AdagenError
-from adagen.plan.interpret.refine import interpret_refined
+from adagen.executor.refine import interpret_refined
 from adagen.reference import exact_forward_dynamics
 from adagen.states import random_states, write_result, write_states
 from adagen.urdf import read_robot

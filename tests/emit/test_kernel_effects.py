@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from adagen.emit.shapes import SHAPES
+from adagen.executor import interpret
 from adagen.model import Model, Passive
 from adagen.model.kinds import REVOLUTE, SPHERICAL
 from adagen.plan import Plan, make_plan
 from adagen.plan.abreast import limbs_abreast, placed_links
-from adagen.plan.interpret import interpret
 from adagen.plan.steps import (
     Articulate,
     Disassemble,

@@ -12,13 +12,15 @@ from adagen.model import Model
 from adagen.model.kinds import PRISMATIC, SPHERICAL
 from adagen.plan import make_plan
 from adagen.plan.abreast import limbs_abreast
+from adagen.plan.steps import Join
 from adagen.schedule import Topology, load_profile, named_schedule
 from adagen.schedule.tree import Named
 from adagen.search import best_schedule
 from adagen.states import random_states
 from adagen.urdf import read_robot
-from tests.emitted import ROUNDING, Builder
+from tests.emitted import ROUNDING, Builder, energy_errors, plan_of
 from tests.golden.examples import FOLDER
+from tests.links import with_light_link
 from tests.models import binary, human_figure, random_tree, serial_chain, star
 from tests.schedules import random_schedule
 
@@ -129,3 +131,15 @@ def test_bushes_of_all_kinds_are_solved_by_one_process(
     states = random_states(model, 4, seed=seed)
     solver = builder.solver(plan, ("-O0",), name="bush", shape="kernels")
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
+
+
+def test_inverting_among_light_links_keeps_digits(builder: Builder, tmp_path: Path) -> None:
+    """Joints beside three links of 1e-7 of the others' mass: all but 1e-3 was lost there once."""
+    model = serial_chain(14, axes="xyz")
+    steps = (step for p in plan_of(model, 2, meeting="join").processes for step in p.steps)
+    at = next(step.joint for step in steps if isinstance(step, Join))
+    for link in (at, at + 1, at + 2):
+        model = with_light_link(model, link, 1e-7)
+    solver = builder.solver(plan_of(model, 2, meeting="join"), ("-O0",), shape="kernels")
+    states = random_states(model, 3, seed=1)
+    assert energy_errors(model, states, solver.solve(model, states, tmp_path)).max() < 1e-6

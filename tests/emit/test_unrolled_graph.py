@@ -2,84 +2,26 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
 from adagen.emit.shapes import SHAPES, chosen_shape
-from adagen.executor import Simulated, simulate
+from adagen.executor import interpret, simulate
 from adagen.graph import Operations
 from adagen.model import FLOATING, REVOLUTE, Inertia, Model
-from adagen.plan import FORMS, Plan, make_plan
-from adagen.plan.interpret import interpret
+from adagen.plan import FORMS, make_plan
 from adagen.predict import predict
+from adagen.reference import forward_dynamics
 from adagen.schedule import load_profile
 from adagen.states import random_states
 from tests.emitted import plan_of
-from tests.graph.evaluate import evaluate
 from tests.models import Part, assemble, random_tree, rod, serial_chain, star, vector
 from tests.predict.costs import step_profile
 from tests.schedules import random_schedule
 
-Array = NDArray[np.float64]
 PROFILE = load_profile("default")
-
-
-class Inputs(dict[str, float]):
-    """What a process's expressions read: the state, sines and cosines, others' messages.
-
-    Each is found when it is asked for.
-    """
-
-    def __init__(
-        self,
-        p: int,
-        plan: Plan,
-        simulated: tuple[Simulated, ...],
-        state: dict[str, Array],
-        mail: dict[int, list[float]],
-    ) -> None:
-        super().__init__()
-        self.p, self.plan, self.simulated = p, plan, simulated
-        self.state, self.mail = state, mail
-
-    def __missing__(self, name: str) -> float:
-        word, *places = name.removesuffix("]").replace("]", "").split("[")
-        if word == "w.from":
-            number, place = map(int, places)
-            if number not in self.mail:
-                source = self.plan.messages[number].source
-                sent = self.simulated[source].machine.sent[number]
-                theirs = Inputs(source, self.plan, self.simulated, self.state, self.mail)
-                self.mail[number] = evaluate(sent, theirs, rounded)
-            return self.mail[number][place]
-        if word in ("sine", "cosine"):
-            angle = self.simulated[self.p].machine.angles[int(places[0])]
-            (value,) = evaluate([angle], self, rounded)
-            return math.sin(value) if word == "sine" else math.cos(value)
-        return float(self.state[word][int(places[0])])
-
-
-def rounded(value: object) -> float:
-    return int(getattr(value, "p", 0)) / int(getattr(value, "q", 1))
-
-
-def evaluated(plan: Plan, state: dict[str, Array]) -> Array:
-    """Return the accelerations that the graphs of all processes give together."""
-    simulated = simulate(plan)
-    qdd = np.full(state["v"].shape, np.nan)
-    mail: dict[int, list[float]] = {}
-    for p, one in enumerate(simulated):
-        results = one.machine.results
-        if results:
-            places = [plan.joints[j].v + k for j in results for k in range(len(results[j]))]
-            wanted = [x for values in results.values() for x in values]
-            qdd[places] = evaluate(wanted, Inputs(p, plan, simulated, state, mail), rounded)
-    return qdd
 
 
 @pytest.mark.parametrize("form", FORMS)
@@ -92,7 +34,7 @@ def evaluated(plan: Plan, state: dict[str, Array]) -> Array:
     st.booleans(),
     st.integers(0, 2**32 - 1),
 )
-def test_graphs_say_what_the_interpreter_says(
+def test_graphs_and_numbers_say_what_is_true(
     form: str, joints: int, processes: int, mimics: int, floating: bool, aligned: bool, seed: int
 ) -> None:
     rng = np.random.default_rng(seed)
@@ -102,10 +44,11 @@ def test_graphs_say_what_the_interpreter_says(
     plan = make_plan(model, random_schedule(model, processes, rng), form=form)
     states = random_states(model, 1, seed=seed % 1000)
     q, v, tau = states.q[0], states.v[0], states.tau[0]
-    expected = interpret(plan, q, v, tau)
-    found = evaluated(plan, {"q": q, "v": v, "tau": tau})
+    expected = forward_dynamics(model, q, v, tau)
     size = max(1.0, float(np.abs(expected).max()))
-    np.testing.assert_allclose(found / size, expected / size, atol=1e-12)
+    for once in (False, True):
+        found = interpret(plan, q, v, tau, once=once)
+        np.testing.assert_allclose(found / size, expected / size, atol=1e-10)
 
 
 def operations(model: Model) -> Operations:

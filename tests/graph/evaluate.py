@@ -5,7 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from adagen.graph import Expression, live_nodes
+from adagen.graph import Evaluation, Expression
+from adagen.graph.evaluate import Floating
+
+
+class Arithmetic(Floating):
+    """Sums, products and quotients of any numbers."""
+
+    def __init__(self, number: Callable[[Any], Any]) -> None:
+        super().__init__()
+        self._number = number
+
+    def number(self, value: Any) -> Any:
+        return self._number(value)
 
 
 def evaluate(
@@ -19,24 +31,4 @@ def evaluate(
         number: makes a number of the arithmetic from a rational one.
     """
     roots = list(roots)
-    graph = roots[0].graph
-    values: dict[int, Any] = {}
-    for index in live_nodes(graph, roots):
-        node = graph.nodes[index]
-        args = [values[k] for k in node.args]
-        match node.op:
-            case "constant":
-                values[index] = number(node.value)
-            case "input":
-                values[index] = inputs[node.value]
-            case "add":
-                values[index] = args[0] + args[1]
-            case "sub":
-                values[index] = args[0] - args[1]
-            case "mul":
-                values[index] = args[0] * args[1]
-            case "neg":
-                values[index] = -args[0]
-            case "reciprocal":
-                values[index] = 1 / args[0]
-    return [values[root.index] for root in roots]
+    return Evaluation(roots[0].graph, inputs.__getitem__, Arithmetic(number)).of(roots)

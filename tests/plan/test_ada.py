@@ -1,4 +1,4 @@
-"""Plans of form `ada`, executed by the interpreter, against independent dynamics."""
+"""Plans of form `ada`, carried out by the executor, against independent dynamics."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from adagen.errors import InputError, UsageError
+from adagen.executor import PlanError, interpret
 from adagen.model import REVOLUTE, Inertia, Model
 from adagen.plan import FORMS, make_plan, plan_from_json, plan_to_json
-from adagen.plan.interpret import PlanError, interpret
 from adagen.plan.steps import Join, Receive, Send
 from adagen.plan.types import Plan
 from adagen.reference import exact_forward_dynamics, forward_dynamics

@@ -10,14 +10,14 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from adagen.errors import InputError
+from adagen.executor import Run, interpret
+from adagen.executor.growth import predicted_growth
 from adagen.model import PRISMATIC, REVOLUTE, Inertia, Mimic, Model
 from adagen.model.fuse import runs_of
 from adagen.plan import FORMS, make_plan, plan_from_json, plan_to_json
 from adagen.plan.clusters import clusters_of, fold_of
 from adagen.plan.cuts import cuttable_joints
 from adagen.plan.fused_frame import joint_coordinates
-from adagen.plan.growth import predicted_growth
-from adagen.plan.interpret import execute, interpret
 from adagen.plan.steps import FusedJoin, Join, LinkBias
 from adagen.plan.types import Plan
 from adagen.reference import exact_forward_dynamics, forward_dynamics
@@ -78,12 +78,12 @@ def test_any_run_of_any_tree_is_right(joints: int, processes: int, form: str, se
         assert sorted(s.run for s in fused(plan)) == sorted(runs_of(model))
     sample = random_states(model, 1, seed=seed % 1000)
     q, v, tau = sample.q[0], sample.v[0], sample.tau[0]
-    _, memories = execute(plan, q, v, tau)
-    for memory, process in zip(memories, plan.processes, strict=True):
+    run = Run(plan, {"q": q, "v": v, "tau": tau})
+    for p, process in enumerate(plan.processes):
         for step in process.steps:
             if isinstance(step, FusedJoin):
-                frame = memory["join", step.joint].frame
-                assume(np.linalg.cond(frame.y) < 1e4)  # not near gimbal lock
+                frame = run.machines[p].memory["join", step.joint].frame
+                assume(np.linalg.cond(run.of(p, frame.turn)) < 1e4)  # not near gimbal lock
     truth = forward_dynamics(model, q, v, tau)
     assert np.abs(interpret(plan, q, v, tau) - truth).max() < 1e-7 * max(1.0, np.abs(truth).max())
 

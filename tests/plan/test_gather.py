@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from adagen.executor import interpret
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.plan.interpret import interpret
 from adagen.plan.steps import (
     Articulate,
     HoldMobility,

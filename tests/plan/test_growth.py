@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from adagen.executor import interpret
+from adagen.executor.growth import predicted_growth
 from adagen.plan import make_plan
-from adagen.plan.growth import predicted_growth
-from adagen.plan.interpret import interpret
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.states import random_states
 from tests.links import with_light_link

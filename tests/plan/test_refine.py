@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from adagen.executor.refine import interpret_refined
 from adagen.model import Model
 from adagen.plan import make_plan
-from adagen.plan.interpret.refine import interpret_refined
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import Schedule, load_profile
 from adagen.search import best_schedule

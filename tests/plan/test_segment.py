@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from adagen.executor import interpret
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.cuts import cuttable_joints
-from adagen.plan.interpret import interpret
 from adagen.plan.steps import (
     Articulate,
     FreeBase,

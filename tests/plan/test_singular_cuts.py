@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from adagen.errors import InputError
+from adagen.executor.growth import predicted_growth
 from adagen.plan import make_plan
-from adagen.plan.growth import predicted_growth
 from tests.models import three_axis_chain
 from tests.schedules import random_schedule
 

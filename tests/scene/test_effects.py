@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from adagen.executor import interpret
 from adagen.model import PRISMATIC, REVOLUTE, Model
 from adagen.plan import make_plan, plan_from_json, plan_to_json
-from adagen.plan.interpret import interpret
 from adagen.reference import exact_forward_dynamics
 from adagen.states import random_states
 from tests.models import ALL_KINDS, random_tree

@@ -23,8 +23,9 @@ inline Mat6 inertia_of(const Body<Value>& X) {
 }
 inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
 
-// The inverse of a symmetric matrix of six rows, by elimination of all six unit vectors at once,
-// and as symmetric. Whether each pivot exceeds what it must at least.
+// The inverse of a symmetric matrix of six rows, and as symmetric: L^-T D^-1 L^-1, L^-1 by
+// elimination of all six unit vectors at once. Where masses differ much, subtracting on the way
+// back instead would cost digits. Whether each pivot exceeds what it must at least.
 ADAGEN_INLINE bool invert(const Mat6& m, const Real (&least)[6], Mat6& inverse) {
   Lanes rows[6]{}, X[6]{};
   Real over[6];
@@ -43,11 +44,10 @@ ADAGEN_INLINE bool invert(const Mat6& m, const Real (&least)[6], Mat6& inverse) 
       X[i] -= X[c] * l;
     }
   }
-  ADAGEN_FOR (back, 0, 6) {
-    const int i = 5 - back;
-    X[i] *= over[i];
-    ADAGEN_FOR (k, i + 1, 6) X[i] -= X[k] * (rows[i][k] * over[i]);
-    std::memcpy(inverse.data() + 6 * i, &X[i], 6 * sizeof(Real));
+  ADAGEN_FOR (i, 0, 6) {
+    Lanes sum{};
+    ADAGEN_FOR (k, i, 6) sum += X[k] * (X[k][i] * over[k]);
+    std::memcpy(inverse.data() + 6 * i, &sum, 6 * sizeof(Real));
   }
   ADAGEN_FOR (i, 0, 6)
     ADAGEN_FOR (k, 0, i) inverse(k, i) = inverse(i, k);

@@ -1,4 +1,4 @@
-"""Iterative refinement of a plan's answer in numpy: the residual of every link, then a correction.
+"""Iterative refinement of a plan's answer: the residual of every link, then a correction.
 
 The unknowns are the accelerations and the joint forces together. From the joints' accelerations
 follow the links', a_l = X a_parent + S qdd + c, and with the joint forces f what is left over at
@@ -15,14 +15,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.executor.solve import Run
 from adagen.model.kinds import KINDS
-from adagen.plan.interpret import run_machines, with_slaved
-from adagen.plan.interpret.articulated import SegmentMachine
-from adagen.plan.interpret.joins import JoinMachine
-from adagen.plan.interpret.machine import Machine
 from adagen.plan.placement import placement
 from adagen.plan.refine import handed_on, refinable
-from adagen.plan.steps import Accelerate, Bias, FreeAcceleration, Step
 from adagen.plan.types import Plan
 
 Array = NDArray[Any]
@@ -60,10 +56,10 @@ def interpret_refined(
         UsageError: the plan cannot be refined.
     """
     plan = refinable(plan)
-    q, v = with_slaved(plan, q, v)
+    q, v = _with_slaved(plan, q, v)
     chain = WideLinks(plan, q, v, wide)
     tau = np.asarray(tau, dtype=float)
-    answer = _solve(plan, q, v, tau, None)
+    answer = _solve(plan, q, v, tau)
     qdd, forces = chain.follow(answer[0].astype(wide)), chain.handed_on(answer[1], tau)
     sizes = []
     for _ in range(steps):
@@ -74,87 +70,37 @@ def interpret_refined(
     return Refined(qdd.astype(float), tuple(float(np.sqrt(size)) for size in sizes))
 
 
-def _solve(plan: Plan, q: Array, v: Array, tau: Array, rho: Array | None) -> tuple[Array, Array]:
-    """Return accelerations, shape (nv,), and joint forces in the child links' frames, (N, 6)."""
-    qdd = np.full(len(v), np.nan)
-    mail: dict[int, dict[Any, Array]] = {}
-    machines = [_ForceMachine(plan, mail, q, v, tau, qdd, rho) for _ in plan.processes]
-    run_machines(plan, machines)
+def _solve(
+    plan: Plan, q: Array, v: Array, tau: Array, rho: Array | None = None
+) -> tuple[Array, Array]:
+    """Return accelerations, shape (nv,), and joint forces in the child links' frames, (N, 6).
+
+    With ``rho``, shape (N + 1, 6), those that these wrenches and the torques cause alone.
+    """
+    inputs = {"q": q, "v": v, "tau": tau, "rho": np.zeros(0) if rho is None else rho.ravel()}
+    run = Run(plan, inputs, refining="answer" if rho is None else "correction", once=True)
+    run.check(digits=False)
     forces = np.zeros((len(plan.joints), 6))
-    for machine in machines:
-        for name, force in machine.memory.items():
-            if isinstance(name, tuple) and name[0] == "force":
-                torques = machine.memory["torques"] if plan.slaved else np.zeros(0)
-                forces[name[1]] = force[:, 0] + force[:, 1:] @ torques
-    return qdd, forces
+    for p, machine in enumerate(run.machines):
+        memory = machine.memory
+        kept = [name for name in memory if isinstance(name, tuple) and name[0] == "force"]
+        for name in kept:
+            force = run.of(p, memory[name])
+            torques = run.of(p, memory["torques"]) if plan.slaved else np.zeros(0)
+            forces[name[1]] = force[:, 0] + force[:, 1:] @ torques
+    return run.accelerations(), forces
 
 
-class _ForceMachine(Machine):
-    """Keeps joint forces; with ``rho``, shape (N + 1, 6), solves for what these wrenches do."""
-
-    def __init__(
-        self,
-        plan: Plan,
-        mail: dict[int, dict[Any, Array]],
-        q: Array,
-        v: Array,
-        tau: Array,
-        qdd: Array,
-        rho: Array | None,
-    ) -> None:
-        super().__init__(plan, mail, q, v, tau, qdd)
-        self.rho = rho
-        self.joins = _ForceJoins(self)
-        self.segments = _ForceSegments(self)
-
-    def ground(self) -> Array:
-        return super().ground() if self.rho is None else np.zeros((6, self.columns))
-
-    def velocity_product(self, j: int) -> Array:
-        return super().velocity_product(j) if self.rho is None else np.zeros((6, self.columns))
-
-
-class _ForceJoins(JoinMachine):
-    """The same for bare links: what ``rho`` alone does to them."""
-
-    machine: _ForceMachine
-
-    def _link_bias(self, number: int) -> None:
-        super()._link_bias(number)
-        if self.machine.rho is not None:
-            phi = np.array(self.machine.plan.links[number].phi)
-            self.memory[Bias(None, number)] = self.machine.column(phi @ self.machine.rho[number])
-
-
-class _ForceSegments(SegmentMachine):
-    """The same inside segments: f = I^A a + p^A - load on the far link."""
-
-    machine: _ForceMachine
-
-    def step(self, step: Step) -> None:
-        super().step(step)
-        if isinstance(step, Accelerate):
-            self._force(step)
-        elif isinstance(step, FreeAcceleration):
-            self._keep(step.joint, np.zeros((6, self.machine.columns)))
-
-    def _start(self, number: int) -> None:
-        super()._start(number)
-        if self.machine.rho is not None:
-            self.memory["pA", number] = self.machine.column(-self.machine.rho[number])
-
-    def _force(self, step: Accelerate) -> None:
-        _, far, _ = self._ends(step)
-        force = self.memory["IA", far] @ self.memory["a", far] + self.memory["pA", far]
-        force = force - self.memory.get(("load", far), 0.0)
-        if step.reversed:
-            force = -np.linalg.inv(self.memory["X", step.joint]).T @ force
-        self._keep(step.joint, force)
-
-    def _keep(self, j: int, force: Array) -> None:
-        """Keep a joint's force; along the joint it is the torque, to the bit."""
-        force[list(self._kind(j).free)] = self.machine.torques(j)
-        self.memory["force", j] = force
+def _with_slaved(plan: Plan, q: Array, v: Array) -> tuple[Array, Array]:
+    """Return q, shape (nq,), and v, shape (nv,), with slaved joints' entries from their sources."""
+    q, v = np.array(q, dtype=float), np.array(v, dtype=float)
+    for j in plan.slaved:
+        joint = plan.joints[j]
+        assert joint.mimic is not None
+        source, multiplier, offset = joint.mimic
+        q[joint.q] = multiplier * q[plan.joints[source].q] + offset
+        v[joint.v] = multiplier * v[plan.joints[source].v]
+    return q, v
 
 
 class WideLinks:

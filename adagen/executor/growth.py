@@ -7,20 +7,25 @@ log10(g) digits go with it, in whatever order the joints are assembled.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.executor.joins import Joined
+from adagen.executor.solve import Run, SingularPoseError
 from adagen.model import Inertia
 from adagen.model.kinds import KINDS
 from adagen.plan.clusters import is_solid
 from adagen.plan.constants import inverse_inertia
 from adagen.plan.digits import EPSILON, generic_configuration, lost_mobility
-from adagen.plan.interpret import execute
-from adagen.plan.interpret.joins import Joined
+from adagen.plan.placement import motion_transform, placement
 from adagen.plan.steps import Join
 from adagen.plan.types import FACTORS, Plan
+
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -52,31 +57,62 @@ def predicted_growth(plan: Plan) -> Growth:
 
 def _growth(plan: Plan, seed: int) -> Growth:
     q = generic_configuration(plan.joints, seed)
-    zero = np.zeros(sum(KINDS[joint.kind].nv for joint in plan.joints))
-    _, memories = execute(plan, q, zero, np.zeros(len(zero) + 6 * len(plan.wrenches)))
+    zero = np.zeros(sum(KINDS[joint.kind].nv for joint in plan.joints) + 6 * len(plan.wrenches))
+    run = Run(plan, {"q": q, "v": zero, "tau": zero}, once=True)
+    with suppress(SingularPoseError):  # joins are no part of what is then done otherwise
+        run.check(digits=False)
+    transforms = _transforms(plan, q)
     values: dict[int, float] = {}
-    for process, memory in zip(plan.processes, memories, strict=True):
+    for p, process in enumerate(plan.processes):
         for step in process.steps:
             if isinstance(step, Join):
-                values[step.joint] = _lost(plan, memory["join", step.joint])
+                joined: Joined = run.machines[p].memory["join", step.joint]
+                values[step.joint] = _lost(plan, run, p, joined, transforms)
     if not values:
         return Growth(EPSILON[FACTORS[plan.scalar]], 0, 1.0)
     worst = max(values, key=lambda joint: (values[joint], -joint))
     return Growth(EPSILON[FACTORS[plan.scalar]] * sum(values.values()), worst, values[worst])
 
 
-def _lost(plan: Plan, joined: Joined) -> float:
-    frame, bare = joined.frame, joined.frame.give
-    ends = ((plan.joints[frame.run[0]].parent, frame.x), (frame.run[-1] + 1, frame.y))
-    for number, x in ends:
+def _transforms(plan: Plan, q: Array) -> list[Array]:
+    """X of every joint, shape (6, 6)."""
+    found = []
+    for j, joint in enumerate(plan.joints):
+        own = _configuration(plan, j, q)
+        turn, shift = placement(KINDS[joint.kind], own)
+        base = np.array(joint.rotation)
+        origin = np.array(joint.translation) + base @ shift
+        found.append(motion_transform((base @ turn).T, origin))
+    return found
+
+
+def _configuration(plan: Plan, j: int, q: Array) -> Array:
+    joint = plan.joints[j]
+    if joint.mimic is None:
+        return q[joint.q : joint.q + KINDS[joint.kind].nq]
+    source, multiplier, offset = joint.mimic
+    return multiplier * q[[plan.joints[source].q]] + offset
+
+
+def _lost(plan: Plan, run: Run, p: int, joined: Joined, transforms: Sequence[Array]) -> float:
+    frame = joined.frame
+    y = np.eye(6) if frame.turn is None else run.of(p, frame.turn)
+    x = y
+    for j in reversed(frame.run):
+        x = x @ transforms[j]
+    bare = np.zeros((6, 6))
+    for row, entry in frame.give.items():
+        (bare[row, row],) = run.of(p, [entry])
+    ends = ((plan.joints[frame.run[0]].parent, x), (frame.run[-1] + 1, y))
+    for number, transform in ends:
         if number > 0:
             own = _bare_mobility(plan, number)
             if own is None or not frame.constrained:
                 return 1.0
-            bare = bare + x @ own @ x.T
+            bare = bare + transform @ own @ transform.T
     at = np.ix_(frame.constrained, frame.constrained)
     try:
-        return lost_mobility(bare[at], joined.phi[at])
+        return lost_mobility(bare[at], run.of(p, joined.phi[at]))
     except np.linalg.LinAlgError:
         return np.inf
 
