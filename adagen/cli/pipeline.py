@@ -86,6 +86,7 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
         UsageError: there is no such profile or schedule.
     """
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
+        from adagen.plan import as_gathered
         from adagen.schedule import Topology, load_profile
         from adagen.schedule.tree import Named
         from adagen.search.objective import schedule_for
@@ -93,7 +94,10 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
         profile = load_profile(options.profile)
         joins = profile.joins_only() if options.form == "ada" else profile
         if options.schedule not in ("auto", *get_args(Named)):
-            return _read_schedule(options, Topology.of(model), joins)
+            found = _read_schedule(options, Topology.of(model), joins)
+            if getattr(options, "shape", found.shape) == "auto":
+                options.shape = found.shape
+            return as_gathered(model, found)
 
         def schedule(processes: int) -> Schedule:
             if options.schedule != "auto":
@@ -113,7 +117,7 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
                 **({} if options.expansions is None else {"expansions": options.expansions}),
             )
 
-        return scheduled(model, options, schedule)
+        return as_gathered(model, scheduled(model, options, schedule))
 
 
 def _named_schedule(

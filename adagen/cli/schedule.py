@@ -55,7 +55,8 @@ def run(argv: Sequence[str]) -> int:
 
     from adagen.cli import pipeline
     from adagen.cli.files import write_file
-    from adagen.schedule import Topology, schedule_to_json
+    from adagen.cost.document import schedule_document
+    from adagen.schedule import Topology
 
     stages = Stages()
     try:
@@ -68,10 +69,10 @@ def run(argv: Sequence[str]) -> int:
     finally:
         if options.verbose:
             note(str(stages))
-    topology = Topology.of(model)
     digits = predicted_accuracy(model, schedule, options)
     if options.json:
-        print(with_accuracy(schedule_to_json(schedule, topology), digits))
+        document = schedule_document(schedule, Topology.of(model), found.program, found.timeline)
+        print(with_accuracy(document, digits))
         return 0
     _show(found)
     print(accuracy_line(digits))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from adagen.errors import UsageError
 from adagen.model import Model
 from adagen.model.fuse import runs_of, settled
@@ -13,7 +15,7 @@ from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
 from adagen.plan.types import FACTORS, Plan
-from adagen.schedule import Schedule, Topology, schedule_line
+from adagen.schedule import Schedule, Topology, gathered_line, schedule_line
 
 FORMS: dict[str, type[AdaPlanner]] = {"segment": SegmentPlanner, "ada": AdaPlanner}
 SCALARS = tuple(FACTORS)
@@ -26,6 +28,7 @@ __all__ = [
     "MEETINGS",
     "SCALARS",
     "Plan",
+    "as_gathered",
     "can_gather",
     "make_plan",
     "plan_from_json",
@@ -80,7 +83,7 @@ def make_plan(
         form=form,
         scalar=scalar,
         channel=channel,
-        schedule=schedule_line(schedule, Topology.of(model)),
+        schedule=_line(planner, schedule, Topology.of(model)),
         floating=model.floating,
         gravity=tuple(float(g) + 0.0 for g in model.gravity),
         links=links_of(model, bare),
@@ -90,6 +93,20 @@ def make_plan(
         messages=messages,
         wrenches=wrenches_of(model),
     )
+
+
+def _line(planner: AdaPlanner, schedule: Schedule, topology: Topology) -> str:
+    """Return in one line who has what: the paper's tree, or where processes gather."""
+    if isinstance(planner, GatherPlanner):
+        return gathered_line(planner.gathered(), topology)
+    return schedule_line(schedule, topology)
+
+
+def as_gathered(model: Model, schedule: Schedule) -> Schedule:
+    """Return a schedule whose processes gather with where they do; others as they are."""
+    if schedule.meeting != "gather" or schedule.gathered is not None:
+        return schedule
+    return replace(schedule, gathered=GatherPlanner(joints_of(model), schedule).gathered())
 
 
 def can_gather(model: Model) -> bool:

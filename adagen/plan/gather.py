@@ -19,12 +19,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
+from adagen.errors import InputError
 from adagen.plan.gather_steps import ProcessSteps, about, told
-from adagen.plan.gather_trees import Tree, laid_out_trees
+from adagen.plan.gather_trees import Tree, given_trees, laid_out_trees
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.steps import Step
 from adagen.plan.types import Message, PlanJoint, Process
 from adagen.schedule import postorder
+from adagen.schedule.tree import Gathered
 
 SMALL_CORE = 8
 """A core is small with at most one joint in so many."""
@@ -56,7 +58,19 @@ class GatherPlanner(SegmentPlanner):
         return core * SMALL_CORE <= len(self.joints) and left == busy
 
     def trees(self) -> list[Tree]:
-        """Return the trees of links that move together, laid out for the schedule's processes."""
+        """Return the trees of links that move together, laid out for the schedule's processes.
+
+        Raises:
+            InputError: the schedule asks for what processes cannot do.
+        """
+        given = self.schedule.gathered
+        if given is not None:
+            try:
+                return given_trees(self.joints, given.roots, given.owners)
+            except ValueError as error:
+                raise InputError(
+                    f"processes cannot gather as the schedule has it: {error}"
+                ) from None
         assigned: dict[int, int] = {}  # process of each joint inside a segment
         first: dict[int, int] = {}  # of every joint
         for node in postorder(self.schedule.root):
@@ -64,6 +78,17 @@ class GatherPlanner(SegmentPlanner):
             if node.joint in self.members:
                 assigned[node.joint] = node.processes[0]
         return laid_out_trees(self.joints, assigned, first)
+
+    def gathered(self) -> Gathered:
+        """Return where processes gather, and who has what."""
+        owners: list[int | None] = [None] * len(self.joints)
+        trees = self.trees()
+        for tree in trees:
+            for joint, p in tree.owner.items():
+                owners[joint] = p
+            if tree.base is not None:
+                owners[tree.base] = tree.link_owner(tree.base + 1)
+        return Gathered(tuple(tree.root for tree in trees), tuple(owners))
 
     def plan(self) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
         """Return every process's steps, and the messages between them."""

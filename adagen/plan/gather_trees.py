@@ -112,6 +112,42 @@ def laid_out_trees(
     return [_laid_out(tree, joints, assigned, first) for tree in moving_trees(joints)]
 
 
+def given_trees(
+    joints: Sequence[PlanJoint], roots: Sequence[int], owners: Sequence[int | None]
+) -> list[Tree]:
+    """Return a robot's trees of moving links, laid out as somebody says.
+
+    Args:
+        joints: the robot's joints.
+        roots: the root of each tree, in their order.
+        owners: the process of each joint; None in a core.
+
+    Raises:
+        ValueError: processes cannot meet there; the message says why.
+    """
+    assigned = {j: p for j, p in enumerate(owners) if p is not None}
+    first = {j: 0 if p is None else p for j, p in enumerate(owners)}
+    trees = moving_trees(joints)
+    if len(trees) != len(roots):
+        raise ValueError(f"the robot has {len(trees)} trees of moving links, not {len(roots)}")
+    found = []
+    for tree, root in zip(trees, roots, strict=True):
+        if root not in (0, *tree.links) or (root == 0 and tree.base is not None):
+            raise ValueError(f"link {root} is no root of its tree")
+        edges = edges_from(root, joints, joints_at(joints, tree.joints))
+        own = {j: assigned[j] for j in tree.joints if j in assigned}
+        laid_out = _rooted(tree, edges, root, own, first)
+        if laid_out is None or any(laid_out.owner.get(j) != p for j, p in own.items()):
+            raise ValueError(
+                "a joint has joints of another process beyond it, seen from the root: "
+                "leave it to the core"
+            )
+        if laid_out.grounded is not None:
+            laid_out = replace(laid_out, hold=held_link(root, joints))
+        found.append(laid_out)
+    return found
+
+
 def moving_trees(joints: Sequence[PlanJoint]) -> list[Tree]:
     """Return a robot's trees of links that move together, not laid out yet."""
     trees: dict[int, tuple[int | None, list[int]]] = {}  # base and joints by joint on the ground

@@ -6,6 +6,7 @@ from adagen.schedule.profile import CostProfile, load_profile, parse_profile
 from adagen.schedule.search import find_schedule
 from adagen.schedule.sweeps import makespan_of, total_work
 from adagen.schedule.text import (
+    gathered_line,
     schedule_from_json,
     schedule_line,
     schedule_to_dict,
@@ -24,6 +25,7 @@ __all__ = [
     "Schedule",
     "Topology",
     "find_schedule",
+    "gathered_line",
     "levels",
     "load_profile",
     "makespan_of",

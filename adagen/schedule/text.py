@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import json
+import math
 import re
+from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 from adagen.errors import InputError, printable
 from adagen.schedule import deepjson
 from adagen.schedule.draft import Draft
-from adagen.schedule.named import as_schedule
+from adagen.schedule.named import as_schedule, named_schedule
 from adagen.schedule.profile import CostProfile
 from adagen.schedule.topology import Topology
-from adagen.schedule.tree import Meeting, Node, Schedule, postorder
+from adagen.schedule.tree import Gathered, Meeting, Node, Schedule, postorder
 from adagen.schedule.validity import InvalidSchedule
 
 
@@ -36,10 +39,13 @@ def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:
                 below = made[node.joint]["children"]
                 entry = below[0] if side == "root" else below[-1]
                 entry["side"] = side
+    told: dict[str, Any] = {"root": made[schedule.root.joint]}
+    if schedule.gathered is not None:  # the tree is one of several that say the same
+        told = {"gathered": _gathered_to_dict(schedule.gathered, topology)}
     return {
         "makespan": schedule.makespan,
         "verdict": schedule.verdict,
-        "gap": schedule.gap,
+        "gap": schedule.gap if math.isfinite(schedule.gap) else None,
         "lower_bound": schedule.lower_bound,
         "processes": schedule.processes,
         "loads": list(schedule.loads),
@@ -52,7 +58,15 @@ def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:
         "families": list(schedule.families),
         "candidates": schedule.candidates,
         "expanded": schedule.expanded,
-        "root": made[schedule.root.joint],
+        **told,
+    }
+
+
+def _gathered_to_dict(gathered: Gathered, topology: Topology) -> dict[str, Any]:
+    """Where processes gather: roots by the joint above them (null: the ground), owners by name."""
+    return {
+        "roots": [topology.names[root - 1] if root else None for root in gathered.roots],
+        "owners": dict(zip(topology.names, gathered.owners, strict=True)),
     }
 
 
@@ -85,13 +99,59 @@ def schedule_from_json(
         raise InputError(f"not JSON: {error.msg}", file, error.lineno) from None
     except (ValueError, RecursionError) as error:
         raise InputError(f"not JSON: {error}", file) from None
+    if isinstance(data, dict) and "gathered" in data:
+        try:
+            return _read_gathered(data, topology, profile)
+        except InvalidSchedule as error:
+            raise InputError(f"{error}: correct the schedule or leave it to adagen", file) from None
     root = data.get("root") if isinstance(data, dict) else None
     if not isinstance(root, dict):
         raise InputError('not a schedule: expected {"root": {"joint": ..., ...}}', file)
     try:
-        return as_schedule(_read(root, topology), topology, profile, "file", _meeting(data))
+        found = as_schedule(_read(root, topology), topology, profile, "file", _meeting(data))
+        return replace(found, shape=_shape(data))
     except InvalidSchedule as error:
         raise InputError(f"{error}: correct the schedule or leave it to adagen", file) from None
+
+
+def _read_gathered(data: dict[str, Any], topology: Topology, profile: CostProfile) -> Schedule:
+    """The schedule of processes that gather; its tree stands for nothing."""
+    told, processes = data["gathered"], data.get("processes")
+    if not isinstance(processes, int) or isinstance(processes, bool) or not 1 <= processes <= 1024:
+        raise InvalidSchedule('"processes" is a number from 1 to 1024')
+    if not isinstance(told, dict) or not isinstance(told.get("owners"), dict):
+        raise InvalidSchedule('"gathered" holds "roots" and "owners"')
+    index = {name: j + 1 for j, name in enumerate(topology.names)}
+    owners: list[int | None] = []
+    for name in topology.names:
+        if name not in told["owners"]:
+            raise InvalidSchedule(f"joint '{name}' has no owner; null: the core")
+        owner = told["owners"][name]
+        if owner is not None and not (type(owner) is int and 0 <= owner < processes):
+            raise InvalidSchedule(f"the owner of joint '{name}' is no process of {processes}")
+        owners.append(owner)
+    if unknown := sorted(set(told["owners"]) - set(index)):
+        raise InvalidSchedule(f"the robot has no joint '{unknown[0]}'")
+    roots = told.get("roots")
+    if not isinstance(roots, list) or any(r is not None and r not in index for r in roots):
+        raise InvalidSchedule('"roots" names the joint above each root; null: the ground')
+    gathered = Gathered(tuple(0 if r is None else index[r] for r in roots), tuple(owners))
+    found = named_schedule("sequential", topology, processes, profile=profile)
+    return replace(
+        found,
+        strategy="file",
+        meeting="gather",
+        gathered=gathered,
+        lower_bound=0.0,
+        shape=_shape(data),
+    )
+
+
+def _shape(data: dict[str, Any]) -> str:
+    shape = data.get("shape", "auto")
+    if shape not in ("auto", "kernels", "joints", "unrolled"):
+        raise InvalidSchedule('"shape" is "auto", "kernels", "joints" or "unrolled"')
+    return str(shape)
 
 
 def _meeting(data: dict[str, Any]) -> Meeting:
@@ -184,6 +244,24 @@ def schedule_tree(schedule: Schedule, topology: Topology) -> str:
             else:
                 stack.append((children[i], inner, "├ " if i == 0 else "└ ", label))
     return "\n".join(lines) + "\n"
+
+
+def gathered_line(gathered: Gathered, topology: Topology) -> str:
+    """Return where processes gather, and who has what, in one line of printable ASCII.
+
+    ``gathered at JOINT ...: core JOINT ...; 0: JOINT ...; 1: ...``, a root by the joint above it.
+    """
+
+    def words(joints: Iterable[int]) -> str:
+        return " ".join(re.sub(r"[^A-Za-z0-9_.:+-]", "_", topology.names[j]) for j in joints)
+
+    def owned(owner: int | None) -> str:
+        return words(j for j, p in enumerate(gathered.owners) if p == owner)
+
+    roots = ["the ground" if root == 0 else words([root - 1]) for root in gathered.roots]
+    parts = [f"core {owned(None)}"] if None in gathered.owners else []
+    parts += [f"{p}: {owned(p)}" for p in sorted({p for p in gathered.owners if p is not None})]
+    return f"gathered at {', '.join(roots)}: {'; '.join(parts)}"
 
 
 def schedule_line(schedule: Schedule, topology: Topology) -> str:

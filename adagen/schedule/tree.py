@@ -55,6 +55,21 @@ class Node:
         return f"<Node {self.joint} on {self.processes}{below}>"
 
 
+@dataclass(frozen=True)
+class Gathered:
+    """Where processes gather, and who has what (adagen.plan.gather).
+
+    Attributes:
+        roots: for each tree of links that move together, in the order of their first joints, the
+            link that all inertias are swept to; 0 is the ground.
+        owners: the process of each joint; None in the core, which every process sweeps. That of a
+            joint that floats on the ground follows from the others.
+    """
+
+    roots: tuple[int, ...]
+    owners: tuple[int | None, ...]
+
+
 @dataclass(frozen=True, eq=False)
 class Schedule:
     """A schedule tree and what is known about it; times in microseconds.
@@ -80,6 +95,8 @@ class Schedule:
             (adagen.search), which makespan and bound are then told in; empty where they are told in
             that of the tree.
         candidates: how many candidates were priced, where families were searched.
+        gathered: where processes gather; None where the tree says that.
+        shape: the shape of the code that a document asks for; "auto" for that of least price.
     """
 
     root: Node
@@ -96,6 +113,8 @@ class Schedule:
     meeting: Meeting = "join"
     families: tuple[str, ...] = ()
     candidates: int = 0
+    gathered: Gathered | None = None
+    shape: str = "auto"
 
     @property
     def verdict(self) -> Verdict:

@@ -84,8 +84,8 @@ def test_digits_lost_in_inverting_among_light_links_are_predicted(
     model = robots.chain("m", [robots.rod(1e-7 if i in light else 1.0) for i in range(80)])
     schedule, digits, error = found(model, objective)
     assert error < 30 * digits.error
-    # Mobilities are inverted without subtracting: that costs far fewer digits than g may tell.
-    assert error < 1e-8
+    # Mobilities are inverted without subtracting: by differences, 1e-3 was lost here.
+    assert error < 1e-7
     growth = predicted_growth(make_plan(model, schedule)).error
     assert digits.error <= max(1e2 * error, 1e-13, growth)
 

@@ -1,0 +1,108 @@
+"""The schedule's file: what it says, and that it makes the same program when given back."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from adagen.cli import main
+from tests.golden.make_models import MODELS
+
+CASES = [
+    ("humanoid", ["--floating", "--procs", "2"]),  # gathered
+    ("humanoid", ["--floating", "--procs", "4"]),
+    ("humanoid", ["--procs", "1"]),
+    ("chain16", ["--procs", "2", "--form", "ada"]),  # joined
+    ("arm7", ["--procs", "2", "--schedule", "balanced"]),
+    ("arm7", ["--procs", "2"]),  # one process at work
+]
+
+
+def document(capsys: pytest.CaptureFixture[str], *words: str) -> Any:
+    assert main(["schedule", *words, "--json"]) == 0
+    return json.loads(capsys.readouterr().out)
+
+
+def emitted(folder: Path, *words: str) -> dict[str, bytes]:
+    assert main([*words, "--out", str(folder)]) == 0
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+@pytest.mark.parametrize(("robot", "words"), CASES)
+def test_the_same_program_is_made_of_it(
+    robot: str, words: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    model = str(MODELS / f"{robot}.urdf")
+    said = document(capsys, model, *words)
+    file = tmp_path / "schedule.json"
+    file.write_text(json.dumps(said, indent=2))
+    kept = [word for word in words if word not in ("--schedule", "balanced")]
+    again = [*kept, "--schedule", str(file)]
+    assert emitted(tmp_path / "a", model, *words) == emitted(tmp_path / "b", model, *again)
+
+
+@pytest.mark.parametrize(("robot", "words"), CASES)
+def test_its_figures_are_those_of_the_program(
+    robot: str, words: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    model = str(MODELS / f"{robot}.urdf")
+    said = document(capsys, model, *words)
+    assert said["predicted"] == said["makespan"] >= max(said["loads"])
+    assert said["bound"] <= said["predicted"]
+    if said["verdict"] == "optimal":
+        assert said["bound"] == pytest.approx(said["predicted"]) and said["gap"] == 0
+    elif said["gap"] is not None:
+        assert said["gap"] == pytest.approx(said["predicted"] / said["bound"] - 1)
+    assert said["families"]
+    (plan,) = (
+        json.loads(text)
+        for name, text in emitted(tmp_path / "o", model, *words).items()
+        if name.endswith(".plan.json")
+    )
+    names = [joint["name"] for joint in plan["joints"]]
+    owners = {names[j]: p for p, process in enumerate(plan["processes"]) for j in process["owns"]}
+    assert said["owners"] == owners
+    assert ("root" in said) != ("gathered" in said)
+
+
+def test_where_processes_gather_can_be_edited(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    model, file = str(MODELS / "humanoid.urdf"), tmp_path / "schedule.json"
+    words = [model, "--floating", "--procs", "2"]
+    said = document(capsys, *words)
+    assert said["meeting"] == "gather" and said["gathered"]["owners"]["neck_pitch"] == 1
+    for name in ("neck_yaw", "neck_pitch"):
+        said["gathered"]["owners"][name] = 0
+    file.write_text(json.dumps(said))
+    edited = document(capsys, *words, "--schedule", str(file))
+    assert edited["owners"]["neck_pitch"] == edited["owners"]["neck_yaw"] == 0
+    assert edited["gathered"] == said["gathered"]
+
+
+@pytest.mark.parametrize(
+    ("change", "complaint"),
+    [
+        ({"roots": ["nobody"]}, '"roots" names the joint above each root'),
+        ({"roots": []}, "trees of moving links, not 0"),
+        ({"owners": {}}, "has no owner"),
+        ({"owners": {"neck_pitch": 7}}, "is no process of 2"),
+        ({"owners": {"waist_roll": 1, "waist_yaw": 0}}, "leave it to the core"),
+        ({"owners": {"stranger": 1}}, "the robot has no joint 'stranger'"),
+    ],
+)
+def test_what_cannot_be_is_refused(
+    change: dict[str, Any], complaint: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    model, file = str(MODELS / "humanoid.urdf"), tmp_path / "schedule.json"
+    words = [model, "--floating", "--procs", "2"]
+    said = document(capsys, *words)
+    for key, value in change.items():
+        told = said["gathered"]
+        told[key] = {**told[key], **value} if isinstance(value, dict) and value else value
+    file.write_text(json.dumps(said))
+    assert main(["schedule", *words, "--schedule", str(file)]) == 1
+    assert complaint in capsys.readouterr().err
