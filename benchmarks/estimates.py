@@ -30,9 +30,9 @@ from numpy.typing import NDArray
 from adagen.errors import AdagenError
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.predict.objective import schedule_for
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import load_profile
+from adagen.search.objective import schedule_for
 from adagen.states import States, read_result, read_states
 from adagen.urdf import read_robot
 from benchmarks.estimates_report import report, within

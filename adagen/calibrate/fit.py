@@ -15,11 +15,13 @@ from numpy.typing import NDArray
 
 from adagen.calibrate.measure import Measurement
 from adagen.calibrate.nnls import nnls
+from adagen.cost.features import Features, added, operation_features
+from adagen.cost.straight import straight_features
+from adagen.emit.shapes import stepwise
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
 from adagen.plan.stages import Stage, stages
-from adagen.predict.features import Features, passed_together, work_features
-from adagen.predict.straight import straight_features
+from adagen.program import lower
 from adagen.schedule.costs import NAMES, PER_KIND, PRESCRIBED, StepCosts
 
 Array = NDArray[np.float64]
@@ -59,12 +61,12 @@ class Sample:
     def equations(self) -> list[Equation]:
         """Return one equation for each stage of work."""
         found = []
-        passed = passed_together(self.plan)
-        for p, (process, together) in enumerate(zip(self.plan.processes, passed, strict=True)):
-            for stage, time in self._timed(p):
+        program = lower(self.plan, stepwise(self.plan))
+        for p, process in enumerate(program.processes):
+            for number, (stage, time) in enumerate(self._timed(p)):
                 if stage.message is None and stage.what != "slaved":
-                    steps = process.steps[stage.first : stage.last]
-                    total = work_features(steps, self.plan.joints, together)
+                    own = (each for each in process.operations if each.stage == number)
+                    total = added(operation_features(each, self.plan.joints) for each in own)
                     found.append(Equation(stage.what, total, time))
         return found
 

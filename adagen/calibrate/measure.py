@@ -72,20 +72,26 @@ class Program:
         plan: what to emit.
         toolchain: what to build and run it with.
         shape: of the code.
+        most: characters of a source that is still built; None for any.
 
     Raises:
-        EnvironmentFault: the compiler failed.
+        EnvironmentFault: the compiler failed, or is not to be waited for.
         UsageError: the plan cannot be emitted in this shape.
     """
 
-    def __init__(self, plan: Plan, toolchain: Toolchain, shape: str = "auto") -> None:
+    def __init__(
+        self, plan: Plan, toolchain: Toolchain, shape: str = "auto", most: int | None = None
+    ) -> None:
         self.plan = plan
         self.toolchain = toolchain
         self.shape = chosen_shape(plan, shape)
         stem = stem_of(plan)
-        self.executable = build_executable(
-            emit(plan, shape=self.shape)[f"{stem}.cpp"], stem, toolchain
-        )
+        text = emit(plan, shape=self.shape)[f"{stem}.cpp"]
+        if most is not None and len(text) > most:
+            raise EnvironmentFault(
+                f"{len(text) / 1e6:.1f} million characters take minutes to build"
+            )
+        self.executable = build_executable(text, stem, toolchain)
 
     def measure(
         self, *, repeat: int = 30, channel: str = "auto", arguments: Sequence[str] = ()

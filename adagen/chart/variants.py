@@ -7,15 +7,16 @@ from dataclasses import dataclass, replace
 from typing import get_args
 
 from adagen.calibrate.schedules import random_schedule
-from adagen.emit import emit
+from adagen.emit import emit, program_of
 from adagen.emit.refine import MIXED_STEPS
 from adagen.emit.shapes import BASELINES
 from adagen.errors import UsageError
 from adagen.model import Model
 from adagen.plan import SCALARS, Plan, make_plan
-from adagen.predict import best_schedule
+from adagen.program import Program
 from adagen.schedule import Schedule, Topology, load_profile, named_schedule
 from adagen.schedule.tree import Named
+from adagen.search import best_schedule
 
 NAMES = {
     "crba": "CRBA",
@@ -79,6 +80,14 @@ class Variant:
         schedule = schedule_of(model, self, form)
         plan = make_plan(model, schedule, form=form, scalar=self.scalar, source_hash=source_hash)
         return schedule, plan
+
+    def program(self, plan: Plan) -> Program:
+        """Return what is emitted of its plan.
+
+        Raises:
+            UsageError: the plan cannot be emitted so.
+        """
+        return program_of(plan, self.algorithm if self.baseline else self.shape, self.refine)
 
     def files(self, plan: Plan, name: str | None = None, svg: str | None = None) -> dict[str, str]:
         """Return what is emitted of its plan, file name to text.

@@ -135,13 +135,16 @@ def _answer(point: Point, model: Model, options: argparse.Namespace) -> None:
     from adagen.chart import Variant
     from adagen.cli import pipeline
     from adagen.cli.files import write_files
+    from adagen.schedule import load_profile
 
     assert point.time_ns is not None
     variant = Variant(
         point.algorithm, point.schedule, point.scalar, point.processes, point.refine, point.shape
     )
     schedule, plan = variant.plan(model, pipeline.source_hash(Path(options.model)))
-    files = variant.files(plan, Path(options.model).stem, pipeline.draw(schedule, model))
+    program, profile = variant.program(plan), load_profile("default")
+    picture = pipeline.draw(schedule, model, program, profile)
+    files = variant.files(plan, Path(options.model).stem, picture)
     write_files(options.out, files)
     print(f"{point.label}: {point.time_ns / 1e3:.3g} us, error {point.error:.1e}")
     note(f"wrote {', '.join(str(options.out / name) for name in sorted(files))}")

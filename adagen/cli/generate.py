@@ -43,19 +43,17 @@ def run(argv: Sequence[str]) -> int:
 
     from adagen.cli import pipeline
     from adagen.cli.files import write_files
-    from adagen.cli.predicted import prediction, timeline_of
+    from adagen.cli.predicted import prediction
 
     stages = Stages()
     try:
         model = pipeline.read_model(options, stages, options.gravity)
         made = pipeline.generate(model, options, stages)
+        told = prediction(made.schedule, made.timeline)
         with stages.stage("write"):
             write_files(options.out, made.files)
     finally:
         if options.verbose:
             note(str(stages))
-    note(
-        f"wrote {', '.join(str(options.out / name) for name in sorted(made.files))}; "
-        f"{prediction(made.schedule, timeline_of(made.plan, options))}"
-    )
+    note(f"wrote {', '.join(str(options.out / name) for name in sorted(made.files))}; {told}")
     return 0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 import signal
 import sys
 import traceback
@@ -67,12 +68,17 @@ def _command(words: Sequence[str]) -> Callable[[Sequence[str]], int]:
     """Return what carries the words out; only its own module is imported.
 
     Raises:
-        UsageError: the first word is nearly that of a command.
+        UsageError: the first word could be a command and is none.
     """
     first = words[0] if words else ""
-    near = difflib.get_close_matches(first, VERBS, n=1, cutoff=0.75)
-    if near and first not in VERBS and not os.path.lexists(first):
-        raise UsageError(f"neither a command nor a file: {first}; did you mean '{near[0]}'?")
+    if re.fullmatch("[a-z]+", first) and first not in VERBS and not os.path.lexists(first):
+        near = difflib.get_close_matches(first, VERBS, n=1)
+        hint = (
+            f"did you mean '{near[0]}'?"
+            if near
+            else f"adagen MODEL --procs P emits a solver, commands are {', '.join(VERBS)}"
+        )
+        raise UsageError(f"neither a command nor a file: {first}; {hint}")
     module = import_module(f"adagen.cli.{_verb(words) or 'generate'}")
     run: Callable[[Sequence[str]], int] = module.run
     return run

@@ -187,6 +187,13 @@ def add_out(parser: Parser) -> None:
     )
 
 
+def refinement(options: argparse.Namespace) -> int:
+    """Return how many steps of refinement the options ask for; "mixed" is never without."""
+    from adagen.emit.refine import refinement_steps
+
+    return refinement_steps(getattr(options, "refine", None), options.scalar)
+
+
 def check_search(parser: Parser, options: argparse.Namespace) -> None:
     """Refuse options of a search that is not done.
 
@@ -199,7 +206,9 @@ def check_search(parser: Parser, options: argparse.Namespace) -> None:
         return
     for name, default in _SEARCH.items():
         if getattr(options, name.removeprefix("--")) != default:
-            parser.error(f"{name} is for a schedule that is searched: leave out it or --schedule")
+            parser.error(
+                f"{name} is for a schedule that is searched: leave out {name} or --schedule"
+            )
 
 
 def check_emission(parser: Parser, options: argparse.Namespace) -> None:
@@ -209,10 +218,10 @@ def check_emission(parser: Parser, options: argparse.Namespace) -> None:
         UsageError: options exclude each other.
     """
     from adagen.emit import check_batch
-    from adagen.emit.refine import checked_shape, refinement_steps
+    from adagen.emit.refine import checked_shape
 
     check_search(parser, options)
-    steps = refinement_steps(options.refine, options.scalar)
+    steps = refinement(options)
     checked_shape(steps, options.shape)
     if options.batch:
         check_batch(options.shape, steps)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import difflib
 import math
+import re
 from collections.abc import Callable, Sequence
 from typing import NoReturn
 
@@ -14,9 +16,31 @@ from adagen.errors import UsageError, printable
 class Parser(argparse.ArgumentParser):
     """An argument parser whose complaints are ``error:`` lines with status 2."""
 
+    words: Sequence[str] = ()
+    """What is being parsed."""
+
     def error(self, message: str) -> NoReturn:
-        """Raise the complaint with where to read on."""
+        """Raise the complaint with where to read on; what is misspelt goes before what follows."""
+        unknown = next(filter(self._is_unknown, self.words), None)
+        if unknown is not None:
+            message = f"unknown option {unknown}{self._nearest(unknown)}"
         raise UsageError(f"{printable(message)}; see {self.prog} --help")
+
+    def _is_unknown(self, word: str) -> bool:
+        """Tell whether a word is an option that this parser does not have."""
+        name = _OPTION.match(word)
+        known = self._option_string_actions
+        return name is not None and name[0] not in known and not re.fullmatch("-v+", word)
+
+    def _nearest(self, unknown: str) -> str:
+        names = {name.lstrip("-"): name for name in self._option_string_actions}
+        word = unknown.lstrip("-").partition("=")[0]
+        near = difflib.get_close_matches(word, names, n=1)
+        return f" (did you mean {names[near[0]]}?)" if near else ""
+
+
+_OPTION = re.compile(r"(--?[A-Za-z][A-Za-z0-9_-]+)(?=$|=)")
+"""An option and not its value: values with blanks may hold options of another command."""
 
 
 def parse(parser: Parser, argv: Sequence[str]) -> argparse.Namespace:
@@ -25,7 +49,9 @@ def parse(parser: Parser, argv: Sequence[str]) -> argparse.Namespace:
     Raises:
         UsageError: the words are not a command line of this parser.
     """
-    options = parser.parse_args(argv)
+    words = list(argv)
+    parser.words = words[: words.index("--")] if "--" in words else words
+    options = parser.parse_args(words)
     if [] in vars(options).values():  # what argparse makes of --name=--
         parser.error("an option cannot have the value --")
     return options

@@ -12,13 +12,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
 from adagen.cli.console import Stages, progress, tell, warn
-from adagen.cli.options import AUTO
+from adagen.cli.options import AUTO, refinement
 from adagen.cli.predicted import scheduled
 from adagen.errors import InputError, UsageError
 
 if TYPE_CHECKING:
+    from adagen.cost import Timeline
     from adagen.model import Model
     from adagen.plan import Plan
+    from adagen.program import Program
     from adagen.schedule import CostProfile, Schedule, Topology
 
 
@@ -29,13 +31,20 @@ class Generated:
     Attributes:
         schedule: the schedule.
         plan: the plan.
+        program: what is emitted.
+        timeline: how an evaluation is predicted to go; None where the profile or a batch leaves
+            that open.
         files: file name to text: source, plan, drawing and Makefile.
+        processes: how many run it; they share the robot, or the states of a batch.
         compiler: what the MPI wrapper is to call; "" for its own choice.
     """
 
     schedule: Schedule
     plan: Plan
+    program: Program
+    timeline: Timeline | None
     files: dict[str, str]
+    processes: int
     compiler: str = ""
 
     @property
@@ -77,22 +86,18 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
         UsageError: there is no such profile or schedule.
     """
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
-        from adagen.plan.clusters import fold_of
-        from adagen.predict.objective import schedule_for
-        from adagen.schedule import Topology, load_profile, named_schedule
+        from adagen.schedule import Topology, load_profile
         from adagen.schedule.tree import Named
+        from adagen.search.objective import schedule_for
 
         profile = load_profile(options.profile)
-        if options.form == "ada":
-            profile = profile.joins_only()
+        joins = profile.joins_only() if options.form == "ada" else profile
         if options.schedule not in ("auto", *get_args(Named)):
-            return _read_schedule(options, Topology.of(model), profile)
+            return _read_schedule(options, Topology.of(model), joins)
 
         def schedule(processes: int) -> Schedule:
             if options.schedule != "auto":
-                seen = fold_of(model, options.form)
-                found = named_schedule(options.schedule, seen.topology, processes, profile=profile)
-                return seen.unfold(found, profile)
+                return _named_schedule(model, options, processes, joins)
             return schedule_for(
                 options.objective,
                 model,
@@ -109,6 +114,28 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
             )
 
         return scheduled(model, options, schedule)
+
+
+def _named_schedule(
+    model: Model, options: argparse.Namespace, processes: int, profile: CostProfile
+) -> Schedule:
+    """Return the schedule of the name that the user gave.
+
+    Raises:
+        InputError: the robot has no joint at which anything could be joined.
+    """
+    from adagen.plan.clusters import fold_of
+    from adagen.schedule import named_schedule
+
+    seen = fold_of(model, options.form)
+    if not len(seen.topology):
+        raise InputError(
+            f"form {options.form} treats all links of this robot as one, as their inertias cannot"
+            f" be inverted: there is no order of joints for --schedule {options.schedule}; leave it"
+            " out"
+        )
+    found = named_schedule(options.schedule, seen.topology, processes, profile=profile)
+    return seen.unfold(found, profile)
 
 
 def _read_schedule(
@@ -141,13 +168,12 @@ def _read_schedule(
     return schedule
 
 
-def draw(schedule: Schedule, model: Model) -> str:
-    """Return a schedule drawn as SVG."""
+def draw(schedule: Schedule, model: Model, program: Program, profile: CostProfile) -> str:
+    """Return a program drawn as SVG."""
+    from adagen.drawing import draw
     from adagen.schedule import Topology
-    from adagen.schedule.draw import schedule_svg
 
-    title = f"{model.name}, {schedule.processes} process{'es' if schedule.processes > 1 else ''}"
-    return schedule_svg(schedule, Topology.of(model), title)
+    return draw(schedule, Topology.of(model), program, profile, model.name)
 
 
 @contextmanager
@@ -190,23 +216,39 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
         with stages.stage("compare"):
             tell_savings(plan, schedule, options)
     with stages.stage("assess"):
-        _warn_of_lost_digits(plan, options.model)
+        _warn_of_lost_digits(plan, model, options)
     chosen = _shape(plan, options, stages)
+    program, line = _programmed(plan, options, chosen["shape"])
     with stages.stage("emit"), progress("emitting"):
         from adagen.emit import emit
         from adagen.schedule import load_profile
 
         name = Path(options.model).stem if options.name is None else options.name
+        profile = load_profile(options.profile)
         files = emit(
             plan,
             name=name,
-            svg=draw(schedule, model),
+            svg=draw(schedule, model, program, profile),
             refine=options.refine,
             batch=batch,
-            profile=load_profile(options.profile),
+            profile=profile,
             **chosen,
         )
-    return Generated(schedule, plan, files, chosen.get("compiler", ""))
+    processes = batch or options.procs
+    return Generated(schedule, plan, program, line, files, processes, chosen.get("compiler", ""))
+
+
+def _programmed(
+    plan: Plan, options: argparse.Namespace, shape: str
+) -> tuple[Program, Timeline | None]:
+    """Return what is emitted of a plan, and how an evaluation is predicted to go."""
+    from adagen.cli.predicted import timeline_of
+    from adagen.emit import program_of
+    from adagen.schedule import load_profile
+
+    profile = load_profile(options.profile)
+    program = program_of(plan, shape, options.refine, batch=options.batch, profile=profile)
+    return program, None if options.batch else timeline_of(program, options)
 
 
 def _shape(plan: Plan, options: argparse.Namespace, stages: Stages) -> dict[str, Any]:
@@ -242,12 +284,11 @@ def _may_gather(options: argparse.Namespace) -> bool:
     if options.strategy != "exact" or options.split != "always":
         return False
     shape = getattr(options, "shape", "auto")
-    refined = getattr(options, "refine", 0) or options.scalar == "mixed"
-    whole = refined or getattr(options, "tune", False)
+    whole = refinement(options) or getattr(options, "tune", False)
     return shape in ("auto", "kernels") and not whole
 
 
-def _warn_of_lost_digits(plan: Plan, file: str) -> None:
+def _warn_of_lost_digits(plan: Plan, model: Model, options: argparse.Namespace) -> None:
     """Warn where the emitted code will keep fewer digits than its own check asks for.
 
     Raises:
@@ -256,10 +297,11 @@ def _warn_of_lost_digits(plan: Plan, file: str) -> None:
     from adagen.emit import TOLERANCE
     from adagen.executor.growth import predicted_growth
 
+    file = options.model
     try:
         growth = predicted_growth(plan)
     except FloatingPointError as error:
-        raise InputError(f"form {plan.form} cannot solve this robot: {error}", file) from None
+        raise InputError(_why_it_fails(plan, model, options, str(error)), file) from None
     # In form segment, cuts beside light links are not made in the first place; what refinement
     # makes good, a mixed solver says itself.
     if plan.form == "ada" and plan.scalar != "mixed" and growth.error > TOLERANCE[plan.scalar]:
@@ -268,6 +310,28 @@ def _warn_of_lost_digits(plan: Plan, file: str) -> None:
             f'link at joint "{plan.joints[growth.joint].name}" is much lighter than its neighbours;'
             " form segment keeps more digits"
         )
+
+
+def _why_it_fails(plan: Plan, model: Model, options: argparse.Namespace, failure: str) -> str:
+    """Return why a factorization of a plan fails, and what to do."""
+    from adagen.plan.cuts import cuttable_joints
+    from adagen.plan.steps import Join
+    from adagen.urdf.notes import quoted
+
+    if plan.form == "ada":
+        return f"form ada cannot solve this robot: {failure}; say --form segment"
+    cuts = {s.joint for process in plan.processes for s in process.steps if isinstance(s, Join)}
+    good = cuttable_joints(model, plan.scalar)
+    bad = quoted([joint.name for j, joint in enumerate(plan.joints) if j in cuts and not good[j]])
+    if options.schedule == "auto":
+        return f"form segment cannot solve this robot: {failure}"
+    if not bad:
+        return f"--schedule {options.schedule} cannot be solved: {failure}; leave it out"
+    return (
+        f"--schedule {options.schedule} lets processes meet at {bad}, beside links whose inertia "
+        f"is singular or too small to be joined there ({failure}): leave out --schedule, or say"
+        " --procs 1"
+    )
 
 
 def source_hash(path: Path) -> str:

@@ -10,15 +10,16 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import note, warn
-from adagen.cli.options import AUTO
+from adagen.cli.options import AUTO, refinement
 from adagen.errors import printable
 
 if TYPE_CHECKING:
+    from adagen.cost import Timeline
     from adagen.model import Model
     from adagen.plan import Plan
-    from adagen.predict.objective import Digits
+    from adagen.program import Program
     from adagen.schedule import CostProfile, Schedule
-    from adagen.schedule.timeline import MachineTimeline
+    from adagen.search.objective import Digits
 
 MOST_CORES = 16
 """Processes that --procs auto considers at most."""
@@ -36,8 +37,8 @@ def scheduled(
         options: the command line; ``procs`` is set where it was left open.
         schedule: finds a schedule for a number of processes.
     """
-    from adagen.predict import choose_processes, predicted_time
-    from adagen.predict.choose import WORTH
+    from adagen.search import choose_processes, predicted_time
+    from adagen.search.choose import WORTH
 
     profile, shape = _profile(options), priced_shape(options)
     if options.procs == AUTO:
@@ -73,51 +74,45 @@ def priced_shape(options: argparse.Namespace) -> str:
     """Return the shape that a prediction is of: what is asked for, or comes with other wishes."""
     if getattr(options, "batch", False):
         return "kernels"
-    if getattr(options, "refine", 0):
+    if refinement(options):
         return "joints"
     return str(getattr(options, "shape", "auto"))
 
 
-def timeline(
-    model: Model, schedule: Schedule, options: argparse.Namespace
-) -> MachineTimeline | None:
+def program_for(plan: Plan, options: argparse.Namespace) -> Program:
+    """Return the program that a plan is emitted as under the options, for one state at a time."""
+    from adagen.predict import program_of
+
+    return program_of(plan, priced_shape(options), _profile(options))
+
+
+def timeline_of(program: Program, options: argparse.Namespace) -> Timeline | None:
     """Return how an evaluation is predicted to go, if the profile can tell."""
-    from adagen.plan import make_plan
-
-    plan = make_plan(model, schedule, form=options.form, scalar=options.scalar)
-    return timeline_of(plan, options)
-
-
-def timeline_of(plan: Plan, options: argparse.Namespace) -> MachineTimeline | None:
-    """Return how an evaluation by a plan is predicted to go, if the profile can tell."""
-    from adagen.predict import predict
+    from adagen.cost import timeline
 
     profile = _profile(options)
-    if profile.steps is None:
-        return None
-    return predict(plan, profile, priced_shape(options))
+    return None if profile.steps is None else timeline(program, profile)
 
 
-def prediction(schedule: Schedule, line: MachineTimeline | None) -> str:
-    """Return in a few words what a schedule is predicted to cost.
+def prediction(schedule: Schedule, line: Timeline | None) -> str:
+    """Return in a few words what is predicted, and what is proven of it.
 
     Args:
         schedule: the schedule.
-        line: how it is predicted to go on a machine, where the profile tells that; the search
-            prices one step after the other, and neither straight lines nor limbs side by side.
+        line: how its program is predicted to go on a machine, where the profile tells that.
     """
-    if line is not None and line.straight:
-        return f"{line.makespan:.2f} us predicted ({schedule.profile} profile, shape unrolled)"
+    time = schedule.makespan if line is None else line.makespan
+    # What is proven is of the schedules and the price that were searched.
+    searched = math.isclose(time, schedule.makespan, rel_tol=1e-9)
+    proof = f"; {proven(schedule)}" if searched else ""
+    return f"{time:.2f} us predicted ({schedule.profile} profile{proof})"
+
+
+def proven(schedule: Schedule) -> str:
+    """Return in a few words what the search has proven of a schedule."""
     if schedule.verdict == "optimal":
-        proof = "optimal"
-    else:
-        proof = f"not proven optimal: at most {schedule.gap:.1%} above it"
-    proof = f"({schedule.profile} profile, {proof})"
-    searched = f"{schedule.makespan:.2f} us"
-    told = searched if line is None else f"{line.makespan:.2f} us"
-    if told == searched:
-        return f"{told} predicted {proof}"
-    return f"{told} predicted; the search priced it at {searched} {proof}"
+        return "optimal"
+    return f"not proven optimal: at most {schedule.gap:.1%} above it"
 
 
 def predicted_accuracy(
@@ -125,7 +120,7 @@ def predicted_accuracy(
 ) -> Digits | None:
     """Return what is predicted of a schedule's digits; None where a factorization fails."""
     from adagen.plan import make_plan
-    from adagen.predict.objective import predicted_digits
+    from adagen.search.objective import predicted_digits
 
     plan = make_plan(model, schedule, form=options.form, scalar=options.scalar)
     try:

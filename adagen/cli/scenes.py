@@ -39,6 +39,7 @@ def read_in_scene(options: argparse.Namespace, gravity: Sequence[float] | None) 
         mimic=options.mimic or bool(scene.mimic),
         gravity=gravity,
         effects=scene.from_urdf,
+        decided=scene.decides,
         check=False,
     )
     tell(reading, options.verbose > 0)
@@ -105,7 +106,7 @@ def _whole(
 ) -> tuple[Plan, Schedule] | None:
     """Return how the whole robot is solved by as many processes; None where it has no answer."""
     from adagen.plan import make_plan
-    from adagen.predict import best_schedule
+    from adagen.search import best_schedule
     from adagen.urdf.mobility import weakest
 
     full = reduction.full
@@ -123,7 +124,7 @@ def _whole(
 
 def _cost(model: Model, plan: Plan, schedule: Schedule, profile: CostProfile) -> Cost:
     from adagen.plan.operations import operations
-    from adagen.predict import predicted_time
+    from adagen.search import predicted_time
 
     time = schedule.makespan
     if profile.steps is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +14,8 @@ from adagen.cli.predicted import (
     accuracy_line,
     predicted_accuracy,
     prediction,
-    timeline,
+    program_for,
+    timeline_of,
     with_accuracy,
 )
 from adagen.cli.tables import table_of
@@ -21,9 +23,10 @@ from adagen.cli.tables import table_of
 if TYPE_CHECKING:
     import argparse
 
+    from adagen.cost import Timeline
     from adagen.model import Model
+    from adagen.program import Program
     from adagen.schedule import Schedule
-    from adagen.schedule.timeline import MachineTimeline
 
 _EPILOG = """\
 examples:
@@ -58,9 +61,10 @@ def run(argv: Sequence[str]) -> int:
     try:
         model = pipeline.read_model(options, stages, None)
         schedule = pipeline.schedule_model(model, options, stages)
+        found = _found(model, schedule, options)
         if options.svg is not None:
             with stages.stage("draw"):
-                write_file(options.svg, _drawing(model, schedule, options))
+                write_file(options.svg, _drawing(found, options))
     finally:
         if options.verbose:
             note(str(stages))
@@ -69,63 +73,77 @@ def run(argv: Sequence[str]) -> int:
     if options.json:
         print(with_accuracy(schedule_to_json(schedule, topology), digits))
         return 0
-    _show(model, schedule, options)
+    _show(found)
     print(accuracy_line(digits))
     return 0
 
 
-def _show(model: Model, schedule: Schedule, options: argparse.Namespace) -> None:
+@dataclass(frozen=True)
+class _Found:
+    """A schedule, what runs, and how that is predicted to go, where the profile tells."""
+
+    model: Model
+    schedule: Schedule
+    program: Program
+    timeline: Timeline | None
+
+
+def _found(model: Model, schedule: Schedule, options: argparse.Namespace) -> _Found:
+    from adagen.plan import make_plan
+
+    plan = make_plan(model, schedule, form=options.form, scalar=options.scalar)
+    program = program_for(plan, options)
+    return _Found(model, schedule, program, timeline_of(program, options))
+
+
+def _show(found: _Found) -> None:
     """Print the tree, what each process does, and what is predicted, for people."""
+    from adagen.program.summary import meeting, program_text
     from adagen.schedule import Topology, schedule_tree
 
-    print(schedule_tree(schedule, Topology.of(model)))
-    line = timeline(model, schedule, options)
-    if line is None:
-        _show_loads(schedule)
+    print(program_text(found.program))
+    if meeting(found.program) == "joined":  # there the tree says what is joined when, and by whom
+        print(schedule_tree(found.schedule, Topology.of(found.model)))
+    if found.timeline is None:
+        _show_loads(found.schedule)
     else:
-        _show_machine(schedule, line, options.form)
-    print(prediction(schedule, line))
+        _show_machine(found.program, found.timeline)
+    print(prediction(found.schedule, found.timeline))
 
 
-def _drawing(model: Model, schedule: Schedule, options: argparse.Namespace) -> str:
+def _drawing(found: _Found, options: argparse.Namespace) -> str:
     """Return the schedule as SVG, or predicted and measured timelines where there is a trace."""
     from adagen.cli import pipeline
+    from adagen.schedule import load_profile
 
+    model, processes = found.model, found.schedule.processes
     if options.trace is None:
-        return pipeline.draw(schedule, model)
-    from adagen.schedule.draw_trace import machine_svg
-    from adagen.schedule.trace import read_trace
+        return pipeline.draw(found.schedule, model, found.program, load_profile(options.profile))
+    from adagen.drawing.trace import machine_svg
+    from adagen.run.trace import read_trace
 
     names = [joint.name for joint in model.joints]
-    lines = [read_trace(options.trace, names, schedule.processes)]
-    predicted = timeline(model, schedule, options)
-    if predicted is not None:
-        lines.insert(0, predicted)
-    count = f"{schedule.processes} process{'es' if schedule.processes > 1 else ''}"
+    lines = [read_trace(options.trace, names, processes)]
+    if found.timeline is not None:
+        lines.insert(0, found.timeline.by_stage())
+    count = f"{processes} process{'es' if processes > 1 else ''}"
     return machine_svg(lines, names, f"{model.name}, {count}, form {options.form}")
 
 
-def _show_machine(schedule: Schedule, line: MachineTimeline, form: str) -> None:
-    """Print how long each process works and waits by the steps of its plan, for people."""
+def _show_machine(program: Program, line: Timeline) -> None:
+    """Print what each process has, and how long it works and waits, for people."""
     from rich.console import Console
 
-    times = [(line.busy(process), line.waiting(process)) for process in range(schedule.processes)]
     rows = (
-        (str(process), f"{busy:.2f}", f"{waiting:.2f}", f"{busy / line.makespan:.0%}")
-        for process, (busy, waiting) in enumerate(times)
+        (
+            str(p),
+            f"{line.busy(p):.2f}",
+            f"{line.waiting(p):.2f}",
+            f"{line.busy(p) / line.makespan:.0%}",
+        )
+        for p in range(len(program.processes))
     )
-    console = Console()
-    console.print(table_of(("process", "busy (us)", "waiting (us)", "share"), rows, named=False))
-    if line.straight:
-        return
-    proof = ""
-    by_steps = schedule.split == "always" and schedule.strategy not in ("astar", "paper")
-    # What is proven is of one step after the other; limbs side by side can be faster than that.
-    if form == "segment" and by_steps and line.makespan >= schedule.lower_bound:
-        above = line.makespan / schedule.lower_bound - 1
-        proof = f", at most {above:.1%} above what is proven to be the least"
-    said = f"{line.makespan:.2f} us step by step, waiting and messages included{proof}"
-    console.print(said, soft_wrap=True)
+    Console().print(table_of(("process", "busy (us)", "waiting (us)", "share"), rows, named=False))
 
 
 def _show_loads(schedule: Schedule) -> None:

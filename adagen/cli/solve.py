@@ -82,7 +82,7 @@ def _solve(options: argparse.Namespace, stages: Stages) -> int:
             source, name.removesuffix(".cpp"), toolchain, progress=progress
         )
     with stages.stage("run"):
-        status, result = _run(executable, toolchain, options, model, states)
+        status, result = _run(executable, made.processes, toolchain, options, model, states)
     if status != 0:
         return status
     if options.result is None:
@@ -94,6 +94,7 @@ def _solve(options: argparse.Namespace, stages: Stages) -> int:
 
 def _run(
     executable: Path,
+    processes: int,
     toolchain: Toolchain,
     options: argparse.Namespace,
     model: Model,
@@ -105,13 +106,13 @@ def _run(
 
     with (
         tempfile.TemporaryDirectory(prefix="adagen-") as folder,
-        progress(f"running on {options.procs} process{'es' if options.procs > 1 else ''}"),
+        progress(f"running on {processes} process{'es' if processes > 1 else ''}"),
     ):
         given, result = Path(folder, "states.json"), Path(folder, "result.json")
         write_states(states, model, given)  # complete: slaved joints may be left out in a file
         done = launch(
             executable,
-            options.procs,
+            processes,
             ["--states", str(given), "--result", str(result)],
             toolchain,
             options.timeout,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from adagen import __version__
+from adagen.emit.head import algorithm, program_lines
 from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
@@ -14,6 +15,8 @@ from adagen.errors import UsageError
 from adagen.plan import Plan, plan_to_json
 from adagen.plan.refine import refinable
 from adagen.plan.types import FACTORS
+from adagen.program import Program, check, lower
+from adagen.program.summary import meeting
 from adagen.schedule import CostProfile, load_profile
 
 # Largest residual that an emitted self-check lets pass: what the scalar keeps, with a margin for
@@ -46,7 +49,7 @@ HEADERS = (
     "vector",
 )
 
-__all__ = ["check_batch", "emit", "file_stem", "stem_of", "templates_folder"]
+__all__ = ["check_batch", "emit", "file_stem", "program_of", "stem_of", "templates_folder"]
 
 
 def stem_of(plan: Plan, name: str | None = None, batch: int = 0) -> str:
@@ -107,6 +110,35 @@ def emit(
     return files
 
 
+def program_of(
+    plan: Plan,
+    shape: str = "auto",
+    refine: int | None = None,
+    *,
+    batch: bool = False,
+    profile: CostProfile | None = None,
+) -> Program:
+    """Return the program that is emitted of a plan.
+
+    Args:
+        plan: what each process computes.
+        shape: of the code, one of ``adagen.emit.shapes.KNOWN``, or "auto".
+        refine: steps of iterative refinement; None: as many as the scalar needs.
+        batch: whether many states are solved at once.
+        profile: what "auto" goes by; the shipped one if not given.
+
+    Raises:
+        UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
+    """
+    refine = refinement_steps(refine, plan.scalar)
+    if batch:
+        if len(plan.processes) > 1:
+            raise UsageError("a batch is solved by the plan of one process")
+        check_batch(shape, refine)
+    shape = chosen_shape(plan, checked_shape(refine, shape), batch=batch, profile=profile)
+    return lower(refinable(plan) if refine else plan, shape, batch=batch)
+
+
 def source(
     plan: Plan,
     stem: str,
@@ -122,15 +154,13 @@ def source(
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
+    program = program_of(plan, shape, refine, batch=bool(batch), profile=profile)
+    check(program)
     refine = refinement_steps(refine, plan.scalar)
-    if batch:
-        if len(plan.processes) > 1:
-            raise UsageError("a batch is solved by the plan of one process")
-        check_batch(shape, refine)
-    shape = chosen_shape(plan, checked_shape(refine, shape), batch=bool(batch))
-    plan = refinable(plan) if refine else plan
-    words = Words(plan, refine, chunk, bool(batch))
+    plan, shape = program.plan, program.shape
+    words = Words(program, refine, chunk)
     processes = batch or len(plan.processes)
+    costs = load_profile("default") if profile is None else profile
     return render(
         "solver.cpp.j2",
         number=words.number,
@@ -147,34 +177,38 @@ def source(
         refine=refine,
         messages=plan.messages,
         channel_messages=_channel_messages(words),
-        hops=_hops(profile),
-        **_head(plan, stem, shape, _tuning(chunk, compiler)),
+        hops=_hops(costs),
+        **_head(program, stem, _tuning(chunk, compiler)),
+        algorithm=algorithm(program),
+        program_lines=program_lines(program, costs),
         **model_values(words),
         **KNOWN[shape].values(words),
     )
 
 
-def _head(plan: Plan, stem: str, shape: str, tuning: str) -> dict[str, object]:
+def _head(program: Program, stem: str, tuning: str) -> dict[str, object]:
     """What the head of the file says that it was made from, and how its names begin."""
+    plan = program.plan
     return {
         "stem": prefix_of(stem),
         "version": __version__,
         "robot": quoted(plan.name),
         "source_hash": plan.source_hash or "not given",
         "form": plan.form,
-        "shape": shape,
+        "shape": program.shape,
         "tuning": tuning,
         "scalar": plan.scalar,
         "channel": plan.channel,
         "base": "floating" if plan.floating else "fixed",
         "floating": plan.floating,
-        "schedule": quoted(plan.schedule)[1:-1],
+        # The paper's tree says what runs where processes are joined, and only there.
+        "tree": quoted(plan.schedule)[1:-1] if meeting(program) == "joined" else "",
     }
 
 
-def _hops(profile: CostProfile | None) -> dict[str, object]:
+def _hops(profile: CostProfile) -> dict[str, object]:
     """What messages cost, as the template takes it."""
-    if profile is None or profile.steps is None:
+    if profile.steps is None:
         profile = load_profile("default")
     assert profile.steps is not None  # the shipped one has them
     costs = profile.steps

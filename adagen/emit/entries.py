@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Literal
 
-from adagen.emit.runs import spans
 from adagen.emit.words import Words
 from adagen.plan.types import Process
+from adagen.program.runs import spans
 
 Range = tuple[int, int]
 """The first of some entries, and how many."""

@@ -12,7 +12,6 @@ from fractions import Fraction
 
 from adagen.emit import mobility
 from adagen.emit.kernel_lines import KernelLines
-from adagen.emit.layout import Layout
 from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.abreast import Limbs
@@ -30,6 +29,7 @@ from adagen.plan.steps import (
     StartLink,
 )
 from adagen.plan.types import PlanLink
+from adagen.program.slots import Slots
 
 RUNTIME = (
     "status.hpp",
@@ -69,11 +69,18 @@ def values(words: Words) -> dict[str, object]:
     """Return what kernels.cpp.j2 is told."""
     plan = words.plan
     cuts = mobility.has_cuts(plan)
-    again = plan.recovering().processes if any(p.recovery for p in plan.processes) else ()
-    layout = Layout.of(plan, words.batch)
+    program = words.program
+    slots = program.slots
     writers = [
-        KernelLines(words, p, own, layout) for p, own in enumerate((*plan.processes, *again))
+        KernelLines(words, p, process, own.operations, slots)
+        for p, (process, own) in enumerate(zip(plan.processes, program.processes, strict=True))
     ]
+    if any(process.recovery for process in plan.processes):
+        again = zip(plan.recovering().processes, program.processes, strict=True)
+        writers += [
+            KernelLines(words, p, process, own.recovery, slots)
+            for p, (process, own) in enumerate(again, start=len(plan.processes))
+        ]
     lines = [writer.all_lines() for writer in writers]
     return {
         "runtime": [*RUNTIME, *(mobility.runtime(plan) if cuts else ())],
@@ -87,15 +94,15 @@ def values(words: Words) -> dict[str, object]:
         "roles": [writer.roles() for writer in writers],
         "steps": lines[: len(plan.processes)],
         "recovery": lines[len(plan.processes) :],
-        "slots": layout.slots,
-        "reordered": not layout.plain,
-        "slot_count": layout.count,
-        "in_segments": bool(layout.segments),
+        "slots": slots.slots,
+        "reordered": not slots.plain,
+        "slot_count": slots.count,
+        "in_segments": bool(slots.segments),
         "quaternions": any(writer.oriented for writer in writers),
         "by_columns": any(writer.columns for writer in writers),
-        "limbs": [_limbs(words, layout, limbs) for limbs in layout.all_limbs],
+        "limbs": [_limbs(words, slots, limbs) for limbs in slots.all_limbs],
         "prescribed_abreast": any(
-            plan.joints[j].prescribed for limbs in layout.all_limbs for j in limbs.members()
+            plan.joints[j].prescribed for limbs in slots.all_limbs for j in limbs.members()
         ),
     }
 
@@ -124,11 +131,11 @@ def _inertia(words: Words, link: PlanLink) -> dict[str, str]:
     }
 
 
-def _limbs(words: Words, layout: Layout, limbs: Limbs) -> dict[str, object]:
+def _limbs(words: Words, slots: Slots, limbs: Limbs) -> dict[str, object]:
     return {
         "lanes": limbs.lanes,
         "joints": len(limbs.rows),
-        "slot": layout.slots[limbs.rows[0][0]] - limbs.idle,
+        "slot": slots.slots[limbs.rows[0][0]] - limbs.idle,
         "idle": limbs.idle,
         # An idle lane goes by the name of the next one's joint, which has the last word.
         "rows": [(row[0],) * limbs.idle + row for row in limbs.rows],

@@ -7,15 +7,12 @@ Blocks and biases are in the axes of the base; a join turns what it reads into i
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
 from dataclasses import replace
 
 from adagen.emit import effects, joins
-from adagen.emit.runs import ends_of_run, swept
 from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.edges import is_free_base
-from adagen.plan.responses import responses
 from adagen.plan.steps import (
     AccelerateRoot,
     Deliver,
@@ -34,6 +31,8 @@ from adagen.plan.steps import (
     blocks_set_by,
 )
 from adagen.plan.types import Process
+from adagen.program import Operation
+from adagen.program.runs import Run, ends_of_run
 
 STEPS = (
     InvertRoot
@@ -116,7 +115,7 @@ def members(words: Words) -> dict[int, list[str]]:
 def lines_of(words: Words, p: int, step: Step) -> list[str]:
     """Return the lines of one of ``STEPS`` on process p.
 
-    What is carried out run by run has functions of its own: ``propagations``, ``deliveries``.
+    What is carried out run by run has functions of its own: ``propagation``, ``delivery``.
     """
     match step:
         case InvertRoot():
@@ -157,33 +156,25 @@ def lines_of(words: Words, p: int, step: Step) -> list[str]:
     raise AssertionError(f"no code for {step}")
 
 
-def propagations(words: Words, process: Process, steps: Sequence[Propagate]) -> list[str]:
-    """Return the lines of steps that take mobilities outwards."""
-    lines: list[str] = []
-    for run in responses(words.plan, process, steps):
-        first, last = run[0], run[-1]
-        if len(run) == 1:
-            lines += _propagate(words, first)
-            continue
-        target = f"{words.block(last.block)}, {words.bias(last.bias)}"
-        names = words.span(first.joint, last.joint)
-        lines.append(f"respond<{first.joint}, {last.joint}>(w, {target});  // {names}")
-    return lines
+def propagation(words: Words, operation: Operation) -> list[str]:
+    """Return the lines of an operation that takes mobilities outwards."""
+    steps = [step for step in operation.steps if isinstance(step, Propagate)]
+    first, last = steps[0], steps[-1]
+    if operation.method != "response":
+        return _propagate(words, first)
+    target = f"{words.block(last.block)}, {words.bias(last.bias)}"
+    names = words.span(first.joint, last.joint)
+    return [f"respond<{first.joint}, {last.joint}>(w, {target});  // {names}"]
 
 
-def deliveries(words: Words, steps: Sequence[Deliver]) -> list[str]:
-    """Return the lines of steps that bring handle forces back, run by run."""
+def delivery(words: Words, run: Run) -> str:
+    """Return the call that brings handle forces back through a run."""
     joints = words.plan.joints
-    lines = []
-    for run in swept(joints, steps):
-        if joints[run.first].prescribed:
-            near, far = ends_of_run(joints, run)
-            turned = "true" if run.reversed else "false"
-            call = f"deliver_prescribed<{turned}>(w, {run.first}, w.loads[{far}], w.loads[{near}]);"
-        else:
-            call = f"deliver{'_reversed' * run.reversed}<{run.first}, {run.last}>(w);"
-        lines.append(f"{call}  // {words.span(run.first, run.last)}")
-    return lines
+    if not joints[run.first].prescribed:
+        return f"deliver{'_reversed' * run.reversed}<{run.first}, {run.last}>(w);"
+    near, far = ends_of_run(joints, run)
+    turned = "true" if run.reversed else "false"
+    return f"deliver_prescribed<{turned}>(w, {run.first}, w.loads[{far}], w.loads[{near}]);"
 
 
 def _scoped(lines: list[str]) -> list[str]:

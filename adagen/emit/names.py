@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
 from collections.abc import Iterable
 
 LONGEST = 48
+_MARK = 8  # hexadecimal digits that tell shortened file names apart
 
 # Never used bare: every identifier gets a prefix (see words.py) that no macro of the C library or
 # MPI has, so that keywords and names of others cannot be met.
@@ -40,8 +42,15 @@ def _word(name: str) -> str:
 
 
 def file_stem(name: str) -> str:
-    """Return a file name without folders, dots or anything but [A-Za-z0-9_-] made of a name."""
-    stem = re.sub(r"[^A-Za-z0-9_-]+", "_", name)[:LONGEST].strip("_-")
+    """Return a file name without folders, dots or anything but [A-Za-z0-9_-] made of a name.
+
+    One that would be longer than ``LONGEST`` ends in the first digits of the name's SHA-256, so
+    that names with the same beginning do not meet.
+    """
+    stem = re.sub(r"[^A-Za-z0-9_-]+", "_", name).strip("_-")
+    if len(stem) > LONGEST:
+        mark = hashlib.sha256(name.encode("utf-8", errors="replace")).hexdigest()[:_MARK]
+        stem = f"{stem[: LONGEST - _MARK - 1].rstrip('_-')}_{mark}"
     return stem or "robot"
 
 

@@ -8,7 +8,7 @@ from functools import partial
 from adagen.emit import effects
 from adagen.emit.entries import Range, entries_of, ranges, read_joints
 from adagen.emit.joints import function_of
-from adagen.emit.stages import stage_rows, stamped_lines
+from adagen.emit.stages import stage_rows, stamped
 from adagen.emit.words import Words
 from adagen.plan.steps import (
     AccelerateRoot,
@@ -24,6 +24,7 @@ from adagen.plan.steps import (
     Step,
 )
 from adagen.plan.types import Message, Process
+from adagen.program import Operation
 
 _NAMED = 6  # joints that a summary names before it only counts
 
@@ -46,10 +47,15 @@ def process_rows(words: Words) -> list[dict[str, object]]:
 
 def step_rows(words: Words) -> list[list[str]]:
     """Return for each process its steps as lines, one joint and step after the other."""
+    processes = zip(words.plan.processes, words.program.processes, strict=True)
     return [
-        stamped_lines(process, partial(step_lines, words, process))
-        for process in words.plan.processes
+        stamped(process, own.operations, partial(_lines, words, process))
+        for process, own in processes
     ]
+
+
+def _lines(words: Words, process: Process, operation: Operation) -> list[str]:
+    return [line for step in operation.steps for line in step_lines(words, process, step)]
 
 
 def _summary(words: Words, process: Process) -> str:
@@ -144,12 +150,7 @@ def describe_message(words: Words, message: Message) -> str:
 
 def message_size(words: Words, message: Message) -> int:
     """Return the numbers in a message."""
-    columns = words.plan.right_hand_sides
-    if message.sweep == "torques":
-        return columns - 1
-    vectors = len(message.biases) + len(message.forces) + len(message.inertias)
-    matrices = 36 * len(message.blocks) + 21 * len(message.inertias)
-    return matrices + 6 * columns * vectors + columns * len(message.joints)
+    return message.numbers(words.plan.right_hand_sides)
 
 
 def _send(words: Words, number: int) -> list[str]:

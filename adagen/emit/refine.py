@@ -138,9 +138,8 @@ def refinement_values(words: Words) -> dict[str, object]:
     if not words.refine:
         return {}
     plan = words.plan
-    brief = replace(
-        words, plan=replace(plan, messages=tuple(replace(m, blocks=()) for m in plan.messages))
-    )
+    without_blocks = replace(plan, messages=tuple(replace(m, blocks=()) for m in plan.messages))
+    brief = replace(words, program=replace(words.program, plan=without_blocks))
     return {
         "corrections": [
             [line for step in process.steps for line in _correction(brief, process, step)]

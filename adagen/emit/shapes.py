@@ -12,22 +12,26 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 
+from adagen.cost import timeline
 from adagen.emit import kernels
 from adagen.emit.effects import has_effects
 from adagen.emit.joints import joint_rows
 from adagen.emit.processes import step_rows
 from adagen.emit.refine import add_corrections, refinement_values
 from adagen.emit.unrolled import (
-    pays_unrolled,
     pays_unrolled_in_lanes,
     unrolled_values,
     why_not_unrolled,
 )
 from adagen.emit.words import Words
 from adagen.errors import UsageError
+from adagen.model.kinds import KINDS
 from adagen.plan import Plan
 from adagen.plan.steps import FusedJoin, StartLink
+from adagen.program import lower
+from adagen.schedule import CostProfile, load_profile
 
 
 @dataclass(frozen=True)
@@ -99,31 +103,53 @@ BASELINES = {name: Shape(_baseline_why_not, _baseline) for name in ("crba", "aba
 KNOWN = {**SHAPES, **BASELINES}
 
 
+MOST_FREEDOMS = 100
+"""Degrees of freedom of a robot up to which straight lines are priced: beyond, their statements
+take longer to make than to find that their instructions no longer fit where they are fetched."""
+
+
 def stepwise(plan: Plan) -> str:
     """Return the fastest shape that does a plan step by step, as cost profiles price it."""
     return next(name for name in ("kernels", "joints") if SHAPES[name].why_not(plan) is None)
 
 
-def chosen_shape(plan: Plan, shape: str = "auto", *, batch: bool = False) -> str:
-    """Return the shape that a plan is emitted in: the one asked for, or the fastest that takes it.
+def chosen_shape(
+    plan: Plan, shape: str = "auto", *, batch: bool = False, profile: CostProfile | None = None
+) -> str:
+    """Return the shape that a plan is emitted in: the one asked for, or the one of least price.
 
     Args:
         plan: the plan.
         shape: one of ``KNOWN``, or "auto".
         batch: whether it is emitted for batches.
+        profile: prices the shapes; without it, or where it prices joins alone, the shipped one.
 
     Raises:
         UsageError: the plan cannot be emitted in the shape asked for.
     """
     if shape == "auto":
+        if not batch:
+            return _cheapest(plan, profile)
         alone = len(plan.processes) == 1 and why_not_unrolled(plan) is None
-        if batch:
-            only = kernels.why_not(plan) is not None
-            pays = alone and (only or pays_unrolled_in_lanes(plan))
-            shape = "unrolled" if pays else "kernels"
-        else:
-            return "unrolled" if alone and pays_unrolled(plan) else stepwise(plan)
+        only = kernels.why_not(plan) is not None
+        pays = alone and (only or pays_unrolled_in_lanes(plan))
+        shape = "unrolled" if pays else "kernels"
     reason = KNOWN[shape].why_not(plan)
     if reason is not None:
         raise UsageError(f"shape {shape} cannot be emitted: {reason}")
     return shape
+
+
+@lru_cache(maxsize=8)  # a plan is judged, priced and emitted one after the other
+def _cheapest(plan: Plan, profile: CostProfile | None) -> str:
+    """The shape that a plan takes least time in; form `ada` is read joint by joint on several."""
+    loops = stepwise(plan)
+    several = sum(bool(process.steps) for process in plan.processes) > 1
+    if (plan.form == "ada" and several) or why_not_unrolled(plan) is not None:
+        return loops
+    if sum(KINDS[joint.kind].nv for joint in plan.joints) > MOST_FREEDOMS:
+        return loops
+    if profile is None or profile.steps is None:
+        profile = load_profile("default")
+    times = {name: timeline(lower(plan, name), profile).makespan for name in (loops, "unrolled")}
+    return min(times, key=times.__getitem__)

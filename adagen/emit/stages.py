@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from adagen.plan.stages import stages
-from adagen.plan.steps import Step
 from adagen.plan.types import Process
+from adagen.program import Operation
 
 
 def stage_rows(process: Process) -> list[dict[str, object]]:
@@ -21,15 +21,17 @@ def stage_rows(process: Process) -> list[dict[str, object]]:
     ]
 
 
-def stamped_groups(process: Process, lines_of: Callable[[Sequence[Step]], list[str]]) -> list[str]:
-    """Return the lines of all stages, given a stage's steps at once, with time stamps around."""
+def stamped(
+    process: Process,
+    operations: Sequence[Operation],
+    lines_of: Callable[[Operation], list[str]],
+) -> list[str]:
+    """Return the lines of all operations with a time stamp at the start and after each stage."""
     lines = ["stamp(0);"] if process.steps else []
-    for k, stage in enumerate(stages(process), start=1):
-        lines += lines_of(process.steps[stage.first : stage.last])
-        lines.append(f"stamp({k});")
+    place = 0
+    for number in range(len(stages(process))):
+        while place < len(operations) and operations[place].stage == number:
+            lines += lines_of(operations[place])
+            place += 1
+        lines.append(f"stamp({number + 1});")
     return lines
-
-
-def stamped_lines(process: Process, lines_of: Callable[[Step], list[str]]) -> list[str]:
-    """Return the lines of all steps with a time stamp at the start and after each stage."""
-    return stamped_groups(process, lambda steps: [line for s in steps for line in lines_of(s)])

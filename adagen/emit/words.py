@@ -11,16 +11,26 @@ from adagen.model.kinds import KINDS, JointKind
 from adagen.plan import Plan
 from adagen.plan.steps import Bias, Block, Force, Load, blocks_set_by
 from adagen.plan.types import FACTORS
+from adagen.program import Program
 
 
 @dataclass(frozen=True)
 class Words:
     """Names and numbers of one plan as C++ text."""
 
-    plan: Plan
+    program: Program
     refine: int = 0  # steps of refinement
     chunk: int = 0  # values of one function in shape unrolled; 0 for its default
-    batch: bool = False  # whether lanes are for states
+
+    @property
+    def plan(self) -> Plan:
+        """The plan that is carried out."""
+        return self.program.plan
+
+    @property
+    def batch(self) -> bool:
+        """Whether SIMD lanes are for states."""
+        return self.program.batch
 
     @cached_property
     def joints(self) -> tuple[str, ...]:

@@ -191,7 +191,8 @@ def _hang_on(some: Limbs, others: Limbs, last: Sequence[int]) -> bool:
     """Whether one of some limbs hangs on one of the others."""
     if some is others:
         return False
-    return any(_beyond(i, j, last) for i in some.rows[0] for j in others.members())
+    # What hangs on a joint of a limb hangs on its first one.
+    return any(_beyond(i, j, last) for i in some.rows[0] for j in others.rows[0])
 
 
 def _last_beyond(joints: Sequence[PlanJoint]) -> list[int]:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
+from adagen.plan.edges import on_the_way
 from adagen.plan.fusions import Fusions, Run
 from adagen.plan.steps import (
     ApplyCoupling,
@@ -120,20 +121,10 @@ class AdaPlanner:
         self._couple_slaved()
         processes = []
         for steps, owns in zip(self.steps, self.owns, strict=True):
-            reads = self._reads(owns)
+            reads = on_the_way(self.joints, owns)
             kinematics = [Kinematics(j) for j in reads]
             processes.append(Process((*kinematics, *steps), reads, tuple(sorted(owns))))
         return tuple(processes), tuple(self.messages)
-
-    def _reads(self, owns: list[int]) -> tuple[int, ...]:
-        """The joints whose motion a process needs: its own and those on the way to the ground."""
-        reads: set[int] = set()
-        for joint in owns:
-            j = joint
-            while j >= 0 and j not in reads:
-                reads.add(j)
-                j = self.joints[j].parent - 1
-        return tuple(sorted(reads))
 
     # --- assembly ------------------------------------------------------------------------------
 

@@ -44,6 +44,17 @@ def joints_at(joints: Sequence[PlanJoint], members: Iterable[int]) -> dict[int, 
     return at
 
 
+def on_the_way(joints: Sequence[PlanJoint], wanted: Iterable[int]) -> tuple[int, ...]:
+    """Return some joints and those between them and the ground, ascending."""
+    found: set[int] = set()
+    for joint in wanted:
+        j = joint
+        while j >= 0 and j not in found:
+            found.add(j)
+            j = joints[j].parent - 1
+    return tuple(sorted(found))
+
+
 def edges_from(
     root: int, joints: Sequence[PlanJoint], at: Mapping[int, Sequence[int]]
 ) -> list[Edge]:

@@ -5,8 +5,10 @@ See adagen/plan/gather.py for what is done with it.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from adagen.model.kinds import KINDS
 from adagen.plan.edges import Edge, edges_from, is_free_base, joints_at
@@ -17,7 +19,7 @@ HELD_FREEDOMS = 8
 in general, a few more keep it so in most poses."""
 
 
-@dataclass
+@dataclass(frozen=True)
 class Tree:
     """Links that move together, and how their processes meet.
 
@@ -35,33 +37,33 @@ class Tree:
             where the root shows its mobility.
     """
 
-    links: list[int]
-    joints: list[int]
+    links: Sequence[int]
+    joints: Sequence[int]
     base: int | None
     root: int = 0
-    edges: list[Edge] = field(default_factory=list)
-    owner: dict[int, int] = field(default_factory=dict)
-    core: set[int] = field(default_factory=set)
+    edges: Sequence[Edge] = ()
+    owner: Mapping[int, int] = field(default_factory=dict)
+    core: frozenset[int] = frozenset()
     core_owner: int = 0
     grounded: int | None = None
     hold: int = 0
 
-    @property
+    @cached_property
     def participants(self) -> list[int]:
         """Processes that have joints in it, ascending."""
         return sorted({self.core_owner, *self.owner.values()})
 
-    @property
+    @cached_property
     def core_links(self) -> set[int]:
         """Links of the core, the root among them."""
         return {self.root, *(edge.far for edge in self.core_edges)}
 
-    @property
+    @cached_property
     def core_edges(self) -> list[Edge]:
         """Joints of the core, outwards from the root."""
         return [edge for edge in self.edges if edge.joint in self.core]
 
-    @property
+    @cached_property
     def ground_side(self) -> list[Edge]:
         """Joints that are swept from the ground, seen from the root: those up to the link held."""
         if self.grounded is None:
@@ -74,11 +76,18 @@ class Tree:
                     reached.add(edge.far)
         return found
 
+    @cached_property
+    def _branches(self) -> dict[int, list[Edge]]:
+        hidden = {edge.joint for edge in self.ground_side}
+        found: dict[int, list[Edge]] = {}
+        for edge in self.edges:
+            if edge.joint in self.owner and edge.joint not in hidden:
+                found.setdefault(self.owner[edge.joint], []).append(edge)
+        return found
+
     def branches(self, process: int) -> list[Edge]:
         """Return a process's own joints outwards from the root, without the ground's side."""
-        hidden = {edge.joint for edge in self.ground_side}
-        own = (edge for edge in self.edges if self.owner.get(edge.joint) == process)
-        return [edge for edge in own if edge.joint not in hidden]
+        return self._branches.get(process, [])
 
     def link_owner(self, link: int) -> int:
         """Return the process that adds a link's own inertia."""
@@ -100,20 +109,23 @@ def laid_out_trees(
             schedule; all others are where processes meet.
         first: the first process of every joint.
     """
-    return [_laid_out(tree, joints, assigned, first) for tree in _moving(joints)]
+    return [_laid_out(tree, joints, assigned, first) for tree in moving_trees(joints)]
 
 
-def _moving(joints: Sequence[PlanJoint]) -> list[Tree]:
-    trees: dict[int, Tree] = {}  # by the joint on the ground
+def moving_trees(joints: Sequence[PlanJoint]) -> list[Tree]:
+    """Return a robot's trees of links that move together, not laid out yet."""
+    trees: dict[int, tuple[int | None, list[int]]] = {}  # base and joints by joint on the ground
+    links: dict[int, list[int]] = {}
     top = [0] * len(joints)
     for j, joint in enumerate(joints):
         top[j] = j if joint.parent == 0 else top[joint.parent - 1]
         if joint.parent == 0:
-            trees[j] = Tree([j + 1], [], j) if is_free_base(joint) else Tree([j + 1], [j], None)
+            links[j] = []
+            trees[j] = (j, []) if is_free_base(joint) else (None, [j])
         else:
-            trees[top[j]].links.append(j + 1)
-            trees[top[j]].joints.append(j)
-    return list(trees.values())
+            trees[top[j]][1].append(j)
+        links[top[j]].append(j + 1)
+    return [Tree(links[j], own, base) for j, (base, own) in trees.items()]
 
 
 def _laid_out(
@@ -133,8 +145,7 @@ def _laid_out(
     found = (_rooted(tree, edges_from(root, joints, at), root, assigned, first) for root in roots)
     # The ground, or the base, always serves as a root.
     best = min((tree for tree in found if tree is not None), key=lambda tree: len(tree.core))
-    best.hold = 0 if best.grounded is None else _hold(best.root, joints)
-    return best
+    return best if best.grounded is None else replace(best, hold=held_link(best.root, joints))
 
 
 def _rooted(
@@ -166,13 +177,27 @@ def _rooted(
         grounded = owner[hold]
         if root - 1 in core:  # it would have to be passed before the ground is known
             return None
-    counts = {p: list(owner.values()).count(p) for p in set(owner.values())}
-    least = min(counts, key=lambda p: (counts[p], p)) if counts else first[tree.base or 0]
-    return Tree(tree.links, tree.joints, tree.base, root, edges, owner, core, least, grounded)
+    least = least_busy(Counter(owner.values())) if owner else first[tree.base or 0]
+    return Tree(
+        tree.links, tree.joints, tree.base, root, edges, owner, frozenset(core), least, grounded
+    )
 
 
-def _hold(root: int, joints: Sequence[PlanJoint]) -> int:
-    """The link that enough joints hold to make its mobility regular; 0 if that is the root."""
+def least_busy(counts: Mapping[int, int]) -> int:
+    """Return the process that adds what belongs to the core: that with the fewest joints."""
+    return min(counts, key=lambda p: (counts[p], p))
+
+
+def held_link(root: int, joints: Sequence[PlanJoint]) -> int:
+    """Return the link that enough joints hold to make its mobility regular.
+
+    Args:
+        root: a link that is not the ground.
+        joints: the robot's joints.
+
+    Returns:
+        A link on the way from the ground to the root; 0 if no link before the root is held so.
+    """
     way, link = [], root
     while link > 0:
         way.append(link - 1)

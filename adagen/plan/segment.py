@@ -33,6 +33,7 @@ from adagen.plan.steps import (
     SolveRoot,
     Spread,
     StartLink,
+    Step,
 )
 from adagen.plan.types import PlanJoint
 from adagen.schedule import Node, Schedule, postorder, preorder
@@ -135,67 +136,16 @@ class SegmentPlanner(AdaPlanner):
 
     def _mobility(self, component: Component, chain: Chain) -> None:
         """Phi and b at the handles: at the root by inversion, elsewhere carried outwards."""
-        name, steps = chain.joint, self.steps[chain.process]
+        name = chain.joint
         assert name is not None  # segments are named by a joint
-        if component.root > 0 and not component.handles:
-            steps.append(SolveRoot(component.root))
-            return
-        reached: list[int] = []  # links whose coupling with later ones is kept, in order
-        if component.root > 0:
-            block, bias = Block(name, component.root, component.root), Bias(name, component.root)
-            steps.append(InvertRoot(component.root, block, bias))
-            reached.append(component.root)
-        anchors = self._anchors(component)
-        couplings: set[tuple[int, int]] = set()
-        for place, edge in enumerate(component.path):
-            kept = [g for g in reached if g in component.handles or place < anchors.get(g, -1)]
-            spreads = self._spreads(name, edge, kept, couplings)
-            couplings.update((min(s.handle, edge.far), max(s.handle, edge.far)) for s in spreads)
-            ground = edge.near == 0
-            steps.append(
-                Propagate(
-                    edge.joint,
-                    edge.reversed,
-                    Block(name, edge.far, edge.far),
-                    None if ground else Block(name, edge.near, edge.near),
-                    Bias(name, edge.far),
-                    None if ground else Bias(name, edge.near),
-                    tuple(spreads),
-                )
-            )
-            if edge.far in component.handles or edge.far in anchors:
-                reached.append(edge.far)
+        steps, couplings = mobility_steps(name, component)
+        self.steps[chain.process] += steps
         for k, g in enumerate(component.handles):
             chain.blocks[g, g] = Block(name, g, g)
             chain.biases[g] = Bias(name, g)
             for h in component.handles[k + 1 :]:
                 if (g, h) in couplings:
                     chain.blocks[g, h] = Block(name, g, h)
-
-    @staticmethod
-    def _spreads(
-        name: int, edge: Edge, kept: list[int], couplings: set[tuple[int, int]]
-    ) -> list[Spread]:
-        """Carry outwards over one edge how links feel what is before it, where they do."""
-        spreads = []
-        for g in kept:
-            near = (min(g, edge.near), max(g, edge.near))
-            if g == edge.near or near in couplings:
-                far = Block(name, min(g, edge.far), max(g, edge.far))
-                spreads.append(
-                    Spread(g, far, edge.far > g, Block(name, *near), near[0] != edge.near)
-                )
-        return spreads
-
-    @staticmethod
-    def _anchors(component: Component) -> dict[int, int]:
-        """Links where paths to handles part, and the place in the path of the last branch."""
-        last: dict[int, int] = {}
-        count: dict[int, int] = {}
-        for place, edge in enumerate(component.path):
-            last[edge.near] = place
-            count[edge.near] = count.get(edge.near, 0) + 1
-        return {link: place for link, place in last.items() if link > 0 and count[link] > 1}
 
     def _release(self, chain: Chain, forces: dict[int, Force]) -> None:
         segment = chain.segment
@@ -217,3 +167,68 @@ class SegmentPlanner(AdaPlanner):
         for component in segment.components:
             steps.extend(Accelerate(e.joint, e.reversed) for e in component.edges)
         steps.extend(FreeAcceleration(j) for j in segment.free)
+
+
+def mobility_steps(name: int, component: Component) -> tuple[list[Step], set[tuple[int, int]]]:
+    """Return how Phi and b at handles are found: at the root by inversion, elsewhere outwards.
+
+    Args:
+        name: the joint that names the segment.
+        component: its joints that move together.
+
+    Returns:
+        The steps, and the pairs of links whose coupling they set, the smaller one first.
+    """
+    couplings: set[tuple[int, int]] = set()
+    if component.root > 0 and not component.handles:
+        return [SolveRoot(component.root)], couplings
+    steps: list[Step] = []
+    reached: list[int] = []  # links whose coupling with later ones is kept, in order
+    if component.root > 0:
+        block, bias = Block(name, component.root, component.root), Bias(name, component.root)
+        steps.append(InvertRoot(component.root, block, bias))
+        reached.append(component.root)
+    anchors = _anchors(component)
+    handles = set(component.handles)
+    for place, edge in enumerate(component.path):
+        kept = [g for g in reached if g in handles or place < anchors.get(g, -1)]
+        spreads = _spreads(name, edge, kept, couplings)
+        couplings.update((min(s.handle, edge.far), max(s.handle, edge.far)) for s in spreads)
+        ground = edge.near == 0
+        steps.append(
+            Propagate(
+                edge.joint,
+                edge.reversed,
+                Block(name, edge.far, edge.far),
+                None if ground else Block(name, edge.near, edge.near),
+                Bias(name, edge.far),
+                None if ground else Bias(name, edge.near),
+                tuple(spreads),
+            )
+        )
+        if edge.far in handles or edge.far in anchors:
+            reached.append(edge.far)
+    return steps, couplings
+
+
+def _spreads(
+    name: int, edge: Edge, kept: list[int], couplings: set[tuple[int, int]]
+) -> list[Spread]:
+    """Carry outwards over one edge how links feel what is before it, where they do."""
+    spreads = []
+    for g in kept:
+        near = (min(g, edge.near), max(g, edge.near))
+        if g == edge.near or near in couplings:
+            far = Block(name, min(g, edge.far), max(g, edge.far))
+            spreads.append(Spread(g, far, edge.far > g, Block(name, *near), near[0] != edge.near))
+    return spreads
+
+
+def _anchors(component: Component) -> dict[int, int]:
+    """Links where paths to handles part, and the place in the path of the last branch."""
+    last: dict[int, int] = {}
+    count: dict[int, int] = {}
+    for place, edge in enumerate(component.path):
+        last[edge.near] = place
+        count[edge.near] = count.get(edge.near, 0) + 1
+    return {link: place for link, place in last.items() if link > 0 and count[link] > 1}

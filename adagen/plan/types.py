@@ -44,6 +44,14 @@ class Message:
     joints: tuple[int, ...] = ()
     inertias: tuple[int, ...] = ()
 
+    def numbers(self, columns: int) -> int:
+        """Return how many numbers it holds, with so many right-hand sides."""
+        if self.sweep == "torques":
+            return columns - 1
+        vectors = len(self.biases) + len(self.forces) + len(self.inertias)
+        matrices = 36 * len(self.blocks) + 21 * len(self.inertias)
+        return matrices + 6 * columns * vectors + columns * len(self.joints)
+
 
 @dataclass(frozen=True)
 class PlanLink:

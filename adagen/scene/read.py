@@ -18,6 +18,11 @@ LARGEST = 1e40
 _KINDS = ("fixed", "floating", "planar", "prismatic", "revolute", "spherical")
 _AXIAL = ("planar", "prismatic", "revolute")
 _SIGNED = ("rest",)
+_UNMODELLED = {
+    "loops": "closed loops are not modelled; leave them out to solve the open chain",
+    "couplings": "couplings of joints are not modelled; write each as a <mimic> of its joint in "
+    "the robot description and say mimic = true, or leave them out",
+}
 _Path = tuple[str | int, ...]
 
 
@@ -30,6 +35,9 @@ def read_scene(path: Path | str) -> Scene:
     """
     source, document = read_toml(path)
     reader = _Reader(source)
+    for key in document:
+        if key in _UNMODELLED:
+            raise reader.fail(f"[[{key}]]: {_UNMODELLED[key]}", (key,))
     reader.known(document, _FIELDS, "key")
     return Scene(
         source, **{key: _FIELDS[key](reader, value, (key,)) for key, value in document.items()}

@@ -64,7 +64,7 @@ class Scene:
         keep: links whose motion is wanted.
         accelerations: joints whose accelerations are wanted; None for all.
         forces: links on which an external force acts, each an input.
-        damping: of every joint that says nothing: a number or "urdf".
+        damping: of every joint that says nothing: a number or "urdf"; None is none, undecided.
         friction: likewise.
         friction_speed: likewise, a number.
         joints: what it says of single joints.
@@ -80,8 +80,8 @@ class Scene:
     keep: tuple[str, ...] = ()
     accelerations: tuple[str, ...] | None = None
     forces: tuple[str, ...] = ()
-    damping: float | str = 0.0
-    friction: float | str = 0.0
+    damping: float | str | None = None
+    friction: float | str | None = None
     friction_speed: float | None = None
     joints: Mapping[str, JointScene] = field(default_factory=dict)
     point_masses: tuple[PointMass, ...] = ()
@@ -94,8 +94,22 @@ class Scene:
     @property
     def from_urdf(self) -> frozenset[str]:
         """Which effects of joints the robot description is asked for."""
-        asked = {"damping": self.damping, "friction": self.friction}
-        return frozenset(name for name, value in asked.items() if value == URDF)
+        return frozenset(name for name, value in self._of_all.items() if value == URDF)
+
+    @property
+    def _of_all(self) -> dict[str, float | str | None]:
+        return {"damping": self.damping, "friction": self.friction}
+
+    def decides(self, effect: str, joint: str) -> bool:
+        """Return whether a joint's effect is said here, or cannot matter as the joint is locked."""
+        own = self.joints.get(joint)
+        free = self.lock_all_but
+        return (
+            self._of_all.get(effect) is not None
+            or (own is not None and effect in own.effects)
+            or joint in self.lock
+            or (free is not None and joint not in free)
+        )
 
     def error(self, message: str, *path: str | int) -> InputError:
         """Return (not raise) the refusal of what the scene says at ``path``."""

@@ -1,7 +1,6 @@
 """Which joint joins which partial chains on which process, and what that is predicted to cost."""
 
 from adagen.schedule.budget import Progress
-from adagen.schedule.draw import schedule_svg
 from adagen.schedule.named import named_schedule
 from adagen.schedule.profile import CostProfile, load_profile, parse_profile
 from adagen.schedule.search import find_schedule
@@ -34,7 +33,6 @@ __all__ = [
     "preorder",
     "schedule_from_json",
     "schedule_line",
-    "schedule_svg",
     "schedule_to_dict",
     "schedule_to_json",
     "schedule_tree",

@@ -57,11 +57,12 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "slaved": ("solve", "apply", "column"),
     "limbs": ("two", "four"),
     "process": ("evaluation",),
-    "unrolled": ("evaluation", "operation", "sine", "cycle"),
+    "unrolled": ("evaluation", "operation", "sine", "cycle", "fetched"),
 }
 """Groups with coefficients of their own; ``slaved.column`` is a share, the others are times.
 
-``unrolled`` prices no steps but a straight line of statements as a whole (shape `unrolled`).
+``unrolled`` prices no steps but a straight line of statements as a whole (shape `unrolled`);
+``fetched`` is added for each statement beyond those that the first instruction cache holds.
 """
 
 NAMES: tuple[str, ...] = tuple(
@@ -111,7 +112,7 @@ class StepCosts:
         ValueError: a coefficient is missing, unknown, negative or not finite.
     """
 
-    table: Mapping[str, float]
+    table: Mapping[str, float] = field(hash=False)
     window: ChannelCosts
     message: ChannelCosts
     cores: tuple[float, ...] = field(default=())

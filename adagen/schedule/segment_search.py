@@ -166,7 +166,7 @@ class SegmentSearch:
             # Where nothing is known of the sweeps, the total may be that of a part on its own.
             if assembly and covered(front, total, assembly, disassembly):
                 continue
-            for label in self._ways(state, position, first, limit):
+            for label in self.ways(state, position, first, limit):
                 add(front, label)
                 if only_best and label.time.total < limit:
                     self.best, limit = label, label.time.total
@@ -195,8 +195,18 @@ class SegmentSearch:
             known = self._options[key] = self.bounds.options(chain, count)
         return known
 
-    def _ways(self, state: State, position: int, first: int, limit: int) -> list[Label]:
-        """Return the ways to do a state with a cut that take less than ``limit``."""
+    def ways(self, state: State, position: int, first: int, limit: int) -> list[Label]:
+        """Return the ways to do a state with a cut that take less than ``limit``.
+
+        Args:
+            state: the state.
+            position: of the joint that is cut.
+            first: processes for its root side.
+            limit: ticks.
+
+        Raises:
+            OutOfBudget: cannot tell.
+        """
         root, end = self.costs.chains.split(state.chain, position)
         second = state.processes - first
         found: list[Label] = []

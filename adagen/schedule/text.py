@@ -49,6 +49,8 @@ def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:
         "tie_proven": schedule.tie_proven,
         "split": schedule.split,
         "meeting": schedule.meeting,
+        "families": list(schedule.families),
+        "candidates": schedule.candidates,
         "expanded": schedule.expanded,
         "root": made[schedule.root.joint],
     }

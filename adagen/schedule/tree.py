@@ -76,6 +76,10 @@ class Schedule:
         loads: active time of each process; length P.
         meeting: how its processes meet: joined pair by pair as the tree says (the paper), or all
             gathering what they have at a small core (adagen.plan.gather).
+        families: the families of candidates that it was chosen from at the price that is played
+            (adagen.search), which makespan and bound are then told in; empty where they are told in
+            that of the tree.
+        candidates: how many candidates were priced, where families were searched.
     """
 
     root: Node
@@ -90,6 +94,8 @@ class Schedule:
     expanded: int
     loads: tuple[float, ...]
     meeting: Meeting = "join"
+    families: tuple[str, ...] = ()
+    candidates: int = 0
 
     @property
     def verdict(self) -> Verdict:

@@ -16,8 +16,8 @@ from adagen.executor.refine import WideLinks, interpret_refined
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
-from adagen.predict.objective import schedule_for
 from adagen.schedule import Topology, load_profile, named_schedule
+from adagen.search.objective import schedule_for
 from adagen.stability.robots import state
 from adagen.stability.weak import articulated, composite, true_acceleration
 

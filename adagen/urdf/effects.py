@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 
 from adagen.model import Model, Passive
 from adagen.urdf.elements import Element, check_attributes, scalar
-from adagen.urdf.notes import Notes, line_of
+from adagen.urdf.notes import Notes, line_of, quoted
+from adagen.urdf.numbers import number
 
 EFFECTS = ("damping", "friction")
 """Attributes of <dynamics>: N m s/rad and N m, or N s/m and N."""
+
+SHOWN = 3  # joints that a warning names
 
 Effects = Mapping[str, Mapping[str, float]]
 
@@ -41,6 +44,46 @@ def read_effects(root: Element, wanted: Collection[str], notes: Notes) -> Effect
                 if value:
                     result.setdefault(name, {})[key] = value
     return result
+
+
+def warn_dropped(root: Element, decided: Callable[[str, str], bool], notes: Notes) -> None:
+    """Warn of what <dynamics> says of moving joints and the model does not hold.
+
+    Attributes of the same joints take one line.
+
+    Args:
+        root: the element <robot>.
+        decided: of an effect and a joint's name, whether what the model holds is what was asked
+            for, so that nothing is to be said.
+        notes: takes the warnings.
+    """
+    found: dict[str, dict[str, int | None]] = {}
+    for joint in root.iterchildren("joint"):
+        name = joint.get("name", "")
+        for element in joint.iterchildren("dynamics") if joint.get("type") != "fixed" else ():
+            for key in map(str, element.attrib):
+                if not _is_zero(element.get(key, "")) and not decided(key, name):
+                    found.setdefault(key, {}).setdefault(name, line_of(element))
+    alike: dict[tuple[tuple[str, ...], bool], list[str]] = {}
+    for key, joints in found.items():
+        alike.setdefault((tuple(joints), key in EFFECTS), []).append(key)
+    for (names, known), keys in alike.items():
+        those = f"joint {quoted(names)}" if len(names) == 1 else f"{len(names)} joints"
+        how = f" ({quoted(names, SHOWN)})" if len(names) > 1 else ""
+        are, them = ("is", "it") if len(keys) == 1 else ("are", "them")
+        if known:
+            said = " and ".join(f'{key} = "urdf"' for key in keys)
+            how += f": a scene with {said} models {them}"
+        line = found[keys[0]][names[0]]
+        what = " and ".join([", ".join(keys[:-1]), keys[-1]] if len(keys) > 1 else keys)
+        notes.warn(f"{what} of {those} {are} not modelled{how}", line)
+
+
+def _is_zero(text: str) -> bool:
+    try:
+        return number(text.strip()) == 0.0
+    except ValueError:
+        return False
 
 
 def with_effects(model: Model, effects: Effects) -> Model:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,14 +16,14 @@ from adagen.urdf.bodies import build, gather
 from adagen.urdf.checks import Lines, check_model
 from adagen.urdf.description import Description, describe
 from adagen.urdf.document import parse
-from adagen.urdf.effects import read_effects, with_effects
+from adagen.urdf.effects import read_effects, warn_dropped, with_effects
 from adagen.urdf.mimics import resolve
 from adagen.urdf.notes import Notes
 from adagen.urdf.numbers import LARGEST
 from adagen.urdf.peer import agreed
 from adagen.urdf.remarks import remark_ignored, warn_inertias, warn_limits
 from adagen.urdf.source import read_text
-from adagen.urdf.tree import make_tree
+from adagen.urdf.tree import make_tree, refuse_closed
 
 
 @dataclass(frozen=True)
@@ -52,6 +52,7 @@ def read_robot(
     mimic: bool = False,
     gravity: Sequence[float] | None = None,
     effects: Collection[str] = (),
+    decided: Callable[[str, str], bool] = lambda _effect, _joint: False,
     check: bool = True,
 ) -> Reading:
     """Read a URDF, strictly.
@@ -64,6 +65,8 @@ def read_robot(
         gravity: acceleration of free fall in ground coordinates, three numbers, m/s^2;
             (0, 0, -9.81) by default.
         effects: what of joints' <dynamics> is modelled: "damping", "friction".
+        decided: whether an effect of a joint, by their names, was decided on: of the others in
+            <dynamics> a warning says that they are not modelled.
         check: refuse a robot whose forward dynamics has no answer; if not, ``check_reduced`` has to
             judge what is made of it.
 
@@ -78,12 +81,14 @@ def read_robot(
     notes = Notes(os.fspath(path))
     root = parse(read_text(path, notes), notes)
     description = describe(root, Path(path).stem, notes)
+    refuse_closed(root, notes)
     _check_base(description, floating, notes)
     tree = make_tree(description, notes)
     mimics = resolve(description, mimic, notes)
     warn_limits(root, notes)
     warn_inertias(description, notes)
-    remark_ignored(root, notes, effects)
+    remark_ignored(root, notes)
+    warn_dropped(root, lambda effect, joint: effect in effects or decided(effect, joint), notes)
     passive = read_effects(root, effects, notes)
     description = agreed(root, description, notes)
     model = build(description.name, gather(description, tree, floating), mimics, floating)

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection
 
 import numpy as np
 
 from adagen.urdf.description import Description, Inertial
-from adagen.urdf.effects import EFFECTS
 from adagen.urdf.elements import Element
 from adagen.urdf.notes import Notes, line_of
 from adagen.urdf.numbers import number
@@ -25,18 +23,15 @@ _JOINT_EXTRAS = {
     "safety_controller": "safety controllers",
     "calibration": "calibrations",
 }
-_MODELLED = {"link": {"inertial"}, "joint": {"parent", "child", "origin", "axis", "mimic"}}
+_MODELLED = {
+    "link": {"inertial"},
+    "joint": {"parent", "child", "origin", "axis", "mimic", "dynamics"},
+}
+"""What is modelled, or warned of where it is not."""
 
 
-def remark_ignored(root: Element, notes: Notes, effects: Collection[str] = ()) -> None:
-    """Record which elements of the file have no influence on the model, with their number.
-
-    Args:
-        root: the element <robot>.
-        notes: takes the remarks.
-        effects: what of <dynamics> is modelled.
-    """
-    extras = {**_JOINT_EXTRAS, "dynamics": " and ".join(x for x in EFFECTS if x not in effects)}
+def remark_ignored(root: Element, notes: Notes) -> None:
+    """Record which elements of the file have no influence on the model, with their number."""
     counts: Counter[str] = Counter()
     for part in root:
         tag = str(part.tag)
@@ -47,13 +42,12 @@ def remark_ignored(root: Element, notes: Notes, effects: Collection[str] = ()) -
             name = str(child.tag)
             if name in _MODELLED[tag]:
                 continue
-            if tag == "joint" and name in extras:
-                counts[f"joint {extras[name]}"] += bool(extras[name])
+            if tag == "joint" and name in _JOINT_EXTRAS:
+                counts[f"joint {_JOINT_EXTRAS[name]}"] += 1
             elif tag == "link" and name in _LINK_EXTRAS:
                 counts[f"{name}s"] += 1
             else:
                 counts[f"<{name}> elements of a {tag}"] += 1
-    counts = +counts  # what is modelled counts nothing
     for text in sorted(counts)[:SHOWN]:
         notes.ignore(f"{text}: {counts[text]}, not modelled")
     others = sorted(counts)[SHOWN:]

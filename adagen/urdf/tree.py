@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from adagen.urdf.description import Description, JointElement
-from adagen.urdf.notes import Notes, quoted
+from adagen.urdf.elements import Element
+from adagen.urdf.notes import Notes, line_of, quoted
+
+_CLOSED: Mapping[str, str] = {
+    "loop": "closed loops are not modelled; remove it to solve the open chain",
+    "loop_joint": "closed loops are not modelled; remove it to solve the open chain",
+    "coupling": "couplings are not modelled; write it as a <mimic> of a joint and say --mimic, "
+    "or remove it to leave the joints free",
+}
+"""Elements of <robot> that hold an open chain's joints together (URDF+, Drake), and what to do."""
 
 
 @dataclass(frozen=True)
@@ -56,6 +66,26 @@ def make_tree(description: Description, notes: Notes) -> Tree:
         root,
         {link: tuple(sorted(joints, key=lambda j: j.name)) for link, joints in below.items()},
     )
+
+
+def refuse_closed(root: Element, notes: Notes) -> None:
+    """Refuse elements that close the tree: without them the robot would be another machine.
+
+    Args:
+        root: the element <robot>.
+        notes: makes the refusal.
+
+    Raises:
+        InputError: there is a loop or a coupling; the message names all of its kind.
+    """
+    found: dict[str, list[Element]] = {}
+    for element in root:
+        name = str(element.tag).rpartition("}")[2].lower()
+        if name in _CLOSED:
+            found.setdefault(name, []).append(element)
+    for name, elements in found.items():
+        names = quoted([element.get("name", "") for element in elements])
+        raise notes.error(f"<{name}> {names}: {_CLOSED[name]}", line_of(elements[0]))
 
 
 def _check_ends(joint: JointElement, description: Description, notes: Notes) -> None:

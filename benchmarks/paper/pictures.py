@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from adagen.drawing.svg import INK, MUTED, RULE, Canvas, colour
 from adagen.schedule import Node, preorder
-from adagen.schedule.svg import INK, MUTED, RULE, Canvas, colour
 
 FOLDER = Path(__file__).resolve().parents[2] / "docs" / "pictures"
 STEP, LAYER, RADIUS = 34.0, 46.0, 12.0

@@ -2,13 +2,16 @@
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  forearm_roll@0-1(elbow_pitch@0(upper_arm_roll(shoulder_pitch(base_yaw|)|)|) | wrist_pitch@1(|flange_roll(|left_finger_slide(right_finger_slide|))))
+// program   2 processes, joined at cuts; 2.34 us predicted (default profile)
+//           process 0: base_yaw .. wrist_pitch
+//           process 1: flange_roll .. right_finger_slide
+// schedule  wrist_pitch@0-1(forearm_roll@0(elbow_pitch(upper_arm_roll(shoulder_pitch(base_yaw|)|)|)|) | flange_roll@1(|left_finger_slide(right_finger_slide|)))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
-// b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
-// joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
-// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
+// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
+// bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
+// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
+// vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls
@@ -681,12 +684,12 @@ class Release {
 };
 
 constexpr std::array<MessageInfo, 6> kMessages{ {
-    {1, 0, 48},  // 0: assembled: chain of "wrist_pitch"
-    {0, 1, 12},  // 1: forces on: chain of "wrist_pitch"
+    {1, 0, 48},  // 0: assembled: chain of "flange_roll"
+    {0, 1, 12},  // 1: forces on: chain of "flange_roll"
     {1, 0, 4},  // 2: accelerations of slaved joints
     {0, 1, 1},  // 3: torques of slaved joints
-    {0, 1, 20},  // 4: state
-    {1, 0, 4},  // 5: accelerations
+    {0, 1, 19},  // 4: state
+    {1, 0, 3},  // 5: accelerations
 } };
 
 // What a process does in an evaluation as the others see it: the messages that it sends and
@@ -1077,20 +1080,20 @@ struct Joint_elbow_pitch {
 struct Joint_forearm_roll {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "wrist_housing"
-  Joined<Revolute> joined;
   Columns6 b;  // bias of the bare link "wrist_housing"
+  Mat6 Phi_wrist_housing;  // of the chain it completes
+  Columns6 b_wrist_housing;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_wrist_housing;
+  Columns6 F_on_wrist_housing;  // outer wrench on that chain
   std::array<std::array<Real, kColumns>, kFree<Revolute>> qdd;
 };
 
 struct Joint_wrist_pitch {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "wrist"
-  Columns6 b;  // bias of the bare link "wrist"
-  Mat6 Phi_wrist_housing;  // of the chain it completes
-  Columns6 b_wrist_housing;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_wrist_housing;
-  Columns6 F_on_wrist_housing;  // outer wrench on that chain
+  Columns6 b;  // bias of the bare link "wrist"
   std::array<std::array<Real, kColumns>, kFree<Revolute>> qdd;
 };
 
@@ -1464,7 +1467,7 @@ void kinematics_forearm_roll(Workspace& w) {
   i.v = i.X * w.j_elbow_pitch.v + joint_velocity<Revolute>(w.v + 4);
 }
 
-// A: the chain of "elbow_pitch"; B: the chain of "wrist_pitch"; C feels the joint at no link
+// A: the chain of "elbow_pitch"; B: link "wrist_housing"; C feels the joint at "wrist_housing"
 void assemble_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   load_torque(w, 4, 4, i.joined.tau);
@@ -1472,19 +1475,22 @@ void assemble_forearm_roll(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
   constexpr std::array<Real, 6> least{3.7782214362185915e-12, 3.7782214362185915e-12, 8.867433697123973e-12, 3.591265808372574e-14, 3.508704560934945e-14, 1.513549696734667e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_wrist_pitch.Phi_wrist_housing, least))
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_wrist_housing, least))
     fail(w, kGrowth, 4);
-  if (!join(i.joined, Phi_A, w.j_wrist_pitch.Phi_wrist_housing, i.X * w.j_elbow_pitch.b_forearm, w.j_wrist_pitch.b_wrist_housing, c))
+  if (!join(i.joined, Phi_A, kPhi_wrist_housing, i.X * w.j_elbow_pitch.b_forearm, w.j_forearm_roll.b, c))
     fail(w, kFactorization, 4);
+  couple(i.joined, kPhi_wrist_housing, i.at_wrist_housing);
+  i.Phi_wrist_housing = kPhi_wrist_housing - product(i.at_wrist_housing, i.at_wrist_housing);  // Eq. (4)
+  i.b_wrist_housing = w.j_forearm_roll.b + bias_change(i.joined, i.at_wrist_housing);  // Eq. (7)
 }
 
 void disassemble_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   Release<Revolute> release(i.joined);
+  release.feel_B(i.at_wrist_housing, w.j_forearm_roll.F_on_wrist_housing);
   const Columns6 f = release.force();  // Eq. (8), (10)
   i.qdd = release.qdd();  // Eq. (9)
   w.j_elbow_pitch.F_on_forearm = -i.X.transposed_times(f);
-  w.j_wrist_pitch.F_on_wrist_housing = f;
 }
 
 // =================================================================================================
@@ -1504,29 +1510,26 @@ void kinematics_wrist_pitch(Workspace& w) {
   i.v = i.X * w.j_forearm_roll.v + joint_velocity<Revolute>(w.v + 5);
 }
 
-// A: link "wrist_housing"; B: the chain of "flange_roll"; C feels the joint at "wrist_housing"
+// A: the chain of "forearm_roll"; B: the chain of "flange_roll"; C feels the joint at no link
 void assemble_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   load_torque(w, 5, 5, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_wrist_housing;
+  const Mat6 X_Phi_A = i.X * w.j_forearm_roll.Phi_wrist_housing;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
   constexpr std::array<Real, 6> least{1.2260061762262752e-11, 1.2260061762262752e-11, 1.2260061762262752e-11, 2.0383895677461698e-14, 3.678103573346401e-14, 3.787417840386417e-14};
   if (!keeps_digits<Revolute>(Phi_A, w.j_flange_roll.Phi_wrist, least))
     fail(w, kGrowth, 5);
-  if (!join(i.joined, Phi_A, w.j_flange_roll.Phi_wrist, i.X * w.j_forearm_roll.b, w.j_flange_roll.b_wrist, c))
+  if (!join(i.joined, Phi_A, w.j_flange_roll.Phi_wrist, i.X * w.j_forearm_roll.b_wrist_housing, w.j_flange_roll.b_wrist, c))
     fail(w, kFactorization, 5);
-  couple(i.joined, X_Phi_A, i.at_wrist_housing);
-  i.Phi_wrist_housing = kPhi_wrist_housing - product(i.at_wrist_housing, i.at_wrist_housing);  // Eq. (3)
-  i.b_wrist_housing = w.j_forearm_roll.b - bias_change(i.joined, i.at_wrist_housing);  // Eq. (6)
 }
 
 void disassemble_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_wrist_housing, w.j_wrist_pitch.F_on_wrist_housing);
   const Columns6 f = release.force();  // Eq. (8), (10)
   i.qdd = release.qdd();  // Eq. (9)
+  w.j_forearm_roll.F_on_wrist_housing = -i.X.transposed_times(f);
   w.j_flange_roll.F_on_wrist = f;
 }
 
@@ -1663,7 +1666,7 @@ void disassemble_right_finger_slide(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 5 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll"
+// Process 0: 6 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch"
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_base_yaw(w);
@@ -1671,6 +1674,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_upper_arm_roll(w);
   kinematics_elbow_pitch(w);
   kinematics_forearm_roll(w);
+  kinematics_wrist_pitch(w);
   stamp(1);
   link_bias(kLinks[1], w.j_base_yaw.v, w.j_base_yaw.b);
   assemble_base_yaw(w);
@@ -1680,23 +1684,26 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_upper_arm_roll(w);
   link_bias(kLinks[4], w.j_elbow_pitch.v, w.j_elbow_pitch.b);
   assemble_elbow_pitch(w);
+  link_bias(kLinks[5], w.j_forearm_roll.v, w.j_forearm_roll.b);
+  assemble_forearm_roll(w);
   stamp(2);
-  {  // from process 1: assembled: chain of "wrist_pitch"
+  {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
-    from = get(from, w.j_wrist_pitch.Phi_wrist_housing);
-    from = get(from, w.j_wrist_pitch.b_wrist_housing);
+    from = get(from, w.j_flange_roll.Phi_wrist);
+    from = get(from, w.j_flange_roll.b_wrist);
   }
   stamp(3);
-  assemble_forearm_roll(w);
+  assemble_wrist_pitch(w);
   stamp(4);
-  disassemble_forearm_roll(w);
+  disassemble_wrist_pitch(w);
   stamp(5);
-  {  // to process 1: forces on: chain of "wrist_pitch"
+  {  // to process 1: forces on: chain of "flange_roll"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_wrist_pitch.F_on_wrist_housing);
+    to = put(to, w.j_flange_roll.F_on_wrist);
     channel.send(1, w.status);
   }
   stamp(6);
+  disassemble_forearm_roll(w);
   disassemble_elbow_pitch(w);
   disassemble_upper_arm_roll(w);
   disassemble_shoulder_pitch(w);
@@ -1725,10 +1732,11 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   store_coupled(w, 2, 2, w.j_upper_arm_roll.qdd, w.coupling);
   store_coupled(w, 3, 3, w.j_elbow_pitch.qdd, w.coupling);
   store_coupled(w, 4, 4, w.j_forearm_roll.qdd, w.coupling);
+  store_coupled(w, 5, 5, w.j_wrist_pitch.qdd, w.coupling);
   stamp(11);
 }
 
-// Process 1: 4 of 9 joints: "wrist_pitch", "flange_roll", "left_finger_slide", "right_finger_slide"; kinematics of 5 more on the way to the ground
+// Process 1: 3 of 9 joints: "flange_roll", "left_finger_slide", "right_finger_slide"; kinematics of 6 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_base_yaw(w);
@@ -1748,22 +1756,19 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_left_finger_slide(w);
   link_bias(kLinks[6], w.j_wrist_pitch.v, w.j_wrist_pitch.b);
   assemble_flange_roll(w);
-  link_bias(kLinks[5], w.j_forearm_roll.v, w.j_forearm_roll.b);
-  assemble_wrist_pitch(w);
   stamp(2);
-  {  // to process 0: assembled: chain of "wrist_pitch"
+  {  // to process 0: assembled: chain of "flange_roll"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_wrist_pitch.Phi_wrist_housing);
-    to = put(to, w.j_wrist_pitch.b_wrist_housing);
+    to = put(to, w.j_flange_roll.Phi_wrist);
+    to = put(to, w.j_flange_roll.b_wrist);
     channel.send(0, w.status);
   }
   stamp(3);
-  {  // from process 0: forces on: chain of "wrist_pitch"
+  {  // from process 0: forces on: chain of "flange_roll"
     const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_wrist_pitch.F_on_wrist_housing);
+    from = get(from, w.j_flange_roll.F_on_wrist);
   }
   stamp(4);
-  disassemble_wrist_pitch(w);
   disassemble_flange_roll(w);
   disassemble_left_finger_slide(w);
   disassemble_right_finger_slide(w);
@@ -1780,7 +1785,6 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.coupling);
   }
   stamp(7);
-  store_coupled(w, 5, 5, w.j_wrist_pitch.qdd, w.coupling);
   store_coupled(w, 6, 6, w.j_flange_roll.qdd, w.coupling);
   store_coupled(w, 7, 7, w.j_left_finger_slide.qdd, w.coupling);
   store_coupled(w, 8, 8, w.j_right_finger_slide.qdd, w.coupling);
@@ -1791,14 +1795,14 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 1> kReadQ_0{ {{0, 5}} };
-constexpr std::array<Range, 1> kReadV_0{ {{0, 5}} };
-constexpr std::array<Range, 1> kOwn_0{ {{0, 5}} };
-constexpr std::array<Range, 1> kTorque_0{ {{0, 5}} };
+constexpr std::array<Range, 1> kReadQ_0{ {{0, 6}} };
+constexpr std::array<Range, 1> kReadV_0{ {{0, 6}} };
+constexpr std::array<Range, 1> kOwn_0{ {{0, 6}} };
+constexpr std::array<Range, 1> kTorque_0{ {{0, 6}} };
 constexpr std::array<Range, 1> kReadQ_1{ {{0, 8}} };
 constexpr std::array<Range, 1> kReadV_1{ {{0, 8}} };
-constexpr std::array<Range, 1> kOwn_1{ {{5, 4}} };
-constexpr std::array<Range, 1> kTorque_1{ {{5, 4}} };
+constexpr std::array<Range, 1> kOwn_1{ {{6, 3}} };
+constexpr std::array<Range, 1> kTorque_1{ {{6, 3}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
     {{1, kReadQ_1.data()}, {1, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
@@ -2662,22 +2666,26 @@ ADAGEN_HOT void advance(const State& anchor, const State& x, State& q) {
 
 }  // namespace manifold
 
-// Damping D and stiffness K of joints as they act at the end of a step: with B = h D + h^2 K,
-// (H + B) a = r, where H a0 = r would be the torques' answer with springs at q + h v. From the
-// evaluations of unit torques, M = (H^-1) at the joints with B: (B^-1 + M) y = a0 there, and the
-// torques less y give a. One evaluation for each such degree of freedom, and two.
+// Damping D, stiffness K and friction of joints as they act at the end of a step, where these
+// joints move with v + u instead of v: they take g(u) = (D + h K) u + friction at v + u less
+// friction at v of the torques with springs at q + h v, for which a0 would be the answer. From the
+// evaluations of unit torques, M = (H^-1) at these joints: u = h (a0 - M g(u)). One evaluation for
+// each such degree of freedom, and two.
 class PassiveTerms {
  public:
   using State = std::vector<double>;
 
   PassiveTerms() : extra_(kNv), base_(kNv), unit_(kNv) {
     for (const JointConstants& joint : kJoints)
-      for (int k = 0; k < joint.nv; ++k)
-        if (!joint.passive.prescribed && (joint.passive.damping > 0 || joint.passive.stiffness > 0))
-          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(joint.passive.damping),
-                           double(joint.passive.stiffness)});
-    matrix_.assign(rows_.size() * rows_.size(), 0);
-    y_.resize(rows_.size());
+      for (int k = 0; k < joint.nv; ++k) {
+        const Passive& own = joint.passive;
+        if (!own.prescribed && (own.damping > 0 || own.stiffness > 0 || own.friction > 0))
+          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(own.damping),
+                           double(own.stiffness), double(own.friction),
+                           double(own.friction_speed)});
+      }
+    for (State* x : {&taken_, &next_, &slope_, &u_, &du_}) x->resize(rows_.size());
+    for (State* x : {&matrix_, &factors_}) x->resize(rows_.size() * rows_.size());
   }
 
   // a at the end of a step of length h from (q, v).
@@ -2699,39 +2707,121 @@ class PassiveTerms {
       for (std::size_t i = 0; i < n; ++i)
         matrix_[i * n + k] = unit_[rows_[i].v] - base_[rows_[i].v];
     }
-    for (std::size_t k = 0; k < n; ++k) {
-      matrix_[k * n + k] += 1 / (h * rows_[k].damping + h * h * rows_[k].stiffness);
-      y_[k] = base_[rows_[k].v];
-    }
-    solve();
-    for (std::size_t k = 0; k < n; ++k) extra_[rows_[k].v] -= y_[k];
+    settle(h, v);
+    for (std::size_t k = 0; k < n; ++k) extra_[rows_[k].v] -= taken_[k];
     return evaluate(q, v, extra_, a);
   }
 
  private:
   struct Row {
     std::size_t v;
-    double damping, stiffness;
+    double damping, stiffness, friction, friction_speed;
+
+    bool rubs() const { return friction > 0; }
+
+    // What is taken at the end of a step that changes the velocity v by u.
+    double torque(double h, double at, double u) const {
+      const double linear = (damping + h * stiffness) * u;
+      if (!rubs()) return linear;
+      return linear +
+             friction * (std::tanh((at + u) / friction_speed) - std::tanh(at / friction_speed));
+    }
+
+    // Its derivative by u.
+    double slope(double h, double end) const {
+      if (!rubs()) return damping + h * stiffness;
+      const double part = std::tanh(end / friction_speed);
+      return damping + h * stiffness + friction / friction_speed * (1 - part) * (1 + part);
+    }
   };
 
-  // y <- matrix^-1 y by elimination; the matrix is symmetric and positive definite but for
-  // rounding.
+  static constexpr int kMostSteps = 100;
+  static constexpr double kNear = 1e-10, kFlat = 0.1;
+
+  // taken_ <- g(u) by Newton's method. g grows with u and M is positive semi-definite, so that u is
+  // where a convex function is least: a step is shortened until that function no longer rises
+  // steeply. What is linear takes one step.
+  void settle(double h, const State& v) {
+    const bool rubs =
+        std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.rubs(); });
+    std::fill(taken_.begin(), taken_.end(), 0.0);
+    for (int step = 0; step < (rubs ? kMostSteps : 1); ++step) {
+      aim(h, v);
+      const double length = rubs ? step_length(h, v) : 1;
+      bool near = true;
+      for (std::size_t k = 0; k < rows_.size(); ++k) {
+        const double change = next_[k] - taken_[k];
+        taken_[k] += length * change;
+        near &= std::abs(change) <= kNear * std::abs(taken_[k]) ||
+                std::abs(du_[k]) <= kNear * (std::abs(v[rows_[k].v]) + std::abs(u_[k]));
+      }
+      if (near || length == 0) return;
+    }
+  }
+
+  // From taken_: u_; by the derivative there, next_ as taken_ would be and du_ as u_ would change.
+  ADAGEN_HOT void aim(double h, const State& v) {
+    const std::size_t n = rows_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Row& row = rows_[i];
+      double a = base_[row.v];
+      for (std::size_t k = 0; k < n; ++k) a -= matrix_[i * n + k] * taken_[k];
+      u_[i] = h * a;
+      slope_[i] = row.slope(h, v[row.v] + u_[i]);
+      next_[i] = slope_[i] * (h * base_[row.v] - u_[i]) + row.torque(h, v[row.v], u_[i]);
+      for (std::size_t k = 0; k < n; ++k)
+        factors_[i * n + k] = (i == k) + h * slope_[i] * matrix_[i * n + k];
+    }
+    solve();
+    for (std::size_t i = 0; i < n; ++i) {
+      du_[i] = 0;
+      for (std::size_t k = 0; k < n; ++k) du_[i] -= h * matrix_[i * n + k] * (next_[k] - taken_[k]);
+    }
+  }
+
+  // How much of the way from taken_ to next_ is gone, at most 1; 0 where there is nowhere to go.
+  double step_length(double h, const State& v) const {
+    const double start = rise(0, h, v);
+    if (!(start < 0)) return 0;
+    double low = 0, high = 1, length = 1;
+    for (int halvings = 0; halvings < 60; ++halvings) {
+      const double found = rise(length, h, v);
+      if (std::abs(found) <= -kFlat * start || (length == 1 && found < 0)) break;
+      (found > 0 ? high : low) = length;
+      length = (low + high) / 2;
+    }
+    return length;
+  }
+
+  // The convex function's derivative at a part of the way.
+  ADAGEN_HOT double rise(double part, double h, const State& v) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const double there = taken_[k] + part * (next_[k] - taken_[k]);
+      sum += du_[k] * (rows_[k].torque(h, v[rows_[k].v], u_[k] + part * du_[k]) - there);
+    }
+    return sum;
+  }
+
+  // next_ <- factors_^-1 next_ by elimination, without pivoting: but for scales of rows and
+  // columns the matrix is symmetric and positive definite.
   ADAGEN_HOT void solve() {
     const std::size_t n = rows_.size();
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t i = k + 1; i < n; ++i) {
-        const double part = matrix_[i * n + k] / matrix_[k * n + k];
-        for (std::size_t j = k; j < n; ++j) matrix_[i * n + j] -= part * matrix_[k * n + j];
-        y_[i] -= part * y_[k];
+        const double part = factors_[i * n + k] / factors_[k * n + k];
+        for (std::size_t j = k; j < n; ++j) factors_[i * n + j] -= part * factors_[k * n + j];
+        next_[i] -= part * next_[k];
       }
     for (std::size_t k = n; k-- > 0;) {
-      for (std::size_t j = k + 1; j < n; ++j) y_[k] -= matrix_[k * n + j] * y_[j];
-      y_[k] /= matrix_[k * n + k];
+      for (std::size_t j = k + 1; j < n; ++j) next_[k] -= factors_[k * n + j] * next_[j];
+      next_[k] /= factors_[k * n + k];
     }
   }
 
   std::vector<Row> rows_;
-  State extra_, base_, unit_, matrix_, y_;
+  State extra_, base_, unit_, matrix_, factors_;
+  State taken_, next_, slope_, u_, du_;  // torques twice; their derivatives; changes of velocity
 };
 
 // Fixed-step integrators of q' = G(q) v, v' = a(q, v). All but RK4 and the explicit Euler method
@@ -3258,13 +3348,13 @@ class Watch {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<Stage, 11> kStages_0{ {
-    {"kinematics", 4, -1},
-    {"assembly", 3, -1},
-    {"receive", -1, 0},
+    {"kinematics", 5, -1},
     {"assembly", 4, -1},
-    {"disassembly", 4, -1},
+    {"receive", -1, 0},
+    {"assembly", 5, -1},
+    {"disassembly", 5, -1},
     {"send", -1, 1},
-    {"disassembly", 3, -1},
+    {"disassembly", 4, -1},
     {"receive", -1, 2},
     {"slaved", -1, -1},
     {"send", -1, 3},
@@ -3272,10 +3362,10 @@ constexpr std::array<Stage, 11> kStages_0{ {
 } };
 constexpr std::array<Stage, 8> kStages_1{ {
     {"kinematics", 8, -1},
-    {"assembly", 5, -1},
+    {"assembly", 6, -1},
     {"send", -1, 0},
     {"receive", -1, 1},
-    {"disassembly", 5, -1},
+    {"disassembly", 6, -1},
     {"send", -1, 2},
     {"receive", -1, 3},
     {"slaved", -1, -1},

@@ -2,13 +2,18 @@
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // options   form ada, shape joints, scalar double, channel message, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  joint08@0-3(joint07@0-1(joint04(joint03@0(joint02(joint01|)|) | joint05@1(|joint06))|) | joint12@2-3(joint09@2(|joint10(|joint11)) | joint13@3(|joint14(|joint15(|joint16)))))
+// program   4 processes, joined at cuts; 2.37 us predicted (default profile)
+//           process 0: joint01 .. joint06, joint10
+//           process 1: joint07 .. joint09
+//           process 2: joint11 .. joint13
+//           process 3: joint14 .. joint16
+// schedule  joint10@0-3(joint06@0-1(joint05@0(joint04(joint03(joint02(joint01|)|)|)|) | joint07@1(|joint08(|joint09))) | joint13@2-3(joint11@2(|joint12) | joint14@3(|joint15(|joint16))))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
-// b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
-// joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
-// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
+// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
+// bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
+// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
+// vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls
@@ -723,18 +728,18 @@ class Release {
 };
 
 constexpr std::array<MessageInfo, 12> kMessages{ {
-    {1, 0, 120},  // 0: assembled: chain of "joint05"
-    {3, 2, 42},  // 1: assembled: chain of "joint13"
-    {2, 0, 42},  // 2: assembled: chain of "joint12"
-    {0, 2, 6},  // 3: forces on: chain of "joint12"
-    {0, 1, 12},  // 4: forces on: chain of "joint05"
-    {2, 3, 6},  // 5: forces on: chain of "joint13"
-    {0, 1, 14},  // 6: state
-    {1, 0, 2},  // 7: accelerations
-    {0, 2, 28},  // 8: state
-    {2, 0, 4},  // 9: accelerations
-    {0, 3, 36},  // 10: state
-    {3, 0, 4},  // 11: accelerations
+    {1, 0, 120},  // 0: assembled: chain of "joint07"
+    {3, 2, 42},  // 1: assembled: chain of "joint14"
+    {2, 0, 42},  // 2: assembled: chain of "joint13"
+    {0, 2, 6},  // 3: forces on: chain of "joint13"
+    {0, 1, 12},  // 4: forces on: chain of "joint07"
+    {2, 3, 6},  // 5: forces on: chain of "joint14"
+    {0, 1, 21},  // 6: state
+    {1, 0, 3},  // 7: accelerations
+    {0, 2, 29},  // 8: state
+    {2, 0, 3},  // 9: accelerations
+    {0, 3, 35},  // 10: state
+    {3, 0, 3},  // 11: accelerations
 } };
 
 // What a process does in an evaluation as the others see it: the messages that it sends and
@@ -1110,60 +1115,64 @@ struct Joint_joint03 {
 struct Joint_joint04 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod04"
-  Mat6 Phi_rod06;  // of the chain it completes
-  Columns6 b_rod06;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod06;
   Columns6 b;  // bias of the bare link "rod04"
-  Columns6 F_on_rod06;  // outer wrench on that chain
+  Mat6 Phi_rod04;  // of the chain it completes
+  Columns6 b_rod04;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod04;
+  Columns6 F_on_rod04;  // outer wrench on that chain
 };
 
 struct Joint_joint05 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod05"
   Columns6 b;  // bias of the bare link "rod05"
-  Mat6 Phi_rod04;  // of the chain it completes
-  Mat6 Phi_rod04_rod06;  // of the chain it completes
-  Mat6 Phi_rod06;  // of the chain it completes
-  Columns6 b_rod04;
-  Columns6 b_rod06;
+  Mat6 Phi_rod05;  // of the chain it completes
+  Columns6 b_rod05;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod04;
-  Coupled<Revolute> at_rod06;
-  Columns6 F_on_rod04;  // outer wrench on that chain
+  Coupled<Revolute> at_rod05;
+  Columns6 F_on_rod05;  // outer wrench on that chain
 };
 
 struct Joint_joint06 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod06"
-  Columns6 b;  // bias of the bare link "rod06"
-  Mat6 Phi_rod05;  // of the chain it completes
-  Mat6 Phi_rod05_rod06;  // of the chain it completes
-  Mat6 Phi_rod06;  // of the chain it completes
-  Columns6 b_rod05;
-  Columns6 b_rod06;
+  Mat6 Phi_rod09;  // of the chain it completes
+  Columns6 b_rod09;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod05;
-  Coupled<Revolute> at_rod06;
-  Columns6 F_on_rod05;  // outer wrench on that chain
+  Coupled<Revolute> at_rod09;
+  Columns6 b;  // bias of the bare link "rod06"
+  Columns6 F_on_rod09;  // outer wrench on that chain
 };
 
 struct Joint_joint07 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod07"
   Columns6 b;  // bias of the bare link "rod07"
-  Mat6 Phi_rod07;  // of the chain it completes
-  Columns6 b_rod07;
+  Mat6 Phi_rod06;  // of the chain it completes
+  Mat6 Phi_rod06_rod09;  // of the chain it completes
+  Mat6 Phi_rod09;  // of the chain it completes
+  Columns6 b_rod06;
+  Columns6 b_rod09;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod07;
-  Columns6 F_on_rod07;  // outer wrench on that chain
+  Coupled<Revolute> at_rod06;
+  Coupled<Revolute> at_rod09;
+  Columns6 F_on_rod06;  // outer wrench on that chain
 };
 
 struct Joint_joint08 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod08"
-  Joined<Revolute> joined;
   Columns6 b;  // bias of the bare link "rod08"
+  Mat6 Phi_rod07;  // of the chain it completes
+  Mat6 Phi_rod07_rod09;  // of the chain it completes
+  Mat6 Phi_rod09;  // of the chain it completes
+  Columns6 b_rod07;
+  Columns6 b_rod09;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod07;
+  Coupled<Revolute> at_rod09;
+  Columns6 F_on_rod07;  // outer wrench on that chain
 };
 
 struct Joint_joint09 {
@@ -1171,29 +1180,21 @@ struct Joint_joint09 {
   Vec6 v;  // velocity of link "rod09"
   Columns6 b;  // bias of the bare link "rod09"
   Mat6 Phi_rod08;  // of the chain it completes
-  Mat6 Phi_rod08_rod11;  // of the chain it completes
-  Mat6 Phi_rod11;  // of the chain it completes
+  Mat6 Phi_rod08_rod09;  // of the chain it completes
+  Mat6 Phi_rod09;  // of the chain it completes
   Columns6 b_rod08;
-  Columns6 b_rod11;
+  Columns6 b_rod09;
   Joined<Revolute> joined;
   Coupled<Revolute> at_rod08;
-  Coupled<Revolute> at_rod11;
-  Columns6 F_on_rod11;  // outer wrench on that chain
+  Coupled<Revolute> at_rod09;
+  Columns6 F_on_rod08;  // outer wrench on that chain
 };
 
 struct Joint_joint10 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod10"
-  Columns6 b;  // bias of the bare link "rod10"
-  Mat6 Phi_rod09;  // of the chain it completes
-  Mat6 Phi_rod09_rod11;  // of the chain it completes
-  Mat6 Phi_rod11;  // of the chain it completes
-  Columns6 b_rod09;
-  Columns6 b_rod11;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod09;
-  Coupled<Revolute> at_rod11;
-  Columns6 F_on_rod09;  // outer wrench on that chain
+  Columns6 b;  // bias of the bare link "rod10"
 };
 
 struct Joint_joint11 {
@@ -1201,36 +1202,40 @@ struct Joint_joint11 {
   Vec6 v;  // velocity of link "rod11"
   Columns6 b;  // bias of the bare link "rod11"
   Mat6 Phi_rod10;  // of the chain it completes
-  Mat6 Phi_rod10_rod11;  // of the chain it completes
-  Mat6 Phi_rod11;  // of the chain it completes
+  Mat6 Phi_rod10_rod12;  // of the chain it completes
+  Mat6 Phi_rod12;  // of the chain it completes
   Columns6 b_rod10;
-  Columns6 b_rod11;
+  Columns6 b_rod12;
   Joined<Revolute> joined;
   Coupled<Revolute> at_rod10;
-  Coupled<Revolute> at_rod11;
-  Columns6 F_on_rod10;  // outer wrench on that chain
+  Coupled<Revolute> at_rod12;
+  Columns6 F_on_rod12;  // outer wrench on that chain
 };
 
 struct Joint_joint12 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod12"
-  Mat6 Phi_rod08;  // of the chain it completes
-  Columns6 b_rod08;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod08;
   Columns6 b;  // bias of the bare link "rod12"
-  Columns6 F_on_rod08;  // outer wrench on that chain
+  Mat6 Phi_rod11;  // of the chain it completes
+  Mat6 Phi_rod11_rod12;  // of the chain it completes
+  Mat6 Phi_rod12;  // of the chain it completes
+  Columns6 b_rod11;
+  Columns6 b_rod12;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod11;
+  Coupled<Revolute> at_rod12;
+  Columns6 F_on_rod11;  // outer wrench on that chain
 };
 
 struct Joint_joint13 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod13"
-  Columns6 b;  // bias of the bare link "rod13"
-  Mat6 Phi_rod12;  // of the chain it completes
-  Columns6 b_rod12;
+  Mat6 Phi_rod10;  // of the chain it completes
+  Columns6 b_rod10;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod12;
-  Columns6 F_on_rod12;  // outer wrench on that chain
+  Coupled<Revolute> at_rod10;
+  Columns6 b;  // bias of the bare link "rod13"
+  Columns6 F_on_rod10;  // outer wrench on that chain
 };
 
 struct Joint_joint14 {
@@ -1570,7 +1575,7 @@ void kinematics_joint04(Workspace& w) {
   i.v = i.X * w.j_joint03.v + joint_velocity<Revolute>(w.v + 3);
 }
 
-// A: the chain of "joint03"; B: the chain of "joint05"; C feels the joint at "rod06"
+// A: the chain of "joint03"; B: link "rod04"; C feels the joint at "rod04"
 void assemble_joint04(Workspace& w) {
   auto& i = w.j_joint04;
   load_torque(w, 3, 3, i.joined.tau);
@@ -1578,23 +1583,22 @@ void assemble_joint04(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 3);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint05.Phi_rod04, least))
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod04, least))
     fail(w, kGrowth, 3);
-  if (!join(i.joined, Phi_A, w.j_joint05.Phi_rod04, i.X * w.j_joint03.b_rod03, w.j_joint05.b_rod04, c))
+  if (!join(i.joined, Phi_A, kPhi_rod04, i.X * w.j_joint03.b_rod03, w.j_joint04.b, c))
     fail(w, kFactorization, 3);
-  couple(i.joined, w.j_joint05.Phi_rod04_rod06, i.at_rod06);
-  i.Phi_rod06 = w.j_joint05.Phi_rod06 - product(i.at_rod06, i.at_rod06);  // Eq. (4)
-  i.b_rod06 = w.j_joint05.b_rod06 + bias_change(i.joined, i.at_rod06);  // Eq. (7)
+  couple(i.joined, kPhi_rod04, i.at_rod04);
+  i.Phi_rod04 = kPhi_rod04 - product(i.at_rod04, i.at_rod04);  // Eq. (4)
+  i.b_rod04 = w.j_joint04.b + bias_change(i.joined, i.at_rod04);  // Eq. (7)
 }
 
 void disassemble_joint04(Workspace& w) {
   auto& i = w.j_joint04;
   Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod06, w.j_joint04.F_on_rod06);
+  release.feel_B(i.at_rod04, w.j_joint04.F_on_rod04);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 3, 3, release.qdd());  // Eq. (9)
   w.j_joint03.F_on_rod03 = -i.X.transposed_times(f);
-  w.j_joint05.F_on_rod04 = f;
 }
 
 // =================================================================================================
@@ -1614,35 +1618,30 @@ void kinematics_joint05(Workspace& w) {
   i.v = i.X * w.j_joint04.v + joint_velocity<Revolute>(w.v + 4);
 }
 
-// A: link "rod04"; B: the chain of "joint06"; C feels the joint at "rod04", "rod06"
+// A: the chain of "joint04"; B: link "rod05"; C feels the joint at "rod05"
 void assemble_joint05(Workspace& w) {
   auto& i = w.j_joint05;
   load_torque(w, 4, 4, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod04;
+  const Mat6 X_Phi_A = i.X * w.j_joint04.Phi_rod04;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
   constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint06.Phi_rod05, least))
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod05, least))
     fail(w, kGrowth, 4);
-  if (!join(i.joined, Phi_A, w.j_joint06.Phi_rod05, i.X * w.j_joint04.b, w.j_joint06.b_rod05, c))
+  if (!join(i.joined, Phi_A, kPhi_rod05, i.X * w.j_joint04.b_rod04, w.j_joint05.b, c))
     fail(w, kFactorization, 4);
-  couple(i.joined, X_Phi_A, i.at_rod04);
-  couple(i.joined, w.j_joint06.Phi_rod05_rod06, i.at_rod06);
-  i.Phi_rod04 = kPhi_rod04 - product(i.at_rod04, i.at_rod04);  // Eq. (3)
-  i.Phi_rod04_rod06 = product(i.at_rod04, i.at_rod06);  // Eq. (5)
-  i.Phi_rod06 = w.j_joint06.Phi_rod06 - product(i.at_rod06, i.at_rod06);  // Eq. (4)
-  i.b_rod04 = w.j_joint04.b - bias_change(i.joined, i.at_rod04);  // Eq. (6)
-  i.b_rod06 = w.j_joint06.b_rod06 + bias_change(i.joined, i.at_rod06);  // Eq. (7)
+  couple(i.joined, kPhi_rod05, i.at_rod05);
+  i.Phi_rod05 = kPhi_rod05 - product(i.at_rod05, i.at_rod05);  // Eq. (4)
+  i.b_rod05 = w.j_joint05.b + bias_change(i.joined, i.at_rod05);  // Eq. (7)
 }
 
 void disassemble_joint05(Workspace& w) {
   auto& i = w.j_joint05;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod04, w.j_joint05.F_on_rod04);
-  release.feel_B(i.at_rod06, w.j_joint04.F_on_rod06);
+  release.feel_B(i.at_rod05, w.j_joint05.F_on_rod05);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
-  w.j_joint06.F_on_rod05 = f;
+  w.j_joint04.F_on_rod04 = -i.X.transposed_times(f);
 }
 
 // =================================================================================================
@@ -1662,34 +1661,31 @@ void kinematics_joint06(Workspace& w) {
   i.v = i.X * w.j_joint05.v + joint_velocity<Revolute>(w.v + 5);
 }
 
-// A: link "rod05"; B: link "rod06"; C feels the joint at "rod05", "rod06"
+// A: the chain of "joint05"; B: the chain of "joint07"; C feels the joint at "rod09"
 void assemble_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   load_torque(w, 5, 5, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod05;
+  const Mat6 X_Phi_A = i.X * w.j_joint05.Phi_rod05;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
-  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod06, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint07.Phi_rod06, least))
     fail(w, kGrowth, 5);
-  if (!join(i.joined, Phi_A, kPhi_rod06, i.X * w.j_joint05.b, w.j_joint06.b, c))
+  if (!join(i.joined, Phi_A, w.j_joint07.Phi_rod06, i.X * w.j_joint05.b_rod05, w.j_joint07.b_rod06, c))
     fail(w, kFactorization, 5);
-  couple(i.joined, X_Phi_A, i.at_rod05);
-  couple(i.joined, kPhi_rod06, i.at_rod06);
-  i.Phi_rod05 = kPhi_rod05 - product(i.at_rod05, i.at_rod05);  // Eq. (3)
-  i.Phi_rod05_rod06 = product(i.at_rod05, i.at_rod06);  // Eq. (5)
-  i.Phi_rod06 = kPhi_rod06 - product(i.at_rod06, i.at_rod06);  // Eq. (4)
-  i.b_rod05 = w.j_joint05.b - bias_change(i.joined, i.at_rod05);  // Eq. (6)
-  i.b_rod06 = w.j_joint06.b + bias_change(i.joined, i.at_rod06);  // Eq. (7)
+  couple(i.joined, w.j_joint07.Phi_rod06_rod09, i.at_rod09);
+  i.Phi_rod09 = w.j_joint07.Phi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (4)
+  i.b_rod09 = w.j_joint07.b_rod09 + bias_change(i.joined, i.at_rod09);  // Eq. (7)
 }
 
 void disassemble_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod05, w.j_joint06.F_on_rod05);
-  release.feel_B(i.at_rod06, w.j_joint04.F_on_rod06);
-  release.force();  // Eq. (8)
+  release.feel_B(i.at_rod09, w.j_joint06.F_on_rod09);
+  const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 5, 5, release.qdd());  // Eq. (9)
+  w.j_joint05.F_on_rod05 = -i.X.transposed_times(f);
+  w.j_joint07.F_on_rod06 = f;
 }
 
 // =================================================================================================
@@ -1709,30 +1705,35 @@ void kinematics_joint07(Workspace& w) {
   i.v = i.X * w.j_joint06.v + joint_velocity<Revolute>(w.v + 6);
 }
 
-// A: the chain of "joint04"; B: link "rod07"; C feels the joint at "rod07"
+// A: link "rod06"; B: the chain of "joint08"; C feels the joint at "rod06", "rod09"
 void assemble_joint07(Workspace& w) {
   auto& i = w.j_joint07;
   load_torque(w, 6, 6, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint04.Phi_rod06;
+  const Mat6 X_Phi_A = i.X * kPhi_rod06;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod07, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint08.Phi_rod07, least))
     fail(w, kGrowth, 6);
-  if (!join(i.joined, Phi_A, kPhi_rod07, i.X * w.j_joint04.b_rod06, w.j_joint07.b, c))
+  if (!join(i.joined, Phi_A, w.j_joint08.Phi_rod07, i.X * w.j_joint06.b, w.j_joint08.b_rod07, c))
     fail(w, kFactorization, 6);
-  couple(i.joined, kPhi_rod07, i.at_rod07);
-  i.Phi_rod07 = kPhi_rod07 - product(i.at_rod07, i.at_rod07);  // Eq. (4)
-  i.b_rod07 = w.j_joint07.b + bias_change(i.joined, i.at_rod07);  // Eq. (7)
+  couple(i.joined, X_Phi_A, i.at_rod06);
+  couple(i.joined, w.j_joint08.Phi_rod07_rod09, i.at_rod09);
+  i.Phi_rod06 = kPhi_rod06 - product(i.at_rod06, i.at_rod06);  // Eq. (3)
+  i.Phi_rod06_rod09 = product(i.at_rod06, i.at_rod09);  // Eq. (5)
+  i.Phi_rod09 = w.j_joint08.Phi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (4)
+  i.b_rod06 = w.j_joint06.b - bias_change(i.joined, i.at_rod06);  // Eq. (6)
+  i.b_rod09 = w.j_joint08.b_rod09 + bias_change(i.joined, i.at_rod09);  // Eq. (7)
 }
 
 void disassemble_joint07(Workspace& w) {
   auto& i = w.j_joint07;
   Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod07, w.j_joint07.F_on_rod07);
+  release.feel_A(i.at_rod06, w.j_joint07.F_on_rod06);
+  release.feel_B(i.at_rod09, w.j_joint06.F_on_rod09);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 6, 6, release.qdd());  // Eq. (9)
-  w.j_joint04.F_on_rod06 = -i.X.transposed_times(f);
+  w.j_joint08.F_on_rod07 = f;
 }
 
 // =================================================================================================
@@ -1752,27 +1753,35 @@ void kinematics_joint08(Workspace& w) {
   i.v = i.X * w.j_joint07.v + joint_velocity<Revolute>(w.v + 7);
 }
 
-// A: the chain of "joint07"; B: the chain of "joint12"; C feels the joint at no link
+// A: link "rod07"; B: the chain of "joint09"; C feels the joint at "rod07", "rod09"
 void assemble_joint08(Workspace& w) {
   auto& i = w.j_joint08;
   load_torque(w, 7, 7, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint07.Phi_rod07;
+  const Mat6 X_Phi_A = i.X * kPhi_rod07;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 7);
   constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint12.Phi_rod08, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint09.Phi_rod08, least))
     fail(w, kGrowth, 7);
-  if (!join(i.joined, Phi_A, w.j_joint12.Phi_rod08, i.X * w.j_joint07.b_rod07, w.j_joint12.b_rod08, c))
+  if (!join(i.joined, Phi_A, w.j_joint09.Phi_rod08, i.X * w.j_joint07.b, w.j_joint09.b_rod08, c))
     fail(w, kFactorization, 7);
+  couple(i.joined, X_Phi_A, i.at_rod07);
+  couple(i.joined, w.j_joint09.Phi_rod08_rod09, i.at_rod09);
+  i.Phi_rod07 = kPhi_rod07 - product(i.at_rod07, i.at_rod07);  // Eq. (3)
+  i.Phi_rod07_rod09 = product(i.at_rod07, i.at_rod09);  // Eq. (5)
+  i.Phi_rod09 = w.j_joint09.Phi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (4)
+  i.b_rod07 = w.j_joint07.b - bias_change(i.joined, i.at_rod07);  // Eq. (6)
+  i.b_rod09 = w.j_joint09.b_rod09 + bias_change(i.joined, i.at_rod09);  // Eq. (7)
 }
 
 void disassemble_joint08(Workspace& w) {
   auto& i = w.j_joint08;
   Release<Revolute> release(i.joined);
+  release.feel_A(i.at_rod07, w.j_joint08.F_on_rod07);
+  release.feel_B(i.at_rod09, w.j_joint06.F_on_rod09);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 7, 7, release.qdd());  // Eq. (9)
-  w.j_joint07.F_on_rod07 = -i.X.transposed_times(f);
-  w.j_joint12.F_on_rod08 = f;
+  w.j_joint09.F_on_rod08 = f;
 }
 
 // =================================================================================================
@@ -1792,7 +1801,7 @@ void kinematics_joint09(Workspace& w) {
   i.v = i.X * w.j_joint08.v + joint_velocity<Revolute>(w.v + 8);
 }
 
-// A: link "rod08"; B: the chain of "joint10"; C feels the joint at "rod08", "rod11"
+// A: link "rod08"; B: link "rod09"; C feels the joint at "rod08", "rod09"
 void assemble_joint09(Workspace& w) {
   auto& i = w.j_joint09;
   load_torque(w, 8, 8, i.joined.tau);
@@ -1800,27 +1809,26 @@ void assemble_joint09(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 8);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint10.Phi_rod09, least))
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod09, least))
     fail(w, kGrowth, 8);
-  if (!join(i.joined, Phi_A, w.j_joint10.Phi_rod09, i.X * w.j_joint08.b, w.j_joint10.b_rod09, c))
+  if (!join(i.joined, Phi_A, kPhi_rod09, i.X * w.j_joint08.b, w.j_joint09.b, c))
     fail(w, kFactorization, 8);
   couple(i.joined, X_Phi_A, i.at_rod08);
-  couple(i.joined, w.j_joint10.Phi_rod09_rod11, i.at_rod11);
+  couple(i.joined, kPhi_rod09, i.at_rod09);
   i.Phi_rod08 = kPhi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (3)
-  i.Phi_rod08_rod11 = product(i.at_rod08, i.at_rod11);  // Eq. (5)
-  i.Phi_rod11 = w.j_joint10.Phi_rod11 - product(i.at_rod11, i.at_rod11);  // Eq. (4)
+  i.Phi_rod08_rod09 = product(i.at_rod08, i.at_rod09);  // Eq. (5)
+  i.Phi_rod09 = kPhi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (4)
   i.b_rod08 = w.j_joint08.b - bias_change(i.joined, i.at_rod08);  // Eq. (6)
-  i.b_rod11 = w.j_joint10.b_rod11 + bias_change(i.joined, i.at_rod11);  // Eq. (7)
+  i.b_rod09 = w.j_joint09.b + bias_change(i.joined, i.at_rod09);  // Eq. (7)
 }
 
 void disassemble_joint09(Workspace& w) {
   auto& i = w.j_joint09;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod08, w.j_joint12.F_on_rod08);
-  release.feel_B(i.at_rod11, w.j_joint09.F_on_rod11);
-  const Columns6 f = release.force();  // Eq. (8), (10)
+  release.feel_A(i.at_rod08, w.j_joint09.F_on_rod08);
+  release.feel_B(i.at_rod09, w.j_joint06.F_on_rod09);
+  release.force();  // Eq. (8)
   store_acceleration(w, 8, 8, release.qdd());  // Eq. (9)
-  w.j_joint10.F_on_rod09 = f;
 }
 
 // =================================================================================================
@@ -1840,35 +1848,27 @@ void kinematics_joint10(Workspace& w) {
   i.v = i.X * w.j_joint09.v + joint_velocity<Revolute>(w.v + 9);
 }
 
-// A: link "rod09"; B: the chain of "joint11"; C feels the joint at "rod09", "rod11"
+// A: the chain of "joint06"; B: the chain of "joint13"; C feels the joint at no link
 void assemble_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   load_torque(w, 9, 9, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod09;
+  const Mat6 X_Phi_A = i.X * w.j_joint06.Phi_rod09;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 9);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint11.Phi_rod10, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint13.Phi_rod10, least))
     fail(w, kGrowth, 9);
-  if (!join(i.joined, Phi_A, w.j_joint11.Phi_rod10, i.X * w.j_joint09.b, w.j_joint11.b_rod10, c))
+  if (!join(i.joined, Phi_A, w.j_joint13.Phi_rod10, i.X * w.j_joint06.b_rod09, w.j_joint13.b_rod10, c))
     fail(w, kFactorization, 9);
-  couple(i.joined, X_Phi_A, i.at_rod09);
-  couple(i.joined, w.j_joint11.Phi_rod10_rod11, i.at_rod11);
-  i.Phi_rod09 = kPhi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (3)
-  i.Phi_rod09_rod11 = product(i.at_rod09, i.at_rod11);  // Eq. (5)
-  i.Phi_rod11 = w.j_joint11.Phi_rod11 - product(i.at_rod11, i.at_rod11);  // Eq. (4)
-  i.b_rod09 = w.j_joint09.b - bias_change(i.joined, i.at_rod09);  // Eq. (6)
-  i.b_rod11 = w.j_joint11.b_rod11 + bias_change(i.joined, i.at_rod11);  // Eq. (7)
 }
 
 void disassemble_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod09, w.j_joint10.F_on_rod09);
-  release.feel_B(i.at_rod11, w.j_joint09.F_on_rod11);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 9, 9, release.qdd());  // Eq. (9)
-  w.j_joint11.F_on_rod10 = f;
+  w.j_joint06.F_on_rod09 = -i.X.transposed_times(f);
+  w.j_joint13.F_on_rod10 = f;
 }
 
 // =================================================================================================
@@ -1888,7 +1888,7 @@ void kinematics_joint11(Workspace& w) {
   i.v = i.X * w.j_joint10.v + joint_velocity<Revolute>(w.v + 10);
 }
 
-// A: link "rod10"; B: link "rod11"; C feels the joint at "rod10", "rod11"
+// A: link "rod10"; B: the chain of "joint12"; C feels the joint at "rod10", "rod12"
 void assemble_joint11(Workspace& w) {
   auto& i = w.j_joint11;
   load_torque(w, 10, 10, i.joined.tau);
@@ -1896,26 +1896,27 @@ void assemble_joint11(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 10);
   constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod11, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint12.Phi_rod11, least))
     fail(w, kGrowth, 10);
-  if (!join(i.joined, Phi_A, kPhi_rod11, i.X * w.j_joint10.b, w.j_joint11.b, c))
+  if (!join(i.joined, Phi_A, w.j_joint12.Phi_rod11, i.X * w.j_joint10.b, w.j_joint12.b_rod11, c))
     fail(w, kFactorization, 10);
   couple(i.joined, X_Phi_A, i.at_rod10);
-  couple(i.joined, kPhi_rod11, i.at_rod11);
+  couple(i.joined, w.j_joint12.Phi_rod11_rod12, i.at_rod12);
   i.Phi_rod10 = kPhi_rod10 - product(i.at_rod10, i.at_rod10);  // Eq. (3)
-  i.Phi_rod10_rod11 = product(i.at_rod10, i.at_rod11);  // Eq. (5)
-  i.Phi_rod11 = kPhi_rod11 - product(i.at_rod11, i.at_rod11);  // Eq. (4)
+  i.Phi_rod10_rod12 = product(i.at_rod10, i.at_rod12);  // Eq. (5)
+  i.Phi_rod12 = w.j_joint12.Phi_rod12 - product(i.at_rod12, i.at_rod12);  // Eq. (4)
   i.b_rod10 = w.j_joint10.b - bias_change(i.joined, i.at_rod10);  // Eq. (6)
-  i.b_rod11 = w.j_joint11.b + bias_change(i.joined, i.at_rod11);  // Eq. (7)
+  i.b_rod12 = w.j_joint12.b_rod12 + bias_change(i.joined, i.at_rod12);  // Eq. (7)
 }
 
 void disassemble_joint11(Workspace& w) {
   auto& i = w.j_joint11;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod10, w.j_joint11.F_on_rod10);
-  release.feel_B(i.at_rod11, w.j_joint09.F_on_rod11);
-  release.force();  // Eq. (8)
+  release.feel_A(i.at_rod10, w.j_joint13.F_on_rod10);
+  release.feel_B(i.at_rod12, w.j_joint11.F_on_rod12);
+  const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 10, 10, release.qdd());  // Eq. (9)
+  w.j_joint12.F_on_rod11 = f;
 }
 
 // =================================================================================================
@@ -1935,31 +1936,34 @@ void kinematics_joint12(Workspace& w) {
   i.v = i.X * w.j_joint11.v + joint_velocity<Revolute>(w.v + 11);
 }
 
-// A: the chain of "joint09"; B: the chain of "joint13"; C feels the joint at "rod08"
+// A: link "rod11"; B: link "rod12"; C feels the joint at "rod11", "rod12"
 void assemble_joint12(Workspace& w) {
   auto& i = w.j_joint12;
   load_torque(w, 11, 11, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint09.Phi_rod11;
+  const Mat6 X_Phi_A = i.X * kPhi_rod11;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 11);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint13.Phi_rod12, least))
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod12, least))
     fail(w, kGrowth, 11);
-  if (!join(i.joined, Phi_A, w.j_joint13.Phi_rod12, i.X * w.j_joint09.b_rod11, w.j_joint13.b_rod12, c))
+  if (!join(i.joined, Phi_A, kPhi_rod12, i.X * w.j_joint11.b, w.j_joint12.b, c))
     fail(w, kFactorization, 11);
-  couple(i.joined, times_transposed(i.X, w.j_joint09.Phi_rod08_rod11), i.at_rod08);
-  i.Phi_rod08 = w.j_joint09.Phi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (3)
-  i.b_rod08 = w.j_joint09.b_rod08 - bias_change(i.joined, i.at_rod08);  // Eq. (6)
+  couple(i.joined, X_Phi_A, i.at_rod11);
+  couple(i.joined, kPhi_rod12, i.at_rod12);
+  i.Phi_rod11 = kPhi_rod11 - product(i.at_rod11, i.at_rod11);  // Eq. (3)
+  i.Phi_rod11_rod12 = product(i.at_rod11, i.at_rod12);  // Eq. (5)
+  i.Phi_rod12 = kPhi_rod12 - product(i.at_rod12, i.at_rod12);  // Eq. (4)
+  i.b_rod11 = w.j_joint11.b - bias_change(i.joined, i.at_rod11);  // Eq. (6)
+  i.b_rod12 = w.j_joint12.b + bias_change(i.joined, i.at_rod12);  // Eq. (7)
 }
 
 void disassemble_joint12(Workspace& w) {
   auto& i = w.j_joint12;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod08, w.j_joint12.F_on_rod08);
-  const Columns6 f = release.force();  // Eq. (8), (10)
+  release.feel_A(i.at_rod11, w.j_joint12.F_on_rod11);
+  release.feel_B(i.at_rod12, w.j_joint11.F_on_rod12);
+  release.force();  // Eq. (8)
   store_acceleration(w, 11, 11, release.qdd());  // Eq. (9)
-  w.j_joint09.F_on_rod11 = -i.X.transposed_times(f);
-  w.j_joint13.F_on_rod12 = f;
 }
 
 // =================================================================================================
@@ -1979,29 +1983,30 @@ void kinematics_joint13(Workspace& w) {
   i.v = i.X * w.j_joint12.v + joint_velocity<Revolute>(w.v + 12);
 }
 
-// A: link "rod12"; B: the chain of "joint14"; C feels the joint at "rod12"
+// A: the chain of "joint11"; B: the chain of "joint14"; C feels the joint at "rod10"
 void assemble_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   load_torque(w, 12, 12, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod12;
+  const Mat6 X_Phi_A = i.X * w.j_joint11.Phi_rod12;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 12);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
   if (!keeps_digits<Revolute>(Phi_A, w.j_joint14.Phi_rod13, least))
     fail(w, kGrowth, 12);
-  if (!join(i.joined, Phi_A, w.j_joint14.Phi_rod13, i.X * w.j_joint12.b, w.j_joint14.b_rod13, c))
+  if (!join(i.joined, Phi_A, w.j_joint14.Phi_rod13, i.X * w.j_joint11.b_rod12, w.j_joint14.b_rod13, c))
     fail(w, kFactorization, 12);
-  couple(i.joined, X_Phi_A, i.at_rod12);
-  i.Phi_rod12 = kPhi_rod12 - product(i.at_rod12, i.at_rod12);  // Eq. (3)
-  i.b_rod12 = w.j_joint12.b - bias_change(i.joined, i.at_rod12);  // Eq. (6)
+  couple(i.joined, times_transposed(i.X, w.j_joint11.Phi_rod10_rod12), i.at_rod10);
+  i.Phi_rod10 = w.j_joint11.Phi_rod10 - product(i.at_rod10, i.at_rod10);  // Eq. (3)
+  i.b_rod10 = w.j_joint11.b_rod10 - bias_change(i.joined, i.at_rod10);  // Eq. (6)
 }
 
 void disassemble_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod12, w.j_joint13.F_on_rod12);
+  release.feel_A(i.at_rod10, w.j_joint13.F_on_rod10);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 12, 12, release.qdd());  // Eq. (9)
+  w.j_joint11.F_on_rod12 = -i.X.transposed_times(f);
   w.j_joint14.F_on_rod13 = f;
 }
 
@@ -2136,7 +2141,7 @@ void disassemble_joint16(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 6 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint07", "joint08"; kinematics of 2 more on the way to the ground
+// Process 0: 7 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...; kinematics of 3 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_joint01(w);
@@ -2147,6 +2152,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint06(w);
   kinematics_joint07(w);
   kinematics_joint08(w);
+  kinematics_joint09(w);
+  kinematics_joint10(w);
   stamp(1);
   link_bias(kLinks[1], w.j_joint01.v, w.j_joint01.b);
   assemble_joint01(w);
@@ -2154,53 +2161,56 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_joint02(w);
   link_bias(kLinks[3], w.j_joint03.v, w.j_joint03.b);
   assemble_joint03(w);
+  link_bias(kLinks[4], w.j_joint04.v, w.j_joint04.b);
+  assemble_joint04(w);
+  link_bias(kLinks[5], w.j_joint05.v, w.j_joint05.b);
+  assemble_joint05(w);
   stamp(2);
-  {  // from process 1: assembled: chain of "joint05"
+  {  // from process 1: assembled: chain of "joint07"
     const Number* from = channel.receive(0, w.status);
-    from = get(from, w.j_joint05.Phi_rod04);
-    from = get(from, w.j_joint05.Phi_rod04_rod06);
-    from = get(from, w.j_joint05.Phi_rod06);
-    from = get(from, w.j_joint05.b_rod04);
-    from = get(from, w.j_joint05.b_rod06);
+    from = get(from, w.j_joint07.Phi_rod06);
+    from = get(from, w.j_joint07.Phi_rod06_rod09);
+    from = get(from, w.j_joint07.Phi_rod09);
+    from = get(from, w.j_joint07.b_rod06);
+    from = get(from, w.j_joint07.b_rod09);
   }
   stamp(3);
-  assemble_joint04(w);
-  link_bias(kLinks[7], w.j_joint07.v, w.j_joint07.b);
-  assemble_joint07(w);
+  assemble_joint06(w);
   stamp(4);
-  {  // from process 2: assembled: chain of "joint12"
+  {  // from process 2: assembled: chain of "joint13"
     const Number* from = channel.receive(2, w.status);
-    from = get(from, w.j_joint12.Phi_rod08);
-    from = get(from, w.j_joint12.b_rod08);
+    from = get(from, w.j_joint13.Phi_rod10);
+    from = get(from, w.j_joint13.b_rod10);
   }
   stamp(5);
-  assemble_joint08(w);
+  assemble_joint10(w);
   stamp(6);
-  disassemble_joint08(w);
+  disassemble_joint10(w);
   stamp(7);
-  {  // to process 2: forces on: chain of "joint12"
+  {  // to process 2: forces on: chain of "joint13"
     Number* to = channel.outgoing(3, w.status);
-    to = put(to, w.j_joint12.F_on_rod08);
+    to = put(to, w.j_joint13.F_on_rod10);
     channel.send(3, w.status);
   }
   stamp(8);
-  disassemble_joint07(w);
-  disassemble_joint04(w);
+  disassemble_joint06(w);
   stamp(9);
-  {  // to process 1: forces on: chain of "joint05"
+  {  // to process 1: forces on: chain of "joint07"
     Number* to = channel.outgoing(4, w.status);
-    to = put(to, w.j_joint05.F_on_rod04);
-    to = put(to, w.j_joint04.F_on_rod06);
+    to = put(to, w.j_joint07.F_on_rod06);
+    to = put(to, w.j_joint06.F_on_rod09);
     channel.send(4, w.status);
   }
   stamp(10);
+  disassemble_joint05(w);
+  disassemble_joint04(w);
   disassemble_joint03(w);
   disassemble_joint02(w);
   disassemble_joint01(w);
   stamp(11);
 }
 
-// Process 1: 2 of 16 joints: "joint05", "joint06"; kinematics of 4 more on the way to the ground
+// Process 1: 3 of 16 joints: "joint07", "joint08", "joint09"; kinematics of 6 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_joint01(w);
@@ -2209,35 +2219,41 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint04(w);
   kinematics_joint05(w);
   kinematics_joint06(w);
+  kinematics_joint07(w);
+  kinematics_joint08(w);
+  kinematics_joint09(w);
   stamp(1);
-  link_bias(kLinks[5], w.j_joint05.v, w.j_joint05.b);
+  link_bias(kLinks[8], w.j_joint08.v, w.j_joint08.b);
+  link_bias(kLinks[9], w.j_joint09.v, w.j_joint09.b);
+  assemble_joint09(w);
+  link_bias(kLinks[7], w.j_joint07.v, w.j_joint07.b);
+  assemble_joint08(w);
   link_bias(kLinks[6], w.j_joint06.v, w.j_joint06.b);
-  assemble_joint06(w);
-  link_bias(kLinks[4], w.j_joint04.v, w.j_joint04.b);
-  assemble_joint05(w);
+  assemble_joint07(w);
   stamp(2);
-  {  // to process 0: assembled: chain of "joint05"
+  {  // to process 0: assembled: chain of "joint07"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_joint05.Phi_rod04);
-    to = put(to, w.j_joint05.Phi_rod04_rod06);
-    to = put(to, w.j_joint05.Phi_rod06);
-    to = put(to, w.j_joint05.b_rod04);
-    to = put(to, w.j_joint05.b_rod06);
+    to = put(to, w.j_joint07.Phi_rod06);
+    to = put(to, w.j_joint07.Phi_rod06_rod09);
+    to = put(to, w.j_joint07.Phi_rod09);
+    to = put(to, w.j_joint07.b_rod06);
+    to = put(to, w.j_joint07.b_rod09);
     channel.send(0, w.status);
   }
   stamp(3);
-  {  // from process 0: forces on: chain of "joint05"
+  {  // from process 0: forces on: chain of "joint07"
     const Number* from = channel.receive(4, w.status);
-    from = get(from, w.j_joint05.F_on_rod04);
-    from = get(from, w.j_joint04.F_on_rod06);
+    from = get(from, w.j_joint07.F_on_rod06);
+    from = get(from, w.j_joint06.F_on_rod09);
   }
   stamp(4);
-  disassemble_joint05(w);
-  disassemble_joint06(w);
+  disassemble_joint07(w);
+  disassemble_joint08(w);
+  disassemble_joint09(w);
   stamp(5);
 }
 
-// Process 2: 4 of 16 joints: "joint09", "joint10", "joint11", "joint12"; kinematics of 8 more on the way to the ground
+// Process 2: 3 of 16 joints: "joint11", "joint12", "joint13"; kinematics of 10 more on the way to the ground
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_joint01(w);
@@ -2252,50 +2268,48 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint10(w);
   kinematics_joint11(w);
   kinematics_joint12(w);
+  kinematics_joint13(w);
   stamp(1);
-  link_bias(kLinks[10], w.j_joint10.v, w.j_joint10.b);
   link_bias(kLinks[11], w.j_joint11.v, w.j_joint11.b);
+  link_bias(kLinks[12], w.j_joint12.v, w.j_joint12.b);
+  assemble_joint12(w);
+  link_bias(kLinks[10], w.j_joint10.v, w.j_joint10.b);
   assemble_joint11(w);
-  link_bias(kLinks[9], w.j_joint09.v, w.j_joint09.b);
-  assemble_joint10(w);
-  link_bias(kLinks[8], w.j_joint08.v, w.j_joint08.b);
-  assemble_joint09(w);
   stamp(2);
-  {  // from process 3: assembled: chain of "joint13"
+  {  // from process 3: assembled: chain of "joint14"
     const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_joint13.Phi_rod12);
-    from = get(from, w.j_joint13.b_rod12);
+    from = get(from, w.j_joint14.Phi_rod13);
+    from = get(from, w.j_joint14.b_rod13);
   }
   stamp(3);
-  assemble_joint12(w);
+  assemble_joint13(w);
   stamp(4);
-  {  // to process 0: assembled: chain of "joint12"
+  {  // to process 0: assembled: chain of "joint13"
     Number* to = channel.outgoing(2, w.status);
-    to = put(to, w.j_joint12.Phi_rod08);
-    to = put(to, w.j_joint12.b_rod08);
+    to = put(to, w.j_joint13.Phi_rod10);
+    to = put(to, w.j_joint13.b_rod10);
     channel.send(2, w.status);
   }
   stamp(5);
-  {  // from process 0: forces on: chain of "joint12"
+  {  // from process 0: forces on: chain of "joint13"
     const Number* from = channel.receive(3, w.status);
-    from = get(from, w.j_joint12.F_on_rod08);
+    from = get(from, w.j_joint13.F_on_rod10);
   }
   stamp(6);
-  disassemble_joint12(w);
+  disassemble_joint13(w);
   stamp(7);
-  {  // to process 3: forces on: chain of "joint13"
+  {  // to process 3: forces on: chain of "joint14"
     Number* to = channel.outgoing(5, w.status);
-    to = put(to, w.j_joint13.F_on_rod12);
+    to = put(to, w.j_joint14.F_on_rod13);
     channel.send(5, w.status);
   }
   stamp(8);
-  disassemble_joint09(w);
-  disassemble_joint10(w);
   disassemble_joint11(w);
+  disassemble_joint12(w);
   stamp(9);
 }
 
-// Process 3: 4 of 16 joints: "joint13", "joint14", "joint15", "joint16"; kinematics of 12 more on the way to the ground
+// Process 3: 3 of 16 joints: "joint14", "joint15", "joint16"; kinematics of 13 more on the way to the ground
 void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_joint01(w);
@@ -2322,22 +2336,19 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_joint15(w);
   link_bias(kLinks[13], w.j_joint13.v, w.j_joint13.b);
   assemble_joint14(w);
-  link_bias(kLinks[12], w.j_joint12.v, w.j_joint12.b);
-  assemble_joint13(w);
   stamp(2);
-  {  // to process 2: assembled: chain of "joint13"
+  {  // to process 2: assembled: chain of "joint14"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_joint13.Phi_rod12);
-    to = put(to, w.j_joint13.b_rod12);
+    to = put(to, w.j_joint14.Phi_rod13);
+    to = put(to, w.j_joint14.b_rod13);
     channel.send(1, w.status);
   }
   stamp(3);
-  {  // from process 2: forces on: chain of "joint13"
+  {  // from process 2: forces on: chain of "joint14"
     const Number* from = channel.receive(5, w.status);
-    from = get(from, w.j_joint13.F_on_rod12);
+    from = get(from, w.j_joint14.F_on_rod13);
   }
   stamp(4);
-  disassemble_joint13(w);
   disassemble_joint14(w);
   disassemble_joint15(w);
   disassemble_joint16(w);
@@ -2348,22 +2359,22 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 1> kReadQ_0{ {{0, 8}} };
-constexpr std::array<Range, 1> kReadV_0{ {{0, 8}} };
-constexpr std::array<Range, 2> kOwn_0{ {{0, 4}, {6, 2}} };
-constexpr std::array<Range, 2> kTorque_0{ {{0, 4}, {6, 2}} };
-constexpr std::array<Range, 1> kReadQ_1{ {{0, 6}} };
-constexpr std::array<Range, 1> kReadV_1{ {{0, 6}} };
-constexpr std::array<Range, 1> kOwn_1{ {{4, 2}} };
-constexpr std::array<Range, 1> kTorque_1{ {{4, 2}} };
-constexpr std::array<Range, 1> kReadQ_2{ {{0, 12}} };
-constexpr std::array<Range, 1> kReadV_2{ {{0, 12}} };
-constexpr std::array<Range, 1> kOwn_2{ {{8, 4}} };
-constexpr std::array<Range, 1> kTorque_2{ {{8, 4}} };
+constexpr std::array<Range, 1> kReadQ_0{ {{0, 10}} };
+constexpr std::array<Range, 1> kReadV_0{ {{0, 10}} };
+constexpr std::array<Range, 2> kOwn_0{ {{0, 6}, {9, 1}} };
+constexpr std::array<Range, 2> kTorque_0{ {{0, 6}, {9, 1}} };
+constexpr std::array<Range, 1> kReadQ_1{ {{0, 9}} };
+constexpr std::array<Range, 1> kReadV_1{ {{0, 9}} };
+constexpr std::array<Range, 1> kOwn_1{ {{6, 3}} };
+constexpr std::array<Range, 1> kTorque_1{ {{6, 3}} };
+constexpr std::array<Range, 1> kReadQ_2{ {{0, 13}} };
+constexpr std::array<Range, 1> kReadV_2{ {{0, 13}} };
+constexpr std::array<Range, 1> kOwn_2{ {{10, 3}} };
+constexpr std::array<Range, 1> kTorque_2{ {{10, 3}} };
 constexpr std::array<Range, 1> kReadQ_3{ {{0, 16}} };
 constexpr std::array<Range, 1> kReadV_3{ {{0, 16}} };
-constexpr std::array<Range, 1> kOwn_3{ {{12, 4}} };
-constexpr std::array<Range, 1> kTorque_3{ {{12, 4}} };
+constexpr std::array<Range, 1> kOwn_3{ {{13, 3}} };
+constexpr std::array<Range, 1> kTorque_3{ {{13, 3}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {2, kOwn_0.data()}, {2, kTorque_0.data()}},
     {{1, kReadQ_1.data()}, {1, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
@@ -3229,22 +3240,26 @@ ADAGEN_HOT void advance(const State& anchor, const State& x, State& q) {
 
 }  // namespace manifold
 
-// Damping D and stiffness K of joints as they act at the end of a step: with B = h D + h^2 K,
-// (H + B) a = r, where H a0 = r would be the torques' answer with springs at q + h v. From the
-// evaluations of unit torques, M = (H^-1) at the joints with B: (B^-1 + M) y = a0 there, and the
-// torques less y give a. One evaluation for each such degree of freedom, and two.
+// Damping D, stiffness K and friction of joints as they act at the end of a step, where these
+// joints move with v + u instead of v: they take g(u) = (D + h K) u + friction at v + u less
+// friction at v of the torques with springs at q + h v, for which a0 would be the answer. From the
+// evaluations of unit torques, M = (H^-1) at these joints: u = h (a0 - M g(u)). One evaluation for
+// each such degree of freedom, and two.
 class PassiveTerms {
  public:
   using State = std::vector<double>;
 
   PassiveTerms() : extra_(kNv), base_(kNv), unit_(kNv) {
     for (const JointConstants& joint : kJoints)
-      for (int k = 0; k < joint.nv; ++k)
-        if (!joint.passive.prescribed && (joint.passive.damping > 0 || joint.passive.stiffness > 0))
-          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(joint.passive.damping),
-                           double(joint.passive.stiffness)});
-    matrix_.assign(rows_.size() * rows_.size(), 0);
-    y_.resize(rows_.size());
+      for (int k = 0; k < joint.nv; ++k) {
+        const Passive& own = joint.passive;
+        if (!own.prescribed && (own.damping > 0 || own.stiffness > 0 || own.friction > 0))
+          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(own.damping),
+                           double(own.stiffness), double(own.friction),
+                           double(own.friction_speed)});
+      }
+    for (State* x : {&taken_, &next_, &slope_, &u_, &du_}) x->resize(rows_.size());
+    for (State* x : {&matrix_, &factors_}) x->resize(rows_.size() * rows_.size());
   }
 
   // a at the end of a step of length h from (q, v).
@@ -3266,39 +3281,121 @@ class PassiveTerms {
       for (std::size_t i = 0; i < n; ++i)
         matrix_[i * n + k] = unit_[rows_[i].v] - base_[rows_[i].v];
     }
-    for (std::size_t k = 0; k < n; ++k) {
-      matrix_[k * n + k] += 1 / (h * rows_[k].damping + h * h * rows_[k].stiffness);
-      y_[k] = base_[rows_[k].v];
-    }
-    solve();
-    for (std::size_t k = 0; k < n; ++k) extra_[rows_[k].v] -= y_[k];
+    settle(h, v);
+    for (std::size_t k = 0; k < n; ++k) extra_[rows_[k].v] -= taken_[k];
     return evaluate(q, v, extra_, a);
   }
 
  private:
   struct Row {
     std::size_t v;
-    double damping, stiffness;
+    double damping, stiffness, friction, friction_speed;
+
+    bool rubs() const { return friction > 0; }
+
+    // What is taken at the end of a step that changes the velocity v by u.
+    double torque(double h, double at, double u) const {
+      const double linear = (damping + h * stiffness) * u;
+      if (!rubs()) return linear;
+      return linear +
+             friction * (std::tanh((at + u) / friction_speed) - std::tanh(at / friction_speed));
+    }
+
+    // Its derivative by u.
+    double slope(double h, double end) const {
+      if (!rubs()) return damping + h * stiffness;
+      const double part = std::tanh(end / friction_speed);
+      return damping + h * stiffness + friction / friction_speed * (1 - part) * (1 + part);
+    }
   };
 
-  // y <- matrix^-1 y by elimination; the matrix is symmetric and positive definite but for
-  // rounding.
+  static constexpr int kMostSteps = 100;
+  static constexpr double kNear = 1e-10, kFlat = 0.1;
+
+  // taken_ <- g(u) by Newton's method. g grows with u and M is positive semi-definite, so that u is
+  // where a convex function is least: a step is shortened until that function no longer rises
+  // steeply. What is linear takes one step.
+  void settle(double h, const State& v) {
+    const bool rubs =
+        std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.rubs(); });
+    std::fill(taken_.begin(), taken_.end(), 0.0);
+    for (int step = 0; step < (rubs ? kMostSteps : 1); ++step) {
+      aim(h, v);
+      const double length = rubs ? step_length(h, v) : 1;
+      bool near = true;
+      for (std::size_t k = 0; k < rows_.size(); ++k) {
+        const double change = next_[k] - taken_[k];
+        taken_[k] += length * change;
+        near &= std::abs(change) <= kNear * std::abs(taken_[k]) ||
+                std::abs(du_[k]) <= kNear * (std::abs(v[rows_[k].v]) + std::abs(u_[k]));
+      }
+      if (near || length == 0) return;
+    }
+  }
+
+  // From taken_: u_; by the derivative there, next_ as taken_ would be and du_ as u_ would change.
+  ADAGEN_HOT void aim(double h, const State& v) {
+    const std::size_t n = rows_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Row& row = rows_[i];
+      double a = base_[row.v];
+      for (std::size_t k = 0; k < n; ++k) a -= matrix_[i * n + k] * taken_[k];
+      u_[i] = h * a;
+      slope_[i] = row.slope(h, v[row.v] + u_[i]);
+      next_[i] = slope_[i] * (h * base_[row.v] - u_[i]) + row.torque(h, v[row.v], u_[i]);
+      for (std::size_t k = 0; k < n; ++k)
+        factors_[i * n + k] = (i == k) + h * slope_[i] * matrix_[i * n + k];
+    }
+    solve();
+    for (std::size_t i = 0; i < n; ++i) {
+      du_[i] = 0;
+      for (std::size_t k = 0; k < n; ++k) du_[i] -= h * matrix_[i * n + k] * (next_[k] - taken_[k]);
+    }
+  }
+
+  // How much of the way from taken_ to next_ is gone, at most 1; 0 where there is nowhere to go.
+  double step_length(double h, const State& v) const {
+    const double start = rise(0, h, v);
+    if (!(start < 0)) return 0;
+    double low = 0, high = 1, length = 1;
+    for (int halvings = 0; halvings < 60; ++halvings) {
+      const double found = rise(length, h, v);
+      if (std::abs(found) <= -kFlat * start || (length == 1 && found < 0)) break;
+      (found > 0 ? high : low) = length;
+      length = (low + high) / 2;
+    }
+    return length;
+  }
+
+  // The convex function's derivative at a part of the way.
+  ADAGEN_HOT double rise(double part, double h, const State& v) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const double there = taken_[k] + part * (next_[k] - taken_[k]);
+      sum += du_[k] * (rows_[k].torque(h, v[rows_[k].v], u_[k] + part * du_[k]) - there);
+    }
+    return sum;
+  }
+
+  // next_ <- factors_^-1 next_ by elimination, without pivoting: but for scales of rows and
+  // columns the matrix is symmetric and positive definite.
   ADAGEN_HOT void solve() {
     const std::size_t n = rows_.size();
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t i = k + 1; i < n; ++i) {
-        const double part = matrix_[i * n + k] / matrix_[k * n + k];
-        for (std::size_t j = k; j < n; ++j) matrix_[i * n + j] -= part * matrix_[k * n + j];
-        y_[i] -= part * y_[k];
+        const double part = factors_[i * n + k] / factors_[k * n + k];
+        for (std::size_t j = k; j < n; ++j) factors_[i * n + j] -= part * factors_[k * n + j];
+        next_[i] -= part * next_[k];
       }
     for (std::size_t k = n; k-- > 0;) {
-      for (std::size_t j = k + 1; j < n; ++j) y_[k] -= matrix_[k * n + j] * y_[j];
-      y_[k] /= matrix_[k * n + k];
+      for (std::size_t j = k + 1; j < n; ++j) next_[k] -= factors_[k * n + j] * next_[j];
+      next_[k] /= factors_[k * n + k];
     }
   }
 
   std::vector<Row> rows_;
-  State extra_, base_, unit_, matrix_, y_;
+  State extra_, base_, unit_, matrix_, factors_;
+  State taken_, next_, slope_, u_, du_;  // torques twice; their derivatives; changes of velocity
 };
 
 // Fixed-step integrators of q' = G(q) v, v' = a(q, v). All but RK4 and the explicit Euler method
@@ -3825,42 +3922,42 @@ class Watch {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<Stage, 11> kStages_0{ {
-    {"kinematics", 7, -1},
-    {"assembly", 2, -1},
-    {"receive", -1, 0},
-    {"assembly", 6, -1},
-    {"receive", -1, 2},
-    {"assembly", 7, -1},
-    {"disassembly", 7, -1},
-    {"send", -1, 3},
-    {"disassembly", 6, -1},
-    {"send", -1, 4},
-    {"disassembly", 2, -1},
-} };
-constexpr std::array<Stage, 5> kStages_1{ {
-    {"kinematics", 5, -1},
+    {"kinematics", 9, -1},
     {"assembly", 4, -1},
-    {"send", -1, 0},
-    {"receive", -1, 4},
+    {"receive", -1, 0},
+    {"assembly", 5, -1},
+    {"receive", -1, 2},
+    {"assembly", 9, -1},
+    {"disassembly", 9, -1},
+    {"send", -1, 3},
+    {"disassembly", 5, -1},
+    {"send", -1, 4},
     {"disassembly", 4, -1},
 } };
+constexpr std::array<Stage, 5> kStages_1{ {
+    {"kinematics", 8, -1},
+    {"assembly", 6, -1},
+    {"send", -1, 0},
+    {"receive", -1, 4},
+    {"disassembly", 6, -1},
+} };
 constexpr std::array<Stage, 9> kStages_2{ {
-    {"kinematics", 11, -1},
-    {"assembly", 8, -1},
+    {"kinematics", 12, -1},
+    {"assembly", 10, -1},
     {"receive", -1, 1},
-    {"assembly", 11, -1},
+    {"assembly", 12, -1},
     {"send", -1, 2},
     {"receive", -1, 3},
-    {"disassembly", 11, -1},
+    {"disassembly", 12, -1},
     {"send", -1, 5},
-    {"disassembly", 8, -1},
+    {"disassembly", 10, -1},
 } };
 constexpr std::array<Stage, 5> kStages_3{ {
     {"kinematics", 15, -1},
-    {"assembly", 12, -1},
+    {"assembly", 13, -1},
     {"send", -1, 1},
     {"receive", -1, 5},
-    {"disassembly", 12, -1},
+    {"disassembly", 13, -1},
 } };
 constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data(), kStages_2.data(), kStages_3.data()};
 constexpr std::array<int, kProcesses> kStageCount{11, 5, 9, 5};

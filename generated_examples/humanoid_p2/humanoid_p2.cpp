@@ -1,17 +1,18 @@
 // Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
-// options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// schedule  __base__@0-1(|neck_yaw(left_shoulder_pitch(right_shoulder_pitch(left_ankle_roll@0(left_ankle_pitch(left_knee(left_hip_yaw(left_hip_roll(left_hip_pitch(right_ankle_roll(right_ankle_pitch(right_knee(right_hip_yaw(right_hip_roll(right_hip_pitch(waist_yaw(|waist_roll(|waist_pitch))|)|)|)|)|)|)|)|)|)|)|)|) | right_wrist_pitch@1(right_wrist_roll(right_elbow(right_shoulder_yaw(right_shoulder_roll|)|)|)|)) | left_wrist_pitch@1(left_wrist_roll(left_elbow(left_shoulder_yaw(left_shoulder_roll|)|)|)|)) | neck_pitch@1))
+// options   form segment, shape unrolled, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
+// program   2 processes, gathered at torso; 0.536 us predicted (default profile)
+//           process 0: __base__ .. waist_pitch
+//           process 1: left_shoulder_pitch .. right_wrist_pitch
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
-// link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
-// accelerations come back. Spatial vectors are [angular; linear], in link frames turned so that every
-// joint axis is z.
-// Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura joins them: Phi =
-// (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent link's side) and
-// chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
+// Each process sweeps its own limbs by the articulated-body algorithm: I^A and p^A, a link's inertia and
+// bias force with all that hangs on it. Processes meet once: each tells the others the I^A and p^A that
+// it found at the links where limbs of several processes meet. What lies between those links, up to the
+// root, every process then sweeps for itself, solves for the root's acceleration and goes outwards again
+// through its own limbs. Spatial vectors are [angular; linear], in link frames turned so that every joint
+// axis is z.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls
@@ -474,307 +475,6 @@ std::string describe(int status) {
   return "unknown failure";
 }
 
-// Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
-constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
-typedef Real Lanes __attribute__((vector_size(64)));
-typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
-typedef Bits LaneBits __attribute__((vector_size(64)));
-
-// Where registers are narrower, gcc tells that vectors are passed in other ways; none is, all is
-// inlined.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi"
-#endif
-
-#define ADAGEN_ALWAYS __attribute__((always_inline))
-#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
-#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
-
-ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
-ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
-
-// Whether any bit is set. Half by half: compilers take lanes apart one by one if left to it.
-typedef std::int64_t FourWords __attribute__((vector_size(32)));
-typedef std::int64_t TwoWords __attribute__((vector_size(16)));
-template <class T>
-ADAGEN_INLINE bool any_of(const T& x) {
-  if constexpr (sizeof x > sizeof(TwoWords)) {
-    typedef std::conditional_t<sizeof x == sizeof(FourWords), TwoWords, FourWords> Half;
-    Half halves[2];
-    std::memcpy(halves, &x, sizeof x);
-    const Half either = halves[0] | halves[1];
-    return any_of(either);
-  } else {
-    std::int64_t words[2]{};
-    std::memcpy(words, &x, sizeof x);
-    return (words[0] | words[1]) != 0;
-  }
-}
-
-// Whether all numbers are positive: false for NaN.
-ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
-template <class T>
-ADAGEN_INLINE bool all_positive(const T& x) {
-  return !any_of(~(x > T{}));
-}
-
-// One number or the other, lane by lane.
-ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
-  const LaneBits bits =
-      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
-  return reinterpret_cast<Lanes>(bits);
-}
-
-ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
-ADAGEN_INLINE bool all_zero(const Lanes& x) { return !any_of(x != Lanes{}); }
-
-ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
-ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
-  Lanes result = x;
-  for (int k = 0; k < kLanes; ++k) result[k] = std::tanh(x[k]);
-  return result;
-}
-
-// Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
-// three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
-// kLargestAngle; beyond, each lane is left to the C library.
-template <class R>
-struct Trigonometry;
-
-template <>
-struct Trigonometry<double> {
-  [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
-  [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
-  [[maybe_unused]] static constexpr double kParts[3] = {
-      1.57079632673412561417e+00, 6.07710050630396597660e-11, 2.02226624871116645580e-21};
-  [[maybe_unused]] static constexpr double kSine[6] = {
-      1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
-      -1.98412698295895385996e-4, 8.33333333332211858878e-3,  -1.66666666666666307295e-1};
-  [[maybe_unused]] static constexpr double kCosine[6] = {
-      -1.13585365213876817300e-11, 2.08757008419747316778e-9,  -2.75573141792967388112e-7,
-      2.48015872888517045348e-5,   -1.38888888888730564116e-3, 4.16666666666665929218e-2};
-};
-
-template <>
-struct Trigonometry<float> {
-  [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
-  [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
-  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f,
-                                                       7.54978995489188216e-8f};
-  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f,
-                                                      -1.6666654611e-1f};
-  [[maybe_unused]] static constexpr float kCosine[3] = {
-      2.443315711809948e-5f, -1.388731625493765e-3f, 4.166664568298827e-2f};
-};
-
-template <std::size_t n>
-ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
-  Lanes result = Lanes{} + coefficients[0];
-  ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
-  return result;
-}
-
-ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
-                                         Lanes& cosine) {
-  for (int k = 0; k < kLanes; ++k)
-    if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
-}
-
-// Of angles that are not too large.
-ADAGEN_INLINE void near_sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
-  using Table = Trigonometry<Real>;
-  const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
-  const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
-  const Lanes turns = shifted - Table::kRound;
-  const Lanes rest =
-      ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
-  const Lanes square = rest * rest;
-  const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
-  const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
-  const LaneBits swapped = -(quadrant & 1);
-  const LaneBits s_bits = reinterpret_cast<LaneBits>(s);
-  const LaneBits c_bits = reinterpret_cast<LaneBits>(c);
-  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
-  const LaneBits sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
-  const LaneBits cosine_bits =
-      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
-  sine = reinterpret_cast<Lanes>(sine_bits);
-  cosine = reinterpret_cast<Lanes>(cosine_bits);
-}
-
-ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
-  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
-  return (angle > kLargest) | (angle < -kLargest);
-}
-
-ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
-  near_sine_and_cosine(angle, sine, cosine);
-  const LaneBits beyond = too_large(angle);
-  if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
-}
-
-// Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
-// computed with: one number, or one for each of several states or links.
-template <class T>
-struct Vector {
-  T x, y, z;
-};
-
-template <class T>
-struct Matrix {
-  Vector<T> x, y, z;  // rows
-};
-
-template <class T>
-struct Symmetric {
-  T xx, xy, xz, yy, yz, zz;
-};
-
-template <class T>
-ADAGEN_INLINE Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class T>
-ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a, const Vector<T>& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-template <class T>
-ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a) {
-  return {-a.x, -a.y, -a.z};
-}
-template <class T, class S>
-ADAGEN_INLINE Vector<T> operator*(const Vector<T>& a, const S& s) {
-  return {a.x * s, a.y * s, a.z * s};
-}
-template <class T>
-ADAGEN_INLINE void operator+=(Vector<T>& a, const Vector<T>& b) {
-  a.x += b.x, a.y += b.y, a.z += b.z;
-}
-template <class T, class S>
-ADAGEN_INLINE T dot(const Vector<T>& a, const Vector<S>& b) {
-  return a.x * b.x + (a.y * b.y + a.z * b.z);
-}
-template <class T, class S>
-ADAGEN_INLINE Vector<T> cross(const Vector<T>& a, const Vector<S>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-template <class T, class S>
-ADAGEN_INLINE Vector<T> operator*(const Matrix<T>& m, const Vector<S>& a) {
-  return {dot(m.x, a), dot(m.y, a), dot(m.z, a)};
-}
-template <class T>
-ADAGEN_INLINE Vector<T> transposed_times(const Matrix<T>& m, const Vector<T>& a) {
-  return {m.x.x * a.x + (m.y.x * a.y + m.z.x * a.z), m.x.y * a.x + (m.y.y * a.y + m.z.y * a.z),
-          m.x.z * a.x + (m.y.z * a.y + m.z.z * a.z)};
-}
-template <class T, class S>
-ADAGEN_INLINE Vector<T> row_times(const Vector<T>& a, const Matrix<S>& m) {
-  return {a.x * m.x.x + (a.y * m.y.x + a.z * m.z.x), a.x * m.x.y + (a.y * m.y.y + a.z * m.z.y),
-          a.x * m.x.z + (a.y * m.y.z + a.z * m.z.z)};
-}
-template <class T, class S>
-ADAGEN_INLINE Matrix<T> operator*(const Matrix<T>& a, const Matrix<S>& b) {
-  return {row_times(a.x, b), row_times(a.y, b), row_times(a.z, b)};
-}
-template <class T>
-ADAGEN_INLINE Vector<T> operator*(const Symmetric<T>& m, const Vector<T>& a) {
-  return {m.xx * a.x + (m.xy * a.y + m.xz * a.z), m.xy * a.x + (m.yy * a.y + m.yz * a.z),
-          m.xz * a.x + (m.yz * a.y + m.zz * a.z)};
-}
-template <class T>
-ADAGEN_INLINE void operator+=(Symmetric<T>& a, const Symmetric<T>& b) {
-  a.xx += b.xx, a.xy += b.xy, a.xz += b.xz, a.yy += b.yy, a.yz += b.yz, a.zz += b.zz;
-}
-template <class T>
-ADAGEN_INLINE void operator+=(Matrix<T>& a, const Matrix<T>& b) {
-  a.x += b.x, a.y += b.y, a.z += b.z;
-}
-
-// A body about a point: spatial inertia [[A, B], [B^T, C]] (A rotational, C of mass) and bias force
-// [n; f]. It is a link, or a link with all that hangs on it.
-template <class T>
-struct Body {
-  Symmetric<T> A;
-  Matrix<T> B;
-  Symmetric<T> C;
-  Vector<T> n, f;
-};
-
-template <class T>
-ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
-  a.A += b.A, a.B += b.B, a.C += b.C, a.n += b.n, a.f += b.f;
-}
-
-// The body told about the point at -r from the one that it is told about: B + rx C, and
-// A + rx B^T - (B + rx C) rx.
-template <class T>
-ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
-  const Symmetric<T>& C = X.C;
-  const Matrix<T> B{{X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
-                     X.B.x.z + (r.y * C.zz - r.z * C.yz)},
-                    {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
-                     X.B.y.z + (r.z * C.xz - r.x * C.zz)},
-                    {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
-                     X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
-  X.A.xx += (r.y * X.B.x.z - r.z * X.B.x.y) - (B.x.y * r.z - B.x.z * r.y);
-  X.A.xy += (r.y * X.B.y.z - r.z * X.B.y.y) - (B.x.z * r.x - B.x.x * r.z);
-  X.A.xz += (r.y * X.B.z.z - r.z * X.B.z.y) - (B.x.x * r.y - B.x.y * r.x);
-  X.A.yy += (r.z * X.B.y.x - r.x * X.B.y.z) - (B.y.z * r.x - B.y.x * r.z);
-  X.A.yz += (r.z * X.B.z.x - r.x * X.B.z.z) - (B.y.x * r.y - B.y.y * r.x);
-  X.A.zz += (r.x * X.B.z.y - r.y * X.B.z.x) - (B.z.x * r.y - B.z.y * r.x);
-  X.B = B;
-  X.n += cross(r, X.f);
-}
-
-// The same for a body whose A and B are zero, as a point mass's: B = rx C, A = -B rx.
-template <class T>
-ADAGEN_INLINE void shift_mass(Body<T>& X, const Vector<T>& r) {
-  const Symmetric<T>& C = X.C;
-  const Vector<T> Cx{C.xx, C.xy, C.xz}, Cy{C.xy, C.yy, C.yz}, Cz{C.xz, C.yz, C.zz};
-  X.B = {Cz * r.y - Cy * r.z, Cx * r.z - Cz * r.x, Cy * r.x - Cx * r.y};
-  const Vector<T> Ax = cross(r, X.B.x), Ay = cross(r, X.B.y), Az = cross(r, X.B.z);
-  X.A = {Ax.x, Ax.y, Ax.z, Ay.y, Ay.z, Az.z};
-  X.n += cross(r, X.f);
-}
-
-// The inertia less U U^T / D, U = [n; f] and e = U / D.
-template <class T>
-ADAGEN_INLINE void subtract(Body<T>& X, const Vector<T>& n, const Vector<T>& f,
-                            const Vector<T>& e_n, const Vector<T>& e_f) {
-  X.A.xx -= e_n.x * n.x, X.A.xy -= e_n.x * n.y, X.A.xz -= e_n.x * n.z;
-  X.A.yy -= e_n.y * n.y, X.A.yz -= e_n.y * n.z, X.A.zz -= e_n.z * n.z;
-  X.B.x.x -= e_n.x * f.x, X.B.x.y -= e_n.x * f.y, X.B.x.z -= e_n.x * f.z;
-  X.B.y.x -= e_n.y * f.x, X.B.y.y -= e_n.y * f.y, X.B.y.z -= e_n.y * f.z;
-  X.B.z.x -= e_n.z * f.x, X.B.z.y -= e_n.z * f.y, X.B.z.z -= e_n.z * f.z;
-  X.C.xx -= e_f.x * f.x, X.C.xy -= e_f.x * f.y, X.C.xz -= e_f.x * f.z;
-  X.C.yy -= e_f.y * f.y, X.C.yz -= e_f.y * f.z, X.C.zz -= e_f.z * f.z;
-}
-
-// Where a point moves that is at r from one that moves as [angular; linear].
-template <class T>
-struct Motion {
-  Vector<T> angular, linear;
-};
-
-template <class T, class S>
-ADAGEN_INLINE void carry(Motion<T>& a, const Vector<S>& r) {
-  a.linear += cross(a.angular, r);
-}
-
-// The rotation that a quaternion x y z w of any length stands for, and its squared length.
-template <class T>
-ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<T>& R) {
-  const T squared = (x * x + y * y) + (z * z + w * w);
-  const T s = 2 / squared;
-  const T xx = s * x * x, yy = s * y * y, zz = s * z * z, xy = s * x * y, xz = s * x * z,
-          yz = s * y * z, xw = s * x * w, yw = s * y * w, zw = s * z * w;
-  R = {{1 - (yy + zz), xy - zw, xz + yw},
-       {xy + zw, 1 - (xx + zz), yz - xw},
-       {xz - yw, yz + xw, 1 - (xx + yy)}};
-  return squared;
-}
-
 constexpr std::array<MessageInfo, 4> kMessages{ {
     {0, 1, 27},  // 0: what hangs on "torso"
     {1, 0, 27},  // 1: what hangs on "torso"
@@ -1114,1551 +814,4290 @@ std::chrono::steady_clock::rep* trace_stamps =
   if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
 }
 
-// ---- 4. kernels ---------------------------------------------------------------------------------
-// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
-// base's link), about each link's own origin. Links move as they would were all joint accelerations
-// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
+// ---- 4. joints ----------------------------------------------------------------------------------
 
 // What is computed with.
 using Value = Real;
 
-// A link's mass, that times its centre of mass, and its pseudo-inertia, sum of m x x^T: xx xy xz yy
-// yz zz. About the link's origin.
-struct LinkInertia {
-  Real mass, moments[3], tensor[6];
-};
-constexpr std::array<LinkInertia, kJointCount> kInertias{ {
-    {6.2, {0.0, 0.0, 0.12400000000000001},
-     {0.01012665, 0.0, 0.0, 0.02500665, 0.0, 0.009920050000000001}},
-    {1.4, {0.0, 0.0, 0.041999999999999996},
-     {0.000875, 0.0, 0.0, 0.000875, 0.0, 0.002205}},
-    {1.2, {0.0, -0.048, 0.024},
-     {0.00075, 0.0, 0.0, 0.00267, -0.00096, 0.00112}},
-    {2.6, {0.0, 0.0, -0.26},
-     {0.00234, 0.0, 0.0, 0.00234, 0.0, 0.0406467}},
-    {1.8, {-0.234, 0.018000000000000002, 0.0},
-     {0.042180050000000004, -0.00234, 0.0, 0.00109125, 0.0, 0.00091125}},
-    {0.2, {0.0, 0.0, 0.0},
-     {3.6e-05, 0.0, 0.0, 3.6e-05, 0.0, 3.6e-05}},
-    {0.8, {0.0, -0.024, 0.024},
-     {0.0004266635, 0.0, 0.0, 0.0007800035, -0.0007199999999999999, 0.0033866665}},
-    {1.4, {0.0, 0.0, -0.041999999999999996},
-     {0.000875, 0.0, 0.0, 0.000875, 0.0, 0.002205}},
-    {1.2, {0.0, -0.048, 0.024},
-     {0.00075, 0.0, 0.0, 0.00267, -0.00096, 0.00112}},
-    {2.6, {0.0, 0.0, -0.26},
-     {0.00234, 0.0, 0.0, 0.00234, 0.0, 0.0406467}},
-    {1.8, {-0.234, 0.018000000000000002, 0.0},
-     {0.042180050000000004, -0.00234, 0.0, 0.00109125, 0.0, 0.00091125}},
-    {0.2, {0.0, 0.0, 0.0},
-     {3.6e-05, 0.0, 0.0, 3.6e-05, 0.0, 3.6e-05}},
-    {0.8, {0.0, -0.024, 0.024},
-     {0.0004266635, 0.0, 0.0, 0.0007800035, -0.0007199999999999999, 0.0033866665}},
-    {0.8, {0.0, 0.0, 0.016},
-     {0.0005, 0.0, 0.0, 0.0005, 0.0, 0.0005600000000000001}},
-    {0.9, {0.0, 0.018000000000000002, 0.0},
-     {0.0005625, 0.0, 0.0, 0.0008400000000000001, 0.0, 0.0005625}},
-    {9.5, {1.6150000000000002, 0.095, 0.0},
-     {0.36606635000000004, 0.01615, 0.0, 0.021216649999999997, 0.0, 0.06206665}},
-    {0.8, {0.0, 0.0, 0.024},
-     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0010466669999999998}},
-    {0.7, {0.006999999999999999, -0.020999999999999998, 0.0},
-     {0.00042, -0.00020999999999999998, 0.0, 0.00098, 0.0, 0.00035}},
-    {0.8, {0.0, 0.0, -0.04000000000000001},
-     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0033066700000000003}},
-    {0.7, {-0.049, 0.013999999999999999, 0.0},
-     {0.004923335000000001, -0.00098, 0.0, 0.000494375, 0.0, 0.000214375}},
-    {0.2, {0.0, 0.0, -0.002},
-     {4.5e-05, 0.0, 0.0, 4.5e-05, 0.0, 6.16667e-05}},
-    {0.4, {-0.024, 0.0, 0.0},
-     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
-    {0.4, {0.0, 0.0, 0.008},
-     {9e-05, 0.0, 0.0, 9e-05, 0.0, 0.00028000000000000003}},
-    {2.4, {0.216, 0.048, 0.0},
-     {0.023327999999999998, 0.00432, 0.0, 0.004848, 0.0, 0.003888}},
-    {0.8, {0.0, 0.0, -0.024},
-     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0010466669999999998}},
-    {0.7, {-0.006999999999999999, -0.020999999999999998, 0.0},
-     {0.00042, 0.00020999999999999998, 0.0, 0.00098, 0.0, 0.00035}},
-    {0.8, {0.0, 0.0, -0.04000000000000001},
-     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0033066700000000003}},
-    {0.7, {-0.049, 0.013999999999999999, 0.0},
-     {0.004923335000000001, -0.00098, 0.0, 0.000494375, 0.0, 0.000214375}},
-    {0.2, {0.0, 0.0, -0.002},
-     {4.5e-05, 0.0, 0.0, 4.5e-05, 0.0, 6.16667e-05}},
-    {0.4, {-0.024, 0.0, 0.0},
-     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
-} };
-
-// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
-// segments of long runs.
-constexpr int kSlotCount = 30;
-constexpr bool kAbreast = true;  // whether there are such
-constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
-constexpr bool kReordered = true;  // whether joints lie in another order than they have
-constexpr int kSlots[kJointCount]{ 12, 0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9, 11, 13, 14, 15, 16, 18, 20, 22, 24, 26, 28, 29, 17, 19, 21, 23, 25, 27 };
-constexpr bool kByColumns = false;  // whether runs are taken by columns
-
-// What a process does at a link.
-struct LinkRole {
-  bool gathers;   // paths meet at it inwards
-  bool adds_own;  // its own inertia is this process's to add
-  bool parts;     // paths part at it outwards
-  bool oriented;  // the quaternion of the joint above it is this process's to take
-};
-constexpr LinkRole kRoles[2][kLinkCount]{
-    {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
-    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
-};
-
-// What is kept where segments meet, with the joint that it belongs to.
-struct Cuts {
-};
-
-// The memory of a process. What is set up for many links at once lies in blocks, side by side.
-constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
-constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
-
-// Joints that are treated together, one in each lane of T; their slots follow each other.
-template <class T>
-[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Value));
-template <class T>
-struct Joints {
-  int slot;  // of the first one
-  int joint[kWidth<T>];
-
-  constexpr const JointConstants& any() const {
-    return kJoints[static_cast<std::size_t>(joint[0])];
-  }
-};
-constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
-ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
-
-// The lanes of limbs side by side.
-typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
-typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
-
-// A number of each of the joints.
-template <class T, class Number, std::size_t... lane>
-ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
-                        std::index_sequence<lane...>) {
-  return T{number(kJoints[static_cast<std::size_t>(joints.joint[lane])])...};
-}
-template <class T, class Number>
-ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
-  if constexpr (kWidth<T> == 1) {
-    const auto one = number(kJoints[static_cast<std::size_t>(joints.joint[0])]);
-    if constexpr (std::is_same_v<decltype(one), const T>)
-      return one;
-    else
-      return T{} + one;
-  } else {
-    return each_of(joints, number, std::make_index_sequence<kWidth<T>>{});
-  }
-}
-
-// What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
-enum Entry : int {
-  kTurn = 0,           // rotation from the child's to the parent link's axes, row by row
-  kAxes = 9,           // the link's orientation R, row by row: its z is the joint's axis
-  kOmega = 18,         // angular velocity
-  kAlpha = 21,         // angular acceleration and
-  kAcceleration = 24,  // acceleration of its origin less gravity, were all joint accelerations zero
-  kRotational = 27,    // A of the bare link
-  kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
-  kTorque = 36,        // bias force n
-  kForce = 39,         // and f of the bare link
-  kEntries = 42
-};
-
-struct alignas(64) Block {
-  Value entries[kEntries][kPerBlock];
-};
-
-// Three numbers of each of the joints, that follow each other in x.
-template <class T>
-ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
-                                    int JointConstants::* place) {
-  const auto number = [&](int k) {
-    return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
-  };
-  return {number(0), number(1), number(2)};
-}
-
-// Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
-[[maybe_unused]] constexpr bool any_of(JointKind kind) {
-  for (const JointConstants& joint : kJoints)
-    if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
-  return false;
-}
-[[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
-[[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
-[[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
-[[maybe_unused]] constexpr bool any_passive() {
-  for (const JointConstants& joint : kJoints) {
-    const Passive& own = joint.passive;
-    if (own.damping != 0 || own.friction != 0 || own.stiffness != 0 || own.rotor != 0) return true;
-  }
-  return false;
-}
-[[maybe_unused]] constexpr bool kAnyPassive = any_passive();
-
-// Whether a joint's axis lies beside what it is treated with, and not with those of its block.
-template <class T>
-constexpr bool kWithAxis = kByColumns && kWidth<T> == 1;
-// Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
-constexpr int kMostFactors = kAnyPlanar ? 24 : kAnySpherical ? 18 : 8;
-
-// What is kept of a joint from the inward to the outward sweep.
-template <class T, bool with_axis = kWithAxis<T>>
-struct Eliminated {
-  Vector<T> r;  // from the parent link's origin to the child link's
-  T e[kMostFactors];
-};
-template <class T>
-struct alignas(64) Eliminated<T, true> {
-  Vector<T> axis;
-  T none;  // so that axis and r lie as the halves of a column
-  Vector<T> r;
-  T nothing;
-  T e[kMostFactors];
-};
-using Memory = Eliminated<Value>;
-
-// A bare link as it is added to columns (see inward_columns.hpp).
-struct alignas(64) LinkColumns {
-  Real tensor[8], moments[8], force[8];
-};
-
-// A link's orientation and how it moves, were all joint accelerations zero.
-template <class T>
-struct Frame {
-  Matrix<T> R;
-  Vector<T> omega, alpha, a;
-};
-
-struct Workspace : Cuts {
+// The memory of a process: the state, angles with sine and cosine, what messages hold, and values
+// that one function leaves to another.
+struct Workspace {
   const Value* q = nullptr;
   const Value* v = nullptr;
   const Value* tau = nullptr;
   Value* qdd = nullptr;
   int status = kFine;
-  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
-  std::array<Block, kBlockCount> blocks{};
-  std::array<Memory, kJointCount> joints{};
-  std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
-  std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
-  // Of the link beyond each joint, and one for slots that are not filled.
-  std::array<LinkColumns, kByColumns ? kJointCount + 1 : 0> columns{};
-  std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
-  std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
-  std::array<Value, kNv> answer{};
-
-  Workspace() {
-    for (Block& block : blocks)  // slots that are not filled do not turn
-      for (const int k : {0, 4, 8}) std::fill_n(block.entries[kTurn + k], kPerBlock, Value{} + 1);
-    for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
-      for (int k = 0; k < 9; ++k)
-        of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
-  }
-
-  Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
-  Value* at(int slot, Entry entry) {
-    return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
-  }
-
-  template <class T>
-  Eliminated<T>& memory(const Joints<T>& of) {
-    if constexpr (kWidth<T> == 1)
-      return joints[static_cast<std::size_t>(of.joint[0])];
-    else if constexpr (kWidth<T> == 2)
-      return twos[static_cast<std::size_t>(of.slot / 2)];
-    else
-      return fours[static_cast<std::size_t>(of.slot / 4)];
-  }
+  alignas(kCacheLine) std::array<Value, 17> angle{}, sine{}, cosine{};
+  std::array<Value, kNv> result{};
+  std::array<Real*, kPlanMessages> to{};          // messages to be sent
+  std::array<const Real*, kPlanMessages> from{};  // messages received
+  alignas(kCacheLine) std::array<Value, 199> x{};
 };
 
-template <class T = Value>
-ADAGEN_INLINE T number_at(const Value* x) {
-  T result;
-  std::memcpy(&result, x, sizeof result);
-  return result;
-}
-template <class T>
-ADAGEN_INLINE void put_at(Value* x, const T& number) {
-  std::memcpy(x, &number, sizeof number);
-}
-template <class T = Value>
-ADAGEN_INLINE Vector<T> vector_at(const Value* x, int stride = kPerBlock) {
-  return {number_at<T>(x), number_at<T>(x + stride), number_at<T>(x + 2 * stride)};
-}
-template <class T>
-ADAGEN_INLINE void put_at(Value* x, const Vector<T>& a) {
-  put_at(x, a.x), put_at(x + kPerBlock, a.y), put_at(x + 2 * kPerBlock, a.z);
-}
-template <class T = Value>
-ADAGEN_INLINE Matrix<T> matrix_at(const Value* x) {
-  return {vector_at<T>(x), vector_at<T>(x + 3 * kPerBlock), vector_at<T>(x + 6 * kPerBlock)};
-}
-template <class T>
-ADAGEN_INLINE void put_at(Value* x, const Matrix<T>& m) {
-  put_at(x, m.x), put_at(x + 3 * kPerBlock, m.y), put_at(x + 6 * kPerBlock, m.z);
-}
-template <class T = Value>
-ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
-  return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
-}
-template <class T>
-ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
-  if constexpr (kWithAxis<T>)
-    return w.memory(joints).axis;
-  else
-    return axis_at<T>(w.at(joints.slot, kAxes));
+// What straight lines of numbers need.
+inline bool all(bool good, bool also = true) { return good && also; }
+
+// Zero for finite numbers only: x - x is.
+inline Real unlike_zero(const Real* x, int count) {
+  Real sum = 0;
+  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
+  return sum;
 }
 
-// A body in a message.
-[[maybe_unused]] constexpr int kBodyNumbers = 27;
-template <class T>
-ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
-  static_assert(sizeof X == kBodyNumbers * sizeof(Real));
-  std::memcpy(to, &X, sizeof X);
-  return to + kBodyNumbers;
-}
-template <class T>
-ADAGEN_INLINE const Real* get(const Real* from, Body<T>& X) {
-  std::memcpy(&X, from, sizeof X);
-  return from + kBodyNumbers;
-}
-template <class T>
-ADAGEN_INLINE const Real* add(const Real* from, Body<T>& X) {
-  Body<T> other;
-  from = get(from, other);
-  X += other;
-  return from;
-}
-
-ADAGEN_INLINE Lanes wide(const Value* x) {
-  Lanes result;
-  std::memcpy(&result, x, sizeof result);
-  return result;
+// Sine and cosine by the polynomials of fdlibm on [-pi/4, pi/4], after taking multiples of pi/2
+// away in three parts. No branch: a loop over it is done in SIMD lanes.
+inline void sine_and_cosine(double angle, double& sine, double& cosine) {
+  constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
+  const double n = (angle * 0.63661977236758134308 + kRound) - kRound;
+  const double r = ((angle - n * 1.57079632673412561417e+00) - n * 6.07710050630396597660e-11) -
+                   n * 2.02226624871116645580e-21;
+  const double z = r * r, z2 = z * z, z4 = z2 * z2;
+  const double s = r + r * z *
+                           ((-1.66666666666666307295e-1 + z * 8.33333333332211858878e-3) +
+                            z2 * (-1.98412698295895385996e-4 + z * 2.75573136213857245213e-6) +
+                            z4 * (-2.50507477628578072866e-8 + z * 1.58962301576546568060e-10));
+  const double c =
+      (1 - 0.5 * z) + z2 * ((4.16666666666665929218e-2 - z * 1.38888888888730564116e-3) +
+                            z2 * (2.48015872888517045348e-5 - z * 2.75573141792967388112e-7) +
+                            z4 * (2.08757008419747316778e-9 - z * 1.13585365213876817300e-11));
+  const double half = std::floor(n * 0.5), odd = n - 2 * half;
+  const double sign = 1 - 2 * (half - 2 * std::floor(half * 0.5));
+  sine = sign * (odd != 0 ? c : s);
+  cosine = sign * (odd != 0 ? -s : c);
 }
 
-// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
-  Value tau = w.tau[joint.v];
-  if constexpr (kAnyPassive) {
-    const Passive& own = joint.passive;
-    const Value& qd = w.v[joint.v];
-    if (own.damping != 0) tau -= own.damping * qd;
-    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
-    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
+template <int count>
+inline void take_sines_and_cosines(const Real* angle, Real* sine, Real* cosine) {
+  constexpr double kFar = 1e5;  // beyond, the three parts of pi/2 would lose digits
+  Real farthest = 0;
+  for (int k = 0; k < count; ++k) {
+    double s, c;
+    sine_and_cosine(angle[k], s, c);
+    sine[k] = Real(s), cosine[k] = Real(c);
   }
-  return tau;
+  for (int k = 0; k < count; ++k) farthest = std::max(farthest, std::abs(angle[k]));
+  if (farthest <= kFar) return;
+  for (int k = 0; k < count; ++k) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
 }
 
-// A joint of prescribed motion among limbs side by side gives way to nothing and moves as told.
-ADAGEN_INLINE Real immovable(const JointConstants& joint) {
-  return joint.passive.prescribed ? std::numeric_limits<Real>::infinity() : 0;
-}
-ADAGEN_INLINE Value prescribed(const Workspace& w, const JointConstants& joint) {
-  return joint.passive.prescribed ? w.tau[joint.v] : Value{};
-}
+// What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
+// results.
+#define ADAGEN_INPUTS                                                              \
+  [[maybe_unused]] const Value *const q = w.q, *const v = w.v, *const tau = w.tau; \
+  [[maybe_unused]] const Value *const sine = w.sine.data(), *const cosine = w.cosine.data();
 
-// Accelerations are given only where all went well.
-inline void give(Workspace& w, int first, int count) {
-  if (w.status == kFine)
-    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
-}
+[[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 
-[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
-[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
-  for (int k = 0; k < 9; ++k)
-    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
-  return true;
-}
-
-// What cannot be solved is refused, with the joint at fault.
-
-ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
+inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
-// x - x is zero, in all bits, for finite x only.
-ADAGEN_INLINE LaneBits unlike_zero(const Value* x) {
-  return reinterpret_cast<LaneBits>(wide(x) - wide(x));
-}
-ADAGEN_INLINE bool finite(const Value* x, int count) {
-  LaneBits found{};
-  int k = 0;
-  for (; k + kPerBlock <= count; k += kPerBlock) found |= unlike_zero(x + k);
-  if (k > 0 && k < count)
-    found |= unlike_zero(x + count - kPerBlock);  // some of them once more
-  else
-    for (; k < count; ++k)
-      if (!all_zero(x[k] - x[k])) return false;
-  return !any_of(found);
-}
-
-// Tells which of entries first .. is the first that is not finite; place says where a joint's
-// entries start.
-ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
-                               Failure kind) {
-  while (finite(x + first, 1)) ++first;
-  int joint = 0;
-  for (int j = 0; j < kJointCount; ++j)
-    if (kJoints[static_cast<std::size_t>(j)].*place <= first) joint = j;
-  fail(w, kind, joint);
-}
-
-// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
-inline void require_finite(Workspace& w, const Value* x, int first, int count,
-                           int JointConstants::* place, Failure kind) {
-  if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
-}
-
-// Whether nothing failed, and entries first .. first + count - 1 of the answer are finite.
-ADAGEN_INLINE bool went_well(const Workspace& w, int first, int count) {
-  return __builtin_expect(
-      w.status == kFine && finite(&w.answer[static_cast<std::size_t>(first)], count), 1);
-}
-
-template <class T>
-ADAGEN_INLINE bool has_length(const T& squared) {
-  return all_positive(squared - std::numeric_limits<Real>::min()) &&
-         all_positive(std::numeric_limits<Real>::max() - squared);
-}
-template <class T>
-void require_length(Workspace& w, const T& squared, int joint) {
-  if (!has_length(squared)) fail(w, kZeroQuaternion, joint);
-}
-
-// An elimination failed for one of the joints: for that whose number is not positive.
-template <class T>
-ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]] const T& x) {
-  int lane = 0;
-  if constexpr (kWidth < T >> 1)
-    while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
-  fail(w, kFactorization, joints.joint[lane]);
-}
-
-// Loops over rows of joints: a run's joints, or those of limbs side by side, of one kind each.
-// Where few stretches of one kind follow each other, each is a loop of its own that knows its kind.
-template <int first, int last>
-struct RunRows {
-  static constexpr int kCount = last - first + 1;
-  static constexpr JointKind kind(int k) {
-    return kJoints[static_cast<std::size_t>(first + k)].kind;
-  }
-};
-
-constexpr int kMostStretches = 8;
-
-// Where the stretch ends that begins with the k-th row of an order.
-template <class Rows, bool backwards>
-constexpr int end_of_stretch(int k) {
-  const auto kind = [](int i) { return Rows::kind(backwards ? Rows::kCount - 1 - i : i); };
-  int end = k + 1;
-  while (end < Rows::kCount && kind(end) == kind(k)) ++end;
-  return end;
-}
-template <class Rows>
-constexpr bool few_stretches() {
-  int count = 0;
-  for (int k = 0; k < Rows::kCount; ++count) k = end_of_stretch<Rows, false>(k);
-  return count <= kMostStretches;
-}
-
-// Calls step(row, kind) for each row, the last one first if backwards.
-template <class Rows, bool backwards, int begin = 0, class Step>
-ADAGEN_INLINE void each_row(const Step& step) {
-  constexpr auto row = [](int k) { return backwards ? Rows::kCount - 1 - k : k; };
-  if constexpr (few_stretches<Rows>()) {
-    constexpr int end = end_of_stretch<Rows, backwards>(begin);
-    constexpr std::integral_constant<JointKind, Rows::kind(row(begin))> kind;
-    for (int k = begin; k < end; ++k) step(row(k), kind);
-    if constexpr (end < Rows::kCount) each_row<Rows, backwards, end>(step);
-  } else {
-    for (int k = 0; k < Rows::kCount; ++k) step(row(k), Rows::kind(row(k)));
-  }
-}
-
-// What needs no recursion, for as many links at once as a register holds.
-
-// A number of each joint of a block, as constants of the model are kept.
-using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
-
-struct alignas(64) BlockConstants {
-  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
-  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
-  PerJoint mass, moments[3], tensor[6];
-};
-
-const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
-  std::array<BlockConstants, kBlockCount> result{};
-  for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
-    for (const int k : {0, 4}) block.rotation[k].fill(1);
-    block.mass.fill(1);
-    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
-  }
-  for (int j = 0; j < kJointCount; ++j) {
-    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
-    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
-    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
+// A state was found not to be finite: which joint's?
+template <std::size_t reads, std::size_t owns>
+[[gnu::cold]] ADAGEN_NOINLINE void name_what_is_not_finite(Workspace& w,
+                                                           const std::array<int, reads>& read,
+                                                           const std::array<int, owns>& owned) {
+  for (const int j : read) {
     const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
-    block.x[lane] = joint.translation[0];
-    block.y[lane] = joint.translation[1];
-    block.z[lane] = joint.translation[2];
-    block.mass[lane] = link.mass;
-    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
-    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
+    if (!all(unlike_zero(w.q + joint.q, joint.nq) + unlike_zero(w.v + joint.v, joint.nv) == 0))
+      fail(w, kNotFinite, j);
   }
-  return result;
-}();
-
-// Constants of each of the joints.
-template <class T>
-ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
-  const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
-  return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
-}
-template <class T>
-ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
-  if constexpr (kWidth<T> == 1)
-    return kInertias[static_cast<std::size_t>(joints.joint[0])].mass;
-  else
-    return constant(joints, &BlockConstants::mass);
-}
-template <class T>
-ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
-  if constexpr (kWidth<T> == 1) {
-    const Real* const x = joints.any().translation;
-    return Vector<Real>{x[0], x[1], x[2]};
-  } else {
-    return Vector<T>{constant(joints, &BlockConstants::x), constant(joints, &BlockConstants::y),
-                     constant(joints, &BlockConstants::z)};
-  }
-}
-
-ADAGEN_INLINE Lanes wide(const PerJoint& x) {
-  Lanes result;
-  if constexpr (sizeof(PerJoint) == sizeof(Lanes))
-    std::memcpy(&result, x.data(), sizeof result);
-  else
-    result = x[0] + Lanes{};
-  return result;
-}
-ADAGEN_INLINE void narrow(const Lanes& x, Value* to) { std::memcpy(to, &x, sizeof x); }
-ADAGEN_INLINE Vector<Lanes> wide_vector(const Value (*x)[kPerBlock]) {
-  return {wide(x[0]), wide(x[1]), wide(x[2])};
-}
-ADAGEN_INLINE Vector<Lanes> wide_vector(const PerJoint* x) {
-  return {wide(x[0]), wide(x[1]), wide(x[2])};
-}
-ADAGEN_INLINE void narrow(const Vector<Lanes>& a, Value (*x)[kPerBlock]) {
-  narrow(a.x, x[0]), narrow(a.y, x[1]), narrow(a.z, x[2]);
-}
-
-// Copies the angles of those of joints first .. last that turn.
-template <int first, int last>
-void take_angles(Workspace& w) {
-  ADAGEN_FOR (j, first, last + 1) {
+  for (const int j : owned) {
     const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    const int place = joint.q + (joint.kind == JointKind::kPlanar ? 2 : 0);
-    if (joint.kind == JointKind::kRevolute || joint.kind == JointKind::kPlanar)
-      w.angle[static_cast<std::size_t>(slot_of(j))] = w.q[place];
+    if (!all(unlike_zero(w.tau + joint.v, joint.nv) == 0)) fail(w, kNotFinite, j);
   }
 }
 
-// Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
-template <int first, int last>
-void turn(Workspace& w) {
-  for (int b = first; b < last; ++b) {
-    Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
-    Lanes s, c;
-    sine_and_cosine(wide(&w.angle[static_cast<std::size_t>(b * kPerBlock)]), s, c);
-    ADAGEN_FOR (k, 0, 3) {
-      const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
-      narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
-      narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
-    }
-  }
+[[maybe_unused]] inline void require_length(Workspace& w, const Value& squared, int joint) {
+  if (!all(squared >= std::numeric_limits<Real>::min(),
+           squared <= std::numeric_limits<Real>::max()))
+    fail(w, kZeroQuaternion, joint);
 }
 
-// Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
-// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J, and the bias
-// force is that of the acceleration field a + H x, H = alpha x + omega x omega x.
-template <int first, int last>
-void set_up_links(Workspace& w) {
-  for (int b = first; b < last; ++b) {
-    Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
-    const auto& entries = block.entries;
-    const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
-                          wide_vector(entries + kAxes + 6)};
-    const Symmetric<Lanes> T{wide(constants.tensor[0]), wide(constants.tensor[1]),
-                             wide(constants.tensor[2]), wide(constants.tensor[3]),
-                             wide(constants.tensor[4]), wide(constants.tensor[5])};
-    const Matrix<Lanes> RT{T * R.x, T * R.y, T * R.z};  // rows of R T
-    const Symmetric<Lanes> J{dot(RT.x, R.x), dot(RT.x, R.y), dot(RT.x, R.z),
-                             dot(RT.y, R.y), dot(RT.y, R.z), dot(RT.z, R.z)};
-    narrow(J.yy + J.zz, block.entries[kRotational]);
-    narrow(-J.xy, block.entries[kRotational + 1]);
-    narrow(-J.xz, block.entries[kRotational + 2]);
-    narrow(J.xx + J.zz, block.entries[kRotational + 3]);
-    narrow(-J.yz, block.entries[kRotational + 4]);
-    narrow(J.xx + J.yy, block.entries[kRotational + 5]);
-    const Vector<Lanes> c = R * wide_vector(constants.moments);
-    narrow(c, block.entries + kMoments);
-
-    const Vector<Lanes> w_ = wide_vector(entries + kOmega), al = wide_vector(entries + kAlpha);
-    const Lanes xx = w_.x * w_.x, yy = w_.y * w_.y, zz = w_.z * w_.z;
-    const Lanes xy = w_.x * w_.y, xz = w_.x * w_.z, yz = w_.y * w_.z;
-    const Matrix<Lanes> H{{-(yy + zz), xy - al.z, xz + al.y},
-                          {xy + al.z, -(xx + zz), yz - al.x},
-                          {xz - al.y, yz + al.x, -(xx + yy)}};
-    const Vector<Lanes> a = wide_vector(entries + kAcceleration);
-    const Vector<Lanes> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
-    Vector<Lanes> n = cross(c, a);
-    n += Vector<Lanes>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
-                       dot(H.y, Jx) - dot(H.x, Jy)};
-    narrow(n, block.entries + kTorque);
-    narrow(a * wide(constants.mass) + H * c, block.entries + kForce);
-  }
-}
-
-// From the base outwards: where links are and how they would move without joint accelerations.
-
-ADAGEN_INLINE Frame<Value> frame_of(Workspace& w, int joint) {
-  const Value* R = w.of(joint, kAxes);
-  return {matrix_at(R), vector_at(w.of(joint, kOmega)), vector_at(w.of(joint, kAlpha)),
-          vector_at(w.of(joint, kAcceleration))};
-}
-
+// A pivot or a mobility has to be more than what rounding may have left of it.
 template <class T>
-ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
-  put_at(w.at(slot, kAxes), frame.R);
-  put_at(w.at(slot, kOmega), frame.omega);
-  put_at(w.at(slot, kAlpha), frame.alpha);
-  put_at(w.at(slot, kAcceleration), frame.a);
+[[maybe_unused]] void require_more(Workspace& w, const Value& x, const T& least, Failure kind,
+                                   int joint) {
+  if (!all(x > least, x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
 }
 
-// The ground accelerates against gravity: accelerations are relative to free fall.
-ADAGEN_INLINE Frame<Value> ground() {
-  const Value one = Value{} + 1, none{};
-  return {{{one, none, none}, {none, one, none}, {none, none, one}},
-          {none, none, none},
-          {none, none, none},
-          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
-}
-
-// The axes of a floating base are the link's own: only gravity is turned.
-template <int j>
-void free_base_frame(Workspace& w) {
-  constexpr const JointConstants& joint = kJoints[j];
-  const Value* q = w.q + joint.q + 3;
-  Matrix<Value> turn;
-  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  Frame<Value> frame = ground();
-  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
-  const Real* const P = joint.rotation;
-  const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
-                           P[1] * gravity.x + P[4] * gravity.y + P[7] * gravity.z,
-                           P[2] * gravity.x + P[5] * gravity.y + P[8] * gravity.z};
-  const Value none{};
-  frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
-  const Value* v = w.v + joint.v + 3;
-  frame.omega = {v[0], v[1], v[2]};
-  keep(w, slot_of(j), frame);
-}
-
-ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
-  const Real* const P = joint.rotation;
-  return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
-}
-
-// One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
-// with later is kept.
-template <bool kept, class T>
-ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
-                                Frame<T>& at) {
-  const JointConstants& joint = joints.any();
-  const auto moved = [&](const Value* x, int JointConstants::* place) {
-    return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
-  };
-  const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
-  const Vector<T> axis{R.x.z, R.y.z, R.z.z};
-  Vector<T> r = at.R * origin_of(joints);
-  const Vector<T> omega = at.omega;
-  const auto turn_with = [&](const Vector<T>& relative) {
-    at.omega += relative;
-    return cross(omega, relative);
-  };
-  const auto ride_along = [&] {
-    at.a += cross(omega, cross(omega, r));
-    at.a += cross(at.alpha, r);
-  };
-  const auto slide_and_spin = [&](const Vector<T>& q, const Vector<T>& slide,
-                                  const Vector<T>& spin) {
-    const Matrix<Real> P = placement(joint);
-    r += at.R * Vector<T>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
-    ride_along();
-    at.a += cross(omega + omega + spin, slide);
-    at.alpha += turn_with(spin);
-  };
-  switch (kind) {
-    case JointKind::kRevolute:
-      ride_along();
-      at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
-      break;
-    case JointKind::kPrismatic: {
-      r += axis * moved(w.q, &JointConstants::q);
-      ride_along();
-      const T v = moved(w.v, &JointConstants::v);
-      at.a += cross(omega, axis * (v + v));
-      break;
-    }
-    case JointKind::kSpherical:
-      ride_along();
-      if constexpr (kAnySpherical)
-        at.alpha += turn_with(R * each_vector(joints, w.v, &JointConstants::v));
-      break;
-    case JointKind::kPlanar:
-      if constexpr (kAnyPlanar && kWidth<T> == 1) {
-        const Value *q = w.q + joint.q, *v = w.v + joint.v;
-        const Vector<T> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
-        slide_and_spin(Vector<T>{q[0], q[1], T{}}, x * v[0] + y * v[1], axis * v[2]);
-      }
-      break;
-    case JointKind::kFloating:
-      if constexpr (kAnyFloating && kWidth<T> == 1) {
-        const Value *q = w.q + joint.q, *v = w.v + joint.v;
-        slide_and_spin(Vector<T>{q[0], q[1], q[2]}, R * Vector<T>{v[0], v[1], v[2]},
-                       R * Vector<T>{v[3], v[4], v[5]});
-      }
-      break;
-  }
-  at.R = R;
-  if constexpr (!kept) return;
-  w.memory(joints).r = r;
-  if constexpr (kWithAxis<T>) w.memory(joints).axis = axis;
-  keep(w, joints.slot, at);
-}
-
-// The frame of the link that a joint is on.
-template <int j>
-ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
-  constexpr int parent = kJoints[j].parent - 1;
-  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
-}
-
-// Joints first .. last, each on the link of the one before.
-template <int first, int last>
-void outward(Workspace& w) {
-  Frame<Value> at = frame_near<first>(w);
-  each_row<RunRows<first, last>, false>(
-      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, single(first + k), kind, at); });
-}
-
-// The same on the way to joints that are treated: only the last link's frame is kept.
-template <int first, int last>
-void pass_outward(Workspace& w) {
-  Frame<Value> at = frame_near<first>(w);
-  each_row<RunRows<first, last>, false>(
-      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
-  keep(w, slot_of(last), at);
-}
-
-// Symmetric matrices of three rows, eliminated.
-
-// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21. Without fractions (Bareiss) the three
-// divisions need not wait for each other: with m = xx yy - xy^2 and so on the pivots are xx, m / xx
-// and (m m' - t^2) / (xx m), as exact as by turns while fourth powers of A keep their digits: in
-// float they would not. All numbers that checks gets are positive if A could be factorized.
-template <class T>
-ADAGEN_INLINE void factorize(const Symmetric<T>& A, T* factors, T (&checks)[4]) {
-  using Limits = std::numeric_limits<Real>;
-  T* const l = factors + 3;
-  const T d0 = 1 / A.xx;
-  l[0] = A.xy * d0, l[1] = A.xz * d0;
-  T p1, p2;
-  if constexpr (Limits::min_exponent10 < -300) {
-    const T m = A.xx * A.yy - A.xy * A.xy, t = A.xx * A.yz - A.xy * A.xz;
-    p1 = m, p2 = m * (A.xx * A.zz - A.xz * A.xz) - t * t;
-    const T inverse = 1 / m;
-    factors[1] = A.xx * inverse, factors[2] = A.xx * m / p2;
-    l[2] = t * inverse;
-    checks[2] = p2 - Limits::min() / Limits::epsilon();
-  } else {
-    const T t = A.yz - l[1] * A.xy;
-    p1 = A.yy - l[0] * A.xy;
-    factors[1] = 1 / p1, l[2] = t * factors[1];
-    p2 = A.zz - l[1] * A.xz - l[2] * t;
-    factors[2] = 1 / p2;
-    checks[2] = p2;
-  }
-  factors[0] = d0;
-  checks[0] = A.xx, checks[1] = p1, checks[3] = Limits::max() - p2;
-}
-
-// A^-1 b, by the factors of A.
-template <class F, class T>
-ADAGEN_INLINE Vector<T> solved(const F* factors, const Vector<T>& b) {
-  const F *d = factors, *l = factors + 3;
-  const T y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
-  const T z = y2 * d[2], y = y1 * d[1] - l[2] * z;
-  return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
-}
-
-// C becomes C - B^T A^-1 B, by the factors of A; returns A^-1 B. With L Y = B what is subtracted is
-// Y^T D^-1 Y, which waits for no more than the last division.
-template <class T>
-ADAGEN_INLINE Matrix<T> complement(Symmetric<T>& C, const Matrix<T>& B, const T* factors) {
-  const T *d = factors, *l = factors + 3;
-  const Vector<T> Yx = B.x, Yy = B.y - B.x * l[0], Yz = (B.z - B.x * l[1]) - Yy * l[2];
-  const Vector<T> Zx = Yx * d[0], Zy = Yy * d[1], Zz = Yz * d[2];
-  using V = Vector<T>;
-  const auto subtract = [&](T& c, T V::* i, T V::* k) ADAGEN_ALWAYS {
-    c = ((c - Yx.*i * Zx.*k) - Yy.*i * Zy.*k) - Yz.*i * Zz.*k;
-  };
-  subtract(C.xx, &V::x, &V::x), subtract(C.xy, &V::x, &V::y), subtract(C.xz, &V::x, &V::z);
-  subtract(C.yy, &V::y, &V::y), subtract(C.yz, &V::y, &V::z), subtract(C.zz, &V::z, &V::z);
-  const Vector<T> Ky = Zy - Zz * l[2];
-  return {(Zx - Zz * l[1]) - Ky * l[0], Ky, Zz};
-}
-
-// Spherical joints: three rotations at once. Damping and a rotor are the same about all axes.
-[[maybe_unused]] constexpr bool any_spherical_rotor() {
-  for (const JointConstants& joint : kJoints)
-    if (joint.kind == JointKind::kSpherical && joint.passive.rotor != 0) return true;
-  return false;
-}
-[[maybe_unused]] constexpr bool kSphericalRotors = any_spherical_rotor();
-
-// The torque that reaches the links, in the child link's axes: less damping.
-template <class T>
-ADAGEN_INLINE Vector<T> spherical_torque(const Workspace& w, const Joints<T>& joints) {
-  const Vector<T> tau = each_vector(joints, w.tau, &JointConstants::v);
-  if constexpr (!kAnyPassive) return tau;
-  const T damping = each(joints, [](const JointConstants& own) { return own.passive.damping; });
-  return tau - each_vector(joints, w.v, &JointConstants::v) * damping;
-}
-
-template <class T>
-ADAGEN_INLINE T rotor_of(const Joints<T>& joints) {
-  return each(joints, [](const JointConstants& own) { return own.passive.rotor; });
-}
-
-template <class T>
-ADAGEN_INLINE Symmetric<T> with_rotor(Symmetric<T> A, const T& rotor) {
-  A.xx += rotor, A.yy += rotor, A.zz += rotor;
-  return A;
-}
-
-// Takes the three rotations out of the body at the joint's origin: what is left of it is C and f,
-// and the torque, so that no rounding stays behind. e gets K = A^-1 B, y = A^-1 (torque - n) and
-// the factors of A. With a rotor J, which is the same about all axes, A + J is in the place of A
-// there, and J K, J (A + J)^-1 A and torque - J y are left, too.
-template <bool reversed, class T>
-ADAGEN_INLINE void take_out_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
-  T* const e = w.memory(joints).e;
-  Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
-  if constexpr (reversed) torque = -torque;
-  T* const factors = e + 12;
-  T checks[4];
-  const T rotor = rotor_of(joints);
-  factorize(kSphericalRotors ? with_rotor(X.A, rotor) : X.A, factors, checks);
-  for (const T& check : checks)
-    if (__builtin_expect(!all_positive(check), 0)) fail_one(w, joints, check);
-  const Matrix<T>& B = X.B;
-  const Matrix<T> K = complement(X.C, B, factors);
-  const Vector<T> y = solved(factors, torque - X.n);
-  e[0] = K.x.x, e[1] = K.x.y, e[2] = K.x.z, e[3] = K.y.x, e[4] = K.y.y, e[5] = K.y.z;
-  e[6] = K.z.x, e[7] = K.z.y, e[8] = K.z.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
-  X.f += transposed_times(B, y);
-  X.n = torque;
-  if constexpr (kSphericalRotors) {
-    const Symmetric<T>& A = X.A;
-    const Vector<T> x = solved(factors, Vector<T>{A.xx, A.xy, A.xz});
-    const Vector<T> z = solved(factors, Vector<T>{A.xz, A.yz, A.zz});
-    const T yy = solved(factors, Vector<T>{A.xy, A.yy, A.yz}).y;
-    X.A = {x.x * rotor, x.y * rotor, x.z * rotor, yy * rotor, z.y * rotor, z.z * rotor};
-    X.B = {K.x * rotor, K.y * rotor, K.z * rotor};
-    X.n += -(y * rotor);
-  } else {
-    X.A = Symmetric<T>{}, X.B = Matrix<T>{};
+// A result was found not to be finite: which joint's?
+template <std::size_t owns>
+[[gnu::cold]] ADAGEN_NOINLINE void name_what_overflows(Workspace& w,
+                                                       const std::array<int, owns>& owned) {
+  for (const int j : owned) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!all(unlike_zero(w.result.data() + joint.v, joint.nv) == 0)) fail(w, kOverflow, j);
   }
 }
 
-// The same, from the far link's side to the near link's origin.
-template <bool reversed, class T>
-ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
-  const Vector<T>& r = w.memory(joints).r;
-  if constexpr (reversed) shift(X, -r);
-  take_out_rotations<reversed>(w, joints, X);
-  if constexpr (!reversed && kSphericalRotors) shift(X, r);
-  if constexpr (!reversed && !kSphericalRotors) shift_mass(X, r);
+// Each function is a straight line. A value is called x and its number in the expression graph; zeros
+// and constants are folded in, nothing is computed twice, and what nobody needs is not there.
+// Frames are the links' own; accelerations are deviations from the field that the links would have
+// with all joint accelerations zero.
+
+// =================================================================================================
+// Process 0: 1834 products, 1622 sums, 20 quotients
+// =================================================================================================
+
+ADAGEN_NOINLINE void part_0_0(Workspace& w) {
+  ADAGEN_INPUTS
+  // joint 0 "__base__": placement, velocity and reference acceleration of its link
+  const Real x68 = v[3] * v[3];
+  const Real x73 = v[3] * v[4];
+  const Real x76 = v[4] * v[5];
+  const Real x77 = x68 + v[4] * v[4];
+  const Real x79 = v[3] * v[5];
+  // joint 1 "left_hip_pitch": placement, velocity and reference acceleration of its link
+  const Real x89 = v[5] * cosine[0] + v[3] * sine[0];
+  const Real x93 = v[3] * cosine[0] - v[5] * sine[0];
+  const Real x94 = v[4] + v[6];
+  const Real x95 = v[6] * x93;
+  const Real x96 = v[6] * x89;
+  const Real x98 = x73 * 0.09;
+  const Real x100 = x79 * 0.05;
+  const Real x102 = x98 - x100;
+  const Real x103 = (x68 + v[5] * v[5]) * 0.09;
+  const Real x105 = x76 * 0.05;
+  const Real x107 = x103 + x105;
+  const Real x109 = x76 * 0.09;
+  const Real x110 = x77 * 0.05;
+  const Real x112 = x109 + x110;
+  const Real x115 = cosine[0] * x112 + sine[0] * x102;
+  const Real x119 = cosine[0] * x102 - sine[0] * x112;
+  const Real x131 = x93 * x94;
+  const Real x132 = x131 - x95;
+  const Real x134 = x89 * x89 + x93 * x93;
+  const Real x136 = x89 * x94;
+  const Real x138 = x136 - x96;
+  // link 2 "left_hip": force that the reference field takes
+  const Real x1096 = x95 * 0.00308 - x131 * 0.0013299999999999998 - x119 * 0.041999999999999996;
+  w.x[0] = x1096;
+  const Real x1098 = x136 * 0.0013299999999999998 - x96 * 0.00308 + x115 * 0.041999999999999996;
+  w.x[1] = x1098;
+  const Real x1101 = x115 * 1.4 + x138 * 0.041999999999999996;
+  w.x[2] = x1101;
+  const Real x1104 = x119 * 1.4 + x132 * 0.041999999999999996;
+  w.x[3] = x1104;
+  const Real x1109 = x107 * 1.4 + x134 * 0.041999999999999996;
+  w.x[4] = x1109;
+  // joint 2 "left_hip_roll": placement, velocity and reference acceleration of its link
+  const Real x147 = x94 * cosine[1] + x89 * sine[1];
+  const Real x151 = x89 * cosine[1] - x94 * sine[1];
+  const Real x152 = x93 + v[7];
+  const Real x156 = x95 * sine[1] + v[7] * x151;
+  const Real x159 = x95 * cosine[1] - v[7] * x147;
+  const Real x161 = x115 + x138 * 0.04;
+  const Real x163 = x119 + x132 * 0.04;
+  const Real x166 = x107 + x134 * 0.04;
+  const Real x171 = sine[1] * x161 - cosine[1] * x166;
+  const Real x175 = sine[1] * x166 + cosine[1] * x161;
+  const Real x178 = x147 * x147;
+  const Real x183 = x147 * x151;
+  const Real x184 = x96 + x183;
+  const Real x186 = x178 + x152 * x152;
+  const Real x188 = x151 * x152;
+  const Real x190 = x156 + x188;
+  const Real x191 = x178 + x151 * x151;
+  const Real x193 = x147 * x152;
+  const Real x195 = x159 + x193;
+  // link 3 "left_groin": force that the reference field takes
+  const Real x1131 = x156 * 0.00379 + x188 * 0.0015500000000000002;
+  const Real x1155 = 0.00096 * (x191 - x186) + x1131 - x163 * 0.048;
+  const Real x1156 = x1155 - x175 * 0.024;
+  w.x[5] = x1156;
+  const Real x1140 = x159 * 0.00187 + x193 * 0.00036999999999999994 - x184 * 0.00096;
+  const Real x1158 = x1140 + x171 * 0.024;
+  w.x[6] = x1158;
+  const Real x1150 = x195 * 0.00096 - (x96 * 0.00342 + x183 * 0.00192);
+  const Real x1161 = x1150 + x171 * 0.048;
+  w.x[7] = x1161;
+  const Real x1167 = x195 * 0.024 - x184 * 0.048 + x171 * 1.2;
+  w.x[8] = x1167;
+  const Real x1172 = x186 * 0.048 + (x188 - x156) * 0.024;
+  const Real x1173 = x175 * 1.2 + x1172;
+  w.x[9] = x1173;
+  const Real x1180 = x163 * 1.2 - x191 * 0.024 - x190 * 0.048;
+  w.x[10] = x1180;
+  // joint 3 "left_hip_yaw": placement, velocity and reference acceleration of its link
+  const Real x204 = x152 * cosine[2] + x147 * sine[2];
+  const Real x208 = x147 * cosine[2] - x152 * sine[2];
+  const Real x209 = x151 + v[8];
+  const Real x219 = x156 * sine[2] - x96 * cosine[2] + v[8] * x208;
+  const Real x222 = x96 * sine[2] + x156 * cosine[2] - v[8] * x204;
+  const Real x226 = x171 - x184 * 0.12;
+  const Real x229 = x175 + x186 * 0.12;
+  const Real x232 = x163 - x190 * 0.12;
+  const Real x235 = cosine[2] * x232 + sine[2] * x226;
+  const Real x239 = cosine[2] * x226 - sine[2] * x232;
+  const Real x252 = x208 * x209;
+  const Real x253 = x252 - x219;
+  const Real x255 = x204 * x204 + x208 * x208;
+  const Real x257 = x204 * x209;
+  const Real x259 = x222 + x257;
+  // link 4 "left_thigh": force that the reference field takes
+  const Real x1200 = x159 * 0.00468;
+  w.x[11] = x1200;
+  const Real x1204 = x219 * 0.0429867 - x252 * 0.038306700000000006 + x239 * 0.26;
+  w.x[12] = x1204;
+  const Real x1207 = x222 * 0.0429867 + x257 * 0.038306700000000006 - x235 * 0.26;
+  w.x[13] = x1207;
+  const Real x1211 = x235 * 2.6 - x259 * 0.26;
+  w.x[14] = x1211;
+  const Real x1215 = x239 * 2.6 - x253 * 0.26;
+  w.x[15] = x1215;
+  const Real x1219 = x229 * 2.6 + x255 * 0.26;
+  w.x[16] = x1219;
+  // joint 4 "left_knee": placement, velocity and reference acceleration of its link
+  const Real x268 = x209 * cosine[3] + x204 * sine[3];
+  const Real x272 = x204 * cosine[3] - x209 * sine[3];
+  const Real x273 = x208 + v[9];
+  const Real x282 = x159 * cosine[3] + x219 * sine[3] + v[9] * x272;
+  const Real x285 = x219 * cosine[3] - x159 * sine[3] - v[9] * x268;
+  const Real x289 = x235 - x259 * 0.24;
+  const Real x292 = x239 - x253 * 0.24;
+  const Real x295 = x229 + x255 * 0.24;
+  const Real x298 = cosine[3] * x295 + sine[3] * x289;
+  const Real x302 = cosine[3] * x289 - sine[3] * x295;
+  const Real x307 = x273 * x273;
+  const Real x308 = x272 * x272 + x307;
+  const Real x310 = x268 * x272;
+  const Real x312 = x222 + x310;
+  const Real x313 = x268 * x268 + x307;
+  const Real x315 = x272 * x273;
+  const Real x317 = x282 + x315;
+  const Real x320 = x268 * x273;
+  const Real x321 = x320 - x285;
+  // link 5 "left_shank": force that the reference field takes
+  const Real x1256 = x222 * 0.043271300000000006 + x310 * 0.0410888;
+  const Real x1241 = x282 * 0.0020025 + x315 * 0.00018 - x321 * 0.00234;
+  const Real x1259 = x1241 + x292 * 0.018000000000000002;
+  w.x[17] = x1259;
+  const Real x1250 = x285 * 0.043091300000000006 - x320 * 0.0412688 + x317 * 0.00234;
+  const Real x1262 = x1250 + x292 * 0.234;
+  w.x[18] = x1262;
+  const Real x1267 = 0.00234 * (x313 - x308) + x1256 - x302 * 0.234;
+  const Real x1268 = x1267 - x298 * 0.018000000000000002;
+  w.x[19] = x1268;
+  const Real x1273 = x308 * 0.234 + (x310 - x222) * 0.018000000000000002;
+  const Real x1274 = x298 * 1.8 + x1273;
+  w.x[20] = x1274;
+  const Real x1282 = x302 * 1.8 - (x312 * 0.234 + x313 * 0.018000000000000002);
+  w.x[21] = x1282;
+  const Real x1288 = x292 * 1.8 - x321 * 0.234 + x317 * 0.018000000000000002;
+  w.x[22] = x1288;
+  // joint 5 "left_ankle_pitch": placement, velocity and reference acceleration of its link
+  const Real x331 = x268 * cosine[4] + x272 * sine[4];
+  const Real x335 = x272 * cosine[4] - x268 * sine[4];
+  const Real x336 = x273 + v[10];
+  const Real x345 = x282 * cosine[4] + x285 * sine[4] + v[10] * x335;
+  const Real x348 = x285 * cosine[4] - x282 * sine[4] - v[10] * x331;
+  const Real x352 = x298 + x308 * 0.3;
+  const Real x355 = x302 - x312 * 0.3;
+  const Real x358 = x292 - x321 * 0.3;
+  const Real x361 = cosine[4] * x352 + sine[4] * x355;
+  const Real x365 = cosine[4] * x355 - sine[4] * x352;
+  // link 6 "left_ankle": force that the reference field takes
+  const Real x1291 = x345 * 7.2e-05;
+  w.x[23] = x1291;
+  const Real x1293 = x348 * 7.2e-05;
+  w.x[24] = x1293;
+  const Real x1295 = x222 * 7.2e-05;
+  w.x[25] = x1295;
+  const Real x1297 = x361 * 0.2;
+  w.x[26] = x1297;
+  const Real x1298 = x365 * 0.2;
+  w.x[27] = x1298;
+  const Real x1299 = x358 * 0.2;
+  w.x[28] = x1299;
+  // joint 6 "left_ankle_roll": placement, velocity and reference acceleration of its link
+  const Real x395 = x336 * cosine[5] + x331 * sine[5];
+  const Real x399 = x331 * cosine[5] - x336 * sine[5];
+  const Real x400 = x335 + v[11];
+  const Real x409 = x222 * cosine[5] + x345 * sine[5] + v[11] * x399;
+  const Real x412 = x345 * cosine[5] - x222 * sine[5] - v[11] * x395;
+  const Real x416 = x361 + (x335 * x335 + x336 * x336) * 0.02;
+  const Real x419 = x365 - (x222 + x331 * x335) * 0.02;
+  const Real x422 = x358 - (x331 * x336 - x348) * 0.02;
+  const Real x425 = cosine[5] * x422 + sine[5] * x416;
+  const Real x429 = cosine[5] * x416 - sine[5] * x422;
+  const Real x432 = x395 * x395;
+  const Real x437 = x395 * x399;
+  const Real x438 = x437 - x348;
+  const Real x440 = x432 + x400 * x400;
+  const Real x442 = x399 * x400;
+  const Real x445 = x432 + x399 * x399;
+  const Real x447 = x395 * x400;
+  const Real x449 = x412 + x447;
+  // link 7 "left_foot": force that the reference field takes
+  const Real x1319 = 0.0007199999999999999 * (x445 - x440) - x442 * 0.002606663;
+  const Real x1342 = x409 * 0.00416667 + x1319 - x419 * 0.024;
+  const Real x1343 = x1342 - x429 * 0.024;
+  w.x[29] = x1343;
+  const Real x1344 = x425 * 0.024;
+  const Real x1328 = x447 * 0.002960003 - x438 * 0.0007199999999999999 + x412 * 0.00381333;
+  const Real x1345 = x1328 + x1344;
+  w.x[30] = x1345;
+  const Real x1337 = x348 * 0.001206667 - x437 * 0.00035334 + x449 * 0.0007199999999999999;
+  const Real x1347 = x1337 + x1344;
+  w.x[31] = x1347;
+  const Real x1353 = x449 * 0.024 - x438 * 0.024 + x425 * 0.8;
+  w.x[32] = x1353;
+  const Real x1358 = x440 * 0.024 + (x442 - x409) * 0.024;
+  const Real x1359 = x429 * 0.8 + x1358;
+  w.x[33] = x1359;
+  const Real x1365 = x419 * 0.8 - x445 * 0.024;
+  const Real x1366 = x1365 - (x409 + x442) * 0.024;
+  w.x[34] = x1366;
+  // joint 7 "right_hip_pitch": placement, velocity and reference acceleration of its link
+  const Real x458 = v[5] * cosine[6] + v[3] * sine[6];
+  const Real x462 = v[3] * cosine[6] - v[5] * sine[6];
+  const Real x463 = v[4] + v[12];
+  const Real x464 = v[12] * x462;
+  const Real x465 = v[12] * x458;
+  const Real x468 = x98 + x100;
+  const Real x470 = x103 - x105;
+  const Real x472 = x110 - x109;
+  const Real x476 = cosine[6] * x472 - sine[6] * x468;
+  const Real x481 = sine[6] * x472 + cosine[6] * x468;
+  const Real x493 = x462 * x463;
+  const Real x494 = x493 - x464;
+  const Real x496 = x458 * x458 + x462 * x462;
+  const Real x498 = x458 * x463;
+  const Real x500 = x498 - x465;
+  // link 8 "right_hip": force that the reference field takes
+  const Real x1380 = x464 * 0.00308 - x493 * 0.0013299999999999998 - x481 * 0.041999999999999996;
+  w.x[35] = x1380;
+  const Real x1383 = x498 * 0.0013299999999999998 - x465 * 0.00308 - x476 * 0.041999999999999996;
+  w.x[36] = x1383;
+  const Real x1387 = x476 * 1.4 - x500 * 0.041999999999999996;
+  w.x[37] = x1387;
+  const Real x1392 = x481 * 1.4 + x494 * 0.041999999999999996;
+  w.x[38] = x1392;
+  const Real x1397 = x470 * 1.4 + x496 * 0.041999999999999996;
+  w.x[39] = x1397;
+  // joint 8 "right_hip_roll": placement, velocity and reference acceleration of its link
+  const Real x509 = x463 * cosine[7] + x458 * sine[7];
+  const Real x513 = x458 * cosine[7] - x463 * sine[7];
+  const Real x514 = x462 + v[13];
+  const Real x518 = x464 * sine[7] + v[13] * x513;
+  const Real x521 = x464 * cosine[7] - v[13] * x509;
+  const Real x524 = x476 - 0.04 * x500;
+  const Real x527 = x481 + 0.04 * x494;
+  const Real x531 = x470 + 0.04 * x496;
+  const Real x534 = cosine[7] * x531 + sine[7] * x524;
+  const Real x538 = cosine[7] * x524 - sine[7] * x531;
+  const Real x541 = x509 * x509;
+  const Real x546 = x509 * x513;
+  const Real x547 = x465 + x546;
+  const Real x549 = x541 + x514 * x514;
+  const Real x551 = x513 * x514;
+  const Real x553 = x518 + x551;
+  const Real x554 = x541 + x513 * x513;
+  const Real x556 = x509 * x514;
+  const Real x558 = x521 + x556;
+  // link 9 "right_groin": force that the reference field takes
+  const Real x1402 = x518 * 0.00379 + x551 * 0.0015500000000000002;
+  const Real x1424 = 0.00096 * (x554 - x549) + x1402 + x527 * 0.048;
+  const Real x1425 = x1424 - x538 * 0.024;
+  w.x[40] = x1425;
+  const Real x1410 = x521 * 0.00187 + x556 * 0.00036999999999999994 - x547 * 0.00096;
+  const Real x1427 = x1410 + x534 * 0.024;
+  w.x[41] = x1427;
+  const Real x1419 = x558 * 0.00096 - (x465 * 0.00342 + x546 * 0.00192);
+  const Real x1430 = x1419 + x534 * 0.048;
+  w.x[42] = x1430;
+  const Real x1436 = x558 * 0.024 - x547 * 0.048 + x534 * 1.2;
+  w.x[43] = x1436;
+  const Real x1441 = x549 * 0.048 + (x551 - x518) * 0.024;
+  const Real x1442 = x538 * 1.2 + x1441;
+  w.x[44] = x1442;
+  const Real x1451 = x527 * 1.2 + x554 * 0.024 + x553 * 0.048;
+  w.x[45] = x1451;
+  // joint 9 "right_hip_yaw": placement, velocity and reference acceleration of its link
+  const Real x566 = x514 * cosine[8] + x509 * sine[8];
+  const Real x570 = x509 * cosine[8] - x514 * sine[8];
+  const Real x571 = x513 + v[14];
+  const Real x581 = x518 * sine[8] - x465 * cosine[8] + v[14] * x570;
+  const Real x584 = x465 * sine[8] + x518 * cosine[8] - v[14] * x566;
+  const Real x587 = x534 - 0.12 * x547;
+  const Real x590 = x538 + 0.12 * x549;
+  const Real x593 = x527 + 0.12 * x553;
+  const Real x598 = sine[8] * x587 - cosine[8] * x593;
+  const Real x602 = sine[8] * x593 + cosine[8] * x587;
+  const Real x615 = x570 * x571;
+  const Real x616 = x615 - x581;
+  const Real x618 = x566 * x566 + x570 * x570;
+  const Real x620 = x566 * x571;
+  const Real x622 = x584 + x620;
+  // link 10 "right_thigh": force that the reference field takes
+  const Real x1462 = x521 * 0.00468;
+  w.x[46] = x1462;
+  const Real x1466 = x581 * 0.0429867 - x615 * 0.038306700000000006 + x602 * 0.26;
+  w.x[47] = x1466;
+  const Real x1469 = x584 * 0.0429867 + x620 * 0.038306700000000006 - x598 * 0.26;
+  w.x[48] = x1469;
+  const Real x1473 = x598 * 2.6 - x622 * 0.26;
+  w.x[49] = x1473;
+  const Real x1477 = x602 * 2.6 - x616 * 0.26;
+  w.x[50] = x1477;
+  const Real x1481 = x590 * 2.6 + x618 * 0.26;
+  w.x[51] = x1481;
+  // joint 10 "right_knee": placement, velocity and reference acceleration of its link
+  const Real x630 = x571 * cosine[9] + x566 * sine[9];
+  const Real x634 = x566 * cosine[9] - x571 * sine[9];
+  const Real x635 = x570 + v[15];
+  const Real x644 = x521 * cosine[9] + x581 * sine[9] + v[15] * x634;
+  const Real x647 = x581 * cosine[9] - x521 * sine[9] - v[15] * x630;
+  const Real x650 = x598 - 0.24 * x622;
+  const Real x653 = x602 - 0.24 * x616;
+  const Real x656 = x590 + 0.24 * x618;
+  const Real x659 = cosine[9] * x656 + sine[9] * x650;
+  const Real x663 = cosine[9] * x650 - sine[9] * x656;
+  const Real x668 = x635 * x635;
+  const Real x669 = x634 * x634 + x668;
+  const Real x671 = x630 * x634;
+  const Real x673 = x584 + x671;
+  const Real x674 = x630 * x630 + x668;
+  const Real x676 = x634 * x635;
+  const Real x678 = x644 + x676;
+  const Real x681 = x630 * x635;
+  const Real x682 = x681 - x647;
+  // link 11 "right_shank": force that the reference field takes
+  const Real x1500 = x584 * 0.043271300000000006 + x671 * 0.0410888;
+  const Real x1488 = x644 * 0.0020025 + x676 * 0.00018 - x682 * 0.00234;
+  const Real x1503 = x1488 + x653 * 0.018000000000000002;
+  w.x[52] = x1503;
+  const Real x1495 = x647 * 0.043091300000000006 - x681 * 0.0412688 + x678 * 0.00234;
+  const Real x1506 = x1495 + x653 * 0.234;
+  w.x[53] = x1506;
+  const Real x1511 = 0.00234 * (x674 - x669) + x1500 - x663 * 0.234;
+  const Real x1512 = x1511 - x659 * 0.018000000000000002;
+  w.x[54] = x1512;
+  const Real x1517 = x669 * 0.234 + (x671 - x584) * 0.018000000000000002;
+  const Real x1518 = x659 * 1.8 + x1517;
+  w.x[55] = x1518;
+  const Real x1526 = x663 * 1.8 - (x673 * 0.234 + x674 * 0.018000000000000002);
+  w.x[56] = x1526;
+  const Real x1532 = x653 * 1.8 - x682 * 0.234 + x678 * 0.018000000000000002;
+  w.x[57] = x1532;
+  // joint 11 "right_ankle_pitch": placement, velocity and reference acceleration of its link
+  const Real x691 = x630 * cosine[10] + x634 * sine[10];
+  const Real x695 = x634 * cosine[10] - x630 * sine[10];
+  const Real x696 = x635 + v[16];
+  const Real x705 = x644 * cosine[10] + x647 * sine[10] + v[16] * x695;
+  const Real x708 = x647 * cosine[10] - x644 * sine[10] - v[16] * x691;
+  const Real x711 = x659 + 0.3 * x669;
+  const Real x714 = x663 - 0.3 * x673;
+  const Real x717 = x653 - 0.3 * x682;
+  const Real x720 = cosine[10] * x711 + sine[10] * x714;
+  const Real x724 = cosine[10] * x714 - sine[10] * x711;
+  // joint 12 "right_ankle_roll": placement, velocity and reference acceleration of its link
+  const Real x753 = x696 * cosine[11] + x691 * sine[11];
+  const Real x757 = x691 * cosine[11] - x696 * sine[11];
+  const Real x758 = x695 + v[17];
+  const Real x767 = x584 * cosine[11] + x705 * sine[11] + v[17] * x757;
+  const Real x770 = x705 * cosine[11] - x584 * sine[11] - v[17] * x753;
+  const Real x773 = x720 + 0.02 * (x695 * x695 + x696 * x696);
+  const Real x776 = x724 - 0.02 * (x584 + x691 * x695);
+  const Real x779 = x717 - 0.02 * (x691 * x696 - x708);
+  const Real x782 = cosine[11] * x779 + sine[11] * x773;
+  const Real x786 = cosine[11] * x773 - sine[11] * x779;
+  const Real x789 = x753 * x753;
+  const Real x794 = x753 * x757;
+  const Real x795 = x794 - x708;
+  const Real x797 = x789 + x758 * x758;
+  const Real x799 = x757 * x758;
+  const Real x802 = x789 + x757 * x757;
+  const Real x804 = x753 * x758;
+  const Real x806 = x770 + x804;
+  // link 13 "right_foot": force that the reference field takes
+  const Real x1547 = 0.0007199999999999999 * (x802 - x797) - x799 * 0.002606663;
+  const Real x1567 = x767 * 0.00416667 + x1547 - x776 * 0.024;
+  const Real x1568 = x1567 - x786 * 0.024;
+  const Real x1569 = x782 * 0.024;
+  const Real x1555 = x804 * 0.002960003 - x795 * 0.0007199999999999999 + x770 * 0.00381333;
+  const Real x1562 = x708 * 0.001206667 - x794 * 0.00035334 + x806 * 0.0007199999999999999;
+  const Real x1583 = x797 * 0.024 + (x799 - x767) * 0.024;
+  const Real x1584 = x786 * 0.8 + x1583;
+  const Real x1590 = x776 * 0.8 - x802 * 0.024;
+  const Real x1591 = x1590 - (x767 + x799) * 0.024;
+  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
+  const Real x814 = v[3] * cosine[12] + v[4] * sine[12];
+  const Real x818 = v[4] * cosine[12] - v[3] * sine[12];
+  const Real x819 = v[5] + v[18];
+  const Real x820 = v[18] * x818;
+  const Real x821 = v[18] * x814;
+  const Real x823 = x79 * 0.09;
+  const Real x824 = x77 * 0.09;
+  const Real x828 = cosine[12] * x823 + x109 * sine[12];
+  const Real x832 = x109 * cosine[12] - sine[12] * x823;
+  const Real x844 = x818 * x819;
+  const Real x845 = x844 - x820;
+  const Real x847 = x814 * x814 + x818 * x818;
+  const Real x849 = x814 * x819;
+  const Real x851 = x849 - x821;
+  // link 14 "waist_link": force that the reference field takes
+  const Real x1032 = x820 * 0.00106 - x844 * 6e-05 - x832 * 0.016;
+  w.x[58] = x1032;
+  const Real x1034 = x849 * 6e-05 - x821 * 0.00106 + x828 * 0.016;
+  w.x[59] = x1034;
+  const Real x1037 = x828 * 0.8 + x851 * 0.016;
+  w.x[60] = x1037;
+  const Real x1040 = x832 * 0.8 + x845 * 0.016;
+  w.x[61] = x1040;
+  const Real x1045 = x824 * 0.8 + x847 * 0.016;
+  w.x[62] = x1045;
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x859 = x818 * cosine[13] + x819 * sine[13];
+  const Real x863 = x819 * cosine[13] - x818 * sine[13];
+  const Real x864 = x814 + v[19];
+  const Real x870 = v[19] * x863 - x821 * cosine[13];
+  const Real x875 = x828 + 0.05 * x851;
+  const Real x877 = x832 + 0.05 * x845;
+  const Real x880 = x824 + 0.05 * x847;
+  const Real x885 = cosine[13] * x877 - sine[13] * x880;
+  const Real x899 = x859 * x863;
+  const Real x904 = x863 * x864;
+  // link 15 "abdomen": force that the reference field takes
+  const Real x985 = (x821 * sine[13] - v[19] * x859) * 0.001125;
+  w.x[63] = x985;
+  const Real x994 = x870 * 0.0014025 + x904 * 0.00027750000000000013 + x875 * 0.018000000000000002;
+  w.x[64] = x994;
+  const Real x997 = x820 * 0.0014025 - x899 * 0.00027750000000000013 - x885 * 0.018000000000000002;
+  w.x[65] = x997;
+  const Real x1000 = x885 * 0.9 + (x899 - x820) * 0.018000000000000002;
+  w.x[66] = x1000;
+  const Real x1001 = (sine[13] * x877 + cosine[13] * x880) * 0.9;
+  const Real x1005 = x1001 + (x859 * x859 + x864 * x864) * 0.018000000000000002;
+  w.x[67] = x1005;
+  const Real x1009 = x875 * 0.9 + (x870 + x904) * 0.018000000000000002;
+  w.x[68] = x1009;
+  // joint 0 "__base__": its torque on the base
+  const Real x1598 = x79 * 0.12400000000000001 - tau[0];
+  w.x[69] = x1598;
+  const Real x1599 = x76 * 0.12400000000000001 - tau[1];
+  w.x[70] = x1599;
+  const Real x1600 = x77 * 0.12400000000000001 + tau[2];
+  w.x[71] = x1600;
+  const Real x1602 = x76 * 0.015086599999999999 - tau[3];
+  w.x[72] = x1602;
+  const Real x1603 = x79 * 0.00020659999999999716 + tau[4];
+  w.x[73] = x1603;
+  const Real x1605 = x73 * 0.01488 + tau[5];
+  w.x[74] = x1605;
+  // joint 12 "right_ankle_roll": articulated-body inertia and bias force through it
+  const Real x1610 = 828.7290528372782 * (tau[17] - (x1562 + x1569));
+  w.x[75] = x1610;
+  const Real x1623 = x1555 + x1569 + 0.0007199999999999999 * x1610;
+  // link 13 "right_foot": force that the reference field takes
+  const Real x1578 = x806 * 0.024 - x795 * 0.024 + x782 * 0.8;
+  // joint 12 "right_ankle_roll": articulated-body inertia and bias force through it
+  const Real x1625 = x1578 + 0.024 * x1610;
+  const Real x1626 = cosine[11] * 0.024;
+  const Real x1628 = sine[11] * 0.024;
+  const Real x1630 = sine[11] * 0.014320438033028168;
+  const Real x1632 = sine[11] * x1630;
+  const Real x1634 = -0.024 + x1632;
+  const Real x1635 = 0.009679561966971832 + x1632;
+  const Real x1636 = cosine[11] * x1630;
+  const Real x1639 = cosine[11] * 0.000782953140990845;
+  const Real x1644 = cosine[11] * x1639;
+  const Real x1647 = cosine[11] * 0.47734793443427226;
+  const Real x1649 = sine[11] * x1647;
+  const Real x1651 = cosine[11] * x1647;
+  const Real x1653 = 0.8 - x1651;
+  const Real x1657 = -0.016 - x1626;
+  const Real x1658 = 0.02 * x1653;
+  const Real x1664 = sine[11] * x1639 + 0.02 * x1628;
+  const Real x1667 = 0.02 * x1636;
+  const Real x1685 = cosine[11] * x1625 - sine[11] * x1584;
+  const Real x1674 = 0.003383716859009155 + x1644 + 0.02 * x1626 - 0.02 * x1657;
+  const Real x1697 = 7.2e-05 + x1674;
+  require_more(w, x1697, 0.0, kFactorization, 11);
+  const Real x1694 = cosine[11] * x1568 - sine[11] * x1623 - 0.02 * x1591;
+  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x1708 = 1 / x1697;
+  const Real x1710 = x1708 * (tau[16] - (x584 * 7.2e-05 + x1694));
+  w.x[76] = x1710;
+  const Real x1711 = x1664 * x1708;
+  w.x[77] = x1711;
+  const Real x1712 = x1667 * x1708;
+  w.x[78] = x1712;
+  const Real x1713 = x1634 * x1708;
+  w.x[79] = x1713;
+  const Real x1714 = x1657 * x1708;
+  w.x[80] = x1714;
+  const Real x1715 = x1636 * x1708;
+  w.x[81] = x1715;
+  const Real x1718 = 0.00416667 - x1644 + 7.2e-05 - x1664 * x1711;
+  w.x[82] = x1718;
+  const Real x1721 = 0.02 * x1635 - x1664 * x1712;
+  w.x[83] = x1721;
+  const Real x1724 = x1636 + x1664 * x1713;
+  const Real x1728 = x1628 + x1664 * x1714;
+  const Real x1732 = x1635 - x1664 * x1715;
+  const Real x1735 = 7.2e-05 + 0.02 * x1658 - x1667 * x1712;
+  w.x[84] = x1735;
+  const Real x1738 = 0.02 * x1649 + x1667 * x1713;
+  const Real x1740 = x1667 * x1714;
+  const Real x1744 = x1658 - x1667 * x1715;
+  const Real x1747 = 0.3226520655657278 + x1651 + 0.2 - x1634 * x1713;
+  w.x[85] = x1747;
+  const Real x1748 = x1634 * x1714;
+  w.x[86] = x1748;
+  const Real x1752 = x1649 + x1634 * x1715;
+  w.x[87] = x1752;
+  const Real x1756 = 1.0 - x1657 * x1714;
+  w.x[88] = x1756;
+  const Real x1757 = x1657 * x1715;
+  w.x[89] = x1757;
+  const Real x1761 = 0.2 + x1653 - x1636 * x1715;
+  w.x[90] = x1761;
+  // joint 12 "right_ankle_roll": articulated-body inertia and bias force through it
+  const Real x1701 = sine[11] * x1568 + cosine[11] * x1623 + x705 * 7.2e-05;
+  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x1763 = x1701 + x1664 * x1710;
+  w.x[91] = x1763;
+  // joint 12 "right_ankle_roll": articulated-body inertia and bias force through it
+  const Real x1702 = tau[17] + 0.02 * x1685 + x708 * 7.2e-05;
+  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x1765 = x1702 + x1667 * x1710;
+  w.x[92] = x1765;
+  // joint 12 "right_ankle_roll": articulated-body inertia and bias force through it
+  const Real x1704 = sine[11] * x1625 + cosine[11] * x1584 + x720 * 0.2;
+  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x1767 = x1704 + x1634 * x1710;
+  w.x[93] = x1767;
+  const Real x1769 = x724 * 0.2 + x1591 + x1657 * x1710;
+  w.x[94] = x1769;
+  const Real x1771 = x717 * 0.2 + x1685 + x1636 * x1710;
+  w.x[95] = x1771;
+  const Real x1775 = cosine[10] * x1732 - sine[10] * x1744;
+  w.x[96] = x1775;
+  const Real x1778 = sine[10] * x1732 + cosine[10] * x1744;
+  w.x[97] = x1778;
+  const Real x1785 = cosine[10] * (x1740 - x1724) + sine[10] * (x1728 + x1738);
+  const Real x1786 = sine[10] * x1785;
+  const Real x1788 = x1786 - x1728;
+  w.x[98] = x1788;
+  const Real x1789 = x1786 - x1738;
+  w.x[99] = x1789;
+  const Real x1790 = cosine[10] * x1785;
+  const Real x1791 = x1790 - x1740;
+  w.x[100] = x1791;
+  const Real x1792 = x1724 + x1790;
+  w.x[101] = x1792;
+  const Real x1794 = x1718 - x1735;
+  w.x[102] = x1794;
 }
 
-// Whether joints first .. last leave of a body no more than its mass.
-[[maybe_unused]] constexpr bool leave_mass_alone(int first, int last) {
-  for (int j = first; j <= last; ++j)
-    if (kJoints[j].kind != JointKind::kSpherical) return false;
-  return !kSphericalRotors;
+ADAGEN_NOINLINE void part_0_1(Workspace& w) {
+  ADAGEN_INPUTS
+  const Real x1200 = w.x[11];
+  const Real x1204 = w.x[12];
+  const Real x1207 = w.x[13];
+  const Real x1211 = w.x[14];
+  const Real x1215 = w.x[15];
+  const Real x1219 = w.x[16];
+  const Real x1259 = w.x[17];
+  const Real x1262 = w.x[18];
+  const Real x1268 = w.x[19];
+  const Real x1274 = w.x[20];
+  const Real x1282 = w.x[21];
+  const Real x1288 = w.x[22];
+  const Real x1291 = w.x[23];
+  const Real x1293 = w.x[24];
+  const Real x1295 = w.x[25];
+  const Real x1297 = w.x[26];
+  const Real x1298 = w.x[27];
+  const Real x1299 = w.x[28];
+  const Real x1343 = w.x[29];
+  const Real x1345 = w.x[30];
+  const Real x1347 = w.x[31];
+  const Real x1353 = w.x[32];
+  const Real x1359 = w.x[33];
+  const Real x1366 = w.x[34];
+  const Real x1380 = w.x[35];
+  const Real x1383 = w.x[36];
+  const Real x1387 = w.x[37];
+  const Real x1392 = w.x[38];
+  const Real x1397 = w.x[39];
+  const Real x1425 = w.x[40];
+  const Real x1427 = w.x[41];
+  const Real x1430 = w.x[42];
+  const Real x1436 = w.x[43];
+  const Real x1442 = w.x[44];
+  const Real x1451 = w.x[45];
+  const Real x1462 = w.x[46];
+  const Real x1466 = w.x[47];
+  const Real x1469 = w.x[48];
+  const Real x1473 = w.x[49];
+  const Real x1477 = w.x[50];
+  const Real x1481 = w.x[51];
+  const Real x1503 = w.x[52];
+  const Real x1506 = w.x[53];
+  const Real x1512 = w.x[54];
+  const Real x1518 = w.x[55];
+  const Real x1526 = w.x[56];
+  const Real x1532 = w.x[57];
+  const Real x1598 = w.x[69];
+  const Real x1599 = w.x[70];
+  const Real x1600 = w.x[71];
+  const Real x1602 = w.x[72];
+  const Real x1603 = w.x[73];
+  const Real x1605 = w.x[74];
+  const Real x1718 = w.x[82];
+  const Real x1721 = w.x[83];
+  const Real x1735 = w.x[84];
+  const Real x1747 = w.x[85];
+  const Real x1748 = w.x[86];
+  const Real x1752 = w.x[87];
+  const Real x1756 = w.x[88];
+  const Real x1757 = w.x[89];
+  const Real x1761 = w.x[90];
+  const Real x1763 = w.x[91];
+  const Real x1765 = w.x[92];
+  const Real x1767 = w.x[93];
+  const Real x1769 = w.x[94];
+  const Real x1771 = w.x[95];
+  const Real x1775 = w.x[96];
+  const Real x1778 = w.x[97];
+  const Real x1788 = w.x[98];
+  const Real x1789 = w.x[99];
+  const Real x1791 = w.x[100];
+  const Real x1792 = w.x[101];
+  const Real x1794 = w.x[102];
+  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x1796 = 2.0 * sine[10];
+  const Real x1800 = cosine[10] * x1794 - x1721 * x1796;
+  const Real x1804 = cosine[10] * x1800;
+  const Real x1811 = sine[10] * x1757 - cosine[10] * x1752;
+  const Real x1816 = sine[10] * x1752 + cosine[10] * x1757;
+  const Real x1822 = cosine[10] * (x1747 - x1756) + x1748 * x1796;
+  const Real x1825 = sine[10] * x1822 - x1748;
+  const Real x1826 = cosine[10] * x1822;
+  const Real x1828 = x1747 - x1826;
+  const Real x1834 = 0.3 * x1816;
+  const Real x1836 = x1792 + x1834;
+  const Real x1838 = 0.3 * x1828;
+  const Real x1842 = x1778 + 0.3 * x1761;
+  const Real x1846 = 0.3 * x1788;
+  const Real x1854 = 0.3 * x1836;
+  const Real x1871 = sine[10] * x1767 + cosine[10] * x1769;
+  const Real x1853 = x1718 - x1804 + (0.3 * x1778 + 0.3 * x1842);
+  const Real x1883 = 0.043271300000000006 + 0.3 * x1838;
+  require_more(w, x1883, 0.0, kFactorization, 10);
+  const Real x1884 = -0.018000000000000002 - 0.3 * x1825;
+  const Real x1885 = -0.234 - x1838;
+  const Real x1874 = sine[10] * x1763 + cosine[10] * x1765 + 0.3 * x1771;
+  // joint 10 "right_knee": articulated-body inertia and bias force through it
+  const Real x1896 = 1 / x1883;
+  const Real x1898 = x1896 * (tau[15] - (tau[16] - 0.3 * x1871 + x1512));
+  w.x[103] = x1898;
+  const Real x1899 = x1846 * x1896;
+  w.x[104] = x1899;
+  const Real x1901 = x1854 * x1896;
+  w.x[105] = x1901;
+  const Real x1902 = x1884 * x1896;
+  w.x[106] = x1902;
+  const Real x1903 = x1885 * x1896;
+  w.x[107] = x1903;
+  const Real x1904 = x1834 * x1896;
+  w.x[108] = x1904;
+  const Real x1907 = x1735 + x1804 + 0.0020025 - x1846 * x1899;
+  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x1879 = x1721 + sine[10] * x1800 + 0.3 * x1775 + 0.00234;
+  // joint 10 "right_knee": articulated-body inertia and bias force through it
+  const Real x1910 = x1879 + x1846 * x1901;
+  const Real x1913 = x1791 + x1846 * x1902;
+  const Real x1916 = x1788 + x1846 * x1903;
+  const Real x1919 = 0.018000000000000002 + x1775 + x1846 * x1904;
+  const Real x1922 = 0.043091300000000006 + x1853 - x1854 * x1901;
+  const Real x1925 = x1789 + 0.3 * x1811 - x1854 * x1902;
+  const Real x1928 = x1836 + x1854 * x1903;
+  const Real x1932 = 0.234 + x1842 - x1854 * x1904;
+  const Real x1935 = x1756 + x1826 + 1.8 - x1884 * x1902;
+  const Real x1938 = x1825 - x1884 * x1903;
+  const Real x1941 = x1811 - x1884 * x1904;
+  const Real x1944 = 1.8 + x1828 - x1885 * x1903;
+  const Real x1947 = x1816 + x1885 * x1904;
+  const Real x1951 = 1.8 + x1761 - x1834 * x1904;
+  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x1889 = cosine[10] * x1763 - sine[10] * x1765 + x1503;
+  // joint 10 "right_knee": articulated-body inertia and bias force through it
+  const Real x1954 = x1889 - x1846 * x1898;
+  const Real x1956 = x1506 + x1874 + x1854 * x1898;
+  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x1892 = cosine[10] * x1767 - sine[10] * x1769 + x1518;
+  // joint 10 "right_knee": articulated-body inertia and bias force through it
+  const Real x1958 = x1892 + x1884 * x1898;
+  const Real x1960 = x1526 + x1871 + x1885 * x1898;
+  const Real x1962 = x1532 + x1771 + x1834 * x1898;
+  const Real x1966 = cosine[9] * x1919 - sine[9] * x1932;
+  const Real x1969 = sine[9] * x1919 + cosine[9] * x1932;
+  const Real x1975 = cosine[9] * (x1913 + x1928) - sine[9] * (x1916 + x1925);
+  const Real x1976 = sine[9] * x1975;
+  const Real x1978 = x1916 + x1976;
+  const Real x1980 = cosine[9] * x1975;
+  const Real x1981 = x1980 - x1928;
+  const Real x1985 = 2.0 * sine[9];
+  const Real x1989 = cosine[9] * (x1907 - x1922) - x1910 * x1985;
+  const Real x1993 = cosine[9] * x1989;
+  const Real x1999 = cosine[9] * x1941 + sine[9] * x1947;
+  const Real x2003 = sine[9] * x1941 - cosine[9] * x1947;
+  const Real x2008 = cosine[9] * (x1935 - x1944) - x1938 * x1985;
+  const Real x2011 = x1938 + sine[9] * x2008;
+  const Real x2012 = cosine[9] * x2008;
+  const Real x2014 = x1935 - x2012;
+  const Real x2015 = 0.24 * x2003;
+  const Real x2017 = x1913 - x1980 + x2015;
+  const Real x2018 = 0.24 * x2014;
+  const Real x2022 = x1969 + 0.24 * x1951;
+  const Real x2038 = x1910 + sine[9] * x1989 + 0.24 * x1966;
+  const Real x2041 = 0.24 * x1978;
+  const Real x2056 = sine[9] * x1958 + cosine[9] * x1960;
+  const Real x2033 = x1907 - x1993 + (0.24 * x1969 + 0.24 * x2022);
+  const Real x2067 = x1922 + x1993 + 0.00468;
+  require_more(w, x2067, 0.0, kFactorization, 9);
+  const Real x2059 = sine[9] * x1954 + cosine[9] * x1956 + 0.24 * x1962;
+  // joint 9 "right_hip_yaw": articulated-body inertia and bias force through it
+  const Real x2078 = 1 / x2067;
+  const Real x2079 = tau[14] - (cosine[9] * x1954 - sine[9] * x1956 + x1462);
+  const Real x2080 = x2078 * x2079;
+  w.x[109] = x2080;
+  const Real x2081 = x2038 * x2078;
+  w.x[110] = x2081;
+  const Real x2082 = x2041 * x2078;
+  w.x[111] = x2082;
+  const Real x2084 = x1978 * x2078;
+  w.x[112] = x2084;
+  const Real x2085 = x1966 * x2078;
+  w.x[113] = x2085;
+  const Real x2086 = x1981 * x2078;
+  w.x[114] = x2086;
+  const Real x2089 = 0.0429867 + x2033 - x2038 * x2081;
+  const Real x2092 = x2038 * x2082 - 0.24 * x2017;
+  const Real x2095 = x2017 - x2038 * x2084;
+  const Real x2098 = 0.26 + x2022 - x2038 * x2085;
+  const Real x2101 = x1925 + x1976 + 0.24 * x1999 - x2038 * x2086;
+  const Real x2104 = 0.0429867 + 0.24 * x2018 - x2041 * x2082;
+  const Real x2107 = -0.26 - x2018 + x2041 * x2084;
+  const Real x2110 = x2041 * x2085 - x2015;
+  const Real x2113 = x2041 * x2086 - 0.24 * x2011;
+  const Real x2116 = 2.6 + x2014 - x1978 * x2084;
+  const Real x2119 = x2003 - x1978 * x2085;
+  const Real x2122 = x2011 - x1978 * x2086;
+  const Real x2125 = 2.6 + x1951 - x1966 * x2085;
+  const Real x2128 = x1999 - x1966 * x2086;
+  const Real x2133 = x1466 + x2059 + x2038 * x2080;
+  const Real x2136 = tau[15] - 0.24 * x2056 + x1469 - x2041 * x2080;
+  const Real x2138 = x1473 + x2056 + x1978 * x2080;
+  const Real x2140 = x1477 + x1962 + x1966 * x2080;
+  // joint 10 "right_knee": articulated-body inertia and bias force through it
+  const Real x2076 = cosine[9] * x1958 - sine[9] * x1960 + x1481;
+  // joint 9 "right_hip_yaw": articulated-body inertia and bias force through it
+  const Real x2155 = cosine[8] * (x2095 - x2110) - sine[8] * (x2098 + x2107);
+  const Real x2156 = sine[8] * x2155;
+  const Real x2158 = x2098 + x2156;
+  const Real x2159 = x2107 + x2156;
+  const Real x2160 = cosine[8] * x2155;
+  const Real x2161 = x2110 + x2160;
+  const Real x2165 = 2.0 * sine[8];
+  const Real x2169 = cosine[8] * (x2089 - x2104) - x2092 * x2165;
+  const Real x2173 = cosine[8] * x2169;
+  const Real x2179 = cosine[8] * x2122 - sine[8] * x2128;
+  const Real x2182 = sine[8] * x2122 + cosine[8] * x2128;
+  const Real x2187 = cosine[8] * (x2116 - x2125) - x2119 * x2165;
+  const Real x2190 = x2119 + sine[8] * x2187;
+  const Real x2191 = cosine[8] * x2187;
+  const Real x2192 = x2125 + x2191;
+  const Real x2193 = x2116 - x2191;
+  const Real x2194 = 0.12 * x2190;
+  const Real x2196 = x2095 - x2160 - x2194;
+  const Real x2199 = x2158 + 0.12 * x2193;
+  const Real x2205 = cosine[8] * x2101 - sine[8] * x2113 + 0.12 * x2182;
+  const Real x2208 = x2159 - 0.12 * x2192;
+  const Real x2209 = x2161 + x2194;
+  const Real x2220 = x2092 + sine[8] * x2169 - 0.12 * x2161;
+  const Real x2221 = 0.12 * x2196 + x2220;
+  const Real x2238 = cosine[8] * x2138 - sine[8] * x2140;
+  const Real x2241 = sine[8] * x2138 + cosine[8] * x2140;
+  const Real x2215 = x2089 - x2173 - 0.12 * x2159 - 0.12 * x2208;
+  const Real x2202 = sine[8] * x2101 + cosine[8] * x2113 - 0.12 * x2179;
+  const Real x2227 = x2104 + x2173 + 0.12 * x2158 + 0.12 * x2199;
+  const Real x2251 = 0.00342 + x2227;
+  require_more(w, x2251, 0.0, kFactorization, 8);
+  const Real x2252 = 0.048 + x2199;
+  const Real x2244 = sine[8] * x2133 + cosine[8] * x2136 - 0.12 * x2238;
+  const Real x2247 = cosine[8] * x2133 - sine[8] * x2136 + 0.12 * x2241;
+  // joint 8 "right_hip_roll": articulated-body inertia and bias force through it
+  const Real x2263 = 1 / x2251;
+  const Real x2265 = x2263 * (tau[13] - (x1430 + x2247));
+  w.x[115] = x2265;
+  const Real x2266 = x2221 * x2263;
+  w.x[116] = x2266;
+  const Real x2267 = 0.00096 * x2263;
+  w.x[117] = x2267;
+  const Real x2268 = x2252 * x2263;
+  w.x[118] = x2268;
+  const Real x2269 = x2205 * x2263;
+  w.x[119] = x2269;
+  const Real x2270 = x2209 * x2263;
+  w.x[120] = x2270;
+  const Real x2273 = 0.00379 + x2215 - x2221 * x2266;
+  const Real x2274 = x2221 * x2267;
+  const Real x2278 = x2196 - x2221 * x2268;
+  const Real x2281 = -0.024 + x2202 - x2221 * x2269;
+  const Real x2284 = -0.048 + x2208 - x2221 * x2270;
+  const Real x2287 = 0.00187 - 0.00096 * x2267;
+  const Real x2290 = 0.024 - 0.00096 * x2268;
+  const Real x2291 = 0.00096 * x2269;
+  const Real x2293 = 0.00096 * x2270;
+  const Real x2297 = 1.2 + x2193 - x2252 * x2268;
+  const Real x2300 = x2182 - x2252 * x2269;
+  const Real x2303 = x2190 - x2252 * x2270;
+  // joint 9 "right_hip_yaw": articulated-body inertia and bias force through it
+  const Real x2254 = x1944 + x2012 + 2.6 - x1981 * x2086 + 1.2;
+  // joint 8 "right_hip_roll": articulated-body inertia and bias force through it
+  const Real x2306 = x2254 - x2205 * x2269;
+  const Real x2309 = x2179 - x2205 * x2270;
+  const Real x2312 = 1.2 + x2192 - x2209 * x2270;
+  const Real x2314 = x1425 + x2244 + x2221 * x2265;
+  const Real x2316 = x1427 + tau[14] + 0.00096 * x2265;
+  const Real x2318 = x1436 + x2241 + x2252 * x2265;
+  const Real x2320 = x2076 + x1981 * x2080 + x1442 + x2205 * x2265;
+  const Real x2322 = x2238 - x1451 + x2209 * x2265;
+  const Real x2326 = cosine[7] * x2284 + sine[7] * x2293;
+  const Real x2330 = sine[7] * x2284 - cosine[7] * x2293;
+  const Real x2336 = cosine[7] * (x2278 + x2291) - sine[7] * (x2281 + x2290);
+  const Real x2337 = sine[7] * x2336;
+  const Real x2339 = x2281 + x2337;
+  const Real x2341 = cosine[7] * x2336;
+  const Real x2342 = x2341 - x2291;
+  const Real x2346 = 2.0 * sine[7];
+  const Real x2350 = cosine[7] * (x2273 - x2287) + x2274 * x2346;
+  const Real x2354 = cosine[7] * x2350;
+  const Real x2360 = cosine[7] * x2303 - sine[7] * x2309;
+  const Real x2363 = sine[7] * x2303 + cosine[7] * x2309;
+  const Real x2368 = cosine[7] * (x2297 - x2306) - x2300 * x2346;
+  const Real x2371 = x2300 + sine[7] * x2368;
+  const Real x2372 = cosine[7] * x2368;
+  const Real x2374 = x2297 - x2372;
+  const Real x2375 = 0.04 * x2363;
+  const Real x2377 = x2278 - x2341 + x2375;
+  const Real x2378 = 0.04 * x2374;
+  const Real x2382 = x2330 + 0.04 * x2312;
+  const Real x2398 = sine[7] * x2350 - x2274 + 0.04 * x2326;
+  const Real x2401 = 0.04 * x2339;
+  const Real x2416 = sine[7] * x2318 + cosine[7] * x2320;
+  const Real x2393 = x2273 - x2354 + (0.04 * x2330 + 0.04 * x2382);
+  const Real x2427 = x2287 + x2354 + 0.00175;
+  require_more(w, x2427, 0.0, kFactorization, 7);
+  const Real x2419 = sine[7] * x2314 + cosine[7] * x2316 + 0.04 * x2322;
+  // joint 7 "right_hip_pitch": articulated-body inertia and bias force through it
+  const Real x2437 = 1 / x2427;
+  const Real x2439 = x2437 * (tau[12] - (cosine[7] * x2314 - sine[7] * x2316));
+  w.x[121] = x2439;
+  const Real x2440 = x2398 * x2437;
+  w.x[122] = x2440;
+  const Real x2441 = x2401 * x2437;
+  w.x[123] = x2441;
+  const Real x2443 = x2339 * x2437;
+  w.x[124] = x2443;
+  const Real x2444 = x2326 * x2437;
+  w.x[125] = x2444;
+  const Real x2445 = x2342 * x2437;
+  w.x[126] = x2445;
+  const Real x2448 = 0.00308 + x2393 - x2398 * x2440;
+  const Real x2451 = x2398 * x2441 - 0.04 * x2377;
+  const Real x2454 = x2377 - x2398 * x2443;
+  const Real x2457 = 0.041999999999999996 + x2382 - x2398 * x2444;
+  const Real x2460 = x2290 + x2337 + 0.04 * x2360 - x2398 * x2445;
+  const Real x2463 = 0.00308 + 0.04 * x2378 - x2401 * x2441;
+  const Real x2466 = -0.041999999999999996 - x2378 + x2401 * x2443;
+  const Real x2469 = x2401 * x2444 - x2375;
+  const Real x2472 = x2401 * x2445 - 0.04 * x2371;
+  const Real x2475 = 1.4 + x2374 - x2339 * x2443;
+  const Real x2478 = x2363 - x2339 * x2444;
+  const Real x2481 = x2371 - x2339 * x2445;
+  const Real x2484 = 1.4 + x2312 - x2326 * x2444;
+  const Real x2487 = x2360 - x2326 * x2445;
+  const Real x2490 = x2306 + x2372 + 1.4 - x2342 * x2445;
+  const Real x2492 = x1380 + x2419 + x2398 * x2439;
+  const Real x2495 = tau[13] - 0.04 * x2416 + x1383 - x2401 * x2439;
+  const Real x2497 = x1387 + x2416 + x2339 * x2439;
+  const Real x2499 = x2322 - x1392 + x2326 * x2439;
+  // joint 8 "right_hip_roll": articulated-body inertia and bias force through it
+  const Real x2435 = cosine[7] * x2318 - sine[7] * x2320 + x1397;
+  // joint 7 "right_hip_pitch": articulated-body inertia and bias force through it
+  const Real x2501 = x2435 + x2342 * x2439;
+  const Real x2505 = cosine[6] * x2460 - sine[6] * x2472;
+  const Real x2508 = sine[6] * x2460 + cosine[6] * x2472;
+  const Real x2514 = cosine[6] * (x2454 - x2469) - sine[6] * (x2457 + x2466);
+  const Real x2515 = sine[6] * x2514;
+  const Real x2517 = x2457 + x2515;
+  const Real x2518 = x2466 + x2515;
+  const Real x2519 = cosine[6] * x2514;
+  const Real x2520 = x2469 + x2519;
+  const Real x2524 = 2.0 * sine[6];
+  const Real x2528 = cosine[6] * (x2448 - x2463) - x2451 * x2524;
+  const Real x2532 = cosine[6] * x2528;
+  const Real x2538 = cosine[6] * x2481 - sine[6] * x2487;
+  w.x[127] = x2538;
+  const Real x2541 = sine[6] * x2481 + cosine[6] * x2487;
+  w.x[128] = x2541;
+  const Real x2546 = cosine[6] * (x2475 - x2484) - x2478 * x2524;
+  const Real x2549 = x2478 + sine[6] * x2546;
+  w.x[129] = x2549;
+  const Real x2550 = cosine[6] * x2546;
+  const Real x2551 = x2484 + x2550;
+  const Real x2552 = x2475 - x2550;
+  const Real x2553 = 0.09 * x2549;
+  const Real x2555 = 0.05 * x2541;
+  w.x[130] = x2555;
+  const Real x2558 = x2454 - x2519 + x2555 - x2553;
+  w.x[131] = x2558;
+  const Real x2559 = 0.05 * x2552;
+  const Real x2563 = x2517 + 0.09 * x2552;
+  w.x[132] = x2563;
+  const Real x2569 = x2508 + 0.05 * x2490 - 0.09 * x2538;
+  const Real x2572 = x2505 + 0.09 * x2541;
+  w.x[133] = x2572;
+  const Real x2578 = x2518 + 0.05 * x2538 - 0.09 * x2551;
+  w.x[134] = x2578;
+  const Real x2579 = 0.05 * x2549;
+  w.x[135] = x2579;
+  const Real x2581 = x2520 + x2553;
+  w.x[136] = x2581;
+  const Real x2591 = x2448 - x2532 + 0.05 * x2508 + 0.05 * x2569;
+  const Real x2594 = 0.05 * x2558;
+  w.x[137] = x2594;
+  const Real x2602 = x2451 + sine[6] * x2528 + 0.05 * x2505;
+  const Real x2604 = x2602 - 0.09 * x2520 + 0.09 * x2558;
+  w.x[138] = x2604;
+  const Real x2611 = 0.05 * x2517 + 0.09 * x2559;
+  w.x[139] = x2611;
+  const Real x2629 = cosine[6] * x2497 - sine[6] * x2499;
+  const Real x2632 = sine[6] * x2497 + cosine[6] * x2499;
+  const Real x2637 = sine[6] * x2492 + cosine[6] * x2495 + 0.05 * x2501;
+  const Real x2645 = x2591 - 0.09 * x2518 - 0.09 * x2578 + 0.034926700000000005;
+  w.x[140] = x2645;
+  const Real x2646 = -0.12400000000000001 + x2569;
+  w.x[141] = x2646;
+  const Real x2647 = 0.0200467 + 0.05 * x2559;
+  w.x[142] = x2647;
+  const Real x2648 = 0.12400000000000001 - x2559;
+  w.x[143] = x2648;
+  const Real x2618 = x2463 + x2532 + 0.09 * x2517 + 0.09 * x2563;
+  const Real x2649 = 0.0351333 + x2618;
+  w.x[144] = x2649;
+  const Real x2650 = 6.2 + x2552;
+  w.x[145] = x2650;
+  const Real x2651 = 6.2 + x2490;
+  w.x[146] = x2651;
+  const Real x2652 = 6.2 + x2551;
+  w.x[147] = x2652;
+  const Real x2653 = x2637 - 0.09 * x2629 + x1602;
+  w.x[148] = x2653;
+  const Real x2654 = tau[12] - 0.05 * x2632 - x1603;
+  w.x[149] = x2654;
+  const Real x2644 = cosine[6] * x2492 - sine[6] * x2495 + 0.09 * x2632;
+  const Real x2655 = x2644 - x1605;
+  w.x[150] = x2655;
+  const Real x2656 = x1598 + x2632;
+  w.x[151] = x2656;
+  const Real x2657 = x1599 + x2501;
+  w.x[152] = x2657;
+  const Real x2658 = x2629 - x1600;
+  w.x[153] = x2658;
+  // joint 6 "left_ankle_roll": articulated-body inertia and bias force through it
+  const Real x2661 = 828.7290528372782 * (tau[11] - x1347);
+  w.x[154] = x2661;
+  const Real x2663 = x1345 + 0.0007199999999999999 * x2661;
+  const Real x2665 = x1353 + 0.024 * x2661;
+  const Real x2666 = cosine[5] * 0.024;
+  const Real x2668 = sine[5] * 0.024;
+  const Real x2670 = sine[5] * 0.014320438033028168;
+  const Real x2672 = sine[5] * x2670;
+  const Real x2674 = -0.024 + x2672;
+  const Real x2675 = 0.009679561966971832 + x2672;
+  const Real x2676 = cosine[5] * x2670;
+  const Real x2678 = cosine[5] * 0.000782953140990845;
+  const Real x2683 = cosine[5] * x2678;
+  const Real x2686 = cosine[5] * 0.47734793443427226;
+  const Real x2688 = sine[5] * x2686;
+  const Real x2690 = cosine[5] * x2686;
+  const Real x2692 = 0.8 - x2690;
+  const Real x2696 = -0.016 - x2666;
+  const Real x2697 = 0.02 * x2692;
+  const Real x2703 = sine[5] * x2678 + 0.02 * x2668;
+  const Real x2706 = 0.02 * x2676;
+  const Real x2724 = cosine[5] * x2665 - sine[5] * x1359;
+  const Real x2713 = 0.003383716859009155 + x2683 + 0.02 * x2666 - 0.02 * x2696;
+  const Real x2736 = 7.2e-05 + x2713;
+  require_more(w, x2736, 0.0, kFactorization, 5);
+  const Real x2733 = cosine[5] * x1343 - sine[5] * x2663 - 0.02 * x1366;
+  // joint 5 "left_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x2746 = 1 / x2736;
+  const Real x2748 = x2746 * (tau[10] - (x1295 + x2733));
+  w.x[155] = x2748;
+  const Real x2749 = x2703 * x2746;
+  w.x[156] = x2749;
+  const Real x2750 = x2706 * x2746;
+  w.x[157] = x2750;
+  const Real x2751 = x2674 * x2746;
+  w.x[158] = x2751;
+  const Real x2752 = x2696 * x2746;
+  w.x[159] = x2752;
+  const Real x2753 = x2676 * x2746;
+  w.x[160] = x2753;
+  const Real x2756 = 0.00416667 - x2683 + 7.2e-05 - x2703 * x2749;
+  const Real x2759 = 0.02 * x2675 - x2703 * x2750;
+  const Real x2762 = x2676 + x2703 * x2751;
+  const Real x2766 = x2668 + x2703 * x2752;
+  const Real x2770 = x2675 - x2703 * x2753;
+  const Real x2773 = 7.2e-05 + 0.02 * x2697 - x2706 * x2750;
+  const Real x2776 = 0.02 * x2688 + x2706 * x2751;
+  const Real x2778 = x2706 * x2752;
+  const Real x2782 = x2697 - x2706 * x2753;
+  const Real x2785 = 0.3226520655657278 + x2690 + 0.2 - x2674 * x2751;
+  const Real x2786 = x2674 * x2752;
+  const Real x2790 = x2688 + x2674 * x2753;
+  const Real x2794 = 1.0 - x2696 * x2752;
+  const Real x2795 = x2696 * x2753;
+  const Real x2799 = 0.2 + x2692 - x2676 * x2753;
+  // joint 6 "left_ankle_roll": articulated-body inertia and bias force through it
+  const Real x2739 = sine[5] * x1343 + cosine[5] * x2663 + x1291;
+  // joint 5 "left_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x2801 = x2739 + x2703 * x2748;
+  const Real x2803 = tau[11] + 0.02 * x2724 + x1293 + x2706 * x2748;
+  // joint 6 "left_ankle_roll": articulated-body inertia and bias force through it
+  const Real x2742 = sine[5] * x2665 + cosine[5] * x1359 + x1297;
+  // joint 5 "left_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x2805 = x2742 + x2674 * x2748;
+  const Real x2807 = x1298 + x1366 + x2696 * x2748;
+  const Real x2809 = x1299 + x2724 + x2676 * x2748;
+  const Real x2813 = cosine[4] * x2770 - sine[4] * x2782;
+  const Real x2816 = sine[4] * x2770 + cosine[4] * x2782;
+  const Real x2823 = cosine[4] * (x2778 - x2762) + sine[4] * (x2766 + x2776);
+  const Real x2824 = sine[4] * x2823;
+  const Real x2826 = x2824 - x2766;
+  const Real x2828 = cosine[4] * x2823;
+  const Real x2834 = 2.0 * sine[4];
+  const Real x2838 = cosine[4] * (x2756 - x2773) - x2759 * x2834;
+  const Real x2842 = cosine[4] * x2838;
+  const Real x2849 = sine[4] * x2795 - cosine[4] * x2790;
+  const Real x2854 = sine[4] * x2790 + cosine[4] * x2795;
+  const Real x2860 = cosine[4] * (x2785 - x2794) + x2786 * x2834;
+  const Real x2863 = sine[4] * x2860 - x2786;
+  const Real x2864 = cosine[4] * x2860;
+  const Real x2866 = x2785 - x2864;
+  const Real x2872 = 0.3 * x2854;
+  const Real x2874 = x2762 + x2828 + x2872;
+  const Real x2876 = 0.3 * x2866;
+  const Real x2880 = x2816 + 0.3 * x2799;
+  const Real x2884 = 0.3 * x2826;
+  const Real x2892 = 0.3 * x2874;
+  const Real x2909 = sine[4] * x2805 + cosine[4] * x2807;
+  const Real x2891 = x2756 - x2842 + (0.3 * x2816 + 0.3 * x2880);
+  const Real x2921 = 0.043271300000000006 + 0.3 * x2876;
+  require_more(w, x2921, 0.0, kFactorization, 4);
+  const Real x2922 = -0.018000000000000002 - 0.3 * x2863;
+  const Real x2923 = -0.234 - x2876;
+  const Real x2912 = sine[4] * x2801 + cosine[4] * x2803 + 0.3 * x2809;
+  // joint 4 "left_knee": articulated-body inertia and bias force through it
+  const Real x2934 = 1 / x2921;
+  const Real x2936 = x2934 * (tau[9] - (tau[10] - 0.3 * x2909 + x1268));
+  w.x[161] = x2936;
+  const Real x2937 = x2884 * x2934;
+  w.x[162] = x2937;
+  const Real x2939 = x2892 * x2934;
+  w.x[163] = x2939;
+  const Real x2940 = x2922 * x2934;
+  w.x[164] = x2940;
+  const Real x2941 = x2923 * x2934;
+  w.x[165] = x2941;
+  const Real x2942 = x2872 * x2934;
+  w.x[166] = x2942;
+  const Real x2945 = x2773 + x2842 + 0.0020025 - x2884 * x2937;
+  // joint 5 "left_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x2917 = x2759 + sine[4] * x2838 + 0.3 * x2813 + 0.00234;
+  // joint 4 "left_knee": articulated-body inertia and bias force through it
+  const Real x2948 = x2917 + x2884 * x2939;
+  const Real x2951 = x2828 - x2778 + x2884 * x2940;
+  const Real x2954 = x2826 + x2884 * x2941;
+  const Real x2957 = 0.018000000000000002 + x2813 + x2884 * x2942;
+  const Real x2960 = 0.043091300000000006 + x2891 - x2892 * x2939;
+  const Real x2963 = x2824 - x2776 + 0.3 * x2849 - x2892 * x2940;
+  const Real x2966 = x2874 + x2892 * x2941;
+  const Real x2970 = 0.234 + x2880 - x2892 * x2942;
+  const Real x2973 = x2794 + x2864 + 1.8 - x2922 * x2940;
+  const Real x2976 = x2863 - x2922 * x2941;
+  const Real x2979 = x2849 - x2922 * x2942;
+  const Real x2982 = 1.8 + x2866 - x2923 * x2941;
+  const Real x2985 = x2854 + x2923 * x2942;
+  const Real x2989 = 1.8 + x2799 - x2872 * x2942;
+  // joint 5 "left_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x2927 = cosine[4] * x2801 - sine[4] * x2803 + x1259;
+  // joint 4 "left_knee": articulated-body inertia and bias force through it
+  const Real x2992 = x2927 - x2884 * x2936;
+  const Real x2994 = x1262 + x2912 + x2892 * x2936;
+  // joint 5 "left_ankle_pitch": articulated-body inertia and bias force through it
+  const Real x2930 = cosine[4] * x2805 - sine[4] * x2807 + x1274;
+  // joint 4 "left_knee": articulated-body inertia and bias force through it
+  const Real x2996 = x2930 + x2922 * x2936;
+  const Real x2998 = x1282 + x2909 + x2923 * x2936;
+  const Real x3000 = x1288 + x2809 + x2872 * x2936;
+  const Real x3004 = cosine[3] * x2957 - sine[3] * x2970;
+  w.x[167] = x3004;
+  const Real x3007 = sine[3] * x2957 + cosine[3] * x2970;
+  const Real x3013 = cosine[3] * (x2951 + x2966) - sine[3] * (x2954 + x2963);
+  const Real x3014 = sine[3] * x3013;
+  const Real x3016 = x2954 + x3014;
+  w.x[168] = x3016;
+  const Real x3018 = cosine[3] * x3013;
+  const Real x3019 = x3018 - x2966;
+  w.x[169] = x3019;
+  const Real x3023 = 2.0 * sine[3];
+  const Real x3027 = cosine[3] * (x2945 - x2960) - x2948 * x3023;
+  const Real x3031 = cosine[3] * x3027;
+  const Real x3037 = cosine[3] * x2979 + sine[3] * x2985;
+  w.x[170] = x3037;
+  const Real x3041 = sine[3] * x2979 - cosine[3] * x2985;
+  w.x[171] = x3041;
+  const Real x3046 = cosine[3] * (x2973 - x2982) - x2976 * x3023;
+  const Real x3049 = x2976 + sine[3] * x3046;
+  w.x[172] = x3049;
+  const Real x3050 = cosine[3] * x3046;
+  const Real x3052 = x2973 - x3050;
+  const Real x3053 = 0.24 * x3041;
+  w.x[173] = x3053;
+  const Real x3055 = x2951 - x3018 + x3053;
+  w.x[174] = x3055;
+  const Real x3056 = 0.24 * x3052;
+  const Real x3060 = x3007 + 0.24 * x2989;
+  const Real x3063 = x2963 + x3014 + 0.24 * x3037;
+  w.x[175] = x3063;
+  const Real x3064 = 0.24 * x3049;
+  w.x[176] = x3064;
+  const Real x3072 = 0.24 * x3055;
+  w.x[177] = x3072;
+  const Real x3076 = x2948 + sine[3] * x3027 + 0.24 * x3004;
+  w.x[178] = x3076;
+  const Real x3079 = 0.24 * x3016;
+  w.x[179] = x3079;
+  const Real x3094 = sine[3] * x2996 + cosine[3] * x2998;
+  const Real x3071 = x2945 - x3031 + (0.24 * x3007 + 0.24 * x3060);
+  const Real x3102 = 0.26 + x3060;
+  w.x[180] = x3102;
+  const Real x3103 = 0.0429867 + 0.24 * x3056;
+  w.x[181] = x3103;
+  const Real x3104 = -0.26 - x3056;
+  w.x[182] = x3104;
+  const Real x3105 = x2960 + x3031 + 0.00468;
+  require_more(w, x3105, 0.0, kFactorization, 3);
+  const Real x3106 = 2.6 + x3052;
+  w.x[183] = x3106;
+  const Real x3107 = 2.6 + x2989;
+  w.x[184] = x3107;
+  const Real x3108 = x2982 + x3050 + 2.6;
+  w.x[185] = x3108;
+  const Real x3097 = sine[3] * x2992 + cosine[3] * x2994 + 0.24 * x3000;
+  const Real x3109 = x1204 + x3097;
+  w.x[186] = x3109;
+  const Real x3110 = tau[9] - 0.24 * x3094 + x1207;
+  w.x[187] = x3110;
+  const Real x3112 = x1211 + x3094;
+  w.x[188] = x3112;
+  const Real x3113 = x1215 + x3000;
+  w.x[189] = x3113;
+  const Real x3114 = cosine[3] * x2996 - sine[3] * x2998 + x1219;
+  w.x[190] = x3114;
+  // joint 3 "left_hip_yaw": articulated-body inertia and bias force through it
+  const Real x3116 = 1 / x3105;
+  const Real x3117 = tau[8] - (cosine[3] * x2992 - sine[3] * x2994 + x1200);
+  const Real x3118 = x3116 * x3117;
+  w.x[191] = x3118;
+  const Real x3119 = x3076 * x3116;
+  w.x[192] = x3119;
+  const Real x3120 = x3079 * x3116;
+  w.x[193] = x3120;
+  const Real x3122 = x3016 * x3116;
+  w.x[194] = x3122;
+  const Real x3123 = x3004 * x3116;
+  w.x[195] = x3123;
+  const Real x3124 = x3019 * x3116;
+  w.x[196] = x3124;
+  const Real x3127 = 0.0429867 + x3071 - x3076 * x3119;
+  w.x[197] = x3127;
+  const Real x3128 = x3076 * x3120;
+  w.x[198] = x3128;
 }
 
-// Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
-// is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
-// near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
-
-template <class T>
-ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
-  const Value* const A = w.at(joints.slot, kRotational);
-  const auto mass = mass_of(joints);
-  const Vector<T> c = vector_at<T>(w.at(joints.slot, kMoments));
-  const Vector<T> Ax = vector_at<T>(A), Ay = vector_at<T>(A + 3 * kPerBlock);
-  X.A += Symmetric<T>{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};  // xx xy xz yy yz zz
-  X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
-  X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
-  X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
-  X.n += vector_at<T>(w.at(joints.slot, kTorque));
-  X.f += vector_at<T>(w.at(joints.slot, kForce));
+ADAGEN_NOINLINE void part_0_2(Workspace& w) {
+  ADAGEN_INPUTS
+  const Real x985 = w.x[63];
+  const Real x994 = w.x[64];
+  const Real x997 = w.x[65];
+  const Real x1000 = w.x[66];
+  const Real x1005 = w.x[67];
+  const Real x1009 = w.x[68];
+  const Real x1032 = w.x[58];
+  const Real x1034 = w.x[59];
+  const Real x1037 = w.x[60];
+  const Real x1040 = w.x[61];
+  const Real x1045 = w.x[62];
+  const Real x1096 = w.x[0];
+  const Real x1098 = w.x[1];
+  const Real x1101 = w.x[2];
+  const Real x1104 = w.x[3];
+  const Real x1109 = w.x[4];
+  const Real x1156 = w.x[5];
+  const Real x1158 = w.x[6];
+  const Real x1161 = w.x[7];
+  const Real x1167 = w.x[8];
+  const Real x1173 = w.x[9];
+  const Real x1180 = w.x[10];
+  const Real x2538 = w.x[127];
+  const Real x2541 = w.x[128];
+  const Real x2549 = w.x[129];
+  const Real x2555 = w.x[130];
+  const Real x2558 = w.x[131];
+  const Real x2563 = w.x[132];
+  const Real x2572 = w.x[133];
+  const Real x2578 = w.x[134];
+  const Real x2579 = w.x[135];
+  const Real x2581 = w.x[136];
+  const Real x2594 = w.x[137];
+  const Real x2604 = w.x[138];
+  const Real x2611 = w.x[139];
+  const Real x2645 = w.x[140];
+  const Real x2646 = w.x[141];
+  const Real x2647 = w.x[142];
+  const Real x2648 = w.x[143];
+  const Real x2649 = w.x[144];
+  const Real x2650 = w.x[145];
+  const Real x2651 = w.x[146];
+  const Real x2652 = w.x[147];
+  const Real x2653 = w.x[148];
+  const Real x2654 = w.x[149];
+  const Real x2655 = w.x[150];
+  const Real x2656 = w.x[151];
+  const Real x2657 = w.x[152];
+  const Real x2658 = w.x[153];
+  const Real x3004 = w.x[167];
+  const Real x3016 = w.x[168];
+  const Real x3019 = w.x[169];
+  const Real x3037 = w.x[170];
+  const Real x3041 = w.x[171];
+  const Real x3049 = w.x[172];
+  const Real x3053 = w.x[173];
+  const Real x3055 = w.x[174];
+  const Real x3063 = w.x[175];
+  const Real x3064 = w.x[176];
+  const Real x3072 = w.x[177];
+  const Real x3076 = w.x[178];
+  const Real x3079 = w.x[179];
+  const Real x3102 = w.x[180];
+  const Real x3103 = w.x[181];
+  const Real x3104 = w.x[182];
+  const Real x3106 = w.x[183];
+  const Real x3107 = w.x[184];
+  const Real x3108 = w.x[185];
+  const Real x3109 = w.x[186];
+  const Real x3110 = w.x[187];
+  const Real x3112 = w.x[188];
+  const Real x3113 = w.x[189];
+  const Real x3114 = w.x[190];
+  const Real x3118 = w.x[191];
+  const Real x3120 = w.x[193];
+  const Real x3122 = w.x[194];
+  const Real x3123 = w.x[195];
+  const Real x3124 = w.x[196];
+  const Real x3127 = w.x[197];
+  const Real x3128 = w.x[198];
+  // joint 3 "left_hip_yaw": articulated-body inertia and bias force through it
+  const Real x3130 = x3128 - x3072;
+  const Real x3133 = x3055 - x3076 * x3122;
+  const Real x3136 = x3102 - x3076 * x3123;
+  const Real x3139 = x3063 - x3076 * x3124;
+  const Real x3142 = x3103 - x3079 * x3120;
+  const Real x3145 = x3104 + x3079 * x3122;
+  const Real x3148 = x3079 * x3123 - x3053;
+  const Real x3151 = x3079 * x3124 - x3064;
+  const Real x3154 = x3106 - x3016 * x3122;
+  const Real x3157 = x3041 - x3016 * x3123;
+  const Real x3160 = x3049 - x3016 * x3124;
+  const Real x3163 = x3107 - x3004 * x3123;
+  const Real x3166 = x3037 - x3004 * x3124;
+  const Real x3171 = x3109 + x3076 * x3118;
+  const Real x3174 = x3110 - x3079 * x3118;
+  const Real x3176 = x3112 + x3016 * x3118;
+  const Real x3178 = x3113 + x3004 * x3118;
+  const Real x3193 = cosine[2] * (x3133 - x3148) - sine[2] * (x3136 + x3145);
+  const Real x3194 = sine[2] * x3193;
+  const Real x3196 = x3136 + x3194;
+  const Real x3197 = x3145 + x3194;
+  const Real x3198 = cosine[2] * x3193;
+  const Real x3199 = x3148 + x3198;
+  const Real x3203 = 2.0 * sine[2];
+  const Real x3207 = cosine[2] * (x3127 - x3142) - x3130 * x3203;
+  const Real x3211 = cosine[2] * x3207;
+  const Real x3217 = cosine[2] * x3160 - sine[2] * x3166;
+  const Real x3220 = sine[2] * x3160 + cosine[2] * x3166;
+  const Real x3225 = cosine[2] * (x3154 - x3163) - x3157 * x3203;
+  const Real x3228 = x3157 + sine[2] * x3225;
+  const Real x3229 = cosine[2] * x3225;
+  const Real x3230 = x3163 + x3229;
+  const Real x3231 = x3154 - x3229;
+  const Real x3232 = 0.12 * x3228;
+  const Real x3234 = x3133 - x3198 - x3232;
+  const Real x3237 = x3196 + 0.12 * x3231;
+  const Real x3243 = cosine[2] * x3139 - sine[2] * x3151 + 0.12 * x3220;
+  const Real x3246 = x3197 - 0.12 * x3230;
+  const Real x3247 = x3199 + x3232;
+  const Real x3258 = x3130 + sine[2] * x3207 - 0.12 * x3199;
+  const Real x3259 = 0.12 * x3234 + x3258;
+  const Real x3276 = cosine[2] * x3176 - sine[2] * x3178;
+  const Real x3279 = sine[2] * x3176 + cosine[2] * x3178;
+  const Real x3253 = x3127 - x3211 - 0.12 * x3197 - 0.12 * x3246;
+  const Real x3240 = sine[2] * x3139 + cosine[2] * x3151 - 0.12 * x3217;
+  const Real x3265 = x3142 + x3211 + 0.12 * x3196 + 0.12 * x3237;
+  const Real x3289 = 0.00342 + x3265;
+  require_more(w, x3289, 0.0, kFactorization, 2);
+  const Real x3290 = 0.048 + x3237;
+  const Real x3282 = sine[2] * x3171 + cosine[2] * x3174 - 0.12 * x3276;
+  const Real x3285 = cosine[2] * x3171 - sine[2] * x3174 + 0.12 * x3279;
+  // joint 2 "left_hip_roll": articulated-body inertia and bias force through it
+  const Real x3301 = 1 / x3289;
+  const Real x3303 = x3301 * (tau[7] - (x1161 + x3285));
+  w.x[102] = x3303;
+  const Real x3304 = x3259 * x3301;
+  w.x[101] = x3304;
+  const Real x3305 = 0.00096 * x3301;
+  w.x[100] = x3305;
+  const Real x3306 = x3290 * x3301;
+  w.x[99] = x3306;
+  const Real x3307 = x3243 * x3301;
+  w.x[98] = x3307;
+  const Real x3308 = x3247 * x3301;
+  w.x[97] = x3308;
+  const Real x3311 = 0.00379 + x3253 - x3259 * x3304;
+  const Real x3312 = x3259 * x3305;
+  const Real x3316 = x3234 - x3259 * x3306;
+  const Real x3319 = -0.024 + x3240 - x3259 * x3307;
+  const Real x3322 = -0.048 + x3246 - x3259 * x3308;
+  const Real x3325 = 0.00187 - 0.00096 * x3305;
+  const Real x3328 = 0.024 - 0.00096 * x3306;
+  const Real x3329 = 0.00096 * x3307;
+  const Real x3331 = 0.00096 * x3308;
+  const Real x3335 = 1.2 + x3231 - x3290 * x3306;
+  const Real x3338 = x3220 - x3290 * x3307;
+  const Real x3341 = x3228 - x3290 * x3308;
+  const Real x3344 = x3108 - x3019 * x3124 + 1.2 - x3243 * x3307;
+  const Real x3347 = x3217 - x3243 * x3308;
+  const Real x3350 = 1.2 + x3230 - x3247 * x3308;
+  const Real x3352 = x1156 + x3282 + x3259 * x3303;
+  const Real x3354 = x1158 + tau[8] + 0.00096 * x3303;
+  const Real x3356 = x1167 + x3279 + x3290 * x3303;
+  const Real x3358 = x3114 + x3019 * x3118 + x1173 + x3243 * x3303;
+  const Real x3360 = x1180 + x3276 + x3247 * x3303;
+  const Real x3364 = cosine[1] * x3322 + sine[1] * x3331;
+  const Real x3368 = sine[1] * x3322 - cosine[1] * x3331;
+  const Real x3374 = cosine[1] * (x3316 + x3329) - sine[1] * (x3319 + x3328);
+  const Real x3375 = sine[1] * x3374;
+  const Real x3377 = x3319 + x3375;
+  const Real x3379 = cosine[1] * x3374;
+  const Real x3380 = x3379 - x3329;
+  const Real x3384 = 2.0 * sine[1];
+  const Real x3388 = cosine[1] * (x3311 - x3325) + x3312 * x3384;
+  const Real x3392 = cosine[1] * x3388;
+  const Real x3398 = cosine[1] * x3341 - sine[1] * x3347;
+  const Real x3401 = sine[1] * x3341 + cosine[1] * x3347;
+  const Real x3406 = cosine[1] * (x3335 - x3344) - x3338 * x3384;
+  const Real x3409 = x3338 + sine[1] * x3406;
+  const Real x3410 = cosine[1] * x3406;
+  const Real x3412 = x3335 - x3410;
+  const Real x3413 = 0.04 * x3401;
+  const Real x3415 = x3316 - x3379 - x3413;
+  const Real x3416 = 0.04 * x3412;
+  const Real x3419 = x3368 - 0.04 * x3350;
+  const Real x3434 = sine[1] * x3388 - x3312 - 0.04 * x3364;
+  const Real x3436 = 0.04 * x3377;
+  const Real x3450 = sine[1] * x3356 + cosine[1] * x3358;
+  const Real x3430 = x3311 - x3392 - (0.04 * x3368 + 0.04 * x3419);
+  const Real x3460 = x3325 + x3392 + 0.00175;
+  require_more(w, x3460, 0.0, kFactorization, 1);
+  const Real x3453 = sine[1] * x3352 + cosine[1] * x3354 - 0.04 * x3360;
+  // joint 1 "left_hip_pitch": articulated-body inertia and bias force through it
+  const Real x3470 = 1 / x3460;
+  const Real x3472 = x3470 * (tau[6] - (cosine[1] * x3352 - sine[1] * x3354));
+  w.x[96] = x3472;
+  const Real x3473 = x3434 * x3470;
+  w.x[95] = x3473;
+  const Real x3474 = x3436 * x3470;
+  w.x[94] = x3474;
+  const Real x3475 = x3377 * x3470;
+  w.x[93] = x3475;
+  const Real x3476 = x3364 * x3470;
+  w.x[92] = x3476;
+  const Real x3477 = x3380 * x3470;
+  w.x[91] = x3477;
+  const Real x3480 = 0.00308 + x3430 - x3434 * x3473;
+  const Real x3483 = 0.04 * x3415 - x3434 * x3474;
+  const Real x3486 = x3415 - x3434 * x3475;
+  const Real x3489 = -0.041999999999999996 + x3419 - x3434 * x3476;
+  const Real x3492 = x3328 + x3375 - 0.04 * x3398 - x3434 * x3477;
+  const Real x3495 = 0.00308 + 0.04 * x3416 - x3436 * x3474;
+  const Real x3498 = 0.041999999999999996 + x3416 - x3436 * x3475;
+  const Real x3501 = x3413 - x3436 * x3476;
+  const Real x3504 = 0.04 * x3409 - x3436 * x3477;
+  const Real x3507 = 1.4 + x3412 - x3377 * x3475;
+  const Real x3510 = x3401 - x3377 * x3476;
+  const Real x3513 = x3409 - x3377 * x3477;
+  const Real x3516 = 1.4 + x3350 - x3364 * x3476;
+  const Real x3519 = x3398 - x3364 * x3477;
+  const Real x3522 = x3344 + x3410 + 1.4 - x3380 * x3477;
+  const Real x3524 = x1096 + x3453 + x3434 * x3472;
+  const Real x3526 = tau[7] + 0.04 * x3450 + x1098 + x3436 * x3472;
+  const Real x3528 = x1101 + x3450 + x3377 * x3472;
+  const Real x3530 = x1104 + x3360 + x3364 * x3472;
+  // joint 2 "left_hip_roll": articulated-body inertia and bias force through it
+  const Real x3468 = cosine[1] * x3356 - sine[1] * x3358 - x1109;
+  // joint 1 "left_hip_pitch": articulated-body inertia and bias force through it
+  const Real x3532 = x3468 + x3380 * x3472;
+  const Real x3536 = cosine[0] * x3492 - sine[0] * x3504;
+  const Real x3539 = sine[0] * x3492 + cosine[0] * x3504;
+  const Real x3545 = cosine[0] * (x3486 - x3501) - sine[0] * (x3489 + x3498);
+  const Real x3546 = sine[0] * x3545;
+  const Real x3548 = x3489 + x3546;
+  const Real x3549 = x3498 + x3546;
+  const Real x3550 = cosine[0] * x3545;
+  const Real x3551 = x3501 + x3550;
+  const Real x3555 = 2.0 * sine[0];
+  const Real x3559 = cosine[0] * (x3480 - x3495) - x3483 * x3555;
+  const Real x3563 = cosine[0] * x3559;
+  const Real x3569 = cosine[0] * x3513 - sine[0] * x3519;
+  const Real x3572 = sine[0] * x3513 + cosine[0] * x3519;
+  const Real x3577 = cosine[0] * (x3507 - x3516) - x3510 * x3555;
+  const Real x3580 = x3510 + sine[0] * x3577;
+  const Real x3581 = cosine[0] * x3577;
+  const Real x3582 = x3516 + x3581;
+  const Real x3583 = x3507 - x3581;
+  const Real x3584 = 0.09 * x3580;
+  const Real x3585 = 0.05 * x3572;
+  const Real x3588 = x3486 - x3550 + x3585 + x3584;
+  const Real x3589 = 0.05 * x3583;
+  const Real x3593 = x3548 - 0.09 * x3583;
+  const Real x3598 = x3539 + 0.05 * x3522 + 0.09 * x3569;
+  const Real x3606 = x3549 + 0.05 * x3569 + 0.09 * x3582;
+  const Real x3618 = x3480 - x3563 + 0.05 * x3539 + 0.05 * x3598;
+  const Real x3628 = x3483 + sine[0] * x3559 + 0.05 * x3536;
+  const Real x3654 = cosine[0] * x3528 - sine[0] * x3530;
+  const Real x3657 = sine[0] * x3528 + cosine[0] * x3530;
+  const Real x3661 = sine[0] * x3524 + cosine[0] * x3526 + 0.05 * x3532;
+  const Real x3674 = x2646 + x3598;
+  const Real x3678 = x2648 - x3589;
+  const Real x3679 = x2555 + x3585;
+  const Real x3643 = x3495 + x3563 - 0.09 * x3548 - 0.09 * x3593;
+  const Real x3683 = x2649 + x3643;
+  require_more(w, x3683, 0.0, kFactorization, 13);
+  const Real x3684 = x2563 + x3593;
+  const Real x3685 = x3536 - 0.09 * x3572 + x2572;
+  const Real x3686 = x3551 - x3584 + x2581;
+  const Real x3687 = x2650 + x3583;
+  const Real x3688 = x2541 + x3572;
+  const Real x3689 = x2549 + x3580;
+  const Real x3690 = x2651 + x3522;
+  const Real x3691 = x2538 + x3569;
+  const Real x3668 = cosine[0] * x3524 - sine[0] * x3526 - 0.09 * x3657;
+  const Real x3696 = x2656 + x3657;
+  const Real x3697 = x2657 + x3532;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3699 = 0.09 * x3688;
+  const Real x3701 = x2558 + x3588 + x3699;
+  const Real x3704 = x3678 - 0.09 * x3687;
+  const Real x3707 = x3674 + 0.09 * x3690;
+  const Real x3708 = x3679 + x3699;
+  const Real x3712 = x2578 + x3606 + 0.09 * x3691;
+  const Real x3715 = x2579 + 0.05 * x3580 + 0.09 * x3689;
+  // joint 1 "left_hip_pitch": articulated-body inertia and bias force through it
+  const Real x3669 = 0.09 * x3549 + x3618 + 0.09 * x3606 + x2645;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3722 = 0.09 * x3674 + 0.09 * x3707 + x3669;
+  const Real x3727 = x2594 + 0.05 * x3588 + 0.09 * x3679;
+  const Real x3729 = 0.09 * x3701 + x3727;
+  // joint 1 "left_hip_pitch": articulated-body inertia and bias force through it
+  const Real x3672 = 0.09 * x3551 + x3628 - 0.09 * x3588 + x2604;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3733 = x3672 + 0.09 * x3685;
+  const Real x3738 = x2647 + 0.05 * x3589 - 0.09 * x3678;
+  const Real x3739 = x3738 - 0.09 * x3704;
+  // joint 1 "left_hip_pitch": articulated-body inertia and bias force through it
+  const Real x3677 = 0.09 * x3589 - 0.05 * x3548 - x2611;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3742 = x3677 - 0.09 * x3684;
+  const Real x3755 = cosine[12] * x3684 + sine[12] * x3685;
+  const Real x3759 = cosine[12] * x3685 - sine[12] * x3684;
+  const Real x3764 = cosine[12] * (x3701 + x3708) + sine[12] * (x3704 + x3707);
+  const Real x3765 = sine[12] * x3764;
+  const Real x3768 = cosine[12] * x3764;
+  const Real x3773 = cosine[12] * x3733 + sine[12] * x3742;
+  const Real x3777 = cosine[12] * x3742 - sine[12] * x3733;
+  const Real x3780 = 2.0 * sine[12];
+  const Real x3783 = cosine[12] * (x3722 - x3739) - x3729 * x3780;
+  const Real x3787 = cosine[12] * x3783;
+  const Real x3800 = cosine[12] * (x3687 - x3690) + x3688 * x3780;
+  const Real x3803 = cosine[12] * x3800;
+  const Real x3808 = 0.09 * x3654 + x3661 + x2653 + 0.09 * x3697;
+  const Real x3811 = tau[6] - 0.05 * x3657 + x2654 - 0.09 * x3696;
+  const Real x3829 = 1 / x3683;
+  const Real x3832 = x3829 * (x2655 + x3668 + tau[18]);
+  w.x[90] = x3832;
+  const Real x3834 = x3773 * x3829;
+  w.x[89] = x3834;
+  const Real x3835 = x3777 * x3829;
+  w.x[88] = x3835;
+  const Real x3836 = x3755 * x3829;
+  w.x[87] = x3836;
+  const Real x3837 = x3759 * x3829;
+  w.x[86] = x3837;
+  const Real x3838 = x3686 * x3829;
+  w.x[85] = x3838;
+  const Real x3863 = x3701 - x3768 - x3777 * x3837;
+  const Real x3873 = x3688 - sine[12] * x3800 - x3755 * x3837;
+  const Real x3876 = cosine[12] * x3689 + sine[12] * x3691 - x3755 * x3838;
+  const Real x3882 = cosine[12] * x3691 - sine[12] * x3689 - x3759 * x3838;
+  const Real x3902 = x3707 - x3765 - x3773 * x3837 + -0.016;
+  const Real x3904 = x3704 - x3765 - x3777 * x3836 + 0.016;
+  const Real x3905 = x3690 + x3803 - x3755 * x3836 + 0.8;
+  const Real x3906 = x3687 - x3803 - x3759 * x3837 + 0.8;
+  const Real x3907 = x2652 + x3582 - x3686 * x3838 + 0.8;
+  const Real x3888 = cosine[12] * x3808 + sine[12] * x3811 - x3773 * x3832;
+  const Real x3891 = cosine[12] * x3811 - sine[12] * x3808 - x3777 * x3832;
+  const Real x3894 = cosine[12] * x3696 + sine[12] * x3697 - x3755 * x3832;
+  const Real x3910 = x1037 + x3894;
+  const Real x3897 = cosine[12] * x3697 - sine[12] * x3696 - x3759 * x3832;
+  const Real x3911 = x1040 + x3897;
+  const Real x3912 = x2658 + x3654 - x3686 * x3832 - x1045;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3913 = 0.05 * x3873;
+  const Real x3915 = x3768 - x3708 - x3773 * x3836 + x3913;
+  const Real x3918 = x3904 - 0.05 * x3905;
+  const Real x3921 = x3902 + 0.05 * x3906;
+  const Real x3922 = x3863 - x3913;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3854 = cosine[12] * x3712 - sine[12] * x3715 - x3773 * x3838;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3925 = x3854 + 0.05 * x3882;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3866 = sine[12] * x3712 + cosine[12] * x3715 + x3777 * x3838;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3928 = x3866 + 0.05 * x3876;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3901 = x3739 + x3787 - x3773 * x3834 + 0.00106;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3935 = x3901 + 0.05 * x3902 + 0.05 * x3921;
+  require_more(w, x3935, 0.0, kFactorization, 14);
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3844 = x3729 + sine[12] * x3783 + x3773 * x3835;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3941 = 0.05 * x3863 - x3844 - 0.05 * x3915;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3903 = x3722 - x3787 - x3777 * x3835 + 0.00106;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3947 = x3903 - 0.05 * x3904 - 0.05 * x3918;
+  const Real x3953 = cosine[13] * x3921 + sine[13] * x3925;
+  const Real x3957 = cosine[13] * x3925 - sine[13] * x3921;
+  const Real x3961 = cosine[13] * x3922 - sine[13] * x3928;
+  const Real x3962 = sine[13] * x3961;
+  const Real x3966 = cosine[13] * x3961;
+  const Real x3968 = cosine[13] * x3941;
+  const Real x3969 = sine[13] * x3941;
+  const Real x3972 = cosine[13] * (x3947 - 0.001);
+  const Real x3976 = cosine[13] * x3972;
+  const Real x3989 = cosine[13] * (x3906 - x3907) + x3882 * (2.0 * sine[13]);
+  const Real x3992 = cosine[13] * x3989;
+  const Real x4000 = x1034 + x3891 - 0.05 * x3910;
+  const Real x4020 = 1 / x3935;
+  const Real x4023 = x4020 * (x1032 + x3888 + 0.05 * x3911 + tau[19]);
+  w.x[84] = x4023;
+  const Real x4025 = x3968 * x4020;
+  w.x[83] = x4025;
+  const Real x4026 = x3969 * x4020;
+  w.x[82] = x4026;
+  const Real x4028 = x3953 * x4020;
+  w.x[74] = x4028;
+  const Real x4029 = x3957 * x4020;
+  w.x[73] = x4029;
+  const Real x4030 = x3915 * x4020;
+  w.x[72] = x4030;
+  const Real x4052 = x3969 * x4028 - x3962;
+  const Real x4055 = x3922 - x3966 + x3969 * x4029;
+  const Real x4058 = x3969 * x4030 - sine[13] * x3918;
+  const Real x4064 = x3882 - sine[13] * x3989 - x3953 * x4029;
+  const Real x4067 = cosine[13] * x3873 + sine[13] * x3876 - x3953 * x4030;
+  const Real x4073 = cosine[13] * x3876 - sine[13] * x3873 - x3957 * x4030;
+  const Real x4093 = cosine[13] * x3918 - x3968 * x4030 + 0.018000000000000002;
+  const Real x4094 = x3947 - x3976 - x3969 * x4026 + 0.001125;
+  const Real x4095 = x3907 + x3992 - x3953 * x4028 + 0.9;
+  const Real x4096 = x3906 - x3992 - x3957 * x4029 + 0.9;
+  const Real x4097 = x3905 - x3915 * x4030 + 0.9;
+  const Real x4079 = cosine[13] * x4000 - sine[13] * tau[18] - x3968 * x4023;
+  const Real x4082 = x3969 * x4023 - (sine[13] * x4000 + cosine[13] * tau[18]);
+  const Real x4099 = x985 + x4082;
+  const Real x4085 = cosine[13] * x3911 + sine[13] * x3912 - x3953 * x4023;
+  const Real x4101 = x1000 + x4085;
+  const Real x4088 = cosine[13] * x3912 - sine[13] * x3911 - x3957 * x4023;
+  const Real x4102 = x4088 - x1005;
+  const Real x4103 = x3910 - x3915 * x4023 + x1009;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x4104 = 0.04 * x4067;
+  const Real x4106 = x3966 - x3968 * x4028 - x4104;
+  const Real x4109 = -0.018000000000000002 + 0.04 * x4095;
+  const Real x4112 = x3928 + x3962 + x3968 * x4029 + 0.04 * x4073;
+  const Real x4114 = 0.04 * x4064;
+  const Real x4118 = x4093 - 0.04 * x4097;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x4092 = 0.001 + x3976 - x3968 * x4025 + 0.0014025;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x4124 = x4092 - 0.04 * x4093 - 0.04 * x4118;
+  require_more(w, x4124, 0.0, kFactorization, 15);
+  const Real x4127 = x3968 * x4026 - sine[13] * x3972 - 0.04 * x4058;
+  const Real x4128 = 0.04 * x4106;
+  const Real x4130 = 0.04 * x4052;
+  const Real x4137 = 0.04 * x4109 + 0.0006825;
+  const Real x4148 = sine[14] * x4118 - cosine[14] * x4112;
+  const Real x4152 = sine[14] * x4112 + cosine[14] * x4118;
+  const Real x4157 = cosine[14] * (x4055 - x4104) + sine[14] * (x4058 + x4114);
+  const Real x4158 = sine[14] * x4157;
+  const Real x4161 = cosine[14] * x4157;
+  const Real x4166 = cosine[14] * x4127 + sine[14] * x4128;
+  const Real x4170 = cosine[14] * x4128 - sine[14] * x4127;
+  const Real x4173 = 2.0 * sine[14];
+  const Real x4175 = cosine[14] * (x4094 - x4137) + x4130 * x4173;
+  const Real x4178 = cosine[14] * x4175;
+  const Real x4191 = cosine[14] * (x4096 - x4097) + x4073 * x4173;
+  const Real x4194 = cosine[14] * x4191;
+  const Real x4202 = x997 - tau[19] + 0.04 * x4101;
+  const Real x4218 = -tau[20];
+  w.to[0][17] = x4218;
+  const Real x4219 = 1 / x4124;
+  const Real x4222 = x4219 * (x994 + x4079 - 0.04 * x4103 + tau[20]);
+  w.x[71] = x4222;
+  const Real x4224 = x4166 * x4219;
+  w.x[70] = x4224;
+  const Real x4225 = x4170 * x4219;
+  w.x[69] = x4225;
+  const Real x4226 = x4148 * x4219;
+  w.x[57] = x4226;
+  const Real x4227 = x4152 * x4219;
+  w.x[56] = x4227;
+  const Real x4228 = x4106 * x4219;
+  w.x[55] = x4228;
+  const Real x4231 = x4137 + x4178 - x4166 * x4224;
+  w.x[54] = x4231;
+  w.to[0][0] = x4231;
+  const Real x4234 = x4130 - sine[14] * x4175 - x4166 * x4225;
+  w.x[53] = x4234;
+  w.to[0][1] = x4234;
+  const Real x4237 = x4104 + x4161 - x4166 * x4226;
+  w.x[52] = x4237;
+  w.to[0][2] = x4237;
+  const Real x4240 = x4058 - x4158 - x4166 * x4227;
+  w.x[51] = x4240;
+  w.to[0][3] = x4240;
+  const Real x4243 = cosine[14] * x4052 + sine[14] * x4109 - x4166 * x4228;
+  w.x[50] = x4243;
+  w.to[0][4] = x4243;
+  const Real x4246 = x4094 - x4178 - x4170 * x4225;
+  w.x[49] = x4246;
+  w.to[0][5] = x4246;
+  const Real x4249 = x4114 - x4158 - x4170 * x4226;
+  w.x[48] = x4249;
+  w.to[0][6] = x4249;
+  const Real x4252 = x4055 - x4161 - x4170 * x4227;
+  w.x[47] = x4252;
+  w.to[0][7] = x4252;
+  const Real x4255 = cosine[14] * x4109 - sine[14] * x4052 - x4170 * x4228;
+  w.x[46] = x4255;
+  w.to[0][8] = x4255;
+  const Real x4258 = x4097 + x4194 - x4148 * x4226;
+  w.x[45] = x4258;
+  w.to[0][9] = x4258;
+  const Real x4261 = x4073 - sine[14] * x4191 - x4148 * x4227;
+  w.x[44] = x4261;
+  w.to[0][10] = x4261;
+  const Real x4264 = cosine[14] * x4064 + sine[14] * x4067 - x4148 * x4228;
+  w.x[43] = x4264;
+  w.to[0][11] = x4264;
+  const Real x4267 = x4096 - x4194 - x4152 * x4227;
+  w.x[42] = x4267;
+  w.to[0][12] = x4267;
+  const Real x4270 = cosine[14] * x4067 - sine[14] * x4064 - x4152 * x4228;
+  w.x[41] = x4270;
+  w.to[0][13] = x4270;
+  const Real x4273 = x4095 - x4106 * x4228;
+  w.x[40] = x4273;
+  w.to[0][14] = x4273;
+  const Real x4276 = cosine[14] * x4099 + sine[14] * x4202 - x4166 * x4222;
+  w.x[39] = x4276;
+  w.to[0][15] = x4276;
+  const Real x4279 = cosine[14] * x4202 - sine[14] * x4099 - x4170 * x4222;
+  w.x[38] = x4279;
+  w.to[0][16] = x4279;
+  const Real x4282 = cosine[14] * x4102 + sine[14] * x4103 - x4148 * x4222;
+  w.x[37] = x4282;
+  w.to[0][18] = x4282;
+  const Real x4285 = cosine[14] * x4103 - sine[14] * x4102 - x4152 * x4222;
+  w.x[36] = x4285;
+  w.to[0][19] = x4285;
+  const Real x4288 = x4101 - x4106 * x4222;
+  w.x[35] = x4288;
+  w.to[0][20] = x4288;
 }
 
-// A bare link told about the point at -r from its origin: A - (rx dx + dx rx), d = c + m r / 2.
-template <class T>
-ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, const Vector<T>& r) {
-  Body<T> X{};
-  add_bare_link(w, joints, X);
-  const Vector<T> c{X.B.z.y, X.B.x.z, X.B.y.x};
-  const T m = X.C.xx;
-  const Vector<T> d = c + r * (m / 2), moved = c + r * m;
-  const T xx = 2 * d.x * r.x, yy = 2 * d.y * r.y, zz = 2 * d.z * r.z;
-  X.A += Symmetric<T>{yy + zz, -(d.x * r.y + d.y * r.x), -(d.x * r.z + d.z * r.x),
-                      xx + zz, -(d.y * r.z + d.z * r.y), xx + yy};
-  const T none{};
-  X.B = {{none, -moved.z, moved.y}, {moved.z, none, -moved.x}, {-moved.y, moved.x, none}};
-  X.n += cross(r, X.f);
-  return X;
+ADAGEN_NOINLINE void part_0_3(Workspace& w) {
+  ADAGEN_INPUTS
+  // joint 0 "__base__": placement, velocity and reference acceleration of its link
+  const Real x20 = q[3] * q[3] + q[4] * q[4] + q[5] * q[5];
+  const Real x21 = q[6] * q[6] + x20;
+  require_length(w, x21, 0);
+  const Real x24 = 1 / x21 * 2.0;
+  const Real x25 = q[3] * x24;
+  const Real x26 = q[4] * x24;
+  const Real x50 = (q[5] * x25 - q[6] * x26) * 9.81;
+  const Real x57 = v[2] * v[4] - v[1] * v[5] + x50;
+  w.x[198] = x57;
+  const Real x51 = (q[5] * x26 + q[6] * x25) * 9.81;
+  const Real x62 = v[0] * v[5] - v[2] * v[3] + x51;
+  w.x[197] = x62;
+  const Real x52 = (1.0 - (q[4] * x26 + q[3] * x25)) * 9.81;
+  const Real x67 = v[1] * v[3] - v[0] * v[4] + x52;
+  w.x[190] = x67;
 }
 
-constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
-
-// Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
-// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near
-// link's origin: outwards the joint has the acceleration u / D - (U / D) a, a being the near
-// link's.
-template <bool along, bool reversed, class T, class Arrive>
-ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, const Vector<T>& s,
-                             const Vector<T>& r, const T& tau, T* e, const Arrive& arrive) {
-  if constexpr (reversed) shift(X, -r);
-  Vector<T> n = along ? X.B * s : X.A * s;
-  const Vector<T> f = along ? X.C * s : transposed_times(X.B, s);
-  T D = dot(s, along ? f : n);
-  if constexpr (kAnyPassive)
-    D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
-  if constexpr (kPrescribedAbreast && kWidth < T >> 1) D += each(joints, immovable);
-  const T inverse = 1 / D;
-  T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
-  if constexpr (kPrescribedAbreast && kWidth < T >> 1)
-    u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
-  const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
-  const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
-  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
-  if constexpr (!reversed) {
-    shift(X, r);
-    n += cross(r, f);
-  }
-  arrive(X);
-  const Vector<T> e_n = n * inverse, e_f = f * inverse;
-  e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
-  e[7] = inverse;
-  subtract(X, n, f, e_n, e_f);
-  X.n += n * u;
-  X.f += f * u;
+ADAGEN_NOINLINE void part_0_4(Workspace& w) {
+  ADAGEN_INPUTS
+  const Real x57 = w.x[198];
+  const Real x62 = w.x[197];
+  const Real x67 = w.x[190];
+  const Real x1610 = w.x[75];
+  const Real x1710 = w.x[76];
+  const Real x1711 = w.x[77];
+  const Real x1712 = w.x[78];
+  const Real x1713 = w.x[79];
+  const Real x1714 = w.x[80];
+  const Real x1715 = w.x[81];
+  const Real x1898 = w.x[103];
+  const Real x1899 = w.x[104];
+  const Real x1901 = w.x[105];
+  const Real x1902 = w.x[106];
+  const Real x1903 = w.x[107];
+  const Real x1904 = w.x[108];
+  const Real x2080 = w.x[109];
+  const Real x2081 = w.x[110];
+  const Real x2082 = w.x[111];
+  const Real x2084 = w.x[112];
+  const Real x2085 = w.x[113];
+  const Real x2086 = w.x[114];
+  const Real x2265 = w.x[115];
+  const Real x2266 = w.x[116];
+  const Real x2267 = w.x[117];
+  const Real x2268 = w.x[118];
+  const Real x2269 = w.x[119];
+  const Real x2270 = w.x[120];
+  const Real x2439 = w.x[121];
+  const Real x2440 = w.x[122];
+  const Real x2441 = w.x[123];
+  const Real x2443 = w.x[124];
+  const Real x2444 = w.x[125];
+  const Real x2445 = w.x[126];
+  const Real x2661 = w.x[154];
+  const Real x2748 = w.x[155];
+  const Real x2749 = w.x[156];
+  const Real x2750 = w.x[157];
+  const Real x2751 = w.x[158];
+  const Real x2752 = w.x[159];
+  const Real x2753 = w.x[160];
+  const Real x2936 = w.x[161];
+  const Real x2937 = w.x[162];
+  const Real x2939 = w.x[163];
+  const Real x2940 = w.x[164];
+  const Real x2941 = w.x[165];
+  const Real x2942 = w.x[166];
+  const Real x3118 = w.x[191];
+  const Real x3119 = w.x[192];
+  const Real x3120 = w.x[193];
+  const Real x3122 = w.x[194];
+  const Real x3123 = w.x[195];
+  const Real x3124 = w.x[196];
+  const Real x3303 = w.x[102];
+  const Real x3304 = w.x[101];
+  const Real x3305 = w.x[100];
+  const Real x3306 = w.x[99];
+  const Real x3307 = w.x[98];
+  const Real x3308 = w.x[97];
+  const Real x3472 = w.x[96];
+  const Real x3473 = w.x[95];
+  const Real x3474 = w.x[94];
+  const Real x3475 = w.x[93];
+  const Real x3476 = w.x[92];
+  const Real x3477 = w.x[91];
+  const Real x3832 = w.x[90];
+  const Real x3834 = w.x[89];
+  const Real x3835 = w.x[88];
+  const Real x3836 = w.x[87];
+  const Real x3837 = w.x[86];
+  const Real x3838 = w.x[85];
+  const Real x4023 = w.x[84];
+  const Real x4025 = w.x[83];
+  const Real x4026 = w.x[82];
+  const Real x4028 = w.x[74];
+  const Real x4029 = w.x[73];
+  const Real x4030 = w.x[72];
+  const Real x4222 = w.x[71];
+  const Real x4224 = w.x[70];
+  const Real x4225 = w.x[69];
+  const Real x4226 = w.x[57];
+  const Real x4227 = w.x[56];
+  const Real x4228 = w.x[55];
+  const Real x4231 = w.x[54];
+  const Real x4234 = w.x[53];
+  const Real x4237 = w.x[52];
+  const Real x4240 = w.x[51];
+  const Real x4243 = w.x[50];
+  const Real x4246 = w.x[49];
+  const Real x4249 = w.x[48];
+  const Real x4252 = w.x[47];
+  const Real x4255 = w.x[46];
+  const Real x4258 = w.x[45];
+  const Real x4261 = w.x[44];
+  const Real x4264 = w.x[43];
+  const Real x4267 = w.x[42];
+  const Real x4270 = w.x[41];
+  const Real x4273 = w.x[40];
+  const Real x4276 = w.x[39];
+  const Real x4279 = w.x[38];
+  const Real x4282 = w.x[37];
+  const Real x4285 = w.x[36];
+  const Real x4288 = w.x[35];
+  // message received
+  const Real x4289 = w.from[1][0];
+  const Real x4290 = w.from[1][1];
+  const Real x4295 = w.from[1][6];
+  const Real x4291 = w.from[1][2];
+  const Real x4296 = w.from[1][7];
+  const Real x4300 = w.from[1][11];
+  const Real x4292 = w.from[1][3];
+  const Real x4297 = w.from[1][8];
+  const Real x4301 = w.from[1][12];
+  const Real x4304 = w.from[1][15];
+  const Real x4293 = w.from[1][4];
+  const Real x4298 = w.from[1][9];
+  const Real x4302 = w.from[1][13];
+  const Real x4305 = w.from[1][16];
+  const Real x4294 = w.from[1][5];
+  const Real x4307 = w.from[1][18];
+  const Real x4299 = w.from[1][10];
+  const Real x4303 = w.from[1][14];
+  const Real x4306 = w.from[1][17];
+  const Real x4308 = w.from[1][19];
+  const Real x4325 = w.from[1][21];
+  const Real x4326 = w.from[1][22];
+  const Real x4309 = w.from[1][20];
+  const Real x4327 = w.from[1][23];
+  const Real x4328 = w.from[1][24];
+  const Real x4329 = w.from[1][25];
+  const Real x4330 = w.from[1][26];
+  const Real x4310 = x4231 + x4289;
+  require_more(w, x4310, 0.0, kFactorization, 15);
+  const Real x4311 = x4234 + x4290;
+  const Real x4315 = x4246 + x4295;
+  const Real x4312 = x4237 + x4292;
+  const Real x4319 = x4258 + x4304;
+  const Real x4313 = x4240 + x4293;
+  const Real x4314 = x4243 + x4294;
+  const Real x4322 = x4267 + x4307;
+  const Real x4331 = x4276 + x4325;
+  const Real x4324 = x4273 + x4309;
+  // link 16 "torso": acceleration from its articulated-body inertia
+  const Real x4465 = x4300 * 1.7763568394002505e-15;
+  const Real x4337 = 1 / x4310;
+  const Real x4464 = x4315 * 1.7763568394002505e-15;
+  const Real x4466 = x4319 * 1.7763568394002505e-15;
+  const Real x4467 = x4322 * 1.7763568394002505e-15;
+  const Real x4468 = x4324 * 1.7763568394002505e-15;
+  const Real x4338 = x4311 * x4337;
+  const Real x4339 = x4291 * x4337;
+  const Real x4340 = x4312 * x4337;
+  const Real x4341 = x4313 * x4337;
+  const Real x4342 = x4314 * x4337;
+  const Real x4345 = x4315 - x4311 * x4338;
+  require_more(w, x4345, x4464, kFactorization, 15);
+  const Real x4348 = x4296 - x4291 * x4338;
+  const Real x4351 = x4249 + x4297 - x4312 * x4338;
+  const Real x4354 = x4252 + x4298 - x4313 * x4338;
+  const Real x4357 = x4255 + x4299 - x4314 * x4338;
+  const Real x4358 = 1 / x4345;
+  const Real x4477 = x4331 * x4338 - (x4279 + x4326);
+  const Real x4359 = x4348 * x4358;
+  const Real x4360 = x4351 * x4358;
+  const Real x4361 = x4354 * x4358;
+  const Real x4362 = x4357 * x4358;
+  const Real x4368 = x4300 - x4291 * x4339 - x4348 * x4359;
+  require_more(w, x4368, x4465, kFactorization, 15);
+  const Real x4374 = x4301 - x4312 * x4339 - x4351 * x4359;
+  const Real x4380 = x4302 - x4313 * x4339 - x4354 * x4359;
+  const Real x4386 = x4303 - x4314 * x4339 - x4357 * x4359;
+  const Real x4483 = x4331 * x4339 - (x4327 - tau[20]) - x4359 * x4477;
+  const Real x4387 = 1 / x4368;
+  const Real x4388 = x4374 * x4387;
+  const Real x4389 = x4380 * x4387;
+  const Real x4390 = x4386 * x4387;
+  const Real x4398 = x4319 - x4312 * x4340 - x4351 * x4360;
+  const Real x4399 = x4398 - x4374 * x4388;
+  require_more(w, x4399, x4466, kFactorization, 15);
+  const Real x4407 = x4261 + x4305 - x4313 * x4340 - x4354 * x4360;
+  const Real x4408 = x4407 - x4380 * x4388;
+  const Real x4430 = x4322 - x4313 * x4341 - x4354 * x4361;
+  const Real x4416 = x4264 + x4306 - x4314 * x4340 - x4357 * x4360;
+  const Real x4417 = x4416 - x4386 * x4388;
+  const Real x4442 = x4270 + x4308 - x4314 * x4341 - x4357 * x4361;
+  const Real x4458 = x4324 - x4314 * x4342 - x4357 * x4362;
+  const Real x4491 = x4331 * x4340 - (x4282 + x4328) - x4360 * x4477;
+  const Real x4492 = x4491 - x4388 * x4483;
+  const Real x4502 = x4331 * x4341 - (x4285 + x4329) - x4361 * x4477;
+  const Real x4516 = x4331 * x4342 - (x4288 + x4330) - x4362 * x4477;
+  const Real x4418 = 1 / x4399;
+  const Real x4419 = x4408 * x4418;
+  const Real x4420 = x4417 * x4418;
+  const Real x4432 = x4430 - x4380 * x4389 - x4408 * x4419;
+  require_more(w, x4432, x4467, kFactorization, 15);
+  const Real x4444 = x4442 - x4386 * x4389 - x4417 * x4419;
+  const Real x4504 = x4502 - x4389 * x4483 - x4419 * x4492;
+  const Real x4445 = 1 / x4432;
+  const Real x4446 = x4444 * x4445;
+  const Real x4460 = x4458 - x4386 * x4390 - x4417 * x4420;
+  const Real x4461 = x4460 - x4444 * x4446;
+  require_more(w, x4461, x4468, kFactorization, 15);
+  const Real x4518 = x4516 - x4390 * x4483 - x4420 * x4492;
+  const Real x4526 = 1 / x4461 * (x4518 - x4446 * x4504);
+  const Real x4529 = x4445 * x4504 - x4446 * x4526;
+  const Real x4535 = x4418 * x4492 - x4420 * x4526 - x4419 * x4529;
+  const Real x4543 = x4387 * x4483 - x4390 * x4526 - x4389 * x4529;
+  const Real x4544 = x4543 - x4388 * x4535;
+  const Real x4554 = x4358 * x4477 - x4362 * x4526 - x4361 * x4529;
+  const Real x4569 = x4331 * x4337 + x4342 * x4526 + x4341 * x4529;
+  const Real x4556 = x4554 - x4360 * x4535 - x4359 * x4544;
+  const Real x4573 = x4340 * x4535 + x4569 + x4339 * x4544;
+  const Real x4575 = x4338 * x4556 + x4573;
+  // joint 15 "waist_pitch": its acceleration, and that of the link beyond
+  const Real x4589 = x4222 + x4228 * x4526 + x4227 * x4529;
+  const Real x4610 = cosine[14] * x4535 - sine[14] * x4529;
+  const Real x4593 = x4226 * x4535 + x4589 + x4225 * x4556;
+  const Real x4595 = x4224 * x4575 - x4593;
+  const Real x4601 = cosine[14] * x4575 + sine[14] * x4556;
+  const Real x4606 = cosine[14] * x4556 - sine[14] * x4575;
+  const Real x4615 = x4526 + 0.04 * x4606;
+  const Real x4618 = sine[14] * x4535 + cosine[14] * x4529 - 0.04 * x4595;
+  const Real x4619 = -(x4595 - x4544);
+  w.result[20] = x4619;
+  // joint 14 "waist_roll": its acceleration, and that of the link beyond
+  const Real x4645 = cosine[13] * x4595 + sine[13] * x4601;
+  const Real x4632 = x4023 + x4029 * x4610 + x4025 * x4595;
+  const Real x4659 = x4618 - 0.05 * x4645;
+  const Real x4656 = sine[13] * x4615 + cosine[13] * x4610;
+  const Real x4636 = x4026 * x4601 + x4632 + x4028 * x4615;
+  const Real x4638 = x4030 * x4618 + x4636;
+  const Real x4640 = x4606 + x4638;
+  w.result[19] = x4640;
+  const Real x4662 = cosine[13] * x4615 - sine[13] * x4610 - 0.05 * x4638;
+  // joint 13 "waist_yaw": its acceleration, and that of the link beyond
+  const Real x4675 = x3832 + x3835 * x4645 + x3836 * x4659;
+  const Real x4691 = cosine[12] * x4645 - sine[12] * x4638;
+  w.result[4] = x4691;
+  const Real x4686 = cosine[12] * x4638 + sine[12] * x4645;
+  const Real x4702 = 0.09 * x4686;
+  const Real x4679 = x3834 * x4638 - (x3838 * x4656 + x4675);
+  const Real x4680 = x4679 - x3837 * x4662;
+  w.result[5] = x4680;
+  const Real x4687 = -x4686;
+  w.result[3] = x4687;
+  // joint 1 "left_hip_pitch": its acceleration, and that of the link beyond
+  const Real x4715 = x4656 - x4702;
+  // joint 7 "right_hip_pitch": its acceleration, and that of the link beyond
+  const Real x4917 = x4656 + x4702;
+  // joint 0 "__base__": acceleration of the base
+  const Real x5119 = x4656 - x67;
+  w.result[2] = x5119;
+  // joint 13 "waist_yaw": its acceleration, and that of the link beyond
+  const Real x4701 = cosine[12] * x4659 - sine[12] * x4662 - 0.09 * x4691;
+  const Real x4704 = sine[12] * x4659 + cosine[12] * x4662 - x4702;
+  const Real x4705 = -(x4680 - (sine[13] * x4595 - cosine[13] * x4601));
+  w.result[18] = x4705;
+  // joint 1 "left_hip_pitch": its acceleration, and that of the link beyond
+  const Real x4706 = 0.09 * x4680;
+  const Real x4719 = cosine[0] * x4680 - sine[0] * x4686;
+  const Real x4710 = x4701 - 0.05 * x4691;
+  const Real x4724 = sine[0] * x4680 + cosine[0] * x4686;
+  const Real x4714 = x4704 - 0.05 * x4686;
+  const Real x4711 = x4710 - x4706;
+  const Real x4728 = cosine[0] * x4715 + sine[0] * x4711;
+  const Real x4732 = cosine[0] * x4711 - sine[0] * x4715;
+  const Real x4744 = x3472 - x3473 * x4719 + x3474 * x4724;
+  const Real x4746 = x4744 - x3477 * x4714 - x3475 * x4728;
+  const Real x4747 = x4746 - x3476 * x4732;
+  // joint 2 "left_hip_roll": its acceleration, and that of the link beyond
+  const Real x4751 = x4728 - 0.04 * x4724;
+  const Real x4754 = x4732 - 0.04 * x4719;
+  const Real x4764 = cosine[1] * x4714 + sine[1] * x4751;
+  const Real x4768 = cosine[1] * x4751 - sine[1] * x4714;
+  const Real x4757 = cosine[1] * x4747 + sine[1] * x4719;
+  const Real x4761 = cosine[1] * x4719 - sine[1] * x4747;
+  // joint 7 "right_hip_pitch": its acceleration, and that of the link beyond
+  const Real x4921 = cosine[6] * x4680 - sine[6] * x4686;
+  const Real x4926 = sine[6] * x4680 + cosine[6] * x4686;
+  const Real x4916 = x4706 + x4710;
+  const Real x4930 = cosine[6] * x4917 + sine[6] * x4916;
+  const Real x4934 = cosine[6] * x4916 - sine[6] * x4917;
+  const Real x4946 = x2439 - x2440 * x4921 - x2441 * x4926;
+  const Real x4948 = x4946 - x2445 * x4714 - x2443 * x4930;
+  const Real x4949 = x4948 - x2444 * x4934;
+  // joint 8 "right_hip_roll": its acceleration, and that of the link beyond
+  const Real x4953 = x4930 + 0.04 * x4926;
+  const Real x4955 = x4934 + 0.04 * x4921;
+  const Real x4965 = cosine[7] * x4714 + sine[7] * x4953;
+  const Real x4969 = cosine[7] * x4953 - sine[7] * x4714;
+  const Real x4958 = cosine[7] * x4949 + sine[7] * x4921;
+  const Real x4962 = cosine[7] * x4921 - sine[7] * x4949;
+  // joint 0 "__base__": acceleration of the base
+  const Real x5117 = x4701 - x57;
+  w.result[0] = x5117;
+  const Real x5118 = x4704 - x62;
+  w.result[1] = x5118;
+  // joint 1 "left_hip_pitch": its acceleration, and that of the link beyond
+  const Real x4748 = x4747 - x4691;
+  w.result[6] = x4748;
+  // joint 2 "left_hip_roll": its acceleration, and that of the link beyond
+  const Real x4780 = x3303 - x3308 * x4754 - x3306 * x4764;
+  const Real x4782 = x4780 - x3307 * x4768 - x3304 * x4757;
+  const Real x4783 = x4782 - x3305 * x4761;
+  const Real x4784 = x4724 + x4783;
+  w.result[7] = x4784;
+  // joint 3 "left_hip_yaw": its acceleration, and that of the link beyond
+  const Real x4789 = x4754 - 0.12 * x4757;
+  const Real x4786 = x4764 + 0.12 * x4783;
+  const Real x4792 = cosine[2] * x4783 + sine[2] * x4757;
+  const Real x4796 = cosine[2] * x4757 - sine[2] * x4783;
+  const Real x4799 = cosine[2] * x4789 + sine[2] * x4786;
+  const Real x4803 = cosine[2] * x4786 - sine[2] * x4789;
+  const Real x4815 = x3118 - x3124 * x4768 - x3119 * x4792;
+  const Real x4817 = x3120 * x4796 + x4815 - x3122 * x4799;
+  const Real x4818 = x4817 - x3123 * x4803;
+  // joint 4 "left_knee": its acceleration, and that of the link beyond
+  const Real x4822 = x4799 - 0.24 * x4796;
+  const Real x4824 = x4803 + 0.24 * x4792;
+  const Real x4834 = cosine[3] * x4768 + sine[3] * x4822;
+  const Real x4838 = cosine[3] * x4822 - sine[3] * x4768;
+  const Real x4827 = cosine[3] * x4818 + sine[3] * x4792;
+  const Real x4831 = cosine[3] * x4792 - sine[3] * x4818;
+  // joint 7 "right_hip_pitch": its acceleration, and that of the link beyond
+  const Real x4950 = x4949 - x4691;
+  w.result[12] = x4950;
+  // joint 8 "right_hip_roll": its acceleration, and that of the link beyond
+  const Real x4981 = x2265 - x2270 * x4955 - x2268 * x4965;
+  const Real x4983 = x4981 - x2269 * x4969 - x2266 * x4958;
+  const Real x4984 = x4983 - x2267 * x4962;
+  const Real x4985 = x4926 + x4984;
+  w.result[13] = x4985;
+  // joint 9 "right_hip_yaw": its acceleration, and that of the link beyond
+  const Real x4990 = x4955 - 0.12 * x4958;
+  const Real x4987 = x4965 + 0.12 * x4984;
+  const Real x4993 = cosine[8] * x4984 + sine[8] * x4958;
+  const Real x4997 = cosine[8] * x4958 - sine[8] * x4984;
+  const Real x5000 = cosine[8] * x4990 + sine[8] * x4987;
+  const Real x5004 = cosine[8] * x4987 - sine[8] * x4990;
+  const Real x5016 = x2080 - x2086 * x4969 - x2081 * x4993;
+  const Real x5018 = x2082 * x4997 + x5016 - x2084 * x5000;
+  const Real x5019 = x5018 - x2085 * x5004;
+  // joint 10 "right_knee": its acceleration, and that of the link beyond
+  const Real x5023 = x5000 - 0.24 * x4997;
+  const Real x5025 = x5004 + 0.24 * x4993;
+  const Real x5035 = cosine[9] * x4969 + sine[9] * x5023;
+  const Real x5039 = cosine[9] * x5023 - sine[9] * x4969;
+  // joint 3 "left_hip_yaw": its acceleration, and that of the link beyond
+  const Real x4819 = x4818 - x4761;
+  w.result[8] = x4819;
+  // joint 4 "left_knee": its acceleration, and that of the link beyond
+  const Real x4850 = x2936 - x2942 * x4824 - x2940 * x4834;
+  const Real x4852 = x4850 - x2941 * x4838 + x2937 * x4827;
+  const Real x4853 = x4852 - x2939 * x4831;
+  const Real x4854 = x4853 - x4796;
+  w.result[9] = x4854;
+  // joint 5 "left_ankle_pitch": its acceleration, and that of the link beyond
+  const Real x4862 = cosine[4] * x4827 + sine[4] * x4831;
+  const Real x4866 = cosine[4] * x4831 - sine[4] * x4827;
+  const Real x4859 = x4824 + 0.3 * x4831;
+  const Real x4857 = x4838 - 0.3 * x4853;
+  const Real x4885 = x2748 - x2749 * x4862 - x2750 * x4866;
+  const Real x4869 = cosine[4] * x4834 + sine[4] * x4857;
+  const Real x4887 = x4885 - x2753 * x4859 - x2751 * x4869;
+  const Real x4888 = x4887 - x2752 * (cosine[4] * x4857 - sine[4] * x4834);
+  const Real x4889 = x4888 - x4853;
+  w.result[10] = x4889;
+  // joint 6 "left_ankle_roll": its acceleration, and that of the link beyond
+  const Real x4904 = cosine[5] * (x4859 + 0.02 * x4866) + sine[5] * x4869;
+  const Real x4909 = 0.5966849180428403 * (cosine[5] * x4862 - sine[5] * x4888);
+  const Real x4915 = x2661 - 19.88949726809468 * x4904 - x4909 - x4866;
+  w.result[11] = x4915;
+  // joint 9 "right_hip_yaw": its acceleration, and that of the link beyond
+  const Real x5020 = x5019 - x4962;
+  w.result[14] = x5020;
+  // joint 10 "right_knee": its acceleration, and that of the link beyond
+  const Real x5028 = cosine[9] * x5019 + sine[9] * x4993;
+  const Real x5032 = cosine[9] * x4993 - sine[9] * x5019;
+  const Real x5051 = x1898 - x1904 * x5025 - x1902 * x5035;
+  const Real x5053 = x5051 - x1903 * x5039 + x1899 * x5028;
+  const Real x5054 = x5053 - x1901 * x5032;
+  const Real x5055 = x5054 - x4997;
+  w.result[15] = x5055;
+  // joint 11 "right_ankle_pitch": its acceleration, and that of the link beyond
+  const Real x5063 = cosine[10] * x5028 + sine[10] * x5032;
+  const Real x5067 = cosine[10] * x5032 - sine[10] * x5028;
+  const Real x5060 = x5025 + 0.3 * x5032;
+  const Real x5058 = x5039 - 0.3 * x5054;
+  const Real x5086 = x1710 - x1711 * x5063 - x1712 * x5067;
+  const Real x5070 = cosine[10] * x5035 + sine[10] * x5058;
+  const Real x5088 = x5086 - x1715 * x5060 - x1713 * x5070;
+  const Real x5089 = x5088 - x1714 * (cosine[10] * x5058 - sine[10] * x5035);
+  const Real x5090 = x5089 - x5054;
+  w.result[16] = x5090;
+  // joint 12 "right_ankle_roll": its acceleration, and that of the link beyond
+  const Real x5105 = cosine[11] * (x5060 + 0.02 * x5067) + sine[11] * x5070;
+  const Real x5110 = 0.5966849180428403 * (cosine[11] * x5063 - sine[11] * x5089);
+  const Real x5116 = x1610 - 19.88949726809468 * x5105 - x5110 - x5067;
+  w.result[17] = x5116;
 }
 
-// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), A and what it leaves of C
-// by their factors. Whether that could be done.
-ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
-  Value turning[6], sliding[6], checks[2][4];
-  factorize(X.A, turning, checks[0]);
-  Symmetric<Value> C = X.C;
-  const Matrix<Value> K = complement(C, X.B, turning);
-  factorize(C, sliding, checks[1]);
-  const Vector<Value> y = solved(turning, -X.n);
-  a.linear = solved(sliding, -(X.f + transposed_times(X.B, y)));
-  a.angular = y - K * a.linear;
-  bool fine = true;
-  for (const auto& of : checks)
-    for (const Value& check : of) fine &= all_positive(check);
-  return fine;
+// =================================================================================================
+// Process 1: 1691 products, 1524 sums, 17 quotients
+// =================================================================================================
+
+ADAGEN_NOINLINE void part_1_0(Workspace& w) {
+  ADAGEN_INPUTS
+  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
+  const Real x88 = v[3] * cosine[0] + v[4] * sine[0];
+  const Real x92 = v[4] * cosine[0] - v[3] * sine[0];
+  const Real x93 = v[5] + v[18];
+  const Real x94 = v[18] * x92;
+  const Real x95 = v[18] * x88;
+  const Real x97 = v[3] * v[5] * 0.09;
+  const Real x98 = v[4] * v[5] * 0.09;
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x135 = x92 * cosine[1] + x93 * sine[1];
+  const Real x139 = x93 * cosine[1] - x92 * sine[1];
+  const Real x140 = x88 + v[19];
+  const Real x146 = v[19] * x139 - x95 * cosine[1];
+  const Real x149 = x95 * sine[1] - v[19] * x135;
+  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
+  const Real x103 = cosine[0] * x97 + sine[0] * x98;
+  const Real x107 = cosine[0] * x98 - sine[0] * x97;
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x153 = x107 + (x92 * x93 - x94) * 0.05;
+  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
+  const Real x99 = (v[3] * v[3] + v[4] * v[4]) * 0.09;
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x156 = x99 + (x88 * x88 + x92 * x92) * 0.05;
+  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
+  const Real x196 = x139 * cosine[2] + x140 * sine[2];
+  const Real x200 = x140 * cosine[2] - x139 * sine[2];
+  const Real x201 = x135 + v[20];
+  const Real x210 = x149 * cosine[2] + x94 * sine[2] + v[20] * x200;
+  const Real x213 = x94 * cosine[2] - x149 * sine[2] - v[20] * x196;
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x161 = cosine[1] * x153 - sine[1] * x156;
+  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
+  const Real x215 = x161 + (x135 * x139 - x94) * 0.04;
+  const Real x216 = (x135 * x135 + x140 * x140) * 0.04;
+  const Real x218 = sine[1] * x153 + cosine[1] * x156 + x216;
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x151 = x103 + (x88 * x93 - x95) * 0.05;
+  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
+  const Real x221 = x151 + (x146 + x139 * x140) * 0.04;
+  const Real x225 = sine[2] * x221 - cosine[2] * x218;
+  const Real x229 = sine[2] * x218 + cosine[2] * x221;
+  const Real x232 = x196 * x196;
+  const Real x233 = x200 * x200;
+  const Real x234 = x201 * x201;
+  const Real x235 = x233 + x234;
+  const Real x237 = x196 * x200;
+  const Real x239 = x146 + x237;
+  const Real x240 = x232 + x234;
+  const Real x242 = x200 * x201;
+  const Real x244 = x210 + x242;
+  const Real x247 = x196 * x201;
+  const Real x248 = x247 - x213;
+  // link 16 "torso": force that the reference field takes
+  const Real x1794 = x146 * 0.38728300000000004 + x237 * 0.34484970000000004;
+  const Real x1777 = x210 * 0.0832833 - x242 * 0.040850000000000004 + x248 * 0.01615;
+  const Real x1797 = x1777 + x215 * 0.095;
+  w.x[0] = x1797;
+  const Real x1787 = x213 * 0.42813300000000004 - x247 * 0.30399970000000004 - x244 * 0.01615;
+  const Real x1800 = x1787 - x215 * 1.6150000000000002;
+  w.x[1] = x1800;
+  const Real x1804 = x1794 - 0.01615 * (x240 - x235) + x229 * 1.6150000000000002;
+  const Real x1805 = x1804 - x225 * 0.095;
+  w.x[2] = x1805;
+  const Real x1810 = (x237 - x146) * 0.095 - x235 * 1.6150000000000002;
+  const Real x1811 = x225 * 9.5 + x1810;
+  w.x[3] = x1811;
+  const Real x1817 = x239 * 1.6150000000000002 - x240 * 0.095 + x229 * 9.5;
+  w.x[4] = x1817;
+  const Real x1822 = x215 * 9.5 + x248 * 1.6150000000000002 + x244 * 0.095;
+  w.x[5] = x1822;
+  // joint 16 "left_shoulder_pitch": placement, velocity and reference acceleration of its link
+  const Real x259 = x196 * cosine[3] + x200 * sine[3];
+  const Real x263 = x200 * cosine[3] - x196 * sine[3];
+  const Real x264 = x201 + v[21];
+  const Real x273 = x210 * cosine[3] + x213 * sine[3] + v[21] * x263;
+  const Real x276 = x213 * cosine[3] - x210 * sine[3] - v[21] * x259;
+  const Real x279 = (x213 + x247) * 0.15;
+  const Real x280 = x225 - x235 * 0.29;
+  const Real x281 = x279 + x280;
+  const Real x283 = (x242 - x210) * 0.15;
+  const Real x284 = x229 + x239 * 0.29;
+  const Real x285 = x283 + x284;
+  const Real x286 = x248 * 0.29;
+  const Real x287 = (x232 + x233) * 0.15;
+  const Real x290 = x215 - x287 + x286;
+  const Real x293 = cosine[3] * x281 + sine[3] * x285;
+  const Real x297 = cosine[3] * x285 - sine[3] * x281;
+  const Real x311 = x263 * x264;
+  const Real x312 = x311 - x273;
+  const Real x314 = x259 * x259 + x263 * x263;
+  const Real x316 = x259 * x264;
+  const Real x318 = x276 + x316;
+  // link 17 "left_shoulder": force that the reference field takes
+  const Real x1150 = x146 * 0.00064;
+  w.x[6] = x1150;
+  const Real x1154 = x273 * 0.001366667 - x311 * 0.0007266669999999999 - x297 * 0.024;
+  w.x[7] = x1154;
+  const Real x1156 = x276 * 0.001366667 + x316 * 0.0007266669999999999 + x293 * 0.024;
+  w.x[8] = x1156;
+  const Real x1159 = x293 * 0.8 + x318 * 0.024;
+  w.x[9] = x1159;
+  const Real x1162 = x297 * 0.8 + x312 * 0.024;
+  w.x[10] = x1162;
+  const Real x1166 = x290 * 0.8 - x314 * 0.024;
+  w.x[11] = x1166;
+  // joint 17 "left_shoulder_roll": placement, velocity and reference acceleration of its link
+  const Real x326 = x264 * cosine[4] + x259 * sine[4];
+  const Real x330 = x259 * cosine[4] - x264 * sine[4];
+  const Real x331 = x263 + v[22];
+  const Real x340 = x146 * cosine[4] + x273 * sine[4] + v[22] * x330;
+  const Real x343 = x273 * cosine[4] - x146 * sine[4] - v[22] * x326;
+  const Real x345 = x293 + 0.05 * x318;
+  const Real x347 = x297 + 0.05 * x312;
+  const Real x350 = x290 - 0.05 * x314;
+  const Real x353 = cosine[4] * x350 + sine[4] * x345;
+  const Real x357 = cosine[4] * x345 - sine[4] * x350;
+  const Real x362 = x331 * x331;
+  const Real x363 = x330 * x330 + x362;
+  const Real x365 = x326 * x330;
+  const Real x366 = x365 - x276;
+  const Real x368 = x326 * x326 + x362;
+  const Real x370 = x330 * x331;
+  const Real x372 = x340 + x370;
+  const Real x375 = x326 * x331;
+  const Real x376 = x375 - x343;
+  // link 18 "left_shoulder_cap": force that the reference field takes
+  const Real x1204 = x276 * 0.0014 - x365 * 0.00056;
+  const Real x1188 = x340 * 0.0013299999999999998 + x370 * 0.0006299999999999999 - x376 * 0.00020999999999999998;
+  const Real x1208 = x1188 - x347 * 0.020999999999999998;
+  w.x[12] = x1208;
+  const Real x1196 = x343 * 0.00077 - x375 * 7e-05 + x372 * 0.00020999999999999998;
+  const Real x1211 = x1196 - x347 * 0.006999999999999999;
+  w.x[13] = x1211;
+  const Real x1215 = 0.00020999999999999998 * (x368 - x363) + x1204 + x357 * 0.006999999999999999;
+  const Real x1216 = x353 * 0.020999999999999998 + x1215;
+  w.x[14] = x1216;
+  const Real x1224 = x353 * 0.7 - (x363 * 0.006999999999999999 + x366 * 0.020999999999999998);
+  w.x[15] = x1224;
+  const Real x1229 = (x276 + x365) * 0.006999999999999999 + x368 * 0.020999999999999998;
+  const Real x1230 = x357 * 0.7 + x1229;
+  w.x[16] = x1230;
+  const Real x1236 = x347 * 0.7 + x376 * 0.006999999999999999 - x372 * 0.020999999999999998;
+  w.x[17] = x1236;
+  // joint 18 "left_shoulder_yaw": placement, velocity and reference acceleration of its link
+  const Real x386 = x331 * cosine[5] + x326 * sine[5];
+  const Real x390 = x326 * cosine[5] - x331 * sine[5];
+  const Real x391 = x330 + v[23];
+  const Real x400 = x276 * cosine[5] + x340 * sine[5] + v[23] * x390;
+  const Real x403 = x340 * cosine[5] - x276 * sine[5] - v[23] * x386;
+  const Real x407 = x353 - x366 * 0.1;
+  const Real x410 = x357 + x368 * 0.1;
+  const Real x413 = x347 - x372 * 0.1;
+  const Real x416 = cosine[5] * x413 + sine[5] * x407;
+  const Real x420 = cosine[5] * x407 - sine[5] * x413;
+  const Real x433 = x390 * x391;
+  const Real x434 = x433 - x400;
+  const Real x436 = x386 * x386 + x390 * x390;
+  const Real x438 = x386 * x391;
+  const Real x440 = x403 + x438;
+  // link 19 "left_upper_arm": force that the reference field takes
+  const Real x1253 = x343 * 0.00064;
+  w.x[18] = x1253;
+  const Real x1257 = x400 * 0.0036266700000000002 - x433 * 0.0029866700000000003 + x420 * 0.04000000000000001;
+  w.x[19] = x1257;
+  const Real x1260 = x403 * 0.0036266700000000002 + x438 * 0.0029866700000000003 - x416 * 0.04000000000000001;
+  w.x[20] = x1260;
+  const Real x1264 = x416 * 0.8 - x440 * 0.04000000000000001;
+  w.x[21] = x1264;
+  const Real x1268 = x420 * 0.8 - x434 * 0.04000000000000001;
+  w.x[22] = x1268;
+  const Real x1272 = x410 * 0.8 + x436 * 0.04000000000000001;
+  w.x[23] = x1272;
+  // joint 19 "left_elbow": placement, velocity and reference acceleration of its link
+  const Real x449 = x391 * cosine[6] + x386 * sine[6];
+  const Real x453 = x386 * cosine[6] - x391 * sine[6];
+  const Real x454 = x390 + v[24];
+  const Real x463 = x343 * cosine[6] + x400 * sine[6] + v[24] * x453;
+  const Real x466 = x400 * cosine[6] - x343 * sine[6] - v[24] * x449;
+  const Real x470 = x416 - x440 * 0.11;
+  const Real x473 = x420 - x434 * 0.11;
+  const Real x476 = x410 + x436 * 0.11;
+  const Real x479 = cosine[6] * x476 + sine[6] * x470;
+  const Real x483 = cosine[6] * x470 - sine[6] * x476;
+  const Real x488 = x454 * x454;
+  const Real x489 = x453 * x453 + x488;
+  const Real x491 = x449 * x453;
+  const Real x492 = x491 - x403;
+  const Real x493 = x403 + x491;
+  const Real x494 = x449 * x449 + x488;
+  const Real x496 = x453 * x454;
+  const Real x498 = x463 + x496;
+  const Real x501 = x449 * x454;
+  const Real x502 = x501 - x466;
+  // link 20 "left_forearm": force that the reference field takes
+  const Real x1310 = x491 * 0.004428960000000001 + 0.00098 * (x494 - x489);
+  const Real x1295 = x463 * 0.00070875 + x496 * 0.00028 - x502 * 0.00098;
+  const Real x1313 = x1295 + x473 * 0.013999999999999999;
+  w.x[24] = x1313;
+  const Real x1304 = x466 * 0.00513771 - x501 * 0.004708960000000001 + x498 * 0.00098;
+  const Real x1316 = x1304 + x473 * 0.049;
+  w.x[25] = x1316;
+  const Real x1321 = x403 * 0.005417710000000001 + x1310 - x483 * 0.049;
+  const Real x1322 = x1321 - x479 * 0.013999999999999999;
+  w.x[26] = x1322;
+  const Real x1328 = x489 * 0.049 + x492 * 0.013999999999999999 + x479 * 0.7;
+  w.x[27] = x1328;
+  const Real x1336 = x483 * 0.7 - (x493 * 0.049 + x494 * 0.013999999999999999);
+  w.x[28] = x1336;
+  const Real x1342 = x473 * 0.7 - x502 * 0.049 + x498 * 0.013999999999999999;
+  w.x[29] = x1342;
+  // joint 20 "left_wrist_roll": placement, velocity and reference acceleration of its link
+  const Real x513 = x453 * cosine[7] + x454 * sine[7];
+  const Real x517 = x454 * cosine[7] - x453 * sine[7];
+  const Real x518 = x449 + v[25];
+  const Real x527 = x466 * cosine[7] + x403 * sine[7] + v[25] * x517;
+  const Real x530 = x403 * cosine[7] - x466 * sine[7] - v[25] * x513;
+  const Real x536 = x489 * 0.16 + x492 * 0.01 + x479;
+  const Real x543 = x483 - (x493 * 0.16 + x494 * 0.01);
+  const Real x548 = x473 - x502 * 0.16 + x498 * 0.01;
+  const Real x551 = cosine[7] * x543 + sine[7] * x548;
+  const Real x555 = cosine[7] * x548 - sine[7] * x543;
+  const Real x568 = x517 * x518;
+  const Real x569 = x568 - x527;
+  const Real x571 = x513 * x513 + x517 * x517;
+  const Real x573 = x513 * x518;
+  const Real x575 = x530 + x573;
+  // link 21 "left_wrist": force that the reference field takes
+  const Real x1362 = x463 * 9e-05;
+  w.x[30] = x1362;
+  const Real x1366 = x527 * 0.00010666669999999999 - x568 * 1.666669999999999e-05 + x555 * 0.002;
+  w.x[31] = x1366;
+  const Real x1369 = x530 * 0.00010666669999999999 + x573 * 1.666669999999999e-05 - x551 * 0.002;
+  w.x[32] = x1369;
+  const Real x1373 = x551 * 0.2 - x575 * 0.002;
+  w.x[33] = x1373;
+  const Real x1377 = x555 * 0.2 - x569 * 0.002;
+  w.x[34] = x1377;
+  const Real x1381 = x536 * 0.2 + x571 * 0.002;
+  w.x[35] = x1381;
+  // joint 21 "left_wrist_pitch": placement, velocity and reference acceleration of its link
+  const Real x584 = x518 * cosine[8] + x513 * sine[8];
+  const Real x588 = x513 * cosine[8] - x518 * sine[8];
+  const Real x589 = x517 + v[26];
+  const Real x601 = x527 * cosine[8] - x463 * sine[8] - v[26] * x584;
+  const Real x604 = x551 - 0.04 * x575;
+  const Real x607 = x555 - 0.04 * x569;
+  const Real x610 = x536 + 0.04 * x571;
+  const Real x617 = cosine[8] * x604 - sine[8] * x610;
+  const Real x625 = x584 * x588;
+  const Real x635 = x584 * x589;
+  const Real x598 = x463 * cosine[8] + x527 * sine[8] + v[26] * x588;
+  // link 22 "left_hand": force that the reference field takes
+  const Real x1396 = x598 * 0.000296667 - x588 * x589 * 0.00013000000000000002;
+  w.x[36] = x1396;
+  const Real x1411 = x601 * 0.002133333 - x635 * 0.001706666 + x607 * 0.024;
+  w.x[37] = x1411;
+  const Real x1414 = x530 * 0.002003333 + x625 * 0.0018366659999999998 - x617 * 0.024;
+  w.x[38] = x1414;
+  const Real x1415 = (cosine[8] * x610 + sine[8] * x604) * 0.4;
+  const Real x1418 = x1415 + (x588 * x588 + x589 * x589) * 0.024;
+  w.x[39] = x1418;
+  const Real x1422 = x617 * 0.4 - (x530 + x625) * 0.024;
+  w.x[40] = x1422;
+  const Real x1426 = x607 * 0.4 - (x635 - x601) * 0.024;
+  w.x[41] = x1426;
+  // joint 22 "neck_yaw": placement, velocity and reference acceleration of its link
+  const Real x646 = x200 * cosine[9] + x201 * sine[9];
+  const Real x650 = x201 * cosine[9] - x200 * sine[9];
+  const Real x651 = x196 + v[27];
+  const Real x660 = x213 * cosine[9] + x146 * sine[9] + v[27] * x650;
+  const Real x663 = x146 * cosine[9] - x213 * sine[9] - v[27] * x646;
+  const Real x666 = x225 - x235 * 0.38;
+  const Real x668 = x229 + x239 * 0.38;
+  const Real x670 = x215 + x248 * 0.38;
+  const Real x673 = cosine[9] * x668 + sine[9] * x670;
+  const Real x677 = cosine[9] * x670 - sine[9] * x668;
+  const Real x690 = x650 * x651;
+  const Real x691 = x690 - x660;
+  const Real x693 = x646 * x646 + x650 * x650;
+  const Real x695 = x646 * x651;
+  const Real x697 = x663 + x695;
+  // link 23 "neck": force that the reference field takes
+  const Real x1444 = x210 * 0.00018;
+  w.x[42] = x1444;
+  const Real x1448 = x660 * 0.00037000000000000005 - x690 * 0.00019 - x677 * 0.008;
+  w.x[43] = x1448;
+  const Real x1450 = x663 * 0.00037000000000000005 + x695 * 0.00019 + x673 * 0.008;
+  w.x[44] = x1450;
+  const Real x1453 = x673 * 0.4 + x697 * 0.008;
+  w.x[45] = x1453;
+  const Real x1456 = x677 * 0.4 + x691 * 0.008;
+  w.x[46] = x1456;
+  const Real x1460 = x666 * 0.4 - x693 * 0.008;
+  w.x[47] = x1460;
+  // joint 23 "neck_pitch": placement, velocity and reference acceleration of its link
+  const Real x706 = x651 * cosine[10] + x646 * sine[10];
+  const Real x710 = x646 * cosine[10] - x651 * sine[10];
+  const Real x711 = x650 + v[28];
+  const Real x720 = x210 * cosine[10] + x660 * sine[10] + v[28] * x710;
+  const Real x723 = x660 * cosine[10] - x210 * sine[10] - v[28] * x706;
+  const Real x725 = x673 + x697 * 0.06;
+  const Real x727 = x677 + x691 * 0.06;
+  const Real x730 = x666 - x693 * 0.06;
+  const Real x733 = cosine[10] * x730 + sine[10] * x725;
+  const Real x737 = cosine[10] * x725 - sine[10] * x730;
+  const Real x742 = x711 * x711;
+  const Real x743 = x710 * x710 + x742;
+  const Real x745 = x706 * x710;
+  const Real x748 = x706 * x706 + x742;
+  const Real x750 = x710 * x711;
+  const Real x752 = x720 + x750;
+  const Real x755 = x706 * x711;
+  const Real x756 = x755 - x723;
+  // link 24 "head": force that the reference field takes
+  const Real x1497 = x663 * 0.028175999999999996 + x745 * 0.018479999999999996;
+  const Real x1481 = x720 * 0.008736 + x750 * 0.00096 + x756 * 0.00432;
+  const Real x1500 = x1481 + x727 * 0.048;
+  w.x[48] = x1500;
+  const Real x1490 = x723 * 0.027215999999999997 - x755 * 0.01944 - x752 * 0.00432;
+  const Real x1503 = x1490 - x727 * 0.216;
+  w.x[49] = x1503;
+  const Real x1507 = x1497 - 0.00432 * (x748 - x743) + x737 * 0.216;
+  const Real x1508 = x1507 - x733 * 0.048;
+  w.x[50] = x1508;
+  const Real x1513 = (x745 - x663) * 0.048 - x743 * 0.216;
+  const Real x1514 = x733 * 2.4 + x1513;
+  w.x[51] = x1514;
+  const Real x1519 = (x663 + x745) * 0.216 - x748 * 0.048;
+  const Real x1520 = x737 * 2.4 + x1519;
+  w.x[52] = x1520;
+  const Real x1525 = x727 * 2.4 + x756 * 0.216 + x752 * 0.048;
+  w.x[53] = x1525;
+  // joint 24 "right_shoulder_pitch": placement, velocity and reference acceleration of its link
+  const Real x766 = x196 * cosine[11] + x200 * sine[11];
+  const Real x770 = x200 * cosine[11] - x196 * sine[11];
+  const Real x771 = x201 + v[29];
+  const Real x780 = x210 * cosine[11] + x213 * sine[11] + v[29] * x770;
+  const Real x783 = x213 * cosine[11] - x210 * sine[11] - v[29] * x766;
+  const Real x785 = x280 - x279;
+  const Real x787 = x284 - x283;
+  const Real x789 = x215 + x287 + x286;
+  const Real x792 = cosine[11] * x785 + sine[11] * x787;
+  const Real x796 = cosine[11] * x787 - sine[11] * x785;
+  const Real x809 = x770 * x771;
+  const Real x810 = x809 - x780;
+  const Real x812 = x766 * x766 + x770 * x770;
+  const Real x814 = x766 * x771;
+  const Real x816 = x783 + x814;
+  // link 25 "right_shoulder": force that the reference field takes
+  const Real x1538 = x780 * 0.001366667 - x809 * 0.0007266669999999999 + x796 * 0.024;
+  w.x[54] = x1538;
+  const Real x1541 = x783 * 0.001366667 + x814 * 0.0007266669999999999 - x792 * 0.024;
+  w.x[55] = x1541;
+  const Real x1545 = x792 * 0.8 - x816 * 0.024;
+  w.x[56] = x1545;
+  const Real x1549 = x796 * 0.8 - x810 * 0.024;
+  w.x[57] = x1549;
+  const Real x1553 = x789 * 0.8 + x812 * 0.024;
+  w.x[58] = x1553;
+  // joint 25 "right_shoulder_roll": placement, velocity and reference acceleration of its link
+  const Real x825 = x771 * cosine[12] + x766 * sine[12];
+  const Real x829 = x766 * cosine[12] - x771 * sine[12];
+  const Real x830 = x770 + v[30];
+  const Real x839 = x146 * cosine[12] + x780 * sine[12] + v[30] * x829;
+  const Real x842 = x780 * cosine[12] - x146 * sine[12] - v[30] * x825;
+  const Real x845 = x792 - 0.05 * x816;
+  const Real x848 = x796 - 0.05 * x810;
+  const Real x851 = x789 + 0.05 * x812;
+  const Real x854 = cosine[12] * x851 + sine[12] * x845;
+  const Real x858 = cosine[12] * x845 - sine[12] * x851;
+  const Real x863 = x830 * x830;
+  const Real x864 = x829 * x829 + x863;
+  const Real x866 = x825 * x829;
+  const Real x867 = x866 - x783;
+  const Real x869 = x825 * x825 + x863;
+  const Real x871 = x829 * x830;
+  const Real x873 = x839 + x871;
+  const Real x876 = x825 * x830;
+  const Real x877 = x876 - x842;
+  // link 26 "right_shoulder_cap": force that the reference field takes
+  const Real x1575 = x783 * 0.0014 - x866 * 0.00056;
+  const Real x1560 = x839 * 0.0013299999999999998 + x871 * 0.0006299999999999999 + x877 * 0.00020999999999999998;
+  const Real x1579 = x1560 - x848 * 0.020999999999999998;
+  w.x[59] = x1579;
+  const Real x1568 = x842 * 0.00077 - x876 * 7e-05 - x873 * 0.00020999999999999998;
+  const Real x1582 = x1568 + x848 * 0.006999999999999999;
+  w.x[60] = x1582;
+  const Real x1587 = x1575 - 0.00020999999999999998 * (x869 - x864) - x858 * 0.006999999999999999;
+  const Real x1588 = x854 * 0.020999999999999998 + x1587;
+  w.x[61] = x1588;
+  const Real x1595 = x864 * 0.006999999999999999 - x867 * 0.020999999999999998 + x854 * 0.7;
+  w.x[62] = x1595;
+  const Real x1601 = x869 * 0.020999999999999998 - (x783 + x866) * 0.006999999999999999;
+  const Real x1602 = x858 * 0.7 + x1601;
+  w.x[63] = x1602;
+  const Real x1609 = x848 * 0.7 - x877 * 0.006999999999999999 - x873 * 0.020999999999999998;
+  w.x[64] = x1609;
+  // joint 26 "right_shoulder_yaw": placement, velocity and reference acceleration of its link
+  const Real x886 = x830 * cosine[13] + x825 * sine[13];
+  const Real x890 = x825 * cosine[13] - x830 * sine[13];
+  const Real x891 = x829 + v[31];
+  const Real x900 = x783 * cosine[13] + x839 * sine[13] + v[31] * x890;
+  const Real x903 = x839 * cosine[13] - x783 * sine[13] - v[31] * x886;
+  const Real x906 = x854 - 0.1 * x867;
+  const Real x909 = x858 + 0.1 * x869;
+  const Real x912 = x848 - 0.1 * x873;
+  const Real x915 = cosine[13] * x912 + sine[13] * x906;
+  const Real x919 = cosine[13] * x906 - sine[13] * x912;
+  const Real x932 = x890 * x891;
+  const Real x933 = x932 - x900;
+  const Real x935 = x886 * x886 + x890 * x890;
+  const Real x937 = x886 * x891;
+  const Real x939 = x903 + x937;
+  // link 27 "right_upper_arm": force that the reference field takes
+  const Real x1619 = x842 * 0.00064;
+  w.x[65] = x1619;
+  const Real x1623 = x900 * 0.0036266700000000002 - x932 * 0.0029866700000000003 + x919 * 0.04000000000000001;
+  w.x[66] = x1623;
+  const Real x1626 = x903 * 0.0036266700000000002 + x937 * 0.0029866700000000003 - x915 * 0.04000000000000001;
+  w.x[67] = x1626;
+  const Real x1630 = x915 * 0.8 - x939 * 0.04000000000000001;
+  w.x[68] = x1630;
+  const Real x1634 = x919 * 0.8 - x933 * 0.04000000000000001;
+  w.x[69] = x1634;
+  const Real x1638 = x909 * 0.8 + x935 * 0.04000000000000001;
+  w.x[70] = x1638;
+  // joint 27 "right_elbow": placement, velocity and reference acceleration of its link
+  const Real x947 = x891 * cosine[14] + x886 * sine[14];
+  const Real x951 = x886 * cosine[14] - x891 * sine[14];
+  const Real x952 = x890 + v[32];
+  const Real x961 = x842 * cosine[14] + x900 * sine[14] + v[32] * x951;
+  w.x[71] = x961;
+  const Real x964 = x900 * cosine[14] - x842 * sine[14] - v[32] * x947;
+  const Real x967 = x915 - 0.11 * x939;
+  const Real x970 = x919 - 0.11 * x933;
+  const Real x973 = x909 + 0.11 * x935;
+  const Real x976 = cosine[14] * x973 + sine[14] * x967;
+  const Real x980 = cosine[14] * x967 - sine[14] * x973;
+  const Real x985 = x952 * x952;
+  const Real x986 = x951 * x951 + x985;
+  const Real x988 = x947 * x951;
+  const Real x989 = x988 - x903;
+  const Real x990 = x903 + x988;
+  const Real x991 = x947 * x947 + x985;
+  const Real x993 = x951 * x952;
+  const Real x995 = x961 + x993;
+  const Real x998 = x947 * x952;
+  const Real x999 = x998 - x964;
+  // link 28 "right_forearm": force that the reference field takes
+  const Real x1657 = x988 * 0.004428960000000001 + 0.00098 * (x991 - x986);
+  const Real x1645 = x961 * 0.00070875 + x993 * 0.00028 - x999 * 0.00098;
+  const Real x1660 = x1645 + x970 * 0.013999999999999999;
+  w.x[72] = x1660;
+  const Real x1652 = x964 * 0.00513771 - x998 * 0.004708960000000001 + x995 * 0.00098;
+  const Real x1663 = x1652 + x970 * 0.049;
+  w.x[73] = x1663;
+  const Real x1668 = x903 * 0.005417710000000001 + x1657 - x980 * 0.049;
+  const Real x1669 = x1668 - x976 * 0.013999999999999999;
+  w.x[74] = x1669;
+  const Real x1675 = x986 * 0.049 + x989 * 0.013999999999999999 + x976 * 0.7;
+  w.x[75] = x1675;
+  const Real x1683 = x980 * 0.7 - (x990 * 0.049 + x991 * 0.013999999999999999);
+  w.x[76] = x1683;
+  const Real x1689 = x970 * 0.7 - x999 * 0.049 + x995 * 0.013999999999999999;
+  w.x[77] = x1689;
+  // joint 28 "right_wrist_roll": placement, velocity and reference acceleration of its link
+  const Real x1008 = x951 * cosine[15] + x952 * sine[15];
+  w.x[78] = x1008;
+  const Real x1012 = x952 * cosine[15] - x951 * sine[15];
+  w.x[79] = x1012;
+  const Real x1013 = x947 + v[33];
+  w.x[80] = x1013;
+  const Real x1022 = x964 * cosine[15] + x903 * sine[15] + v[33] * x1012;
+  w.x[81] = x1022;
+  const Real x1025 = x903 * cosine[15] - x964 * sine[15] - v[33] * x1008;
+  w.x[82] = x1025;
+  const Real x1030 = 0.16 * x986 + 0.01 * x989 + x976;
+  w.x[83] = x1030;
+  const Real x1037 = x980 - (0.16 * x990 + 0.01 * x991);
+  const Real x1042 = x970 - 0.16 * x999 + 0.01 * x995;
+  const Real x1045 = cosine[15] * x1037 + sine[15] * x1042;
+  w.x[84] = x1045;
+  const Real x1049 = cosine[15] * x1042 - sine[15] * x1037;
+  w.x[85] = x1049;
+  const Real x1062 = x1012 * x1013;
+  const Real x1063 = x1062 - x1022;
+  w.x[86] = x1063;
+  const Real x1065 = x1008 * x1008 + x1012 * x1012;
+  w.x[87] = x1065;
+  const Real x1067 = x1008 * x1013;
+  const Real x1069 = x1025 + x1067;
+  w.x[88] = x1069;
+  // link 29 "right_wrist": force that the reference field takes
+  const Real x1698 = x1025 * 0.00010666669999999999 + x1067 * 1.666669999999999e-05;
+  w.x[89] = x1698;
+  const Real x1699 = x961 * 9e-05;
+  w.x[90] = x1699;
+  const Real x1703 = x1022 * 0.00010666669999999999 - x1062 * 1.666669999999999e-05 + x1049 * 0.002;
+  w.x[91] = x1703;
 }
 
-// A joint with all freedoms hands on its force alone; e gets the acceleration of the body beyond.
-template <bool reversed>
-ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
-                            const Value* tau, Value* e) {
-  if constexpr (reversed) shift(X, -r);
-  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
-  Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
-  Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
-  if constexpr (reversed) n = -n, f = -f;
-  X.n += -n, X.f += -f;
-  Motion<Value> a;
-  if (!solve_free(X, a)) fail(w, kFactorization, j);
-  e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
-  e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
-  X = Body<Value>{};
-  X.n = n, X.f = f;
-  if constexpr (!reversed) shift(X, r);
+ADAGEN_NOINLINE void part_1_1(Workspace& w) {
+  ADAGEN_INPUTS
+  const Real x961 = w.x[71];
+  const Real x1008 = w.x[78];
+  const Real x1012 = w.x[79];
+  const Real x1013 = w.x[80];
+  const Real x1022 = w.x[81];
+  const Real x1025 = w.x[82];
+  const Real x1030 = w.x[83];
+  const Real x1045 = w.x[84];
+  const Real x1049 = w.x[85];
+  const Real x1063 = w.x[86];
+  const Real x1065 = w.x[87];
+  const Real x1069 = w.x[88];
+  const Real x1150 = w.x[6];
+  const Real x1414 = w.x[38];
+  const Real x1422 = w.x[40];
+  const Real x1444 = w.x[42];
+  const Real x1448 = w.x[43];
+  const Real x1450 = w.x[44];
+  const Real x1453 = w.x[45];
+  const Real x1456 = w.x[46];
+  const Real x1460 = w.x[47];
+  const Real x1500 = w.x[48];
+  const Real x1503 = w.x[49];
+  const Real x1508 = w.x[50];
+  const Real x1514 = w.x[51];
+  const Real x1520 = w.x[52];
+  const Real x1525 = w.x[53];
+  const Real x1538 = w.x[54];
+  const Real x1541 = w.x[55];
+  const Real x1545 = w.x[56];
+  const Real x1549 = w.x[57];
+  const Real x1553 = w.x[58];
+  const Real x1579 = w.x[59];
+  const Real x1582 = w.x[60];
+  const Real x1588 = w.x[61];
+  const Real x1595 = w.x[62];
+  const Real x1602 = w.x[63];
+  const Real x1609 = w.x[64];
+  const Real x1619 = w.x[65];
+  const Real x1623 = w.x[66];
+  const Real x1626 = w.x[67];
+  const Real x1630 = w.x[68];
+  const Real x1634 = w.x[69];
+  const Real x1638 = w.x[70];
+  const Real x1660 = w.x[72];
+  const Real x1663 = w.x[73];
+  const Real x1669 = w.x[74];
+  const Real x1675 = w.x[75];
+  const Real x1683 = w.x[76];
+  const Real x1689 = w.x[77];
+  const Real x1698 = w.x[89];
+  const Real x1699 = w.x[90];
+  const Real x1703 = w.x[91];
+  const Real x1797 = w.x[0];
+  const Real x1800 = w.x[1];
+  const Real x1805 = w.x[2];
+  const Real x1811 = w.x[3];
+  const Real x1817 = w.x[4];
+  const Real x1822 = w.x[5];
+  // joint 29 "right_wrist_pitch": placement, velocity and reference acceleration of its link
+  const Real x1077 = x1013 * cosine[16] + x1008 * sine[16];
+  const Real x1081 = x1008 * cosine[16] - x1013 * sine[16];
+  const Real x1082 = x1012 + v[34];
+  const Real x1094 = x1022 * cosine[16] - x961 * sine[16] - v[34] * x1077;
+  const Real x1097 = x1045 - 0.04 * x1069;
+  const Real x1100 = x1049 - 0.04 * x1063;
+  const Real x1103 = x1030 + 0.04 * x1065;
+  const Real x1110 = cosine[16] * x1097 - sine[16] * x1103;
+  const Real x1118 = x1077 * x1081;
+  const Real x1128 = x1077 * x1082;
+  const Real x1091 = x961 * cosine[16] + x1022 * sine[16] + v[34] * x1081;
+  // link 30 "right_hand": force that the reference field takes
+  const Real x1723 = x1091 * 0.000296667 - x1081 * x1082 * 0.00013000000000000002;
+  const Real x1735 = x1094 * 0.002133333 - x1128 * 0.001706666 + x1100 * 0.024;
+  const Real x1739 = (cosine[16] * x1103 + sine[16] * x1097) * 0.4;
+  const Real x1742 = x1739 + (x1081 * x1081 + x1082 * x1082) * 0.024;
+  const Real x1750 = x1100 * 0.4 - (x1128 - x1094) * 0.024;
+  const Real x1738 = x1025 * 0.002003333 + x1118 * 0.0018366659999999998 - x1110 * 0.024;
+  // joint 29 "right_wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1826 = 499.16813630085466 * (tau[34] - x1738);
+  w.x[92] = x1826;
+  // link 30 "right_hand": force that the reference field takes
+  const Real x1746 = x1110 * 0.4 - (x1025 + x1118) * 0.024;
+  // joint 29 "right_wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1833 = x1746 - 0.024 * x1826;
+  const Real x1834 = sine[16] * 0.024;
+  const Real x1836 = cosine[16] * 0.024;
+  const Real x1840 = cosine[16] * 0.0018366659999999998;
+  const Real x1844 = cosine[16] * x1840;
+  const Real x1848 = cosine[16] * 0.28752084650929227;
+  const Real x1849 = sine[16] * x1848;
+  const Real x1851 = cosine[16] * x1848;
+  const Real x1853 = 0.4 - x1851;
+  const Real x1854 = 0.04 * x1853;
+  const Real x1858 = x1836 + 0.016;
+  const Real x1859 = 0.04 * x1849;
+  const Real x1869 = sine[16] * x1840 + 0.04 * x1834;
+  const Real x1886 = sine[16] * x1742 + cosine[16] * x1833;
+  const Real x1866 = 0.000296667 + x1844 + 0.04 * x1836 + 0.04 * x1858;
+  const Real x1895 = 0.00010666669999999999 + 0.04 * x1854;
+  const Real x1896 = -0.002 - x1854;
+  const Real x1897 = 0.002133333 - x1844 + 9e-05;
+  require_more(w, x1897, 0.0, kFactorization, 28);
+  const Real x1898 = 0.2 + x1853;
+  const Real x1900 = 0.11247915349070774 + x1851 + 0.2;
+  const Real x1889 = sine[16] * x1723 + cosine[16] * x1735 + 0.04 * x1750;
+  const Real x1902 = x1698 - x1045 * 0.002 + (tau[34] - 0.04 * x1886);
+  const Real x1904 = x1045 * 0.2 - x1069 * 0.002 + x1886;
+  // link 29 "right_wrist": force that the reference field takes
+  const Real x1718 = x1030 * 0.2 + x1065 * 0.002;
+  // joint 29 "right_wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1906 = cosine[16] * x1742 - sine[16] * x1833 + x1718;
+  // joint 28 "right_wrist_roll": articulated-body inertia and bias force through it
+  const Real x1908 = 1 / x1897;
+  const Real x1909 = tau[33] - (cosine[16] * x1723 - sine[16] * x1735 + x1699);
+  const Real x1910 = x1908 * x1909;
+  w.x[93] = x1910;
+  const Real x1911 = x1869 * x1908;
+  w.x[94] = x1911;
+  const Real x1913 = x1834 * x1908;
+  w.x[95] = x1913;
+  const Real x1917 = 0.00010666669999999999 + x1866 - x1869 * x1911;
+  const Real x1920 = 0.002 + x1858 - x1869 * x1913;
+  const Real x1923 = 0.6000000000000001 - x1834 * x1913;
+  const Real x1926 = x1703 + x1889 - x1869 * x1910;
+  // joint 29 "right_wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1905 = x1049 * 0.2 - x1063 * 0.002 + x1750;
+  // joint 28 "right_wrist_roll": articulated-body inertia and bias force through it
+  const Real x1929 = x1905 - x1834 * x1910;
+  const Real x1932 = cosine[15] * x1859;
+  const Real x1935 = sine[15] * (x1896 + x1920);
+  const Real x1937 = sine[15] * x1935;
+  const Real x1939 = x1920 - x1937;
+  const Real x1940 = x1896 - x1937;
+  const Real x1941 = cosine[15] * x1935;
+  const Real x1944 = cosine[15] * (x1917 - x1895);
+  const Real x1949 = cosine[15] * x1944;
+  const Real x1952 = cosine[15] * x1849;
+  const Real x1953 = sine[15] * x1849;
+  const Real x1955 = cosine[15] * (x1898 - x1923);
+  const Real x1956 = sine[15] * x1955;
+  const Real x1958 = cosine[15] * x1955;
+  const Real x1959 = x1923 + x1958;
+  const Real x1960 = x1898 - x1958;
+  const Real x1961 = 0.01 * x1953;
+  const Real x1964 = sine[15] * x1859 + 0.16 * x1953;
+  const Real x1971 = x1932 + 0.16 * x1952 + 0.01 * x1900;
+  const Real x1973 = 0.01 * x1956;
+  const Real x1974 = 0.16 * x1956;
+  const Real x1976 = x1974 - x1941;
+  const Real x1982 = x1940 - 0.01 * x1952 - 0.16 * x1959;
+  const Real x1983 = 0.01 * x1960;
+  const Real x1986 = x1939 + 0.16 * x1960;
+  const Real x1989 = x1941 - x1961 - x1974;
+  const Real x2001 = 0.01 * x1941 - 0.01 * x1961 - 0.16 * x1973;
+  const Real x2015 = sine[15] * x1944 - 0.01 * x1964 + 0.16 * x1941;
+  const Real x2016 = x2015 - 0.16 * x1976;
+  const Real x2026 = x1917 - x1949 + (0.01 * x1932 + 0.01 * x1971);
+  const Real x2039 = cosine[15] * x1904 - sine[15] * x1929;
+  const Real x2042 = sine[15] * x1904 + cosine[15] * x1929;
+  const Real x2035 = sine[15] * x1926 + cosine[15] * x1902;
+  const Real x2007 = x1895 + x1949 + 0.16 * x1939 + 0.16 * x1986;
+  const Real x2060 = x2026 - 0.16 * x1940 - 0.16 * x1982 + 0.005417710000000001;
+  require_more(w, x2060, 0.0, kFactorization, 27);
+  const Real x2061 = -0.013999999999999999 - x1971;
+  const Real x2062 = -0.049 + x1982;
+  const Real x2047 = cosine[15] * x1926 - sine[15] * x1902 + 0.16 * x2042;
+  // joint 27 "right_elbow": articulated-body inertia and bias force through it
+  const Real x2073 = 1 / x2060;
+  // joint 28 "right_wrist_roll": articulated-body inertia and bias force through it
+  const Real x2068 = x2035 - (0.16 * x2039 + 0.01 * x1906) + x1669;
+  // joint 27 "right_elbow": articulated-body inertia and bias force through it
+  const Real x2075 = x2073 * (tau[32] - x2068);
+  w.x[96] = x2075;
+  const Real x2076 = x2001 * x2073;
+  w.x[97] = x2076;
+  const Real x2077 = x2016 * x2073;
+  w.x[98] = x2077;
+  const Real x2078 = x2061 * x2073;
+  w.x[99] = x2078;
+  const Real x2079 = x2062 * x2073;
+  w.x[100] = x2079;
+  const Real x2080 = x1989 * x2073;
+  w.x[101] = x2080;
+  const Real x2083 = 0.00070875 + 0.01 * x1983 - x2001 * x2076;
+  // joint 28 "right_wrist_roll": articulated-body inertia and bias force through it
+  const Real x2056 = 0.01 * x1939 + 0.16 * x1983 + 0.00098;
+  // joint 27 "right_elbow": articulated-body inertia and bias force through it
+  const Real x2086 = x2056 - x2001 * x2077;
+  const Real x2089 = x1961 - x2001 * x2078;
+  const Real x2092 = x1973 - x2001 * x2079;
+  const Real x2095 = 0.013999999999999999 + x1983 - x2001 * x2080;
+  const Real x2098 = 0.00513771 + x2007 - x2016 * x2077;
+  const Real x2101 = x1964 - x2016 * x2078;
+  const Real x2104 = x1976 - x2016 * x2079;
+  const Real x2107 = 0.049 + x1986 - x2016 * x2080;
+  const Real x2110 = 0.7 + x1900 - x2061 * x2078;
+  const Real x2113 = x1952 - x2061 * x2079;
+  const Real x2116 = x1953 - x2061 * x2080;
+  const Real x2119 = 0.7 + x1959 - x2062 * x2079;
+  const Real x2122 = x1956 - x2062 * x2080;
+  const Real x2125 = 0.7 + x1960 - x1989 * x2080;
+  const Real x2127 = tau[33] + 0.01 * x2042 + x1660 + x2001 * x2075;
+  const Real x2129 = x1663 + x2047 + x2016 * x2075;
+  const Real x2131 = x1675 + x1906 + x2061 * x2075;
+  const Real x2133 = x1683 + x2039 + x2062 * x2075;
+  const Real x2135 = x1689 + x2042 + x1989 * x2075;
+  const Real x2139 = cosine[14] * x2095 - sine[14] * x2107;
+  const Real x2142 = sine[14] * x2095 + cosine[14] * x2107;
+  const Real x2148 = cosine[14] * (x2089 - x2104) - sine[14] * (x2092 + x2101);
+  const Real x2149 = sine[14] * x2148;
+  const Real x2151 = x2092 + x2149;
+  const Real x2153 = cosine[14] * x2148;
+  const Real x2154 = x2104 + x2153;
+  const Real x2158 = 2.0 * sine[14];
+  const Real x2162 = cosine[14] * (x2083 - x2098) - x2086 * x2158;
+  const Real x2166 = cosine[14] * x2162;
+  const Real x2172 = cosine[14] * x2116 - sine[14] * x2122;
+  const Real x2175 = sine[14] * x2116 + cosine[14] * x2122;
+  const Real x2180 = cosine[14] * (x2110 - x2119) - x2113 * x2158;
+  const Real x2183 = x2113 + sine[14] * x2180;
+  const Real x2184 = cosine[14] * x2180;
+  const Real x2186 = x2110 - x2184;
+  const Real x2187 = 0.11 * x2175;
+  const Real x2189 = x2089 - x2153 + x2187;
+  const Real x2190 = 0.11 * x2186;
+  const Real x2194 = x2142 + 0.11 * x2125;
+  const Real x2210 = x2086 + sine[14] * x2162 + 0.11 * x2139;
+  const Real x2213 = 0.11 * x2151;
+  const Real x2228 = sine[14] * x2131 + cosine[14] * x2133;
+  const Real x2205 = x2083 - x2166 + (0.11 * x2142 + 0.11 * x2194);
+  const Real x2239 = x2098 + x2166 + 0.00064;
+  require_more(w, x2239, 0.0, kFactorization, 26);
+  const Real x2231 = sine[14] * x2127 + cosine[14] * x2129 + 0.11 * x2135;
+  // joint 26 "right_shoulder_yaw": articulated-body inertia and bias force through it
+  const Real x2250 = 1 / x2239;
+  const Real x2251 = tau[31] - (cosine[14] * x2127 - sine[14] * x2129 + x1619);
+  const Real x2252 = x2250 * x2251;
+  w.x[102] = x2252;
+  const Real x2253 = x2210 * x2250;
+  w.x[103] = x2253;
+  const Real x2254 = x2213 * x2250;
+  w.x[104] = x2254;
+  const Real x2256 = x2151 * x2250;
+  w.x[105] = x2256;
+  const Real x2257 = x2139 * x2250;
+  w.x[106] = x2257;
+  const Real x2258 = x2154 * x2250;
+  w.x[107] = x2258;
+  const Real x2261 = 0.0036266700000000002 + x2205 - x2210 * x2253;
+  const Real x2264 = x2210 * x2254 - 0.11 * x2189;
+  const Real x2267 = x2189 - x2210 * x2256;
+  const Real x2270 = 0.04000000000000001 + x2194 - x2210 * x2257;
+  const Real x2273 = x2101 + x2149 + 0.11 * x2172 - x2210 * x2258;
+  const Real x2276 = 0.0036266700000000002 + 0.11 * x2190 - x2213 * x2254;
+  const Real x2279 = -0.04000000000000001 - x2190 + x2213 * x2256;
+  const Real x2282 = x2213 * x2257 - x2187;
+  const Real x2285 = x2213 * x2258 - 0.11 * x2183;
+  const Real x2288 = 0.8 + x2186 - x2151 * x2256;
+  const Real x2291 = x2175 - x2151 * x2257;
+  const Real x2294 = x2183 - x2151 * x2258;
+  const Real x2297 = 0.8 + x2125 - x2139 * x2257;
+  const Real x2300 = x2172 - x2139 * x2258;
+  const Real x2305 = x1623 + x2231 + x2210 * x2252;
+  const Real x2308 = tau[32] - 0.11 * x2228 + x1626 - x2213 * x2252;
+  const Real x2310 = x1630 + x2228 + x2151 * x2252;
+  const Real x2312 = x1634 + x2135 + x2139 * x2252;
+  // joint 27 "right_elbow": articulated-body inertia and bias force through it
+  const Real x2248 = cosine[14] * x2131 - sine[14] * x2133 + x1638;
+  // joint 26 "right_shoulder_yaw": articulated-body inertia and bias force through it
+  const Real x2327 = cosine[13] * (x2267 - x2282) - sine[13] * (x2270 + x2279);
+  const Real x2328 = sine[13] * x2327;
+  const Real x2330 = x2270 + x2328;
+  const Real x2331 = x2279 + x2328;
+  const Real x2332 = cosine[13] * x2327;
+  const Real x2333 = x2282 + x2332;
+  const Real x2337 = 2.0 * sine[13];
+  const Real x2341 = cosine[13] * (x2261 - x2276) - x2264 * x2337;
+  const Real x2345 = cosine[13] * x2341;
+  const Real x2351 = cosine[13] * x2294 - sine[13] * x2300;
+  const Real x2354 = sine[13] * x2294 + cosine[13] * x2300;
+  const Real x2359 = cosine[13] * (x2288 - x2297) - x2291 * x2337;
+  const Real x2362 = x2291 + sine[13] * x2359;
+  const Real x2363 = cosine[13] * x2359;
+  const Real x2364 = x2297 + x2363;
+  const Real x2365 = x2288 - x2363;
+  const Real x2366 = 0.1 * x2362;
+  const Real x2368 = x2267 - x2332 - x2366;
+  const Real x2371 = x2330 + 0.1 * x2365;
+  const Real x2380 = x2331 - 0.1 * x2364;
+  const Real x2381 = x2333 + x2366;
+  const Real x2392 = x2264 + sine[13] * x2341 - 0.1 * x2333;
+  const Real x2393 = 0.1 * x2368 + x2392;
+  const Real x2410 = cosine[13] * x2310 - sine[13] * x2312;
+  const Real x2413 = sine[13] * x2310 + cosine[13] * x2312;
+  const Real x2387 = x2261 - x2345 - 0.1 * x2331 - 0.1 * x2380;
+  const Real x2399 = x2276 + x2345 + 0.1 * x2330 + 0.1 * x2371;
+  const Real x2422 = 0.0014 + x2399;
+  require_more(w, x2422, 0.0, kFactorization, 25);
+  const Real x2423 = 0.020999999999999998 + x2371;
+  const Real x2377 = cosine[13] * x2273 - sine[13] * x2285 + 0.1 * x2354;
+  const Real x2424 = -0.006999999999999999 + x2377;
+  const Real x2416 = sine[13] * x2305 + cosine[13] * x2308 - 0.1 * x2410;
+  const Real x2429 = x1582 + tau[31];
+  const Real x2419 = cosine[13] * x2305 - sine[13] * x2308 + 0.1 * x2413;
+  // joint 25 "right_shoulder_roll": articulated-body inertia and bias force through it
+  const Real x2435 = 1 / x2422;
+  const Real x2437 = x2435 * (tau[30] - (x1588 + x2419));
+  w.x[108] = x2437;
+  const Real x2438 = x2393 * x2435;
+  w.x[109] = x2438;
+  const Real x2439 = x2423 * x2435;
+  w.x[110] = x2439;
+  const Real x2440 = x2424 * x2435;
+  w.x[111] = x2440;
+  const Real x2441 = x2381 * x2435;
+  w.x[112] = x2441;
+  const Real x2444 = 0.0013299999999999998 + x2387 - x2393 * x2438;
+  const Real x2447 = x2368 - x2393 * x2439;
+  // joint 26 "right_shoulder_yaw": articulated-body inertia and bias force through it
+  const Real x2374 = sine[13] * x2273 + cosine[13] * x2285 - 0.1 * x2351;
+  // joint 25 "right_shoulder_roll": articulated-body inertia and bias force through it
+  const Real x2450 = x2374 - x2393 * x2440;
+  const Real x2453 = -0.020999999999999998 + x2380 - x2393 * x2441;
+  const Real x2456 = 0.7 + x2365 - x2423 * x2439;
+  const Real x2459 = x2354 - x2423 * x2440;
+  const Real x2462 = x2362 - x2423 * x2441;
+  // joint 26 "right_shoulder_yaw": articulated-body inertia and bias force through it
+  const Real x2426 = x2119 + x2184 + 0.8 - x2154 * x2258 + 0.7;
+  // joint 25 "right_shoulder_roll": articulated-body inertia and bias force through it
+  const Real x2465 = x2426 - x2424 * x2440;
+  const Real x2468 = x2351 - x2424 * x2441;
+  const Real x2471 = 0.7 + x2364 - x2381 * x2441;
+  const Real x2473 = x1579 + x2416 + x2393 * x2437;
+  const Real x2475 = x1595 + x2413 + x2423 * x2437;
+  const Real x2477 = x2248 + x2154 * x2252 + x1602 + x2424 * x2437;
+  const Real x2479 = x1609 + x2410 + x2381 * x2437;
+  const Real x2483 = cosine[12] * x2453 - sine[12] * 0.006999999999999999;
+  const Real x2486 = sine[12] * x2453 + cosine[12] * 0.006999999999999999;
+  const Real x2490 = cosine[12] * x2447 - sine[12] * x2450;
+  const Real x2491 = sine[12] * x2490;
+  const Real x2493 = x2450 + x2491;
+  const Real x2494 = cosine[12] * x2490;
+  const Real x2498 = 2.0 * sine[12];
+  const Real x2502 = cosine[12] * (x2444 - 0.00077) + 0.00020999999999999998 * x2498;
+  const Real x2506 = cosine[12] * x2502;
+  const Real x2512 = cosine[12] * x2462 - sine[12] * x2468;
+  const Real x2515 = sine[12] * x2462 + cosine[12] * x2468;
+  const Real x2520 = cosine[12] * (x2456 - x2465) - x2459 * x2498;
+  const Real x2523 = x2459 + sine[12] * x2520;
+  const Real x2524 = cosine[12] * x2520;
+  const Real x2526 = x2456 - x2524;
+  const Real x2527 = 0.05 * x2515;
+  const Real x2529 = x2447 - x2494 + x2527;
+  const Real x2530 = 0.05 * x2526;
+  const Real x2534 = x2486 + 0.05 * x2471;
+  const Real x2550 = -0.00020999999999999998 + sine[12] * x2502 + 0.05 * x2483;
+  const Real x2553 = 0.05 * x2493;
+  const Real x2568 = sine[12] * x2475 + cosine[12] * x2477;
+  const Real x2545 = x2444 - x2506 + (0.05 * x2486 + 0.05 * x2534);
+  const Real x2579 = 0.00077 + x2506 + 0.00064;
+  require_more(w, x2579, 0.0, kFactorization, 24);
+  const Real x2571 = sine[12] * x2473 + cosine[12] * x2429 + 0.05 * x2479;
+  // joint 24 "right_shoulder_pitch": articulated-body inertia and bias force through it
+  const Real x2590 = 1 / x2579;
+  const Real x2591 = tau[29] - (cosine[12] * x2473 - sine[12] * x2429 + x1150);
+  const Real x2592 = x2590 * x2591;
+  w.x[113] = x2592;
+  const Real x2593 = x2550 * x2590;
+  w.x[114] = x2593;
+  const Real x2594 = x2553 * x2590;
+  w.x[115] = x2594;
+  const Real x2596 = x2493 * x2590;
+  w.x[116] = x2596;
+  const Real x2597 = x2483 * x2590;
+  w.x[117] = x2597;
+  const Real x2598 = x2494 * x2590;
+  w.x[118] = x2598;
+  const Real x2601 = 0.001366667 + x2545 - x2550 * x2593;
+  const Real x2604 = x2550 * x2594 - 0.05 * x2529;
+  const Real x2607 = x2529 - x2550 * x2596;
+  const Real x2610 = 0.024 + x2534 - x2550 * x2597;
+  const Real x2613 = x2491 + 0.05 * x2512 - x2550 * x2598;
+  const Real x2616 = 0.001366667 + 0.05 * x2530 - x2553 * x2594;
+  const Real x2619 = -0.024 - x2530 + x2553 * x2596;
+  const Real x2622 = x2553 * x2597 - x2527;
+  const Real x2625 = x2553 * x2598 - 0.05 * x2523;
+  const Real x2628 = 0.8 + x2526 - x2493 * x2596;
+  const Real x2631 = x2515 - x2493 * x2597;
+  const Real x2634 = x2523 - x2493 * x2598;
+  const Real x2637 = 0.8 + x2471 - x2483 * x2597;
+  const Real x2640 = x2512 - x2483 * x2598;
+  const Real x2643 = x2465 + x2524 + 0.8 - x2494 * x2598;
+  const Real x2645 = x1538 + x2571 + x2550 * x2592;
+  const Real x2648 = tau[30] - 0.05 * x2568 + x1541 - x2553 * x2592;
+  const Real x2650 = x1545 + x2568 + x2493 * x2592;
+  const Real x2652 = x1549 + x2479 + x2483 * x2592;
+  // joint 25 "right_shoulder_roll": articulated-body inertia and bias force through it
+  const Real x2588 = cosine[12] * x2475 - sine[12] * x2477 + x1553;
+  // joint 24 "right_shoulder_pitch": articulated-body inertia and bias force through it
+  const Real x2654 = x2588 + x2494 * x2592;
+  const Real x2661 = sine[11] * x2613 + cosine[11] * x2625;
+  const Real x2667 = cosine[11] * (x2607 - x2622) - sine[11] * (x2610 + x2619);
+  const Real x2668 = sine[11] * x2667;
+  const Real x2670 = x2610 + x2668;
+  const Real x2671 = x2619 + x2668;
+  const Real x2672 = cosine[11] * x2667;
+  const Real x2674 = x2607 - x2672;
+  const Real x2677 = 2.0 * sine[11];
+  const Real x2681 = cosine[11] * (x2601 - x2616) - x2604 * x2677;
+  const Real x2685 = cosine[11] * x2681;
+  const Real x2691 = cosine[11] * x2634 - sine[11] * x2640;
+  const Real x2694 = sine[11] * x2634 + cosine[11] * x2640;
+  const Real x2699 = cosine[11] * (x2628 - x2637) - x2631 * x2677;
+  const Real x2702 = x2631 + sine[11] * x2699;
+  const Real x2703 = cosine[11] * x2699;
+  const Real x2704 = x2637 + x2703;
+  const Real x2705 = x2628 - x2703;
+  const Real x2706 = 0.15 * x2702;
+  const Real x2708 = x2622 + x2672 + x2706;
+  w.x[119] = x2708;
+  const Real x2714 = x2671 - 0.29 * x2691 - 0.15 * x2704;
+  const Real x2718 = x2670 + 0.15 * x2705;
+  w.x[120] = x2718;
+  const Real x2719 = 0.29 * x2694;
+  const Real x2722 = x2674 - x2719 - x2706;
+  const Real x2723 = 0.29 * x2705;
+  const Real x2726 = cosine[11] * x2613 - sine[11] * x2625 + 0.15 * x2694;
+  const Real x2732 = x2661 - 0.29 * x2643 - 0.15 * x2691;
+  const Real x2745 = x2604 + sine[11] * x2681 - 0.29 * x2726;
+  const Real x2748 = 0.29 * x2718;
+  w.x[121] = x2748;
+  const Real x2758 = x2601 - x2685 - 0.29 * x2661 - 0.29 * x2732;
+  const Real x2773 = cosine[11] * x2650 - sine[11] * x2652;
+  const Real x2776 = sine[11] * x2650 + cosine[11] * x2652;
+  const Real x2784 = sine[11] * x2645 + cosine[11] * x2648 - 0.29 * x2654;
+  const Real x2738 = x2616 + x2685 + 0.15 * x2670 + 0.15 * x2718;
+  const Real x2788 = 0.0832833 + x2738;
+  w.x[122] = x2788;
+  const Real x2789 = 0.15 * x2674 + x2745 - 0.15 * x2708 + -0.01615;
+  w.x[123] = x2789;
+  const Real x2790 = 0.095 + x2726;
+  w.x[124] = x2790;
+  const Real x2779 = cosine[11] * x2645 - sine[11] * x2648 + 0.15 * x2776;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x2808 = 35.49119818285065 * (tau[28] - x1508);
+  w.x[125] = x2808;
+  const Real x2821 = x1514 - 0.048 * x2808;
+  const Real x2823 = x1520 + 0.216 * x2808;
+  const Real x2827 = cosine[10] * 0.048 + sine[10] * 0.216;
+  const Real x2831 = sine[10] * 0.048 - cosine[10] * 0.216;
+  const Real x2832 = 2.0 * sine[10];
+  const Real x2839 = 0.00432 * x2832 - cosine[10] * 0.018479999999999996;
+  const Real x2843 = cosine[10] * x2839;
+  const Real x2850 = cosine[10] * 1.574105621805792 - 0.3679727427597956 * x2832;
+  const Real x2853 = 0.3679727427597956 + sine[10] * x2850;
+  const Real x2854 = cosine[10] * x2850;
+  const Real x2856 = 2.318228279386712 - x2854;
+  const Real x2857 = 0.06 * x2856;
+  const Real x2860 = x2831 + -0.144;
+  const Real x2861 = 0.06 * x2853;
+  const Real x2871 = -0.00432 + sine[10] * x2839 - 0.06 * x2827;
+  const Real x2886 = sine[10] * x2821 + cosine[10] * x2823;
+  const Real x2868 = 0.008736 - x2843 - (0.06 * x2831 + 0.06 * x2860);
+  const Real x2894 = 0.00037000000000000005 + 0.06 * x2857;
+  const Real x2895 = 0.008 + x2857;
+  const Real x2896 = 0.027215999999999997 + x2843 + 0.00018;
+  require_more(w, x2896, 0.0, kFactorization, 22);
+  const Real x2897 = 0.4 + x2856;
+  const Real x2889 = sine[10] * x1500 + cosine[10] * x1503 - 0.06 * x1525;
+  const Real x2901 = tau[28] + 0.06 * x2886 + x1450;
+  const Real x2903 = x1453 + x2886;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x2907 = 1 / x2896;
+  const Real x2908 = tau[27] - (cosine[10] * x1500 - sine[10] * x1503 + x1444);
+  const Real x2909 = x2907 * x2908;
+  w.x[126] = x2909;
+  const Real x2910 = x2871 * x2907;
+  w.x[127] = x2910;
+  const Real x2911 = x2827 * x2907;
+  w.x[128] = x2911;
+  const Real x2914 = 0.00037000000000000005 + x2868 - x2871 * x2910;
+  const Real x2917 = -0.008 + x2860 - x2871 * x2911;
+  const Real x2920 = 2.8 - x2827 * x2911;
+  const Real x2922 = x1448 + x2889 + x2871 * x2909;
+  const Real x2924 = x1456 + x1525 + x2827 * x2909;
+  const Real x2929 = sine[9] * (x2895 + x2917);
+  const Real x2931 = sine[9] * x2929;
+  const Real x2933 = x2917 - x2931;
+  const Real x2934 = x2895 - x2931;
+  const Real x2935 = cosine[9] * x2929;
+  const Real x2938 = cosine[9] * (x2914 - x2894);
+  const Real x2943 = cosine[9] * x2938;
+  const Real x2946 = cosine[9] * x2853;
+  const Real x2947 = sine[9] * x2853;
+  const Real x2949 = cosine[9] * (x2897 - x2920);
+  const Real x2950 = sine[9] * x2949;
+  const Real x2952 = cosine[9] * x2949;
+  const Real x2953 = x2920 + x2952;
+  const Real x2954 = x2897 - x2952;
+  const Real x2963 = x2935 + 0.38 * x2950;
+  const Real x2966 = x2934 + 0.38 * x2953;
+  const Real x2969 = x2933 - 0.38 * x2954;
+  const Real x2996 = cosine[9] * x2903 - sine[9] * x2924;
+  const Real x2999 = sine[9] * x2903 + cosine[9] * x2924;
+  // joint 24 "right_shoulder_pitch": articulated-body inertia and bias force through it
+  const Real x2791 = x2758 - 0.15 * x2671 - 0.15 * x2714 + 0.42813300000000004;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x2975 = x2894 + x2943 - 0.38 * x2933 - 0.38 * x2969;
+  const Real x3005 = x2791 + x2975;
+  w.x[129] = x3005;
+  const Real x2981 = sine[9] * x2938 - 0.38 * x2935 - 0.38 * x2963;
+  const Real x3006 = 0.29 * x2722 + x2981;
+  w.x[130] = x3006;
+  const Real x3007 = x2714 - (sine[9] * x2861 + 0.38 * x2947);
+  w.x[131] = x3007;
+  const Real x3008 = x2722 - x2963;
+  w.x[132] = x3008;
+  const Real x3009 = -1.6150000000000002 + x2732 + x2969;
+  w.x[133] = x3009;
+  const Real x2985 = x2914 - x2943 + 0.38 * x2934 + 0.38 * x2966;
+  const Real x3010 = 0.38728300000000004 + 0.29 * x2723 + x2985;
+  w.x[134] = x3010;
+  const Real x2960 = cosine[9] * x2861 + 0.38 * x2946;
+  const Real x3011 = -0.095 + 0.29 * x2702 + x2960;
+  w.x[135] = x3011;
+  const Real x3012 = 1.6150000000000002 + x2723 + x2966;
+  w.x[136] = x3012;
+  const Real x3013 = x2719 + x2963;
+  w.x[137] = x3013;
+  const Real x3014 = 9.5 + x2704 + (0.74412265758092 + x2854 + 0.4);
+  w.x[138] = x3014;
+  const Real x3015 = x2702 + x2946;
+  w.x[139] = x3015;
+  const Real x3016 = x2691 + x2947;
+  w.x[140] = x3016;
+  const Real x3017 = 9.5 + x2705 + x2953;
+  w.x[141] = x3017;
+  const Real x3018 = x2694 + x2950;
+  w.x[142] = x3018;
+  const Real x3019 = 9.5 + x2643 + x2954;
+  w.x[143] = x3019;
+  const Real x3020 = x1797 + x2779 + tau[27];
+  w.x[144] = x3020;
+  const Real x3002 = cosine[9] * x2922 - sine[9] * x2901 - 0.38 * x2999;
+  const Real x3021 = x2784 - 0.15 * x2773 + x1800 + x3002;
+  w.x[145] = x3021;
+  const Real x3004 = sine[9] * x2922 + cosine[9] * x2901 + 0.38 * x2996;
+  const Real x3022 = tau[29] + 0.29 * x2776 + x1805 + x3004;
+  w.x[146] = x3022;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x2905 = cosine[10] * x2821 - sine[10] * x2823 + x1460;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3023 = x1811 + x2773 + x2905;
+  w.x[147] = x3023;
+  const Real x3024 = x1817 + x2776 + x2996;
+  w.x[148] = x3024;
+  const Real x3025 = x1822 + x2654 + x2999;
+  w.x[149] = x3025;
+  // joint 21 "left_wrist_pitch": articulated-body inertia and bias force through it
+  const Real x3028 = 499.16813630085466 * (tau[26] - x1414);
+  w.x[150] = x3028;
+  const Real x3031 = x1422 - 0.024 * x3028;
+  w.x[151] = x3031;
+  const Real x3032 = sine[8] * 0.024;
+  w.x[152] = x3032;
+  const Real x3034 = cosine[8] * 0.024;
+  const Real x3037 = cosine[8] * 0.0018366659999999998;
+  const Real x3039 = sine[8] * x3037;
+  w.x[153] = x3039;
+  const Real x3041 = cosine[8] * x3037;
+  const Real x3043 = 0.002133333 - x3041;
+  w.x[154] = x3043;
+  const Real x3045 = cosine[8] * 0.28752084650929227;
+  const Real x3046 = sine[8] * x3045;
+  w.x[155] = x3046;
+  const Real x3048 = cosine[8] * x3045;
+  const Real x3049 = 0.11247915349070774 + x3048;
+  w.x[156] = x3049;
+  const Real x3050 = 0.4 - x3048;
+  w.x[157] = x3050;
+  const Real x3051 = 0.04 * x3050;
+  w.x[158] = x3051;
+  const Real x3053 = 0.016 + x3034;
+  w.x[159] = x3053;
+  const Real x3054 = 0.04 * x3046;
+  w.x[160] = x3054;
+  const Real x3061 = 0.000296667 + x3041 + 0.04 * x3034 + 0.04 * x3053;
+  w.x[161] = x3061;
+  const Real x3062 = 0.04 * x3032;
+  w.x[162] = x3062;
 }
 
-// A planar joint: along x and y, then about z.
-template <bool reversed>
-ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, Body<Value>& X) {
-  Memory& memory = w.memory(joints);
-  const Value* tau = w.tau + joints.any().v;
-  const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
-  const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
-  const Vector<Value> none{};
-  const auto told = [](const Value& torque) { return reversed ? -torque : torque; };
-  if constexpr (reversed) shift(X, -memory.r);
-  const auto nothing = [](const Body<Value>&) {};
-  eliminate<true, false>(w, joints, X, x, none, told(tau[0]), memory.e, nothing);
-  eliminate<true, false>(w, joints, X, y, none, told(tau[1]), memory.e + 8, nothing);
-  eliminate<false, false>(w, joints, X, z, none, told(tau[2]), memory.e + 16, nothing);
-  if constexpr (!reversed) shift(X, memory.r);
+ADAGEN_NOINLINE void part_1_2(Workspace& w) {
+  ADAGEN_INPUTS
+  const Real x1150 = w.x[6];
+  const Real x1154 = w.x[7];
+  const Real x1156 = w.x[8];
+  const Real x1159 = w.x[9];
+  const Real x1162 = w.x[10];
+  const Real x1166 = w.x[11];
+  const Real x1208 = w.x[12];
+  const Real x1211 = w.x[13];
+  const Real x1216 = w.x[14];
+  const Real x1224 = w.x[15];
+  const Real x1230 = w.x[16];
+  const Real x1236 = w.x[17];
+  const Real x1253 = w.x[18];
+  const Real x1257 = w.x[19];
+  const Real x1260 = w.x[20];
+  const Real x1264 = w.x[21];
+  const Real x1268 = w.x[22];
+  const Real x1272 = w.x[23];
+  const Real x1313 = w.x[24];
+  const Real x1316 = w.x[25];
+  const Real x1322 = w.x[26];
+  const Real x1328 = w.x[27];
+  const Real x1336 = w.x[28];
+  const Real x1342 = w.x[29];
+  const Real x1362 = w.x[30];
+  const Real x1366 = w.x[31];
+  const Real x1369 = w.x[32];
+  const Real x1373 = w.x[33];
+  const Real x1377 = w.x[34];
+  const Real x1381 = w.x[35];
+  const Real x1396 = w.x[36];
+  const Real x1411 = w.x[37];
+  const Real x1418 = w.x[39];
+  const Real x1426 = w.x[41];
+  const Real x2708 = w.x[119];
+  const Real x2718 = w.x[120];
+  const Real x2748 = w.x[121];
+  const Real x2788 = w.x[122];
+  const Real x2789 = w.x[123];
+  const Real x2790 = w.x[124];
+  const Real x3005 = w.x[129];
+  const Real x3006 = w.x[130];
+  const Real x3007 = w.x[131];
+  const Real x3008 = w.x[132];
+  const Real x3009 = w.x[133];
+  const Real x3010 = w.x[134];
+  const Real x3011 = w.x[135];
+  const Real x3012 = w.x[136];
+  const Real x3013 = w.x[137];
+  const Real x3014 = w.x[138];
+  const Real x3015 = w.x[139];
+  const Real x3016 = w.x[140];
+  const Real x3017 = w.x[141];
+  const Real x3018 = w.x[142];
+  const Real x3019 = w.x[143];
+  const Real x3020 = w.x[144];
+  const Real x3021 = w.x[145];
+  const Real x3022 = w.x[146];
+  const Real x3023 = w.x[147];
+  const Real x3024 = w.x[148];
+  const Real x3025 = w.x[149];
+  const Real x3031 = w.x[151];
+  const Real x3032 = w.x[152];
+  const Real x3039 = w.x[153];
+  const Real x3043 = w.x[154];
+  const Real x3046 = w.x[155];
+  const Real x3049 = w.x[156];
+  const Real x3050 = w.x[157];
+  const Real x3051 = w.x[158];
+  const Real x3053 = w.x[159];
+  const Real x3054 = w.x[160];
+  const Real x3061 = w.x[161];
+  const Real x3062 = w.x[162];
+  // joint 21 "left_wrist_pitch": articulated-body inertia and bias force through it
+  const Real x3064 = x3039 + x3062;
+  const Real x3081 = sine[8] * x1418 + cosine[8] * x3031;
+  const Real x3090 = 0.00010666669999999999 + 0.04 * x3051;
+  const Real x3091 = -0.002 - x3051;
+  const Real x3092 = 9e-05 + x3043;
+  require_more(w, x3092, 0.0, kFactorization, 20);
+  const Real x3093 = 0.2 + x3050;
+  const Real x3094 = 0.2 + x3049;
+  const Real x3084 = sine[8] * x1396 + cosine[8] * x1411 + 0.04 * x1426;
+  const Real x3096 = tau[26] - 0.04 * x3081 + x1369;
+  const Real x3098 = x1373 + x3081;
+  const Real x3100 = cosine[8] * x1418 - sine[8] * x3031 + x1381;
+  // joint 20 "left_wrist_roll": articulated-body inertia and bias force through it
+  const Real x3102 = 1 / x3092;
+  const Real x3103 = tau[25] - (cosine[8] * x1396 - sine[8] * x1411 + x1362);
+  const Real x3104 = x3102 * x3103;
+  w.x[5] = x3104;
+  const Real x3105 = x3064 * x3102;
+  w.x[4] = x3105;
+  const Real x3107 = x3032 * x3102;
+  w.x[3] = x3107;
+  const Real x3111 = 0.00010666669999999999 + x3061 - x3064 * x3105;
+  const Real x3114 = 0.002 + x3053 - x3064 * x3107;
+  const Real x3117 = 0.6000000000000001 - x3032 * x3107;
+  const Real x3120 = x1366 + x3084 - x3064 * x3104;
+  const Real x3123 = x1377 + x1426 - x3032 * x3104;
+  const Real x3126 = cosine[7] * x3054;
+  const Real x3129 = sine[7] * (x3091 + x3114);
+  const Real x3131 = sine[7] * x3129;
+  const Real x3133 = x3114 - x3131;
+  const Real x3134 = x3091 - x3131;
+  const Real x3135 = cosine[7] * x3129;
+  const Real x3138 = cosine[7] * (x3111 - x3090);
+  const Real x3143 = cosine[7] * x3138;
+  const Real x3146 = cosine[7] * x3046;
+  const Real x3147 = sine[7] * x3046;
+  const Real x3149 = cosine[7] * (x3093 - x3117);
+  const Real x3150 = sine[7] * x3149;
+  const Real x3152 = cosine[7] * x3149;
+  const Real x3153 = x3117 + x3152;
+  const Real x3154 = x3093 - x3152;
+  const Real x3155 = 0.01 * x3147;
+  const Real x3158 = sine[7] * x3054 + 0.16 * x3147;
+  const Real x3165 = x3126 + 0.16 * x3146 + 0.01 * x3094;
+  const Real x3167 = 0.01 * x3150;
+  const Real x3168 = 0.16 * x3150;
+  const Real x3170 = x3168 - x3135;
+  const Real x3176 = x3134 - 0.01 * x3146 - 0.16 * x3153;
+  const Real x3177 = 0.01 * x3154;
+  const Real x3180 = x3133 + 0.16 * x3154;
+  const Real x3183 = x3135 - x3155 - x3168;
+  const Real x3195 = 0.01 * x3135 - 0.01 * x3155 - 0.16 * x3167;
+  const Real x3209 = sine[7] * x3138 - 0.01 * x3158 + 0.16 * x3135;
+  const Real x3210 = x3209 - 0.16 * x3170;
+  const Real x3220 = x3111 - x3143 + (0.01 * x3126 + 0.01 * x3165);
+  const Real x3233 = cosine[7] * x3098 - sine[7] * x3123;
+  const Real x3236 = sine[7] * x3098 + cosine[7] * x3123;
+  const Real x3229 = sine[7] * x3120 + cosine[7] * x3096;
+  const Real x3201 = x3090 + x3143 + 0.16 * x3133 + 0.16 * x3180;
+  const Real x3254 = x3220 - 0.16 * x3134 - 0.16 * x3176 + 0.005417710000000001;
+  require_more(w, x3254, 0.0, kFactorization, 19);
+  const Real x3255 = -0.013999999999999999 - x3165;
+  const Real x3256 = -0.049 + x3176;
+  const Real x3241 = cosine[7] * x3120 - sine[7] * x3096 + 0.16 * x3236;
+  // joint 19 "left_elbow": articulated-body inertia and bias force through it
+  const Real x3267 = 1 / x3254;
+  // joint 20 "left_wrist_roll": articulated-body inertia and bias force through it
+  const Real x3262 = x3229 - (0.16 * x3233 + 0.01 * x3100) + x1322;
+  // joint 19 "left_elbow": articulated-body inertia and bias force through it
+  const Real x3269 = x3267 * (tau[24] - x3262);
+  w.x[2] = x3269;
+  const Real x3270 = x3195 * x3267;
+  w.x[1] = x3270;
+  const Real x3271 = x3210 * x3267;
+  w.x[0] = x3271;
+  const Real x3272 = x3255 * x3267;
+  w.x[91] = x3272;
+  const Real x3273 = x3256 * x3267;
+  w.x[90] = x3273;
+  const Real x3274 = x3183 * x3267;
+  w.x[89] = x3274;
+  const Real x3277 = 0.00070875 + 0.01 * x3177 - x3195 * x3270;
+  // joint 20 "left_wrist_roll": articulated-body inertia and bias force through it
+  const Real x3250 = 0.01 * x3133 + 0.16 * x3177 + 0.00098;
+  // joint 19 "left_elbow": articulated-body inertia and bias force through it
+  const Real x3280 = x3250 - x3195 * x3271;
+  const Real x3283 = x3155 - x3195 * x3272;
+  const Real x3286 = x3167 - x3195 * x3273;
+  const Real x3289 = 0.013999999999999999 + x3177 - x3195 * x3274;
+  const Real x3292 = 0.00513771 + x3201 - x3210 * x3271;
+  const Real x3295 = x3158 - x3210 * x3272;
+  const Real x3298 = x3170 - x3210 * x3273;
+  const Real x3301 = 0.049 + x3180 - x3210 * x3274;
+  const Real x3304 = 0.7 + x3094 - x3255 * x3272;
+  const Real x3307 = x3146 - x3255 * x3273;
+  const Real x3310 = x3147 - x3255 * x3274;
+  const Real x3313 = 0.7 + x3153 - x3256 * x3273;
+  const Real x3316 = x3150 - x3256 * x3274;
+  const Real x3319 = 0.7 + x3154 - x3183 * x3274;
+  const Real x3321 = tau[25] + 0.01 * x3236 + x1313 + x3195 * x3269;
+  const Real x3323 = x1316 + x3241 + x3210 * x3269;
+  const Real x3325 = x1328 + x3100 + x3255 * x3269;
+  const Real x3327 = x1336 + x3233 + x3256 * x3269;
+  const Real x3329 = x1342 + x3236 + x3183 * x3269;
+  const Real x3333 = cosine[6] * x3289 - sine[6] * x3301;
+  const Real x3336 = sine[6] * x3289 + cosine[6] * x3301;
+  const Real x3342 = cosine[6] * (x3283 - x3298) - sine[6] * (x3286 + x3295);
+  const Real x3343 = sine[6] * x3342;
+  const Real x3345 = x3286 + x3343;
+  const Real x3347 = cosine[6] * x3342;
+  const Real x3348 = x3298 + x3347;
+  const Real x3352 = 2.0 * sine[6];
+  const Real x3356 = cosine[6] * (x3277 - x3292) - x3280 * x3352;
+  const Real x3360 = cosine[6] * x3356;
+  const Real x3366 = cosine[6] * x3310 - sine[6] * x3316;
+  const Real x3369 = sine[6] * x3310 + cosine[6] * x3316;
+  const Real x3374 = cosine[6] * (x3304 - x3313) - x3307 * x3352;
+  const Real x3377 = x3307 + sine[6] * x3374;
+  const Real x3378 = cosine[6] * x3374;
+  const Real x3380 = x3304 - x3378;
+  const Real x3381 = 0.11 * x3369;
+  const Real x3383 = x3283 - x3347 + x3381;
+  const Real x3384 = 0.11 * x3380;
+  const Real x3388 = x3336 + 0.11 * x3319;
+  const Real x3404 = x3280 + sine[6] * x3356 + 0.11 * x3333;
+  const Real x3407 = 0.11 * x3345;
+  const Real x3422 = sine[6] * x3325 + cosine[6] * x3327;
+  const Real x3399 = x3277 - x3360 + (0.11 * x3336 + 0.11 * x3388);
+  const Real x3433 = x3292 + x3360 + 0.00064;
+  require_more(w, x3433, 0.0, kFactorization, 18);
+  const Real x3425 = sine[6] * x3321 + cosine[6] * x3323 + 0.11 * x3329;
+  // joint 18 "left_shoulder_yaw": articulated-body inertia and bias force through it
+  const Real x3444 = 1 / x3433;
+  const Real x3445 = tau[23] - (cosine[6] * x3321 - sine[6] * x3323 + x1253);
+  const Real x3446 = x3444 * x3445;
+  w.x[77] = x3446;
+  const Real x3447 = x3404 * x3444;
+  w.x[76] = x3447;
+  const Real x3448 = x3407 * x3444;
+  w.x[75] = x3448;
+  const Real x3450 = x3345 * x3444;
+  w.x[74] = x3450;
+  const Real x3451 = x3333 * x3444;
+  w.x[73] = x3451;
+  const Real x3452 = x3348 * x3444;
+  w.x[72] = x3452;
+  const Real x3455 = 0.0036266700000000002 + x3399 - x3404 * x3447;
+  const Real x3458 = x3404 * x3448 - 0.11 * x3383;
+  const Real x3461 = x3383 - x3404 * x3450;
+  const Real x3464 = 0.04000000000000001 + x3388 - x3404 * x3451;
+  const Real x3467 = x3295 + x3343 + 0.11 * x3366 - x3404 * x3452;
+  const Real x3470 = 0.0036266700000000002 + 0.11 * x3384 - x3407 * x3448;
+  const Real x3473 = -0.04000000000000001 - x3384 + x3407 * x3450;
+  const Real x3476 = x3407 * x3451 - x3381;
+  const Real x3479 = x3407 * x3452 - 0.11 * x3377;
+  const Real x3482 = 0.8 + x3380 - x3345 * x3450;
+  const Real x3485 = x3369 - x3345 * x3451;
+  const Real x3488 = x3377 - x3345 * x3452;
+  const Real x3491 = 0.8 + x3319 - x3333 * x3451;
+  const Real x3494 = x3366 - x3333 * x3452;
+  const Real x3499 = x1257 + x3425 + x3404 * x3446;
+  const Real x3502 = tau[24] - 0.11 * x3422 + x1260 - x3407 * x3446;
+  const Real x3504 = x1264 + x3422 + x3345 * x3446;
+  const Real x3506 = x1268 + x3329 + x3333 * x3446;
+  // joint 19 "left_elbow": articulated-body inertia and bias force through it
+  const Real x3442 = cosine[6] * x3325 - sine[6] * x3327 + x1272;
+  // joint 18 "left_shoulder_yaw": articulated-body inertia and bias force through it
+  const Real x3521 = cosine[5] * (x3461 - x3476) - sine[5] * (x3464 + x3473);
+  const Real x3522 = sine[5] * x3521;
+  const Real x3524 = x3464 + x3522;
+  const Real x3525 = x3473 + x3522;
+  const Real x3526 = cosine[5] * x3521;
+  const Real x3527 = x3476 + x3526;
+  const Real x3531 = 2.0 * sine[5];
+  const Real x3535 = cosine[5] * (x3455 - x3470) - x3458 * x3531;
+  const Real x3539 = cosine[5] * x3535;
+  const Real x3545 = cosine[5] * x3488 - sine[5] * x3494;
+  const Real x3548 = sine[5] * x3488 + cosine[5] * x3494;
+  const Real x3553 = cosine[5] * (x3482 - x3491) - x3485 * x3531;
+  const Real x3556 = x3485 + sine[5] * x3553;
+  const Real x3557 = cosine[5] * x3553;
+  const Real x3558 = x3491 + x3557;
+  const Real x3559 = x3482 - x3557;
+  const Real x3560 = 0.1 * x3556;
+  const Real x3562 = x3461 - x3526 - x3560;
+  const Real x3565 = x3524 + 0.1 * x3559;
+  const Real x3574 = x3525 - 0.1 * x3558;
+  const Real x3575 = x3527 + x3560;
+  const Real x3586 = x3458 + sine[5] * x3535 - 0.1 * x3527;
+  const Real x3587 = 0.1 * x3562 + x3586;
+  const Real x3604 = cosine[5] * x3504 - sine[5] * x3506;
+  const Real x3607 = sine[5] * x3504 + cosine[5] * x3506;
+  const Real x3581 = x3455 - x3539 - 0.1 * x3525 - 0.1 * x3574;
+  const Real x3593 = x3470 + x3539 + 0.1 * x3524 + 0.1 * x3565;
+  const Real x3616 = 0.0014 + x3593;
+  require_more(w, x3616, 0.0, kFactorization, 17);
+  const Real x3617 = 0.020999999999999998 + x3565;
+  const Real x3571 = cosine[5] * x3467 - sine[5] * x3479 + 0.1 * x3548;
+  const Real x3618 = 0.006999999999999999 + x3571;
+  const Real x3610 = sine[5] * x3499 + cosine[5] * x3502 - 0.1 * x3604;
+  const Real x3623 = x1211 + tau[23];
+  const Real x3613 = cosine[5] * x3499 - sine[5] * x3502 + 0.1 * x3607;
+  // joint 17 "left_shoulder_roll": articulated-body inertia and bias force through it
+  const Real x3629 = 1 / x3616;
+  const Real x3631 = x3629 * (tau[22] - (x1216 + x3613));
+  w.x[70] = x3631;
+  const Real x3632 = x3587 * x3629;
+  w.x[69] = x3632;
+  const Real x3633 = x3617 * x3629;
+  w.x[68] = x3633;
+  const Real x3634 = x3618 * x3629;
+  w.x[67] = x3634;
+  const Real x3635 = x3575 * x3629;
+  w.x[66] = x3635;
+  const Real x3638 = 0.0013299999999999998 + x3581 - x3587 * x3632;
+  const Real x3641 = x3562 - x3587 * x3633;
+  // joint 18 "left_shoulder_yaw": articulated-body inertia and bias force through it
+  const Real x3568 = sine[5] * x3467 + cosine[5] * x3479 - 0.1 * x3545;
+  // joint 17 "left_shoulder_roll": articulated-body inertia and bias force through it
+  const Real x3644 = x3568 - x3587 * x3634;
+  const Real x3647 = -0.020999999999999998 + x3574 - x3587 * x3635;
+  const Real x3650 = 0.7 + x3559 - x3617 * x3633;
+  const Real x3653 = x3548 - x3617 * x3634;
+  const Real x3656 = x3556 - x3617 * x3635;
+  // joint 18 "left_shoulder_yaw": articulated-body inertia and bias force through it
+  const Real x3620 = x3313 + x3378 + 0.8 - x3348 * x3452 + 0.7;
+  // joint 17 "left_shoulder_roll": articulated-body inertia and bias force through it
+  const Real x3659 = x3620 - x3618 * x3634;
+  const Real x3662 = x3545 - x3618 * x3635;
+  const Real x3665 = 0.7 + x3558 - x3575 * x3635;
+  const Real x3667 = x1208 + x3610 + x3587 * x3631;
+  const Real x3669 = x1224 + x3607 + x3617 * x3631;
+  const Real x3671 = x3442 + x3348 * x3446 + x1230 + x3618 * x3631;
+  const Real x3673 = x1236 + x3604 + x3575 * x3631;
+  const Real x3677 = cosine[4] * x3647 + sine[4] * 0.006999999999999999;
+  const Real x3681 = sine[4] * x3647 - cosine[4] * 0.006999999999999999;
+  const Real x3685 = cosine[4] * x3641 - sine[4] * x3644;
+  const Real x3686 = sine[4] * x3685;
+  const Real x3688 = x3644 + x3686;
+  const Real x3689 = cosine[4] * x3685;
+  const Real x3693 = 2.0 * sine[4];
+  const Real x3697 = cosine[4] * (x3638 - 0.00077) - 0.00020999999999999998 * x3693;
+  const Real x3701 = cosine[4] * x3697;
+  const Real x3707 = cosine[4] * x3656 - sine[4] * x3662;
+  const Real x3710 = sine[4] * x3656 + cosine[4] * x3662;
+  const Real x3715 = cosine[4] * (x3650 - x3659) - x3653 * x3693;
+  const Real x3718 = x3653 + sine[4] * x3715;
+  const Real x3719 = cosine[4] * x3715;
+  const Real x3721 = x3650 - x3719;
+  const Real x3722 = 0.05 * x3710;
+  const Real x3724 = x3641 - x3689 - x3722;
+  const Real x3725 = 0.05 * x3721;
+  const Real x3728 = x3681 - 0.05 * x3665;
+  const Real x3743 = 0.00020999999999999998 + sine[4] * x3697 - 0.05 * x3677;
+  const Real x3745 = 0.05 * x3688;
+  const Real x3759 = sine[4] * x3669 + cosine[4] * x3671;
+  const Real x3739 = x3638 - x3701 - (0.05 * x3681 + 0.05 * x3728);
+  const Real x3769 = 0.00077 + x3701 + 0.00064;
+  require_more(w, x3769, 0.0, kFactorization, 16);
+  const Real x3762 = sine[4] * x3667 + cosine[4] * x3623 - 0.05 * x3673;
+  // joint 16 "left_shoulder_pitch": articulated-body inertia and bias force through it
+  const Real x3780 = 1 / x3769;
+  const Real x3781 = tau[21] - (cosine[4] * x3667 - sine[4] * x3623 + x1150);
+  const Real x3782 = x3780 * x3781;
+  w.x[65] = x3782;
+  const Real x3783 = x3743 * x3780;
+  w.x[64] = x3783;
+  const Real x3784 = x3745 * x3780;
+  w.x[63] = x3784;
+  const Real x3785 = x3688 * x3780;
+  w.x[62] = x3785;
+  const Real x3786 = x3677 * x3780;
+  w.x[61] = x3786;
+  const Real x3787 = x3689 * x3780;
+  w.x[60] = x3787;
+  const Real x3790 = 0.001366667 + x3739 - x3743 * x3783;
+  const Real x3793 = 0.05 * x3724 - x3743 * x3784;
+  const Real x3796 = x3724 - x3743 * x3785;
+  const Real x3799 = -0.024 + x3728 - x3743 * x3786;
+  const Real x3802 = x3686 - 0.05 * x3707 - x3743 * x3787;
+  const Real x3805 = 0.001366667 + 0.05 * x3725 - x3745 * x3784;
+  const Real x3808 = 0.024 + x3725 - x3745 * x3785;
+  const Real x3811 = x3722 - x3745 * x3786;
+  const Real x3814 = 0.05 * x3718 - x3745 * x3787;
+  const Real x3817 = 0.8 + x3721 - x3688 * x3785;
+  const Real x3820 = x3710 - x3688 * x3786;
+  const Real x3823 = x3718 - x3688 * x3787;
+  const Real x3826 = 0.8 + x3665 - x3677 * x3786;
+  const Real x3829 = x3707 - x3677 * x3787;
+  const Real x3832 = x3659 + x3719 + 0.8 - x3689 * x3787;
+  const Real x3834 = x1154 + x3762 + x3743 * x3782;
+  const Real x3836 = tau[22] + 0.05 * x3759 + x1156 + x3745 * x3782;
+  const Real x3838 = x1159 + x3759 + x3688 * x3782;
+  const Real x3840 = x1162 + x3673 + x3677 * x3782;
+  // joint 17 "left_shoulder_roll": articulated-body inertia and bias force through it
+  const Real x3778 = cosine[4] * x3669 - sine[4] * x3671 + x1166;
+  // joint 16 "left_shoulder_pitch": articulated-body inertia and bias force through it
+  const Real x3842 = x3778 + x3689 * x3782;
+  const Real x3849 = sine[3] * x3802 + cosine[3] * x3814;
+  const Real x3855 = cosine[3] * (x3796 - x3811) - sine[3] * (x3799 + x3808);
+  const Real x3856 = sine[3] * x3855;
+  const Real x3858 = x3799 + x3856;
+  const Real x3859 = x3808 + x3856;
+  const Real x3860 = cosine[3] * x3855;
+  const Real x3862 = x3796 - x3860;
+  const Real x3865 = 2.0 * sine[3];
+  const Real x3869 = cosine[3] * (x3790 - x3805) - x3793 * x3865;
+  const Real x3873 = cosine[3] * x3869;
+  const Real x3879 = cosine[3] * x3823 - sine[3] * x3829;
+  const Real x3882 = sine[3] * x3823 + cosine[3] * x3829;
+  const Real x3887 = cosine[3] * (x3817 - x3826) - x3820 * x3865;
+  const Real x3890 = x3820 + sine[3] * x3887;
+  const Real x3891 = cosine[3] * x3887;
+  const Real x3892 = x3826 + x3891;
+  const Real x3893 = x3817 - x3891;
+  const Real x3894 = 0.15 * x3890;
+  const Real x3896 = x3811 + x3860 - x3894;
+  const Real x3901 = x3859 - 0.29 * x3879 + 0.15 * x3892;
+  const Real x3905 = x3858 - 0.15 * x3893;
+  const Real x3906 = 0.29 * x3882;
+  const Real x3909 = x3862 - x3906 + x3894;
+  const Real x3910 = 0.29 * x3893;
+  const Real x3913 = cosine[3] * x3802 - sine[3] * x3814 - 0.15 * x3882;
+  const Real x3918 = x3849 - 0.29 * x3832 + 0.15 * x3879;
+  const Real x3930 = x3793 + sine[3] * x3869 - 0.29 * x3913;
+  const Real x3941 = x3790 - x3873 - 0.29 * x3849 - 0.29 * x3918;
+  const Real x3956 = cosine[3] * x3838 - sine[3] * x3840;
+  const Real x3959 = sine[3] * x3838 + cosine[3] * x3840;
+  const Real x3966 = sine[3] * x3834 + cosine[3] * x3836 - 0.29 * x3842;
+  const Real x3924 = x3805 + x3873 - 0.15 * x3858 - 0.15 * x3905;
+  const Real x3970 = x2788 + x3924;
+  w.x[59] = x3970;
+  w.to[1][0] = x3970;
+  const Real x3971 = x3930 - 0.15 * x3862 + 0.15 * x3896 + x2789;
+  w.x[58] = x3971;
+  w.to[1][1] = x3971;
+  const Real x3972 = x2748 + 0.29 * x3905;
+  w.x[57] = x3972;
+  w.to[1][2] = x3972;
+  const Real x3973 = x2708 + x3896;
+  w.x[56] = x3973;
+  w.to[1][3] = x3973;
+  const Real x3974 = x2718 + x3905;
+  w.x[55] = x3974;
+  w.to[1][4] = x3974;
+  const Real x3975 = x2790 + x3913;
+  w.x[54] = x3975;
+  w.to[1][5] = x3975;
+  const Real x3976 = 0.15 * x3859 + x3941 + 0.15 * x3901 + x3005;
+  w.x[53] = x3976;
+  w.to[1][6] = x3976;
+  const Real x3977 = x3006 + 0.29 * x3909;
+  w.x[52] = x3977;
+  w.to[1][7] = x3977;
+  const Real x3978 = x3007 + x3901;
+  w.x[51] = x3978;
+  w.to[1][8] = x3978;
+  const Real x3979 = x3008 + x3909;
+  w.x[50] = x3979;
+  w.to[1][9] = x3979;
+  const Real x3980 = x3009 + x3918;
+  w.x[49] = x3980;
+  w.to[1][10] = x3980;
+  const Real x3981 = x3010 + 0.29 * x3910;
+  w.x[48] = x3981;
+  w.to[1][11] = x3981;
+  const Real x3982 = x3011 + 0.29 * x3890;
+  w.x[47] = x3982;
+  w.to[1][12] = x3982;
+  const Real x3983 = x3012 + x3910;
+  w.x[46] = x3983;
+  w.to[1][13] = x3983;
+  const Real x3984 = x3013 + x3906;
+  w.x[45] = x3984;
+  w.to[1][14] = x3984;
+  const Real x3985 = x3014 + x3892;
+  w.x[44] = x3985;
+  w.to[1][15] = x3985;
+  const Real x3986 = x3015 + x3890;
+  w.x[43] = x3986;
+  w.to[1][16] = x3986;
+  const Real x3987 = x3016 + x3879;
+  w.x[42] = x3987;
+  w.to[1][17] = x3987;
+  const Real x3988 = x3017 + x3893;
+  w.x[40] = x3988;
+  w.to[1][18] = x3988;
+  const Real x3989 = x3018 + x3882;
+  w.x[38] = x3989;
+  w.to[1][19] = x3989;
+  const Real x3990 = x3019 + x3832;
+  w.x[88] = x3990;
+  w.to[1][20] = x3990;
+  const Real x3962 = cosine[3] * x3834 - sine[3] * x3836 - 0.15 * x3959;
+  const Real x3991 = x3020 + x3962;
+  w.x[87] = x3991;
+  w.to[1][21] = x3991;
+  const Real x3992 = 0.15 * x3956 + x3966 + x3021;
+  w.x[86] = x3992;
+  w.to[1][22] = x3992;
+  const Real x3993 = tau[21] + 0.29 * x3959 + x3022;
+  w.x[85] = x3993;
+  w.to[1][23] = x3993;
+  const Real x3994 = x3023 + x3956;
+  w.x[84] = x3994;
+  w.to[1][24] = x3994;
+  const Real x3995 = x3024 + x3959;
+  w.x[83] = x3995;
+  w.to[1][25] = x3995;
+  const Real x3996 = x3025 + x3842;
+  w.x[82] = x3996;
+  w.to[1][26] = x3996;
 }
 
-// One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
-template <bool reversed, class T, class Arrive>
-ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind kind, Body<T>& X,
-                               const Arrive& arrive) {
-  const JointConstants& joint = joints.any();
-  Eliminated<T>& memory = w.memory(joints);
-  const Value* R = w.at(joints.slot, kAxes);
-  const auto freedom = [&] {
-    return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
-  };
-  switch (kind) {
-    case JointKind::kRevolute:
-      eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
-                                 arrive);
-      return;
-    case JointKind::kPrismatic:
-      eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e, arrive);
-      return;
-    case JointKind::kSpherical:
-      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, joints, X);
-      break;
-    case JointKind::kPlanar:
-      if constexpr (kAnyPlanar && kWidth<T> == 1) eliminate_planar<reversed>(w, joints, X);
-      break;
-    case JointKind::kFloating:
-      if constexpr (kAnyFloating && kWidth<T> == 1)
-        set_free<reversed>(w, joints.joint[0], X, memory.r, w.tau + joint.v, memory.e);
-      break;
-  }
-  arrive(X);
+ADAGEN_NOINLINE void part_1_3(Workspace& w) {
+  ADAGEN_INPUTS
+  // joint 0 "__base__": placement, velocity and reference acceleration of its link
+  const Real x20 = q[3] * q[3] + q[4] * q[4] + q[5] * q[5];
+  const Real x21 = q[6] * q[6] + x20;
+  require_length(w, x21, 0);
 }
 
-// Adds to a body what the sweep finds at a link.
-template <int p>
-ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
-  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
-  if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
-  if (role.adds_own) add_bare_link(w, single(link - 1), X);
+ADAGEN_NOINLINE void part_1_4(Workspace& w) {
+  ADAGEN_INPUTS
+  const Real x1826 = w.x[92];
+  const Real x1910 = w.x[93];
+  const Real x1911 = w.x[94];
+  const Real x1913 = w.x[95];
+  const Real x2075 = w.x[96];
+  const Real x2076 = w.x[97];
+  const Real x2077 = w.x[98];
+  const Real x2078 = w.x[99];
+  const Real x2079 = w.x[100];
+  const Real x2080 = w.x[101];
+  const Real x2252 = w.x[102];
+  const Real x2253 = w.x[103];
+  const Real x2254 = w.x[104];
+  const Real x2256 = w.x[105];
+  const Real x2257 = w.x[106];
+  const Real x2258 = w.x[107];
+  const Real x2437 = w.x[108];
+  const Real x2438 = w.x[109];
+  const Real x2439 = w.x[110];
+  const Real x2440 = w.x[111];
+  const Real x2441 = w.x[112];
+  const Real x2592 = w.x[113];
+  const Real x2593 = w.x[114];
+  const Real x2594 = w.x[115];
+  const Real x2596 = w.x[116];
+  const Real x2597 = w.x[117];
+  const Real x2598 = w.x[118];
+  const Real x2808 = w.x[125];
+  const Real x2909 = w.x[126];
+  const Real x2910 = w.x[127];
+  const Real x2911 = w.x[128];
+  const Real x3028 = w.x[150];
+  const Real x3104 = w.x[5];
+  const Real x3105 = w.x[4];
+  const Real x3107 = w.x[3];
+  const Real x3269 = w.x[2];
+  const Real x3270 = w.x[1];
+  const Real x3271 = w.x[0];
+  const Real x3272 = w.x[91];
+  const Real x3273 = w.x[90];
+  const Real x3274 = w.x[89];
+  const Real x3446 = w.x[77];
+  const Real x3447 = w.x[76];
+  const Real x3448 = w.x[75];
+  const Real x3450 = w.x[74];
+  const Real x3451 = w.x[73];
+  const Real x3452 = w.x[72];
+  const Real x3631 = w.x[70];
+  const Real x3632 = w.x[69];
+  const Real x3633 = w.x[68];
+  const Real x3634 = w.x[67];
+  const Real x3635 = w.x[66];
+  const Real x3782 = w.x[65];
+  const Real x3783 = w.x[64];
+  const Real x3784 = w.x[63];
+  const Real x3785 = w.x[62];
+  const Real x3786 = w.x[61];
+  const Real x3787 = w.x[60];
+  const Real x3970 = w.x[59];
+  const Real x3971 = w.x[58];
+  const Real x3972 = w.x[57];
+  const Real x3973 = w.x[56];
+  const Real x3974 = w.x[55];
+  const Real x3975 = w.x[54];
+  const Real x3976 = w.x[53];
+  const Real x3977 = w.x[52];
+  const Real x3978 = w.x[51];
+  const Real x3979 = w.x[50];
+  const Real x3980 = w.x[49];
+  const Real x3981 = w.x[48];
+  const Real x3982 = w.x[47];
+  const Real x3983 = w.x[46];
+  const Real x3984 = w.x[45];
+  const Real x3985 = w.x[44];
+  const Real x3986 = w.x[43];
+  const Real x3987 = w.x[42];
+  const Real x3988 = w.x[40];
+  const Real x3989 = w.x[38];
+  const Real x3990 = w.x[88];
+  const Real x3991 = w.x[87];
+  const Real x3992 = w.x[86];
+  const Real x3993 = w.x[85];
+  const Real x3994 = w.x[84];
+  const Real x3995 = w.x[83];
+  const Real x3996 = w.x[82];
+  // message received
+  const Real x3997 = w.from[0][0];
+  const Real x3998 = w.from[0][1];
+  const Real x4002 = w.from[0][5];
+  const Real x3999 = w.from[0][2];
+  const Real x4003 = w.from[0][6];
+  const Real x4006 = w.from[0][9];
+  const Real x4000 = w.from[0][3];
+  const Real x4004 = w.from[0][7];
+  const Real x4007 = w.from[0][10];
+  const Real x4001 = w.from[0][4];
+  const Real x4009 = w.from[0][12];
+  const Real x4005 = w.from[0][8];
+  const Real x4008 = w.from[0][11];
+  const Real x4010 = w.from[0][13];
+  const Real x4027 = w.from[0][15];
+  const Real x4028 = w.from[0][16];
+  const Real x4011 = w.from[0][14];
+  const Real x4029 = w.from[0][17];
+  const Real x4030 = w.from[0][18];
+  const Real x4031 = w.from[0][19];
+  const Real x4032 = w.from[0][20];
+  const Real x4026 = x3990 + x4011;
+  const Real x4016 = x3975 + x4001;
+  const Real x4014 = x3973 + x3999;
+  const Real x4021 = x3985 + x4006;
+  const Real x4015 = x3974 + x4000;
+  const Real x4024 = x3988 + x4009;
+  const Real x4012 = x3970 + x3997;
+  require_more(w, x4012, 0.0, kFactorization, 15);
+  const Real x4013 = x3971 + x3998;
+  const Real x4033 = x3991 + x4027;
+  const Real x4017 = x3976 + x4002;
+  // link 16 "torso": acceleration from its articulated-body inertia
+  const Real x4170 = x4026 * 1.7763568394002505e-15;
+  const Real x4168 = x4021 * 1.7763568394002505e-15;
+  const Real x4169 = x4024 * 1.7763568394002505e-15;
+  const Real x4167 = x3981 * 1.7763568394002505e-15;
+  const Real x4039 = 1 / x4012;
+  const Real x4166 = x4017 * 1.7763568394002505e-15;
+  const Real x4040 = x4013 * x4039;
+  const Real x4041 = x3972 * x4039;
+  const Real x4042 = x4014 * x4039;
+  const Real x4043 = x4015 * x4039;
+  const Real x4044 = x4016 * x4039;
+  const Real x4047 = x4017 - x4013 * x4040;
+  require_more(w, x4047, x4166, kFactorization, 15);
+  const Real x4050 = x3977 - x3972 * x4040;
+  const Real x4053 = x3978 + x4003 - x4014 * x4040;
+  const Real x4056 = x3979 + x4004 - x4015 * x4040;
+  const Real x4059 = x3980 + x4005 - x4016 * x4040;
+  const Real x4060 = 1 / x4047;
+  const Real x4179 = x4033 * x4040 - (x3992 + x4028);
+  const Real x4061 = x4050 * x4060;
+  const Real x4062 = x4053 * x4060;
+  const Real x4063 = x4056 * x4060;
+  const Real x4064 = x4059 * x4060;
+  const Real x4070 = x3981 - x3972 * x4041 - x4050 * x4061;
+  require_more(w, x4070, x4167, kFactorization, 15);
+  const Real x4076 = x3982 - x4014 * x4041 - x4053 * x4061;
+  const Real x4082 = x3983 - x4015 * x4041 - x4056 * x4061;
+  const Real x4088 = x3984 - x4016 * x4041 - x4059 * x4061;
+  const Real x4185 = x4033 * x4041 - (x3993 + x4029) - x4061 * x4179;
+  const Real x4089 = 1 / x4070;
+  const Real x4090 = x4076 * x4089;
+  const Real x4091 = x4082 * x4089;
+  const Real x4092 = x4088 * x4089;
+  const Real x4100 = x4021 - x4014 * x4042 - x4053 * x4062;
+  const Real x4101 = x4100 - x4076 * x4090;
+  require_more(w, x4101, x4168, kFactorization, 15);
+  const Real x4109 = x3986 + x4007 - x4015 * x4042 - x4056 * x4062;
+  const Real x4110 = x4109 - x4082 * x4090;
+  const Real x4132 = x4024 - x4015 * x4043 - x4056 * x4063;
+  const Real x4118 = x3987 + x4008 - x4016 * x4042 - x4059 * x4062;
+  const Real x4119 = x4118 - x4088 * x4090;
+  const Real x4144 = x3989 + x4010 - x4016 * x4043 - x4059 * x4063;
+  const Real x4160 = x4026 - x4016 * x4044 - x4059 * x4064;
+  const Real x4193 = x4033 * x4042 - (x3994 + x4030) - x4062 * x4179;
+  const Real x4194 = x4193 - x4090 * x4185;
+  const Real x4204 = x4033 * x4043 - (x3995 + x4031) - x4063 * x4179;
+  const Real x4218 = x4033 * x4044 - (x3996 + x4032) - x4064 * x4179;
+  const Real x4120 = 1 / x4101;
+  const Real x4121 = x4110 * x4120;
+  const Real x4122 = x4119 * x4120;
+  const Real x4134 = x4132 - x4082 * x4091 - x4110 * x4121;
+  require_more(w, x4134, x4169, kFactorization, 15);
+  const Real x4146 = x4144 - x4088 * x4091 - x4119 * x4121;
+  const Real x4206 = x4204 - x4091 * x4185 - x4121 * x4194;
+  const Real x4147 = 1 / x4134;
+  const Real x4148 = x4146 * x4147;
+  const Real x4162 = x4160 - x4088 * x4092 - x4119 * x4122;
+  const Real x4163 = x4162 - x4146 * x4148;
+  require_more(w, x4163, x4170, kFactorization, 15);
+  const Real x4220 = x4218 - x4092 * x4185 - x4122 * x4194;
+  const Real x4228 = 1 / x4163 * (x4220 - x4148 * x4206);
+  const Real x4231 = x4147 * x4206 - x4148 * x4228;
+  const Real x4237 = x4120 * x4194 - x4122 * x4228 - x4121 * x4231;
+  const Real x4245 = x4089 * x4185 - x4092 * x4228 - x4091 * x4231;
+  const Real x4246 = x4245 - x4090 * x4237;
+  const Real x4256 = x4060 * x4179 - x4064 * x4228 - x4063 * x4231;
+  const Real x4271 = x4033 * x4039 + x4044 * x4228 + x4043 * x4231;
+  const Real x4258 = x4256 - x4062 * x4237 - x4061 * x4246;
+  const Real x4275 = x4042 * x4237 + x4271 + x4041 * x4246;
+  const Real x4277 = x4040 * x4258 + x4275;
+  // joint 16 "left_shoulder_pitch": its acceleration, and that of the link beyond
+  const Real x4287 = x4231 + 0.29 * x4246;
+  const Real x4280 = 0.15 * x4258;
+  const Real x4291 = x4228 - 0.29 * x4258;
+  const Real x4282 = x4237 + x4280;
+  const Real x4283 = 0.15 * x4277;
+  const Real x4288 = x4283 + x4287;
+  const Real x4295 = sine[3] * x4258 - cosine[3] * x4277;
+  const Real x4299 = sine[3] * x4277 + cosine[3] * x4258;
+  const Real x4302 = cosine[3] * x4282 + sine[3] * x4288;
+  const Real x4306 = cosine[3] * x4288 - sine[3] * x4282;
+  const Real x4318 = x3782 - x3787 * x4291 - x3783 * x4295;
+  const Real x4320 = x4318 - x3784 * x4299 - x3785 * x4302;
+  const Real x4321 = x4320 - x3786 * x4306;
+  // joint 17 "left_shoulder_roll": its acceleration, and that of the link beyond
+  const Real x4325 = x4302 + 0.05 * x4299;
+  const Real x4328 = x4306 - 0.05 * x4295;
+  const Real x4338 = cosine[4] * x4291 + sine[4] * x4325;
+  const Real x4342 = cosine[4] * x4325 - sine[4] * x4291;
+  // joint 22 "neck_yaw": its acceleration, and that of the link beyond
+  const Real x4485 = x4231 + 0.38 * x4246;
+  const Real x4488 = x4228 - 0.38 * x4258;
+  const Real x4495 = cosine[9] * x4246 - sine[9] * x4258;
+  // joint 23 "neck_pitch": its acceleration, and that of the link beyond
+  const Real x4512 = cosine[9] * x4485 + sine[9] * x4488 + 0.06 * x4495;
+  // joint 24 "right_shoulder_pitch": its acceleration, and that of the link beyond
+  const Real x4538 = x4237 - x4280;
+  const Real x4539 = x4287 - x4283;
+  const Real x4543 = sine[11] * x4258 - cosine[11] * x4277;
+  const Real x4547 = sine[11] * x4277 + cosine[11] * x4258;
+  const Real x4550 = cosine[11] * x4538 + sine[11] * x4539;
+  const Real x4554 = cosine[11] * x4539 - sine[11] * x4538;
+  const Real x4566 = x2592 - x2598 * x4291 - x2593 * x4543;
+  const Real x4568 = x2594 * x4547 + x4566 - x2596 * x4550;
+  const Real x4569 = x4568 - x2597 * x4554;
+  // joint 25 "right_shoulder_roll": its acceleration, and that of the link beyond
+  const Real x4573 = x4550 - 0.05 * x4547;
+  const Real x4575 = x4554 + 0.05 * x4543;
+  // joint 16 "left_shoulder_pitch": its acceleration, and that of the link beyond
+  const Real x4322 = x4321 - x4246;
+  w.result[21] = x4322;
+  // joint 17 "left_shoulder_roll": its acceleration, and that of the link beyond
+  const Real x4331 = cosine[4] * x4321 + sine[4] * x4295;
+  const Real x4352 = x3631 - x3635 * x4328 - x3633 * x4338;
+  const Real x4354 = x4352 - x3634 * x4342 - x3632 * x4331;
+  const Real x4355 = x4354 - x4299;
+  w.result[22] = x4355;
+  // joint 18 "left_shoulder_yaw": its acceleration, and that of the link beyond
+  const Real x4360 = x4328 - 0.1 * x4331;
+  const Real x4357 = x4338 + 0.1 * x4354;
+  const Real x4363 = cosine[5] * x4354 + sine[5] * x4331;
+  const Real x4367 = cosine[5] * x4331 - sine[5] * x4354;
+  const Real x4370 = cosine[5] * x4360 + sine[5] * x4357;
+  const Real x4374 = cosine[5] * x4357 - sine[5] * x4360;
+  const Real x4386 = x3446 - x3452 * x4342 - x3447 * x4363;
+  // joint 19 "left_elbow": its acceleration, and that of the link beyond
+  const Real x4393 = x4370 - 0.11 * x4367;
+  // joint 22 "neck_yaw": its acceleration, and that of the link beyond
+  const Real x4507 = x2909 - x2910 * (cosine[9] * x4258 + sine[9] * x4246);
+  const Real x4508 = x4507 - x2911 * (cosine[9] * x4488 - sine[9] * x4485);
+  const Real x4509 = x4277 + x4508;
+  w.result[27] = x4509;
+  // joint 23 "neck_pitch": its acceleration, and that of the link beyond
+  const Real x4535 = x2808 + (cosine[10] * x4237 + sine[10] * x4512) * 1.7035775127768316;
+  // joint 24 "right_shoulder_pitch": its acceleration, and that of the link beyond
+  const Real x4570 = x4569 - x4246;
+  w.result[29] = x4570;
+  // joint 25 "right_shoulder_roll": its acceleration, and that of the link beyond
+  const Real x4585 = cosine[12] * x4291 + sine[12] * x4573;
+  const Real x4589 = cosine[12] * x4573 - sine[12] * x4291;
+  const Real x4578 = cosine[12] * x4569 + sine[12] * x4543;
+  const Real x4599 = x2437 - x2441 * x4575 - x2439 * x4585;
+  const Real x4601 = x4599 - x2440 * x4589 - x2438 * x4578;
+  // joint 26 "right_shoulder_yaw": its acceleration, and that of the link beyond
+  const Real x4607 = x4575 - 0.1 * x4578;
+  const Real x4604 = x4585 + 0.1 * x4601;
+  const Real x4610 = cosine[13] * x4601 + sine[13] * x4578;
+  const Real x4614 = cosine[13] * x4578 - sine[13] * x4601;
+  const Real x4617 = cosine[13] * x4607 + sine[13] * x4604;
+  const Real x4621 = cosine[13] * x4604 - sine[13] * x4607;
+  // joint 18 "left_shoulder_yaw": its acceleration, and that of the link beyond
+  const Real x4388 = x3448 * x4367 + x4386 - x3450 * x4370;
+  const Real x4389 = x4388 - x3451 * x4374;
+  const Real x4390 = x4389 - (cosine[4] * x4295 - sine[4] * x4321);
+  w.result[23] = x4390;
+  // joint 19 "left_elbow": its acceleration, and that of the link beyond
+  const Real x4395 = x4374 + 0.11 * x4363;
+  const Real x4405 = cosine[6] * x4342 + sine[6] * x4393;
+  const Real x4409 = cosine[6] * x4393 - sine[6] * x4342;
+  const Real x4398 = cosine[6] * x4389 + sine[6] * x4363;
+  const Real x4402 = cosine[6] * x4363 - sine[6] * x4389;
+  const Real x4421 = x3269 - x3274 * x4395 - x3272 * x4405;
+  const Real x4423 = x4421 - x3273 * x4409 - x3270 * x4398;
+  const Real x4424 = x4423 - x3271 * x4402;
+  const Real x4425 = x4424 - x4367;
+  w.result[24] = x4425;
+  // joint 20 "left_wrist_roll": its acceleration, and that of the link beyond
+  const Real x4436 = x4395 + 0.16 * x4402 + 0.01 * x4398;
+  const Real x4431 = x4409 - 0.16 * x4424;
+  const Real x4443 = cosine[7] * x4424 - sine[7] * x4402;
+  // joint 23 "neck_pitch": its acceleration, and that of the link beyond
+  const Real x4536 = x4535 - 7.666098807495741 * (cosine[10] * x4512 - sine[10] * x4237);
+  const Real x4537 = x4536 - x4495;
+  w.result[28] = x4537;
+  // joint 25 "right_shoulder_roll": its acceleration, and that of the link beyond
+  const Real x4602 = x4601 - x4547;
+  w.result[30] = x4602;
+  // joint 26 "right_shoulder_yaw": its acceleration, and that of the link beyond
+  const Real x4633 = x2252 - x2258 * x4589 - x2253 * x4610;
+  const Real x4635 = x2254 * x4614 + x4633 - x2256 * x4617;
+  const Real x4636 = x4635 - x2257 * x4621;
+  const Real x4637 = x4636 - (cosine[12] * x4543 - sine[12] * x4569);
+  w.result[31] = x4637;
+  // joint 27 "right_elbow": its acceleration, and that of the link beyond
+  const Real x4640 = x4617 - 0.11 * x4614;
+  const Real x4642 = x4621 + 0.11 * x4610;
+  const Real x4652 = cosine[14] * x4589 + sine[14] * x4640;
+  const Real x4656 = cosine[14] * x4640 - sine[14] * x4589;
+  const Real x4645 = cosine[14] * x4636 + sine[14] * x4610;
+  const Real x4649 = cosine[14] * x4610 - sine[14] * x4636;
+  const Real x4668 = x2075 - x2080 * x4642 - x2078 * x4652;
+  const Real x4670 = x4668 - x2079 * x4656 - x2076 * x4645;
+  const Real x4671 = x4670 - x2077 * x4649;
+  const Real x4672 = x4671 - x4614;
+  w.result[32] = x4672;
+  // joint 28 "right_wrist_roll": its acceleration, and that of the link beyond
+  const Real x4683 = x4642 + 0.16 * x4649 + 0.01 * x4645;
+  const Real x4678 = x4656 - 0.16 * x4671;
+  const Real x4690 = cosine[15] * x4671 - sine[15] * x4649;
+  // joint 20 "left_wrist_roll": its acceleration, and that of the link beyond
+  const Real x4455 = x3104 + x3105 * (cosine[7] * x4402 + sine[7] * x4424);
+  const Real x4456 = x3107 * (cosine[7] * x4436 - sine[7] * x4431) + x4455;
+  const Real x4457 = x4456 - x4398;
+  w.result[25] = x4457;
+  // joint 21 "left_wrist_pitch": its acceleration, and that of the link beyond
+  const Real x4460 = cosine[7] * x4431 + sine[7] * x4436 - 0.04 * x4443;
+  const Real x4476 = cosine[8] * x4460 - sine[8] * (x4405 - 0.01 * x4424);
+  const Real x4481 = x3028 + x4476 * 11.980035271220512 - x4443;
+  w.result[26] = x4481;
+  // joint 28 "right_wrist_roll": its acceleration, and that of the link beyond
+  const Real x4702 = x1910 + x1911 * (cosine[15] * x4649 + sine[15] * x4671);
+  const Real x4703 = x1913 * (cosine[15] * x4683 - sine[15] * x4678) + x4702;
+  const Real x4704 = x4703 - x4645;
+  w.result[33] = x4704;
+  // joint 29 "right_wrist_pitch": its acceleration, and that of the link beyond
+  const Real x4707 = cosine[15] * x4678 + sine[15] * x4683 - 0.04 * x4690;
+  const Real x4723 = cosine[16] * x4707 - sine[16] * (x4652 - 0.01 * x4671);
+  const Real x4727 = x1826 + 11.980035271220512 * x4723 - x4690;
+  w.result[34] = x4727;
 }
-
-// What is found at a link.
-template <int p>
-ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
-  Body<Value> X{};
-  meet<p>(w, link, X);
-  return X;
-}
-
-template <bool starts>
-ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
-  Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
-  if constexpr (starts)
-    body = X;
-  else
-    body += X;
-}
-
-// Whether nothing but the links themselves is found at links first .. last.
-template <int p>
-constexpr bool bare(int first, int last) {
-  for (int link = first; link <= last; ++link) {
-    const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
-    if (role.gathers || !role.adds_own) return false;
-  }
-  return true;
-}
-
-// Process p takes joints last .. first inwards, each on the link of the one before.
-template <int p, int first, int last, bool starts>
-void inward(Workspace& w) {
-  Body<Value> X{};
-  constexpr bool quick = bare<p>(first + 1, last);
-  if constexpr (quick) meet<p>(w, last + 1, X);
-  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
-    const int j = first + k;
-    if constexpr (!quick) meet<p>(w, j + 1, X);
-    step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
-      if (quick && j > first) add_bare_link(w, single(j - 1), near);
-    });
-  });
-  constexpr int near = kJoints[first].parent;
-  if constexpr (near > 0) leave<starts>(w, near, X);
-}
-
-// The next for spherical joints with bare links between them: a link is told at the next joint's
-// origin before what is left of the body gets there.
-template <int p, int first, int last>
-ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
-  Body<Value> X{};
-  meet<p>(w, kJoints[first].parent, X);
-  shift(X, -w.joints[first].r);
-  take_out_rotations<true>(w, single(first), X);
-  for (int j = first + 1; j <= last; ++j) {
-    const Vector<Value> r = -w.joints[static_cast<std::size_t>(j)].r;
-    shift_mass(X, r);
-    X += bare_link_from(w, single(j - 1), r);
-    take_out_rotations<true>(w, single(j), X);
-  }
-  return X;
-}
-
-// The same for a root beyond joint last: from the parent link of joint first to the child of last.
-template <int p, int first, int last, bool starts>
-void inward_reversed(Workspace& w) {
-  constexpr bool quick = bare<p>(first + 1, last);
-  if constexpr (quick && leave_mass_alone(first, last))
-    return leave<starts>(w, last + 1, turn_inward_reversed<p, first, last>(w));
-  Body<Value> X{};
-  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
-  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
-    const int j = first + k;
-    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
-    step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
-      if (quick && j < last) add_bare_link(w, single(j), near);
-    });
-  });
-  leave<starts>(w, last + 1, X);
-}
-
-// Adds a link itself to what was found at it.
-template <int link, bool starts>
-void place(Workspace& w) {
-  Body<Value> X{};
-  add_bare_link(w, single(link - 1), X);
-  leave<starts>(w, link, X);
-}
-
-// A floating joint on the ground only adds its torque to the link.
-template <int j, bool starts>
-void free_base(Workspace& w) {
-  const Value* tau = w.tau + kJoints[j].v;
-  Body<Value> X{};
-  X.n = {-tau[3], -tau[4], -tau[5]};
-  X.f = {-tau[0], -tau[1], -tau[2]};
-  leave<starts>(w, j + 1, X);
-}
-
-// Acceleration of a root that nothing holds.
-template <int p, int link>
-void solve_root(Workspace& w) {
-  if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
-}
-
-// Outwards again: the joints' accelerations.
-
-template <class T>
-ADAGEN_INLINE T freedom(const T* e, const Motion<T>& a) {
-  return (e[6] - (e[0] * a.angular.x + e[1] * a.angular.y)) -
-         ((e[2] * a.angular.z + e[3] * a.linear.x) + (e[4] * a.linear.y + e[5] * a.linear.z));
-}
-
-// Gives the k-th acceleration of each of the joints.
-template <class T>
-ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T& x) {
-  const auto place = [&](int lane) -> Value& {
-    const int v = kJoints[static_cast<std::size_t>(joints.joint[lane])].v;
-    return w.answer[static_cast<std::size_t>(v + k)];
-  };
-  if constexpr (kWidth<T> == 1)
-    place(0) = x;
-  else
-    ADAGEN_FOR (lane, 0, kWidth<T>) place(lane) = x[lane];
-}
-
-// The same for joints with several freedoms, told at the joint's origin throughout.
-template <bool reversed>
-ADAGEN_INLINE void move_at_joint(Workspace& w, const Joints<Value>& joints, Motion<Value>& a) {
-  const JointConstants& joint = joints.any();
-  [[maybe_unused]] const Value* const e = w.memory(joints).e;
-  [[maybe_unused]] const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
-  [[maybe_unused]] Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
-  if constexpr (kAnyPlanar) {
-    if (joint.kind == JointKind::kPlanar) {
-      const Value spin = freedom(e + 16, a);
-      a.angular += Vector<Value>{R.x.z, R.y.z, R.z.z} * spin;
-      const Value y = freedom(e + 8, a);
-      a.linear += Vector<Value>{R.x.y, R.y.y, R.z.y} * y;
-      const Value x = freedom(e, a);
-      a.linear += Vector<Value>{R.x.x, R.y.x, R.z.x} * x;
-      qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
-    }
-  }
-  if constexpr (kAnyFloating) {
-    if (joint.kind == JointKind::kFloating) {
-      const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
-      const Vector<Value> slide = transposed_times(R, far.linear - a.linear);
-      const Vector<Value> spin = transposed_times(R, far.angular - a.angular);
-      const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
-      ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
-      a = far;
-    }
-  }
-}
-
-// The same for spherical joints.
-template <bool reversed, class T>
-ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
-  const T* const e = w.memory(joints).e;
-  const Matrix<T> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
-  Vector<T> far = Vector<T>{e[9], e[10], e[11]} - K * a.linear;
-  if constexpr (kSphericalRotors) far += solved(e + 12, a.angular) * rotor_of(joints);
-  const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
-  const Vector<T> x = transposed_times(R, far - a.angular);
-  answer(w, joints, 0, reversed ? -x.x : x.x);
-  answer(w, joints, 1, reversed ? -x.y : x.y);
-  answer(w, joints, 2, reversed ? -x.z : x.z);
-  a.angular = far;
-}
-
-// A joint's acceleration from the near link's, which becomes the far link's; each is told at its
-// own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
-template <bool reversed, class T>
-ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
-  const T* const e = w.memory(joints).e;
-  const Vector<T>& r = w.memory(joints).r;
-  switch (kind) {
-    case JointKind::kRevolute: {
-      const Vector<T> axis = axis_of(w, joints);
-      const T x = freedom(e, a);
-      answer(w, joints, 0, reversed ? -x : x);
-      carry(a, reversed ? -r : r);
-      a.angular += axis * x;
-      if constexpr (reversed) a.linear += cross(r, axis) * x;
-      break;
-    }
-    case JointKind::kPrismatic: {
-      const T x = freedom(e, a);
-      answer(w, joints, 0, reversed ? -x : x);
-      carry(a, reversed ? -r : r);
-      a.linear += axis_of(w, joints) * x;
-      break;
-    }
-    case JointKind::kSpherical:
-      if constexpr (kAnySpherical) {
-        if constexpr (!reversed) carry(a, r);
-        turn_at_joint<reversed>(w, joints, a);
-        if constexpr (reversed) carry(a, -r);
-      }
-      break;
-    default:
-      if constexpr (kWidth<T> == 1) {
-        if constexpr (!reversed) carry(a, r);
-        move_at_joint<reversed>(w, joints, a);
-        if constexpr (reversed) carry(a, -r);
-      }
-  }
-}
-
-// Joints first .. last outwards; what moves along with a link is kept where other paths start.
-template <int p, int first, int last>
-void accelerate(Workspace& w) {
-  Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
-  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
-    move<false>(w, single(first + k), kind, a);
-    const std::size_t far = static_cast<std::size_t>(first + k + 1);
-    if (kRoles[p][far].parts) w.motions[far] = a;
-  });
-}
-
-// Six numbers that follow from each other are no work for lanes: g++ takes a fifth longer with
-// them.
-#if defined(__clang__)
-#define ADAGEN_ONE_BY_ONE
-#else
-#define ADAGEN_ONE_BY_ONE __attribute__((optimize("no-tree-slp-vectorize")))
-#endif
-template <int p, int first, int last>
-ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
-  Motion<Value> a = w.motions[last + 1];
-  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
-    const int j = first + k;
-    move<true>(w, single(j), kind, a);
-    const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
-    if (kRoles[p][far].parts) w.motions[far] = a;
-  });
-}
-
-// The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
-template <int j>
-void as_joint_acceleration(Workspace& w) {
-  const Value* v = w.v + kJoints[j].v;
-  Value* qdd = &w.answer[kJoints[j].v];
-  const Vector<Value> turned =
-      cross(Vector<Value>{v[3], v[4], v[5]}, Vector<Value>{v[0], v[1], v[2]});
-  qdd[0] -= turned.x, qdd[1] -= turned.y, qdd[2] -= turned.z;
-}
-
-// A floating base's joint acceleration, [linear; angular] in its own axes.
-template <int j>
-void free_acceleration(Workspace& w) {
-  const Motion<Value>& a = w.motions[j + 1];
-  Value* qdd = &w.answer[kJoints[j].v];
-  qdd[0] = a.linear.x, qdd[1] = a.linear.y, qdd[2] = a.linear.z;
-  qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
-  as_joint_acceleration<j>(w);
-}
-
-// Limbs side by side: joints of as many limbs as there are lanes are treated together, from the
-// limbs' first joints outwards or back. A first lane that is idle goes by the second one's joints,
-// has memory of its own, and what it gives is written over.
-template <int count, int rows>
-struct Limbs {
-  int slot;                 // of the first joint of the first limb
-  int joints[rows][count];  // all limbs' k-th joints, which are of one kind
-
-  using T = std::conditional_t<count == 2, Two, Four>;
-  static constexpr int kRows = rows;
-  constexpr Joints<T> at(int k) const {
-    Joints<T> result{slot + count * k, {}};
-    for (int lane = 0; lane < count; ++lane) result.joint[lane] = joints[k][lane];
-    return result;
-  }
-  // The link that a limb hangs on.
-  constexpr int near(int lane) const {
-    return kJoints[static_cast<std::size_t>(joints[0][lane])].parent;
-  }
-};
-
-template <const auto& limbs>
-struct LimbRows {
-  static constexpr int kCount = limbs.kRows;
-  static constexpr JointKind kind(int k) { return limbs.at(k).any().kind; }
-};
-
-constexpr int kMostNumbers = 27;  // of what is taken apart or made one: a Body
-
-// One lane of what consists of numbers alone, and all lanes made one.
-template <class T, template <class> class S, std::size_t... k>
-ADAGEN_INLINE S<Value> lane_of(const S<T>& all, int lane, std::index_sequence<k...>) {
-  T numbers[sizeof...(k)];
-  std::memcpy(numbers, &all, sizeof all);
-  const Value own[]{numbers[k][lane]...};
-  S<Value> result;
-  std::memcpy(&result, own, sizeof result);
-  return result;
-}
-template <class T, template <class> class S>
-ADAGEN_INLINE S<Value> lane(const S<T>& all, int lane) {
-  return lane_of(all, lane, std::make_index_sequence<sizeof all / sizeof(T)>{});
-}
-template <class T, std::size_t... lane>
-ADAGEN_INLINE T lanes_of(const Value (&numbers)[kWidth<T>][kMostNumbers], std::size_t k,
-                         std::index_sequence<lane...>) {
-  return T{numbers[lane][k]...};
-}
-template <class T, template <class> class S, std::size_t... k>
-ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>],
-                                std::index_sequence<k...>) {
-  Value own[kWidth<T>][kMostNumbers];
-  ADAGEN_FOR (lane, 0, kWidth<T>) std::memcpy(own[lane], sides[lane], sizeof *sides[lane]);
-  const T numbers[]{lanes_of<T>(own, k, std::make_index_sequence<kWidth<T>>{})...};
-  S<T> result;
-  std::memcpy(&result, numbers, sizeof result);
-  return result;
-}
-template <class T, template <class> class S>
-ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>]) {
-  return side_by_side<T, S>(sides, std::make_index_sequence<sizeof(S<T>) / sizeof(T)>{});
-}
-
-template <const auto& limbs>
-void outward_abreast(Workspace& w) {
-  using T = typename std::decay_t<decltype(limbs)>::T;
-  Frame<Value> frames[kWidth<T>];
-  const Frame<Value>* sides[kWidth<T>];
-  ADAGEN_FOR (lane, 0, kWidth<T>) {
-    const int near = limbs.near(lane);
-    frames[lane] = near == 0 ? ground() : frame_of(w, near == 0 ? 0 : near - 1);
-    sides[lane] = &frames[lane];
-  }
-  Frame<T> at = side_by_side<T, Frame>(sides);
-  each_row<LimbRows<limbs>, false>(
-      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, limbs.at(k), kind, at); });
-}
-
-// Adds to bodies what the sweep finds at the links beyond a row of joints.
-template <int p, class T>
-ADAGEN_INLINE void meet_abreast(Workspace& w, const Joints<T>& joints, Body<T>& X) {
-  const Body<Value> none{};
-  const Body<Value>* sides[kWidth<T>];
-  bool any = false;
-  ADAGEN_FOR (lane, 0, kWidth<T>) {
-    const std::size_t link = static_cast<std::size_t>(joints.joint[lane] + 1);
-    const bool gathers = kRoles[p][link].gathers;
-    any |= gathers;
-    sides[lane] = gathers ? &w.bodies[link] : &none;
-  }
-  if (any) X += side_by_side<T, Body>(sides);
-  add_bare_link(w, joints, X);
-}
-
-// Whether nothing but the links themselves is found between the limbs' joints.
-template <int p, class L>
-constexpr bool bare_rows(const L& limbs) {
-  for (int k = 0; k + 1 < L::kRows; ++k)
-    for (const int joint : limbs.at(k).joint)
-      if (kRoles[p][static_cast<std::size_t>(joint + 1)].gathers) return false;
-  return true;
-}
-
-// What hangs on the links that the limbs hang on.
-template <int p, const auto& limbs>
-auto inward_abreast(Workspace& w) {
-  using T = typename std::decay_t<decltype(limbs)>::T;
-  Body<T> X{};
-  constexpr bool quick = bare_rows<p>(limbs);
-  if constexpr (quick) meet_abreast<p>(w, limbs.at(limbs.kRows - 1), X);
-  each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
-    if constexpr (!quick) meet_abreast<p>(w, limbs.at(k), X);
-    step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
-      if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
-    });
-  });
-  return X;
-}
-
-template <int p, const auto& limbs>
-void accelerate_abreast(Workspace& w) {
-  using T = typename std::decay_t<decltype(limbs)>::T;
-  const Motion<Value>* sides[kWidth<T>];
-  ADAGEN_FOR (lane, 0, kWidth<T>)
-    sides[lane] = &w.motions[static_cast<std::size_t>(limbs.near(lane))];
-  Motion<T> a = side_by_side<T, Motion>(sides);
-  each_row<LimbRows<limbs>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
-    const Joints<T> joints = limbs.at(k);
-    move<false>(w, joints, kind, a);
-    ADAGEN_FOR (side, 0, kWidth<T>) {
-      const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
-      if (kRoles[p][link].parts) w.motions[link] = lane(a, side);
-    }
-  });
-}
-
-// "left_hip_pitch" .. "left_ankle_roll", "right_hip_pitch" .. "right_ankle_roll"
-constexpr Limbs<2, 6> kLimbs0{0, {{1, 7}, {2, 8}, {3, 9}, {4, 10}, {5, 11}, {6, 12}}};
-
-// "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
-constexpr Limbs<2, 6> kLimbs1{16, {{16, 24}, {17, 25}, {18, 26}, {19, 27}, {20, 28}, {21, 29}}};
-
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
 // Process 0: 16 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
+constexpr std::array<int, 16> kRead_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+constexpr std::array<int, 16> kOwned_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 22, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 21, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 0, 21, &JointConstants::v, kNotFinite);
+  ADAGEN_INPUTS
   stamp(0);
-  take_angles<0, 15>(w);
-  turn<block(0), block(15) + 1>(w);
-  free_base_frame<0>(w);
-  outward_abreast<kLimbs0>(w);
-  outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
+  if (!all(unlike_zero(q + 0, 22) + unlike_zero(v + 0, 21) + unlike_zero(tau + 0, 21) == 0))
+    name_what_is_not_finite(w, kRead_0, kOwned_0);
+  w.to[0] = channel.outgoing(0, w.status);
+  take_sines_and_cosines<15>(q + 7, w.sine.data(), w.cosine.data());
+  part_0_0(w);
+  part_0_1(w);
+  part_0_2(w);
   stamp(1);
-  set_up_links<block(0), block(14) + 1>(w);
-  free_base<0, true>(w);
-  {
-    const auto X = inward_abreast<0, kLimbs0>(w);
-    leave<false>(w, 1, lane(X, 0));
-    leave<false>(w, 1, lane(X, 1));
-  }
-  inward_reversed<0, 13, 15, true>(w);  // "waist_yaw" .. "waist_pitch"
   stamp(2);
-  {  // to process 1: what hangs on "torso"
-    Real* to = channel.outgoing(0, w.status);
-    to = put(to, w.bodies[16]);
-    channel.send(0, w.status);
-  }
+  channel.send(0, w.status);  // to process 1: what hangs on "torso"
   stamp(3);
-  {  // from process 1: what hangs on "torso"
-    const Real* from = channel.receive(1, w.status);
-    from = add(from, w.bodies[16]);
-  }
+  part_0_3(w);
+  w.from[1] = channel.receive(1, w.status);  // from process 1: what hangs on "torso"
   stamp(4);
-  solve_root<0, 16>(w);
+  part_0_4(w);
   stamp(5);
-  accelerate_reversed<0, 13, 15>(w);  // "waist_yaw" .. "waist_pitch"
-  accelerate_abreast<0, kLimbs0>(w);
-  free_acceleration<0>(w);
   stamp(6);
-  require_finite(w, w.answer.data(), 0, 21, &JointConstants::v, kOverflow);
-  give(w, 0, 21);
+  if (!all(unlike_zero(w.result.data() + 0, 21) == 0)) name_what_overflows(w, kOwned_0);
+  if (w.status != kFine) return;
+  std::copy_n(w.result.data() + 0, 21, w.qdd + 0);
 }
 
 // Process 1: 14 of 30 joints: "left_shoulder_pitch", "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", "left_wrist_pitch", ...; kinematics of 4 more on the way to the ground
+constexpr std::array<int, 18> kRead_1{0, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
+constexpr std::array<int, 14> kOwned_1{16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
+
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
-  require_finite(w, w.q, 19, 17, &JointConstants::q, kNotFinite);
-  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
-  require_finite(w, w.v, 18, 17, &JointConstants::v, kNotFinite);
-  require_finite(w, w.tau, 21, 14, &JointConstants::v, kNotFinite);
+  ADAGEN_INPUTS
   stamp(0);
-  take_angles<0, 0>(w);
-  take_angles<13, 29>(w);
-  turn<block(13), block(29) + 1>(w);
-  free_base_frame<0>(w);
-  pass_outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
-  outward_abreast<kLimbs1>(w);
-  outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  if (!all(unlike_zero(q + 0, 7) + unlike_zero(q + 19, 17) + unlike_zero(v + 0, 6) + unlike_zero(v + 18, 17) + unlike_zero(tau + 21, 14) == 0))
+    name_what_is_not_finite(w, kRead_1, kOwned_1);
+  w.to[1] = channel.outgoing(1, w.status);
+  w.angle[0] = q[19];
+  w.angle[1] = q[20];
+  w.angle[2] = q[21];
+  w.angle[3] = q[22];
+  w.angle[4] = q[23];
+  w.angle[5] = q[24];
+  w.angle[6] = q[25];
+  w.angle[7] = q[26];
+  w.angle[8] = q[27];
+  w.angle[9] = q[28];
+  w.angle[10] = q[29];
+  w.angle[11] = q[30];
+  w.angle[12] = q[31];
+  w.angle[13] = q[32];
+  w.angle[14] = q[33];
+  w.angle[15] = q[34];
+  w.angle[16] = q[35];
+  take_sines_and_cosines<17>(w.angle.data(), w.sine.data(), w.cosine.data());
+  part_1_0(w);
+  part_1_1(w);
+  part_1_2(w);
   stamp(1);
-  set_up_links<block(15), block(29) + 1>(w);
-  place<16, true>(w);  // "torso" itself
-  {
-    const auto X = inward_abreast<1, kLimbs1>(w);
-    leave<false>(w, 16, lane(X, 0));
-    leave<false>(w, 16, lane(X, 1));
-  }
-  inward<1, 22, 23, false>(w);  // "neck_yaw" .. "neck_pitch"
   stamp(2);
-  {  // to process 0: what hangs on "torso"
-    Real* to = channel.outgoing(1, w.status);
-    to = put(to, w.bodies[16]);
-    channel.send(1, w.status);
-  }
+  channel.send(1, w.status);  // to process 0: what hangs on "torso"
   stamp(3);
-  {  // from process 0: what hangs on "torso"
-    const Real* from = channel.receive(0, w.status);
-    from = add(from, w.bodies[16]);
-  }
+  part_1_3(w);
+  w.from[0] = channel.receive(0, w.status);  // from process 0: what hangs on "torso"
   stamp(4);
-  solve_root<1, 16>(w);
+  part_1_4(w);
   stamp(5);
-  accelerate_abreast<1, kLimbs1>(w);
-  accelerate<1, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
   stamp(6);
-  require_finite(w, w.answer.data(), 21, 14, &JointConstants::v, kOverflow);
-  give(w, 21, 14);
+  if (!all(unlike_zero(w.result.data() + 21, 14) == 0)) name_what_overflows(w, kOwned_1);
+  if (w.status != kFine) return;
+  std::copy_n(w.result.data() + 21, 14, w.qdd + 21);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
@@ -3536,22 +5975,26 @@ ADAGEN_HOT void advance(const State& anchor, const State& x, State& q) {
 
 }  // namespace manifold
 
-// Damping D and stiffness K of joints as they act at the end of a step: with B = h D + h^2 K,
-// (H + B) a = r, where H a0 = r would be the torques' answer with springs at q + h v. From the
-// evaluations of unit torques, M = (H^-1) at the joints with B: (B^-1 + M) y = a0 there, and the
-// torques less y give a. One evaluation for each such degree of freedom, and two.
+// Damping D, stiffness K and friction of joints as they act at the end of a step, where these
+// joints move with v + u instead of v: they take g(u) = (D + h K) u + friction at v + u less
+// friction at v of the torques with springs at q + h v, for which a0 would be the answer. From the
+// evaluations of unit torques, M = (H^-1) at these joints: u = h (a0 - M g(u)). One evaluation for
+// each such degree of freedom, and two.
 class PassiveTerms {
  public:
   using State = std::vector<double>;
 
   PassiveTerms() : extra_(kNv), base_(kNv), unit_(kNv) {
     for (const JointConstants& joint : kJoints)
-      for (int k = 0; k < joint.nv; ++k)
-        if (!joint.passive.prescribed && (joint.passive.damping > 0 || joint.passive.stiffness > 0))
-          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(joint.passive.damping),
-                           double(joint.passive.stiffness)});
-    matrix_.assign(rows_.size() * rows_.size(), 0);
-    y_.resize(rows_.size());
+      for (int k = 0; k < joint.nv; ++k) {
+        const Passive& own = joint.passive;
+        if (!own.prescribed && (own.damping > 0 || own.stiffness > 0 || own.friction > 0))
+          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(own.damping),
+                           double(own.stiffness), double(own.friction),
+                           double(own.friction_speed)});
+      }
+    for (State* x : {&taken_, &next_, &slope_, &u_, &du_}) x->resize(rows_.size());
+    for (State* x : {&matrix_, &factors_}) x->resize(rows_.size() * rows_.size());
   }
 
   // a at the end of a step of length h from (q, v).
@@ -3573,39 +6016,121 @@ class PassiveTerms {
       for (std::size_t i = 0; i < n; ++i)
         matrix_[i * n + k] = unit_[rows_[i].v] - base_[rows_[i].v];
     }
-    for (std::size_t k = 0; k < n; ++k) {
-      matrix_[k * n + k] += 1 / (h * rows_[k].damping + h * h * rows_[k].stiffness);
-      y_[k] = base_[rows_[k].v];
-    }
-    solve();
-    for (std::size_t k = 0; k < n; ++k) extra_[rows_[k].v] -= y_[k];
+    settle(h, v);
+    for (std::size_t k = 0; k < n; ++k) extra_[rows_[k].v] -= taken_[k];
     return evaluate(q, v, extra_, a);
   }
 
  private:
   struct Row {
     std::size_t v;
-    double damping, stiffness;
+    double damping, stiffness, friction, friction_speed;
+
+    bool rubs() const { return friction > 0; }
+
+    // What is taken at the end of a step that changes the velocity v by u.
+    double torque(double h, double at, double u) const {
+      const double linear = (damping + h * stiffness) * u;
+      if (!rubs()) return linear;
+      return linear +
+             friction * (std::tanh((at + u) / friction_speed) - std::tanh(at / friction_speed));
+    }
+
+    // Its derivative by u.
+    double slope(double h, double end) const {
+      if (!rubs()) return damping + h * stiffness;
+      const double part = std::tanh(end / friction_speed);
+      return damping + h * stiffness + friction / friction_speed * (1 - part) * (1 + part);
+    }
   };
 
-  // y <- matrix^-1 y by elimination; the matrix is symmetric and positive definite but for
-  // rounding.
+  static constexpr int kMostSteps = 100;
+  static constexpr double kNear = 1e-10, kFlat = 0.1;
+
+  // taken_ <- g(u) by Newton's method. g grows with u and M is positive semi-definite, so that u is
+  // where a convex function is least: a step is shortened until that function no longer rises
+  // steeply. What is linear takes one step.
+  void settle(double h, const State& v) {
+    const bool rubs =
+        std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.rubs(); });
+    std::fill(taken_.begin(), taken_.end(), 0.0);
+    for (int step = 0; step < (rubs ? kMostSteps : 1); ++step) {
+      aim(h, v);
+      const double length = rubs ? step_length(h, v) : 1;
+      bool near = true;
+      for (std::size_t k = 0; k < rows_.size(); ++k) {
+        const double change = next_[k] - taken_[k];
+        taken_[k] += length * change;
+        near &= std::abs(change) <= kNear * std::abs(taken_[k]) ||
+                std::abs(du_[k]) <= kNear * (std::abs(v[rows_[k].v]) + std::abs(u_[k]));
+      }
+      if (near || length == 0) return;
+    }
+  }
+
+  // From taken_: u_; by the derivative there, next_ as taken_ would be and du_ as u_ would change.
+  ADAGEN_HOT void aim(double h, const State& v) {
+    const std::size_t n = rows_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Row& row = rows_[i];
+      double a = base_[row.v];
+      for (std::size_t k = 0; k < n; ++k) a -= matrix_[i * n + k] * taken_[k];
+      u_[i] = h * a;
+      slope_[i] = row.slope(h, v[row.v] + u_[i]);
+      next_[i] = slope_[i] * (h * base_[row.v] - u_[i]) + row.torque(h, v[row.v], u_[i]);
+      for (std::size_t k = 0; k < n; ++k)
+        factors_[i * n + k] = (i == k) + h * slope_[i] * matrix_[i * n + k];
+    }
+    solve();
+    for (std::size_t i = 0; i < n; ++i) {
+      du_[i] = 0;
+      for (std::size_t k = 0; k < n; ++k) du_[i] -= h * matrix_[i * n + k] * (next_[k] - taken_[k]);
+    }
+  }
+
+  // How much of the way from taken_ to next_ is gone, at most 1; 0 where there is nowhere to go.
+  double step_length(double h, const State& v) const {
+    const double start = rise(0, h, v);
+    if (!(start < 0)) return 0;
+    double low = 0, high = 1, length = 1;
+    for (int halvings = 0; halvings < 60; ++halvings) {
+      const double found = rise(length, h, v);
+      if (std::abs(found) <= -kFlat * start || (length == 1 && found < 0)) break;
+      (found > 0 ? high : low) = length;
+      length = (low + high) / 2;
+    }
+    return length;
+  }
+
+  // The convex function's derivative at a part of the way.
+  ADAGEN_HOT double rise(double part, double h, const State& v) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const double there = taken_[k] + part * (next_[k] - taken_[k]);
+      sum += du_[k] * (rows_[k].torque(h, v[rows_[k].v], u_[k] + part * du_[k]) - there);
+    }
+    return sum;
+  }
+
+  // next_ <- factors_^-1 next_ by elimination, without pivoting: but for scales of rows and
+  // columns the matrix is symmetric and positive definite.
   ADAGEN_HOT void solve() {
     const std::size_t n = rows_.size();
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t i = k + 1; i < n; ++i) {
-        const double part = matrix_[i * n + k] / matrix_[k * n + k];
-        for (std::size_t j = k; j < n; ++j) matrix_[i * n + j] -= part * matrix_[k * n + j];
-        y_[i] -= part * y_[k];
+        const double part = factors_[i * n + k] / factors_[k * n + k];
+        for (std::size_t j = k; j < n; ++j) factors_[i * n + j] -= part * factors_[k * n + j];
+        next_[i] -= part * next_[k];
       }
     for (std::size_t k = n; k-- > 0;) {
-      for (std::size_t j = k + 1; j < n; ++j) y_[k] -= matrix_[k * n + j] * y_[j];
-      y_[k] /= matrix_[k * n + k];
+      for (std::size_t j = k + 1; j < n; ++j) next_[k] -= factors_[k * n + j] * next_[j];
+      next_[k] /= factors_[k * n + k];
     }
   }
 
   std::vector<Row> rows_;
-  State extra_, base_, unit_, matrix_, y_;
+  State extra_, base_, unit_, matrix_, factors_;
+  State taken_, next_, slope_, u_, du_;  // torques twice; their derivatives; changes of velocity
 };
 
 // Fixed-step integrators of q' = G(q) v, v' = a(q, v). All but RK4 and the explicit Euler method

@@ -2,13 +2,17 @@
 //
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
 // options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// schedule  lift@0-2(drive@0(|laser_spin) | wrist@1-2(shoulder@1 | loose@2))
+// program   3 processes, joined at cuts; 1.01 us predicted (default profile)
+//           process 0: drive .. shoulder
+//           process 1: wrist .. loose
+//           process 2: nothing
+// schedule  shoulder@0-2(lift@0(drive(|laser_spin)|) | wrist@1-2(|loose))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias,
-// b bias accelerations, [angular; linear], in link frames turned so that every joint axis is z. Joint i
-// joins chain A (its parent link's side) and chain B (its child link's side) to chain C: assembly,
-// Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
+// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
+// bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
+// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
+// vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls
@@ -111,7 +115,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr int kPlanMessages = 4;
+[[maybe_unused]] constexpr int kPlanMessages = 2;
 constexpr std::size_t kCacheLine = 64;
 [[maybe_unused]] constexpr bool kFloatingBase = false;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
@@ -662,15 +666,13 @@ class Release {
   std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
 };
 
-constexpr std::array<MessageInfo, 8> kMessages{ {
-    {2, 1, 42},  // 0: assembled: chain of "loose"
-    {1, 0, 42},  // 1: assembled: chain of "wrist"
-    {0, 1, 6},  // 2: forces on: chain of "wrist"
-    {1, 2, 6},  // 3: forces on: chain of "loose"
-    {0, 1, 14},  // 4: state
-    {1, 0, 2},  // 5: accelerations
-    {0, 2, 31},  // 6: state
-    {2, 0, 6},  // 7: accelerations
+constexpr std::array<MessageInfo, 6> kMessages{ {
+    {1, 0, 42},  // 0: assembled: chain of "wrist"
+    {0, 1, 6},  // 1: forces on: chain of "wrist"
+    {0, 1, 32},  // 2: state
+    {1, 0, 7},  // 3: accelerations
+    {0, 2, 0},  // 4: state
+    {2, 0, 0},  // 5: accelerations
 } };
 
 // What a process does in an evaluation as the others see it: the messages that it sends and
@@ -1035,34 +1037,30 @@ struct Joint_laser_spin {
 struct Joint_lift {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "carriage"
-  Joined<Prismatic> joined;
   Columns6 b;  // bias of the bare link "carriage"
+  Mat6 Phi_carriage;  // of the chain it completes
+  Columns6 b_carriage;
+  Joined<Prismatic> joined;
+  Coupled<Prismatic> at_carriage;
+  Columns6 F_on_carriage;  // outer wrench on that chain
 };
 
 struct Joint_shoulder {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "boom"
-  Columns6 b;  // bias of the bare link "boom"
-  Mat6 Phi_carriage;  // of the chain it completes
-  Mat6 Phi_carriage_boom;  // of the chain it completes
-  Mat6 Phi_boom;  // of the chain it completes
-  Columns6 b_carriage;
-  Columns6 b_boom;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_carriage;
-  Coupled<Revolute> at_boom;
-  Columns6 F_on_boom;  // outer wrench on that chain
+  Columns6 b;  // bias of the bare link "boom"
 };
 
 struct Joint_wrist {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "bowl"
-  Mat6 Phi_carriage;  // of the chain it completes
-  Columns6 b_carriage;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_carriage;
   Columns6 b;  // bias of the bare link "bowl"
-  Columns6 F_on_carriage;  // outer wrench on that chain
+  Mat6 Phi_boom;  // of the chain it completes
+  Columns6 b_boom;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_boom;
+  Columns6 F_on_boom;  // outer wrench on that chain
 };
 
 struct Joint_loose {
@@ -1316,7 +1314,7 @@ void kinematics_lift(Workspace& w) {
   i.v = i.X * w.j_drive.v + joint_velocity<Prismatic>(w.v + 4);
 }
 
-// A: the chain of "drive"; B: the chain of "wrist"; C feels the joint at no link
+// A: the chain of "drive"; B: link "carriage"; C feels the joint at "carriage"
 void assemble_lift(Workspace& w) {
   auto& i = w.j_lift;
   load_torque(w, 2, 4, i.joined.tau);
@@ -1324,19 +1322,22 @@ void assemble_lift(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Prismatic>(i.v, w.v + 4);
   constexpr std::array<Real, 6> least{6.835890271117182e-13, 1.038116582277988e-12, 6.835890271117182e-13, 3.783842603578267e-15, 8.143836380054432e-15, 1.041281273311856e-14};
-  if (!keeps_digits<Prismatic>(Phi_A, w.j_wrist.Phi_carriage, least))
+  if (!keeps_digits<Prismatic>(Phi_A, kPhi_carriage, least))
     fail(w, kGrowth, 2);
-  if (!join(i.joined, Phi_A, w.j_wrist.Phi_carriage, i.X * w.j_drive.b_cart, w.j_wrist.b_carriage, c))
+  if (!join(i.joined, Phi_A, kPhi_carriage, i.X * w.j_drive.b_cart, w.j_lift.b, c))
     fail(w, kFactorization, 2);
+  couple(i.joined, kPhi_carriage, i.at_carriage);
+  i.Phi_carriage = kPhi_carriage - product(i.at_carriage, i.at_carriage);  // Eq. (4)
+  i.b_carriage = w.j_lift.b + bias_change(i.joined, i.at_carriage);  // Eq. (7)
 }
 
 void disassemble_lift(Workspace& w) {
   auto& i = w.j_lift;
   Release<Prismatic> release(i.joined);
+  release.feel_B(i.at_carriage, w.j_lift.F_on_carriage);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 2, 4, release.qdd());  // Eq. (9)
   w.j_drive.F_on_cart = -i.X.transposed_times(f);
-  w.j_wrist.F_on_carriage = f;
 }
 
 // =================================================================================================
@@ -1356,34 +1357,27 @@ void kinematics_shoulder(Workspace& w) {
   i.v = i.X * w.j_lift.v + joint_velocity<Revolute>(w.v + 5);
 }
 
-// A: link "carriage"; B: link "boom"; C feels the joint at "carriage", "boom"
+// A: the chain of "lift"; B: the chain of "wrist"; C feels the joint at no link
 void assemble_shoulder(Workspace& w) {
   auto& i = w.j_shoulder;
   load_torque(w, 3, 5, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_carriage;
+  const Mat6 X_Phi_A = i.X * w.j_lift.Phi_carriage;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
   constexpr std::array<Real, 6> least{7.326281147974468e-12, 8.874467701397844e-13, 1.014099819029905e-12, 1.0131011616088879e-14, 2.6178568065461474e-14, 2.5862909697458403e-14};
-  if (!keeps_digits<Revolute>(Phi_A, kPhi_boom, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_wrist.Phi_boom, least))
     fail(w, kGrowth, 3);
-  if (!join(i.joined, Phi_A, kPhi_boom, i.X * w.j_lift.b, w.j_shoulder.b, c))
+  if (!join(i.joined, Phi_A, w.j_wrist.Phi_boom, i.X * w.j_lift.b_carriage, w.j_wrist.b_boom, c))
     fail(w, kFactorization, 3);
-  couple(i.joined, X_Phi_A, i.at_carriage);
-  couple(i.joined, kPhi_boom, i.at_boom);
-  i.Phi_carriage = kPhi_carriage - product(i.at_carriage, i.at_carriage);  // Eq. (3)
-  i.Phi_carriage_boom = product(i.at_carriage, i.at_boom);  // Eq. (5)
-  i.Phi_boom = kPhi_boom - product(i.at_boom, i.at_boom);  // Eq. (4)
-  i.b_carriage = w.j_lift.b - bias_change(i.joined, i.at_carriage);  // Eq. (6)
-  i.b_boom = w.j_shoulder.b + bias_change(i.joined, i.at_boom);  // Eq. (7)
 }
 
 void disassemble_shoulder(Workspace& w) {
   auto& i = w.j_shoulder;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_carriage, w.j_wrist.F_on_carriage);
-  release.feel_B(i.at_boom, w.j_shoulder.F_on_boom);
-  release.force();  // Eq. (8)
+  const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 3, 5, release.qdd());  // Eq. (9)
+  w.j_lift.F_on_carriage = -i.X.transposed_times(f);
+  w.j_wrist.F_on_boom = f;
 }
 
 // =================================================================================================
@@ -1403,30 +1397,29 @@ void kinematics_wrist(Workspace& w) {
   i.v = i.X * w.j_shoulder.v + joint_velocity<Revolute>(w.v + 6);
 }
 
-// A: the chain of "shoulder"; B: the chain of "loose"; C feels the joint at "carriage"
+// A: link "boom"; B: the chain of "loose"; C feels the joint at "boom"
 void assemble_wrist(Workspace& w) {
   auto& i = w.j_wrist;
   load_torque(w, 4, 6, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_shoulder.Phi_boom;
+  const Mat6 X_Phi_A = i.X * kPhi_boom;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
   constexpr std::array<Real, 6> least{6.998215245009065e-12, 3.9559670992390634e-12, 6.998215245009065e-12, 5.871846219128606e-14, 8.914094364898608e-14, 2.1711028037114174e-14};
   if (!keeps_digits<Revolute>(Phi_A, w.j_loose.Phi_bowl, least))
     fail(w, kGrowth, 4);
-  if (!join(i.joined, Phi_A, w.j_loose.Phi_bowl, i.X * w.j_shoulder.b_boom, w.j_loose.b_bowl, c))
+  if (!join(i.joined, Phi_A, w.j_loose.Phi_bowl, i.X * w.j_shoulder.b, w.j_loose.b_bowl, c))
     fail(w, kFactorization, 4);
-  couple(i.joined, times_transposed(i.X, w.j_shoulder.Phi_carriage_boom), i.at_carriage);
-  i.Phi_carriage = w.j_shoulder.Phi_carriage - product(i.at_carriage, i.at_carriage);  // Eq. (3)
-  i.b_carriage = w.j_shoulder.b_carriage - bias_change(i.joined, i.at_carriage);  // Eq. (6)
+  couple(i.joined, X_Phi_A, i.at_boom);
+  i.Phi_boom = kPhi_boom - product(i.at_boom, i.at_boom);  // Eq. (3)
+  i.b_boom = w.j_shoulder.b - bias_change(i.joined, i.at_boom);  // Eq. (6)
 }
 
 void disassemble_wrist(Workspace& w) {
   auto& i = w.j_wrist;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_carriage, w.j_wrist.F_on_carriage);
+  release.feel_A(i.at_boom, w.j_wrist.F_on_boom);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 4, 6, release.qdd());  // Eq. (9)
-  w.j_shoulder.F_on_boom = -i.X.transposed_times(f);
   w.j_loose.F_on_bowl = f;
 }
 
@@ -1476,85 +1469,45 @@ void disassemble_loose(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 3 of 6 joints: "drive", "laser_spin", "lift"
+// Process 0: 4 of 6 joints: "drive", "laser_spin", "lift", "shoulder"
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_drive(w);
   kinematics_laser_spin(w);
   kinematics_lift(w);
+  kinematics_shoulder(w);
   stamp(1);
   link_bias(kLinks[1], w.j_drive.v, w.j_drive.b);
   link_bias(kLinks[2], w.j_laser_spin.v, w.j_laser_spin.b);
   assemble_laser_spin(w);
   assemble_drive(w);
+  link_bias(kLinks[3], w.j_lift.v, w.j_lift.b);
+  assemble_lift(w);
   stamp(2);
   {  // from process 1: assembled: chain of "wrist"
-    const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_wrist.Phi_carriage);
-    from = get(from, w.j_wrist.b_carriage);
+    const Number* from = channel.receive(0, w.status);
+    from = get(from, w.j_wrist.Phi_boom);
+    from = get(from, w.j_wrist.b_boom);
   }
   stamp(3);
-  assemble_lift(w);
+  assemble_shoulder(w);
   stamp(4);
-  disassemble_lift(w);
+  disassemble_shoulder(w);
   stamp(5);
   {  // to process 1: forces on: chain of "wrist"
-    Number* to = channel.outgoing(2, w.status);
-    to = put(to, w.j_wrist.F_on_carriage);
-    channel.send(2, w.status);
+    Number* to = channel.outgoing(1, w.status);
+    to = put(to, w.j_wrist.F_on_boom);
+    channel.send(1, w.status);
   }
   stamp(6);
+  disassemble_lift(w);
   disassemble_drive(w);
   disassemble_laser_spin(w);
   stamp(7);
 }
 
-// Process 1: 2 of 6 joints: "shoulder", "wrist"; kinematics of 2 more on the way to the ground
+// Process 1: 2 of 6 joints: "wrist", "loose"; kinematics of 3 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  stamp(0);
-  kinematics_drive(w);
-  kinematics_lift(w);
-  kinematics_shoulder(w);
-  kinematics_wrist(w);
-  stamp(1);
-  link_bias(kLinks[3], w.j_lift.v, w.j_lift.b);
-  link_bias(kLinks[4], w.j_shoulder.v, w.j_shoulder.b);
-  assemble_shoulder(w);
-  stamp(2);
-  {  // from process 2: assembled: chain of "loose"
-    const Number* from = channel.receive(0, w.status);
-    from = get(from, w.j_loose.Phi_bowl);
-    from = get(from, w.j_loose.b_bowl);
-  }
-  stamp(3);
-  assemble_wrist(w);
-  stamp(4);
-  {  // to process 0: assembled: chain of "wrist"
-    Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_wrist.Phi_carriage);
-    to = put(to, w.j_wrist.b_carriage);
-    channel.send(1, w.status);
-  }
-  stamp(5);
-  {  // from process 0: forces on: chain of "wrist"
-    const Number* from = channel.receive(2, w.status);
-    from = get(from, w.j_wrist.F_on_carriage);
-  }
-  stamp(6);
-  disassemble_wrist(w);
-  stamp(7);
-  {  // to process 2: forces on: chain of "loose"
-    Number* to = channel.outgoing(3, w.status);
-    to = put(to, w.j_loose.F_on_bowl);
-    channel.send(3, w.status);
-  }
-  stamp(8);
-  disassemble_shoulder(w);
-  stamp(9);
-}
-
-// Process 2: 1 of 6 joints: "loose"; kinematics of 4 more on the way to the ground
-void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_drive(w);
   kinematics_lift(w);
@@ -1565,43 +1518,46 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   link_bias(kLinks[5], w.j_wrist.v, w.j_wrist.b);
   link_bias(kLinks[6], w.j_loose.v, w.j_loose.b);
   assemble_loose(w);
+  link_bias(kLinks[4], w.j_shoulder.v, w.j_shoulder.b);
+  assemble_wrist(w);
   stamp(2);
-  {  // to process 1: assembled: chain of "loose"
+  {  // to process 0: assembled: chain of "wrist"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_loose.Phi_bowl);
-    to = put(to, w.j_loose.b_bowl);
+    to = put(to, w.j_wrist.Phi_boom);
+    to = put(to, w.j_wrist.b_boom);
     channel.send(0, w.status);
   }
   stamp(3);
-  {  // from process 1: forces on: chain of "loose"
-    const Number* from = channel.receive(3, w.status);
-    from = get(from, w.j_loose.F_on_bowl);
+  {  // from process 0: forces on: chain of "wrist"
+    const Number* from = channel.receive(1, w.status);
+    from = get(from, w.j_wrist.F_on_boom);
   }
   stamp(4);
+  disassemble_wrist(w);
   disassemble_loose(w);
   stamp(5);
+}
+
+// Process 2: has nothing to do
+void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 1> kReadQ_0{ {{0, 5}} };
-constexpr std::array<Range, 1> kReadV_0{ {{0, 5}} };
-constexpr std::array<Range, 1> kOwn_0{ {{0, 5}} };
-constexpr std::array<Range, 1> kTorque_0{ {{0, 5}} };
-constexpr std::array<Range, 2> kReadQ_1{ {{0, 3}, {4, 3}} };
-constexpr std::array<Range, 2> kReadV_1{ {{0, 3}, {4, 3}} };
-constexpr std::array<Range, 1> kOwn_1{ {{5, 2}} };
-constexpr std::array<Range, 1> kTorque_1{ {{5, 2}} };
-constexpr std::array<Range, 2> kReadQ_2{ {{0, 3}, {4, 10}} };
-constexpr std::array<Range, 2> kReadV_2{ {{0, 3}, {4, 9}} };
-constexpr std::array<Range, 1> kOwn_2{ {{7, 6}} };
-constexpr std::array<Range, 1> kTorque_2{ {{7, 6}} };
+constexpr std::array<Range, 1> kReadQ_0{ {{0, 6}} };
+constexpr std::array<Range, 1> kReadV_0{ {{0, 6}} };
+constexpr std::array<Range, 1> kOwn_0{ {{0, 6}} };
+constexpr std::array<Range, 1> kTorque_0{ {{0, 6}} };
+constexpr std::array<Range, 2> kReadQ_1{ {{0, 3}, {4, 10}} };
+constexpr std::array<Range, 2> kReadV_1{ {{0, 3}, {4, 9}} };
+constexpr std::array<Range, 1> kOwn_1{ {{6, 7}} };
+constexpr std::array<Range, 1> kTorque_1{ {{6, 7}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
     {{2, kReadQ_1.data()}, {2, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
-    {{2, kReadQ_2.data()}, {2, kReadV_2.data()}, {1, kOwn_2.data()}, {1, kTorque_2.data()}},
+    {{0, nullptr}, {0, nullptr}, {0, nullptr}, {0, nullptr}},
 } };
 
 // The entries of a vector that a process needs, one after another, and back.
@@ -2462,22 +2418,26 @@ ADAGEN_HOT void advance(const State& anchor, const State& x, State& q) {
 
 }  // namespace manifold
 
-// Damping D and stiffness K of joints as they act at the end of a step: with B = h D + h^2 K,
-// (H + B) a = r, where H a0 = r would be the torques' answer with springs at q + h v. From the
-// evaluations of unit torques, M = (H^-1) at the joints with B: (B^-1 + M) y = a0 there, and the
-// torques less y give a. One evaluation for each such degree of freedom, and two.
+// Damping D, stiffness K and friction of joints as they act at the end of a step, where these
+// joints move with v + u instead of v: they take g(u) = (D + h K) u + friction at v + u less
+// friction at v of the torques with springs at q + h v, for which a0 would be the answer. From the
+// evaluations of unit torques, M = (H^-1) at these joints: u = h (a0 - M g(u)). One evaluation for
+// each such degree of freedom, and two.
 class PassiveTerms {
  public:
   using State = std::vector<double>;
 
   PassiveTerms() : extra_(kNv), base_(kNv), unit_(kNv) {
     for (const JointConstants& joint : kJoints)
-      for (int k = 0; k < joint.nv; ++k)
-        if (!joint.passive.prescribed && (joint.passive.damping > 0 || joint.passive.stiffness > 0))
-          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(joint.passive.damping),
-                           double(joint.passive.stiffness)});
-    matrix_.assign(rows_.size() * rows_.size(), 0);
-    y_.resize(rows_.size());
+      for (int k = 0; k < joint.nv; ++k) {
+        const Passive& own = joint.passive;
+        if (!own.prescribed && (own.damping > 0 || own.stiffness > 0 || own.friction > 0))
+          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(own.damping),
+                           double(own.stiffness), double(own.friction),
+                           double(own.friction_speed)});
+      }
+    for (State* x : {&taken_, &next_, &slope_, &u_, &du_}) x->resize(rows_.size());
+    for (State* x : {&matrix_, &factors_}) x->resize(rows_.size() * rows_.size());
   }
 
   // a at the end of a step of length h from (q, v).
@@ -2499,39 +2459,121 @@ class PassiveTerms {
       for (std::size_t i = 0; i < n; ++i)
         matrix_[i * n + k] = unit_[rows_[i].v] - base_[rows_[i].v];
     }
-    for (std::size_t k = 0; k < n; ++k) {
-      matrix_[k * n + k] += 1 / (h * rows_[k].damping + h * h * rows_[k].stiffness);
-      y_[k] = base_[rows_[k].v];
-    }
-    solve();
-    for (std::size_t k = 0; k < n; ++k) extra_[rows_[k].v] -= y_[k];
+    settle(h, v);
+    for (std::size_t k = 0; k < n; ++k) extra_[rows_[k].v] -= taken_[k];
     return evaluate(q, v, extra_, a);
   }
 
  private:
   struct Row {
     std::size_t v;
-    double damping, stiffness;
+    double damping, stiffness, friction, friction_speed;
+
+    bool rubs() const { return friction > 0; }
+
+    // What is taken at the end of a step that changes the velocity v by u.
+    double torque(double h, double at, double u) const {
+      const double linear = (damping + h * stiffness) * u;
+      if (!rubs()) return linear;
+      return linear +
+             friction * (std::tanh((at + u) / friction_speed) - std::tanh(at / friction_speed));
+    }
+
+    // Its derivative by u.
+    double slope(double h, double end) const {
+      if (!rubs()) return damping + h * stiffness;
+      const double part = std::tanh(end / friction_speed);
+      return damping + h * stiffness + friction / friction_speed * (1 - part) * (1 + part);
+    }
   };
 
-  // y <- matrix^-1 y by elimination; the matrix is symmetric and positive definite but for
-  // rounding.
+  static constexpr int kMostSteps = 100;
+  static constexpr double kNear = 1e-10, kFlat = 0.1;
+
+  // taken_ <- g(u) by Newton's method. g grows with u and M is positive semi-definite, so that u is
+  // where a convex function is least: a step is shortened until that function no longer rises
+  // steeply. What is linear takes one step.
+  void settle(double h, const State& v) {
+    const bool rubs =
+        std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.rubs(); });
+    std::fill(taken_.begin(), taken_.end(), 0.0);
+    for (int step = 0; step < (rubs ? kMostSteps : 1); ++step) {
+      aim(h, v);
+      const double length = rubs ? step_length(h, v) : 1;
+      bool near = true;
+      for (std::size_t k = 0; k < rows_.size(); ++k) {
+        const double change = next_[k] - taken_[k];
+        taken_[k] += length * change;
+        near &= std::abs(change) <= kNear * std::abs(taken_[k]) ||
+                std::abs(du_[k]) <= kNear * (std::abs(v[rows_[k].v]) + std::abs(u_[k]));
+      }
+      if (near || length == 0) return;
+    }
+  }
+
+  // From taken_: u_; by the derivative there, next_ as taken_ would be and du_ as u_ would change.
+  ADAGEN_HOT void aim(double h, const State& v) {
+    const std::size_t n = rows_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Row& row = rows_[i];
+      double a = base_[row.v];
+      for (std::size_t k = 0; k < n; ++k) a -= matrix_[i * n + k] * taken_[k];
+      u_[i] = h * a;
+      slope_[i] = row.slope(h, v[row.v] + u_[i]);
+      next_[i] = slope_[i] * (h * base_[row.v] - u_[i]) + row.torque(h, v[row.v], u_[i]);
+      for (std::size_t k = 0; k < n; ++k)
+        factors_[i * n + k] = (i == k) + h * slope_[i] * matrix_[i * n + k];
+    }
+    solve();
+    for (std::size_t i = 0; i < n; ++i) {
+      du_[i] = 0;
+      for (std::size_t k = 0; k < n; ++k) du_[i] -= h * matrix_[i * n + k] * (next_[k] - taken_[k]);
+    }
+  }
+
+  // How much of the way from taken_ to next_ is gone, at most 1; 0 where there is nowhere to go.
+  double step_length(double h, const State& v) const {
+    const double start = rise(0, h, v);
+    if (!(start < 0)) return 0;
+    double low = 0, high = 1, length = 1;
+    for (int halvings = 0; halvings < 60; ++halvings) {
+      const double found = rise(length, h, v);
+      if (std::abs(found) <= -kFlat * start || (length == 1 && found < 0)) break;
+      (found > 0 ? high : low) = length;
+      length = (low + high) / 2;
+    }
+    return length;
+  }
+
+  // The convex function's derivative at a part of the way.
+  ADAGEN_HOT double rise(double part, double h, const State& v) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const double there = taken_[k] + part * (next_[k] - taken_[k]);
+      sum += du_[k] * (rows_[k].torque(h, v[rows_[k].v], u_[k] + part * du_[k]) - there);
+    }
+    return sum;
+  }
+
+  // next_ <- factors_^-1 next_ by elimination, without pivoting: but for scales of rows and
+  // columns the matrix is symmetric and positive definite.
   ADAGEN_HOT void solve() {
     const std::size_t n = rows_.size();
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t i = k + 1; i < n; ++i) {
-        const double part = matrix_[i * n + k] / matrix_[k * n + k];
-        for (std::size_t j = k; j < n; ++j) matrix_[i * n + j] -= part * matrix_[k * n + j];
-        y_[i] -= part * y_[k];
+        const double part = factors_[i * n + k] / factors_[k * n + k];
+        for (std::size_t j = k; j < n; ++j) factors_[i * n + j] -= part * factors_[k * n + j];
+        next_[i] -= part * next_[k];
       }
     for (std::size_t k = n; k-- > 0;) {
-      for (std::size_t j = k + 1; j < n; ++j) y_[k] -= matrix_[k * n + j] * y_[j];
-      y_[k] /= matrix_[k * n + k];
+      for (std::size_t j = k + 1; j < n; ++j) next_[k] -= factors_[k * n + j] * next_[j];
+      next_[k] /= factors_[k * n + k];
     }
   }
 
   std::vector<Row> rows_;
-  State extra_, base_, unit_, matrix_, y_;
+  State extra_, base_, unit_, matrix_, factors_;
+  State taken_, next_, slope_, u_, du_;  // torques twice; their derivatives; changes of velocity
 };
 
 // Fixed-step integrators of q' = G(q) v, v' = a(q, v). All but RK4 and the explicit Euler method
@@ -3058,34 +3100,23 @@ class Watch {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<Stage, 7> kStages_0{ {
-    {"kinematics", 2, -1},
-    {"assembly", 0, -1},
-    {"receive", -1, 1},
+    {"kinematics", 3, -1},
     {"assembly", 2, -1},
-    {"disassembly", 2, -1},
-    {"send", -1, 2},
-    {"disassembly", 0, -1},
-} };
-constexpr std::array<Stage, 9> kStages_1{ {
-    {"kinematics", 4, -1},
-    {"assembly", 3, -1},
     {"receive", -1, 0},
-    {"assembly", 4, -1},
-    {"send", -1, 1},
-    {"receive", -1, 2},
-    {"disassembly", 4, -1},
-    {"send", -1, 3},
+    {"assembly", 3, -1},
     {"disassembly", 3, -1},
+    {"send", -1, 1},
+    {"disassembly", 2, -1},
 } };
-constexpr std::array<Stage, 5> kStages_2{ {
+constexpr std::array<Stage, 5> kStages_1{ {
     {"kinematics", 5, -1},
-    {"assembly", 5, -1},
+    {"assembly", 4, -1},
     {"send", -1, 0},
-    {"receive", -1, 3},
-    {"disassembly", 5, -1},
+    {"receive", -1, 1},
+    {"disassembly", 4, -1},
 } };
-constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data(), kStages_2.data()};
-constexpr std::array<int, kProcesses> kStageCount{7, 9, 5};
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data(), nullptr};
+constexpr std::array<int, kProcesses> kStageCount{7, 5, 0};
 
 struct Statistics {
   double median = 0, least = 0, percentile99 = 0;

@@ -35,7 +35,7 @@ from tests.predict.costs import MESSAGE, WINDOW, step_costs
 
 def played(plan: Plan, costs: StepCosts, noise: float, rng: np.random.Generator) -> Sample:
     """Return what would be measured on a machine with these costs."""
-    line = predict(plan, CostProfile("x", 0.1, 0.1, 0.0, 1.0, steps=costs), "kernels")
+    line = predict(plan, CostProfile("x", 0.1, 0.1, 0.0, 1.0, steps=costs), "kernels").by_stage()
     rows, waiting = [], {}
     for i in line.intervals:
         if i.what == "wait":

@@ -13,8 +13,9 @@ from adagen.calibrate import profile_text
 from adagen.cli import main
 from adagen.cli.predicted import prediction
 from adagen.plan import make_plan
-from adagen.predict import best_schedule, predict
+from adagen.predict import predict
 from adagen.schedule import load_profile
+from adagen.search import best_schedule
 from tests.cli.test_generate import write_arm
 from tests.models import serial_chain
 from tests.predict.costs import step_profile
@@ -126,22 +127,22 @@ def test_the_same_time_is_told_everywhere(
     assert main(["schedule", *words]) == 0
     stdout, stderr = capsys.readouterr()
     (told,) = re.findall(r"processes do not pay: predicted (\S+) us", stderr)
-    assert f"{told} us step by step" in stdout
     assert f"{told} us predicted" in stdout
     assert "at most -" not in stdout
     assert main([*words, "--out", str(tmp_path / "o")]) == 0
     assert f"{told} us predicted" in capsys.readouterr().err
     assert main(["schedule", str(robot), "--procs", "1"]) == 0
     stdout = capsys.readouterr().out
-    (told,) = re.findall(r"(\S+) us step by step", stdout)
-    assert f"{told} us predicted; the search priced it at" in stdout
+    (told,) = re.findall(r"(\S+) us predicted", stdout)
+    assert main([str(robot), "--procs", "1", "--out", str(tmp_path / "one")]) == 0
+    assert f"{told} us predicted" in capsys.readouterr().err
 
 
-def test_what_the_search_priced_otherwise_is_told() -> None:
+def test_a_proof_is_told_of_the_price_that_was_searched_and_of_no_other() -> None:
     model, profile = serial_chain(4), load_profile("default")
     schedule = best_schedule(model, 1, profile)
     line = predict(make_plan(model, schedule), profile, "kernels")
-    told = f"{line.makespan:.2f} us predicted"
-    searched = prediction(replace(schedule, makespan=9.0), line)
-    assert searched.startswith(f"{told}; the search priced it at 9.00 us (default profile, ")
-    assert prediction(replace(schedule, makespan=line.makespan), line).startswith(f"{told} (")
+    told = f"{line.makespan:.2f} us predicted (default profile"
+    assert prediction(replace(schedule, makespan=9.0), line) == f"{told})"
+    searched = replace(schedule, makespan=line.makespan, lower_bound=line.makespan)
+    assert prediction(searched, line) == f"{told}; optimal)"

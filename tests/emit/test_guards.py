@@ -11,8 +11,8 @@ from adagen.emit.shapes import SHAPES
 from adagen.model import Model
 from adagen.model.kinds import PRISMATIC, SPHERICAL
 from adagen.plan import make_plan
-from adagen.predict import best_schedule
 from adagen.schedule import load_profile
+from adagen.search import best_schedule
 from adagen.states import random_states
 from tests.emitted import Builder, Solver, text_of
 from tests.models import human_figure, random_tree, serial_chain, star

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit.shapes import SHAPES, chosen_shape
+from adagen.emit.shapes import SHAPES
 from adagen.executor import interpret
 from adagen.model import Model, Passive
 from adagen.model.kinds import REVOLUTE, SPHERICAL
@@ -22,10 +22,11 @@ from adagen.plan.steps import (
     Propagate,
     SolveMobility,
 )
-from adagen.predict import best_schedule, predict
+from adagen.predict import predict
 from adagen.schedule import load_profile
+from adagen.search import best_schedule
 from adagen.states import random_states, write_states
-from tests.emitted import ROUNDING, Builder, Solver, forward_error, plan_of, text_of, truth_of
+from tests.emitted import ROUNDING, Builder, Solver, forward_error, kernels_of, plan_of, truth_of
 from tests.models import human_figure, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
 from tests.scene.held import held, rows
@@ -61,7 +62,7 @@ def test_limbs_with_joints_of_prescribed_motion_are_taken_side_by_side(
     """All but spherical ones, beside joints that move freely."""
     model = figure("left_knee", "right_elbow", "neck")
     plan = make_plan(model, best_schedule(model, 1, PROFILE))
-    assert chosen_shape(plan) == "kernels"
+    assert SHAPES["kernels"].why_not(plan) is None
     abreast = {j for limbs in limbs_abreast(plan, plan.processes[0]) for j in limbs.members()}
     given = {plan.joints[j].name for j in abreast if plan.joints[j].prescribed}
     assert given == {"left_knee", "right_elbow"}
@@ -82,7 +83,7 @@ def test_processes_share_such_robots(
 ) -> None:
     model = figure("left_knee", "waist", "__base__" if processes == 2 else "right_hip")
     plan = plan_of(model, processes, meeting=meeting, scalar=scalar)
-    assert chosen_shape(plan) == "kernels"
+    assert SHAPES["kernels"].why_not(plan) is None
     assert predict(plan, PROFILE).makespan > 0
     solver = require_right(plan, model, builder, tmp_path)
     if scalar == "float":
@@ -108,7 +109,7 @@ def test_what_is_joined_may_be_prescribed_or_have_a_rotor(builder: Builder, tmp_
     model = replace(model, joints=tuple(joints))
     assert others
     plan = plan_of(model, 3, meeting="join")
-    assert chosen_shape(plan) == "kernels"
+    assert SHAPES["kernels"].why_not(plan) is None
     require_right(plan, model, builder, tmp_path)
 
 
@@ -180,7 +181,7 @@ def test_batches_have_outer_forces_and_prescribed_motions(builder: Builder, tmp_
 
 def test_robots_without_such_inputs_have_none_of_it_in_their_code() -> None:
     for meeting in ("join", "gather"):
-        text = text_of(plan_of(human_figure(), 2, meeting=meeting))
+        text = kernels_of(plan_of(human_figure(), 2, meeting=meeting))
         for word in ("prescribed_motion", "void push(Workspace", "struct Held"):
             assert word not in text
 
@@ -189,7 +190,7 @@ def test_outer_forces_act_once_each_and_at_their_links_alone() -> None:
     model = figure()
     calls = [
         line.strip()
-        for line in text_of(plan_of(model, 2, meeting="gather")).splitlines()
+        for line in kernels_of(plan_of(model, 2, meeting="gather")).splitlines()
         if line.startswith("  push<")
     ]
     wanted = [f'push<{k}>(w);  // on link "{w.frame.name}"' for k, w in enumerate(model.wrenches)]
@@ -217,7 +218,7 @@ def test_spherical_joints_have_damping_and_rotors(builder: Builder, tmp_path: Pa
     plan = make_plan(model, best_schedule(model, 1, PROFILE))
     abreast = {j for limbs in limbs_abreast(plan, plan.processes[0]) for j in limbs.members()}
     assert geared_balls(plan) & abreast
-    assert chosen_shape(plan) == "kernels"
+    assert SHAPES["kernels"].why_not(plan) is None
     require_right(plan, model, builder, tmp_path)
 
 

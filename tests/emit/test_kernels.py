@@ -7,15 +7,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit.shapes import SHAPES, chosen_shape
+from adagen.emit.shapes import SHAPES
 from adagen.model import Model
 from adagen.model.kinds import PRISMATIC, SPHERICAL
 from adagen.plan import make_plan
 from adagen.plan.abreast import limbs_abreast
 from adagen.plan.steps import Join
-from adagen.predict import best_schedule
 from adagen.schedule import Topology, load_profile, named_schedule
 from adagen.schedule.tree import Named
+from adagen.search import best_schedule
 from adagen.states import random_states
 from adagen.urdf import read_robot
 from tests.emitted import ROUNDING, Builder, energy_errors, plan_of
@@ -64,9 +64,9 @@ def test_named_schedules_are_solved(
 ) -> None:
     schedule = named_schedule(name, Topology.of(model), processes, profile=PROFILE)
     plan = make_plan(model, schedule, meeting=meeting)
-    assert chosen_shape(plan) == "kernels"
+    assert SHAPES["kernels"].why_not(plan) is None
     states = random_states(model, 5, seed=2)
-    solver = builder.solver(plan, name="kernels")
+    solver = builder.solver(plan, name="kernels", shape="kernels")
     assert solver.error(model, states, tmp_path, "--check") < 20 * ROUNDING["double"]
 
 

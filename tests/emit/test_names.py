@@ -76,7 +76,21 @@ def test_a_lone_surrogate_is_replaced() -> None:
 @example("-rf")
 @example("a__b")
 @example("1st")
+@example("a" * 38 + "-_-" + "b" * 40)
 def test_file_stems_and_prefixes_are_harmless(name: str) -> None:
     stem = file_stem(name)
     assert re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_-]*", stem) and len(stem) <= LONGEST
     assert re.fullmatch(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*", prefix_of(f"{stem}_p2"))
+
+
+@given(st.text("ab_", min_size=1, max_size=8), st.text("ab_", min_size=1, max_size=8))
+@example("left", "right")
+def test_long_names_with_one_beginning_have_files_of_their_own(one: str, other: str) -> None:
+    beginning = "robot_of_a_long_name_" * 4
+    stems = {file_stem(beginning + one), file_stem(beginning + other)}
+    assert len(stems) == len({one, other})
+    assert all(stem.startswith("robot_of_a_long_name_") for stem in stems)
+
+
+def test_a_name_within_the_limit_stays_as_it_is() -> None:
+    assert file_stem("a" * LONGEST) == "a" * LONGEST

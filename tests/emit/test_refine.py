@@ -14,9 +14,9 @@ from adagen.errors import UsageError
 from adagen.plan import make_plan
 from adagen.plan.refine import exchanges, links_of_process
 from adagen.plan.steps import FusedJoin
-from adagen.predict import best_schedule
 from adagen.reference import inverse_dynamics
 from adagen.schedule import load_profile
+from adagen.search import best_schedule
 from adagen.states import random_states
 from tests.emitted import Builder, energy_errors
 from tests.links import with_light_link

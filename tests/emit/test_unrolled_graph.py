@@ -7,16 +7,21 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from adagen.emit.unrolled import pays_unrolled
+from adagen.emit.shapes import SHAPES, chosen_shape
 from adagen.executor import interpret, simulate
 from adagen.graph import Operations
 from adagen.model import FLOATING, REVOLUTE, Inertia, Model
 from adagen.plan import FORMS, make_plan
+from adagen.predict import predict
 from adagen.reference import forward_dynamics
+from adagen.schedule import load_profile
 from adagen.states import random_states
 from tests.emitted import plan_of
 from tests.models import Part, assemble, random_tree, rod, serial_chain, star, vector
+from tests.predict.costs import step_profile
 from tests.schedules import random_schedule
+
+PROFILE = load_profile("default")
 
 
 @pytest.mark.parametrize("form", FORMS)
@@ -85,18 +90,26 @@ def test_a_floating_body_of_its_own_needs_no_division_by_unknowns() -> None:
     assert operations(assemble("body", [part], floating=True)).divide == 1  # of the quaternion
 
 
-def test_a_straight_line_pays_for_arms_and_not_for_crowds() -> None:
-    assert pays_unrolled(plan_of(serial_chain(6), 1))
-    assert not pays_unrolled(plan_of(oblique(7), 1))  # nothing to save
-    assert not pays_unrolled(plan_of(serial_chain(30), 1))  # too long
+def test_a_straight_line_is_chosen_where_its_price_is_less() -> None:
+    assert chosen_shape(plan_of(serial_chain(6), 1)) == "unrolled"
+    assert chosen_shape(plan_of(serial_chain(60), 1)) == "kernels"  # too long
+    dear = step_profile(unrolled__operation=1.0)
+    assert chosen_shape(plan_of(serial_chain(6), 1), profile=dear) == "kernels"
 
 
-@pytest.mark.parametrize(("arms", "joints", "pays"), [(4, 2, True), (2, 3, True), (4, 3, False)])
-def test_a_straight_line_does_not_pay_where_most_limbs_lie_side_by_side(
-    arms: int, joints: int, pays: bool
-) -> None:
-    assert pays_unrolled(plan_of(star(arms, joints), 1)) == pays
+@pytest.mark.parametrize("robot", [serial_chain(6), serial_chain(60), star(4, 3), star(2, 3)])
+def test_auto_is_the_shape_of_least_price(robot: Model) -> None:
+    for processes in (1, 2):
+        plan = plan_of(robot, processes)
+        times = {
+            shape: predict(plan, PROFILE, shape).makespan
+            for shape in ("kernels", "unrolled")
+            if SHAPES[shape].why_not(plan) is None
+        }
+        assert times[chosen_shape(plan)] == min(times.values())
+        assert predict(plan, PROFILE).makespan == min(times.values())
 
 
-def test_form_ada_has_no_limbs_side_by_side() -> None:
-    assert pays_unrolled(plan_of(serial_chain(2), 1, form="ada"))
+def test_form_ada_on_several_processes_is_read_joint_by_joint() -> None:
+    assert chosen_shape(plan_of(serial_chain(2), 1, form="ada")) == "unrolled"
+    assert chosen_shape(plan_of(serial_chain(4), 2, form="ada")) == "joints"

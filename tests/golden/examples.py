@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from adagen.emit import emit
+from adagen.drawing import draw
+from adagen.emit import emit, program_of
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.predict import best_schedule
 from adagen.schedule import Schedule, Topology, load_profile, named_schedule, schedule_to_json
-from adagen.schedule.draw import schedule_svg
+from adagen.search import best_schedule
 from adagen.urdf import read_robot
 from tests.golden.make_models import MODELS, ROBOTS
 
@@ -103,9 +103,8 @@ def files_of(example: Example) -> dict[str, str]:
     """Return the files of an example, file name to text."""
     schedule, plan = stages(example)
     topology = Topology.of(example.model())
-    several = "es" if example.processes > 1 else ""
-    title = f"{example.model().name}, {example.processes} process{several}"
-    svg = schedule_svg(schedule, topology, title)
+    program = program_of(plan, example.shape, batch=example.batch)
+    svg = draw(schedule, topology, program, load_profile("default"), example.model().name)
     batch = example.processes if example.batch else 0
     files = emit(plan, name=example.name, svg=svg, shape=example.shape, batch=batch)
     files[f"{example.stem}.schedule.json"] = schedule_to_json(schedule, topology) + "\n"

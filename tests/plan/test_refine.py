@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from adagen.executor.refine import interpret_refined
 from adagen.model import Model
 from adagen.plan import make_plan
-from adagen.predict import best_schedule
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import Schedule, load_profile
+from adagen.search import best_schedule
 from adagen.states import random_states
 from tests.links import with_light_link
 from tests.models import human_figure, random_tree, serial_chain, three_axis_chain

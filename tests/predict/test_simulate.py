@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 
 from adagen.calibrate.schedules import random_schedule
+from adagen.cost import step_features
 from adagen.model.kinds import KINDS, REVOLUTE
 from adagen.plan import Plan, make_plan
 from adagen.plan.stages import stages
 from adagen.plan.steps import Articulate, Receive, Send
 from adagen.plan.types import Message, Process
-from adagen.predict import features, predict, step_time
+from adagen.predict import predict
 from adagen.schedule import Topology, find_schedule, load_profile
 from adagen.schedule.costs import NAMES
 from tests.models import human_figure, random_tree, serial_chain
@@ -33,7 +34,7 @@ def plan(processes: int, form: str = "segment", seed: int = 3) -> Plan:
 @pytest.mark.parametrize("seed", [3, 4])
 def test_what_is_predicted_can_happen(form: str, processes: int, seed: int) -> None:
     made = plan(processes, form, seed)
-    line = predict(made, step_profile())
+    line = predict(made, step_profile()).by_stage()
     assert len(line.exchanges) == len(made.messages)
     ends: list[float] = []
     for p, process in enumerate(made.processes):
@@ -54,11 +55,11 @@ def test_what_is_predicted_can_happen(form: str, processes: int, seed: int) -> N
 @pytest.mark.parametrize("form", ["ada", "segment"])
 def test_one_process_takes_the_sum_of_its_steps(form: str) -> None:
     made, costs = plan(1, form), step_costs()
-    total = sum(step_time(step, made.joints, costs) for step in made.processes[0].steps)
+    total = sum(costs.total(step_features(step, made.joints)) for step in made.processes[0].steps)
     line = predict(made, step_profile(), "joints")
     assert line.makespan == pytest.approx(total + costs["process.evaluation"])
     assert line.waiting(0) == 0
-    known = {name for step in made.processes[0].steps for name in features(step, made.joints)}
+    known = {name for step in made.processes[0].steps for name in step_features(step, made.joints)}
     assert known <= set(NAMES)
 
 
@@ -71,7 +72,7 @@ def test_a_receiver_waits_for_latency_and_numbers() -> None:
         messages=(message,),
     )
     start = step_costs()["process.evaluation"]
-    line = predict(idle, step_profile())
+    line = predict(idle, step_profile(), "kernels")
     sent = start + WINDOW.send + 3 * WINDOW.number  # half of 6 numbers
     assert line.exchanges[0].sent == pytest.approx(sent)
     assert line.makespan == pytest.approx(sent + WINDOW.latency + 3 * WINDOW.number)
@@ -117,7 +118,7 @@ def test_joints_of_prescribed_motion_have_prices_of_their_own(form: str) -> None
         for process in made.processes
         for step in process.steps
         if made.joints[getattr(step, "joint", 0)].prescribed
-        for name in features(step, made.joints)
+        for name in step_features(step, made.joints)
     }
     kinds = {name for name in names if name.split(".")[1] in KINDS}
     assert kinds and all(name.startswith("kinematics.") for name in kinds)
@@ -131,7 +132,7 @@ def test_nothing_is_swept_onto_the_ground_by_a_joint_of_prescribed_motion() -> N
     known = held(serial_chain(2), [0])
     made = make_plan(known, find_schedule(Topology.of(known), 1, profile=load_profile("default")))
     swept = [step for step in made.processes[0].steps if isinstance(step, Articulate)]
-    assert [features(step, made.joints) for step in swept] == [{"articulate.revolute": 1}, {}]
+    assert [step_features(step, made.joints) for step in swept] == [{"articulate.revolute": 1}, {}]
 
 
 def test_the_paper_profile_has_no_steps_to_predict_with() -> None:

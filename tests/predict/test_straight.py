@@ -8,15 +8,16 @@ import numpy as np
 import pytest
 
 from adagen.calibrate.robots import chain, robot, squared, star
+from adagen.cost.straight import straight_features
 from adagen.emit.shapes import SHAPES, chosen_shape
 from adagen.executor import simulate
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.stages import stages
-from adagen.predict import choose_processes, goes_straight, is_priced, predict, predicted_time
-from adagen.predict.straight import straight_features
+from adagen.predict import goes_straight, is_priced, predict, program_of
 from adagen.schedule import Schedule, Topology, find_schedule, load_profile
 from adagen.schedule.costs import NAMES
+from adagen.search import choose_processes, predicted_time
 from tests.models import serial_chain
 from tests.predict.costs import step_costs, step_profile
 
@@ -48,7 +49,8 @@ def test_it_is_what_auto_emits(model: Model) -> None:
     plan = plan_of(model)
     assert chosen_shape(plan) == "unrolled"
     line, other = predict(plan, DEFAULT), predict(plan, DEFAULT, "kernels")
-    assert line.straight and not other.straight
+    assert program_of(plan).shape == "unrolled"
+    assert program_of(plan, "kernels").shape == "kernels"
     assert line.makespan < other.makespan  # or auto would be wrong
     (only,) = simulate(plan)
     found = straight_features(plan)
@@ -56,12 +58,13 @@ def test_it_is_what_auto_emits(model: Model) -> None:
     assert found["unrolled.operation"] == only.operations.arithmetic - only.operations.fused
     costs = step_costs()
     expected = sum(costs[name] * count for name, count in found.items())
-    assert predict(plan, step_profile()).makespan == pytest.approx(expected)
+    assert predict(plan, step_profile(), "unrolled").makespan == pytest.approx(expected)
 
 
 def test_its_stages_share_its_time_in_order() -> None:
     plan = plan_of(arm())
     line = predict(plan, DEFAULT)
+    line = line.by_stage()
     assert [i.what for i in line.intervals] == [s.what for s in stages(plan.processes[0])]
     costs = DEFAULT.steps
     assert costs is not None
@@ -77,20 +80,22 @@ def test_everything_else_goes_step_by_step() -> None:
     small, large = plan_of(arm()), plan_of(serial_chain(40))
     assert not goes_straight(small, "kernels") and not goes_straight(small, "joints")
     assert not goes_straight(large) and goes_straight(large, "unrolled")
-    assert not goes_straight(plan_of(arm(), 2), "unrolled")
-    assert not predict(large, DEFAULT).straight
+    assert goes_straight(plan_of(arm(), 2), "unrolled")
+    assert program_of(large).shape == "kernels"
     assert [shape for shape in SHAPES if is_priced(small, shape)] == ["kernels", "unrolled"]
     assert not is_priced(small, "crba") and is_priced(plan_of(arm(), 2, "ada"), "joints")
 
 
 def test_a_slow_core_and_dear_operations_take_longer() -> None:
     plan = plan_of(arm())
-    base = predict(plan, step_profile()).makespan
-    assert predict(plan, step_profile(cores=(0.5,))).makespan == pytest.approx(2 * base)
-    for name in (name for name in NAMES if name.startswith("unrolled.")):
+    base = predict(plan, step_profile(), "unrolled").makespan
+    assert predict(plan, step_profile(cores=(0.5,)), "unrolled").makespan == pytest.approx(2 * base)
+    for name in (
+        name for name in NAMES if name.startswith("unrolled.") and name != "unrolled.fetched"
+    ):
         dearer = step_profile((), **{name.replace(".", "__"): 1.0})
-        assert predict(plan, dearer).makespan > base
-    assert predict(plan, step_profile((), join__revolute=1.0)).makespan == base
+        assert predict(plan, dearer, "unrolled").makespan > base
+    assert predict(plan, step_profile((), join__revolute=1.0), "unrolled").makespan == base
 
 
 def test_processes_are_chosen_against_the_straight_line() -> None:

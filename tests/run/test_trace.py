@@ -11,13 +11,13 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from adagen.calibrate.measure import Program, least
+from adagen.drawing.trace import machine_svg
 from adagen.errors import InputError
 from adagen.plan import Plan, make_plan
 from adagen.plan.stages import stages
 from adagen.predict import predict
+from adagen.run.trace import read_trace
 from adagen.schedule import Topology, load_profile, named_schedule
-from adagen.schedule.draw_trace import machine_svg
-from adagen.schedule.trace import read_trace
 from tests.emitted import Builder, Solver
 from tests.models import human_figure
 

@@ -135,6 +135,8 @@ BAD = {
     "twice": ("mimic = true\nmimic = true\n", 2, "not TOML"),
     "unknown key": ("\ngravty = [0, 0, 0]\n", 2, "unknown key 'gravty'; did you mean 'gravity'?"),
     "unlike any key": ("zzz = 1\n", 1, "known: accelerations, base"),
+    "loops": ('\n[[loops]]\nname = "a"\n', 2, "[[loops]]: closed loops are not modelled; leave"),
+    "couplings": ('[[couplings]]\njoint = "a"\n', 1, "[[couplings]]: couplings of joints are not"),
     "two numbers": ("gravity = [0, 0]\n", 1, "gravity needs 3 numbers in a list"),
     "gravity text": ('gravity = ["a", 0, 0]\n', 1, "'a' is not a number"),
     "gravity true": ("gravity = [true, 0, 0]\n", 1, "True is not a number"),

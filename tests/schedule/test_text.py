@@ -14,6 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from adagen.drawing.tree import schedule_svg
 from adagen.errors import InputError
 from adagen.schedule import (
     InvalidSchedule,
@@ -24,7 +25,6 @@ from adagen.schedule import (
     load_profile,
     schedule_from_json,
     schedule_line,
-    schedule_svg,
     schedule_to_json,
     schedule_tree,
     validate,

@@ -9,6 +9,7 @@ import pytest
 
 from adagen.errors import InputError
 from adagen.model import Model, Passive
+from adagen.scene import read_scene
 from adagen.urdf import Reading, check_reduced, read_robot
 from tests.urdf.texts import BODY, Y, joint, link, robot
 
@@ -25,17 +26,60 @@ def one(inside: str, child: str = BODY) -> str:
     return robot(link("a"), link("b", child), joint("j1", "a", "b", inside=Y + inside))
 
 
-def test_what_is_asked_for_is_modelled_and_the_rest_is_told(tmp_path: Path) -> None:
+def test_what_is_asked_for_is_modelled_and_the_rest_is_warned_of(tmp_path: Path) -> None:
     text = one(DYNAMICS)
     plain = read(tmp_path, text)
     assert plain.model.joints[0].passive == Passive()
-    assert "joint damping and friction: 1, not modelled" in plain.ignored
+    assert plain.warnings == (
+        f'{tmp_path}/r.urdf:5: warning: damping and friction of joint "j1" are not modelled: '
+        'a scene with damping = "urdf" and friction = "urdf" models them',
+    )
     damped = read(tmp_path, text, effects=["damping"])
     assert damped.model.joints[0].passive == Passive(damping=0.5)
-    assert "joint friction: 1, not modelled" in damped.ignored
+    (line,) = damped.warnings
+    assert line.endswith(
+        'friction of joint "j1" is not modelled: a scene with friction = "urdf" models it'
+    )
     both = read(tmp_path, text, effects=["damping", "friction"])
     assert both.model.joints[0].passive == Passive(damping=0.5, friction=0.25)
-    assert not any("friction" in line for line in both.ignored)
+    assert both.warnings == plain.ignored == both.ignored == ()
+
+
+def test_many_joints_take_one_line_for_each_effect(tmp_path: Path) -> None:
+    parts = [link("l0"), link("l9"), joint("j9", "l0", "l9", "fixed", Y + DYNAMICS)]
+    for k in range(1, 7):
+        inside = f'<dynamics damping="{k}" friction="{0.1 * (k > 4)}" K="7" D="x"/>'
+        parts += [link(f"l{k}"), joint(f"j{k}", f"l{k - 1}", f"l{k}", inside=Y + inside)]
+    warnings = read(tmp_path, robot(*parts)).warnings
+    assert [line.partition("warning: ")[2] for line in warnings] == [
+        'damping of 6 joints is not modelled ("j1", "j2", "j3" and 3 more): a scene with '
+        'damping = "urdf" models it',
+        'K and D of 6 joints are not modelled ("j1", "j2", "j3" and 3 more)',
+        'friction of 2 joints is not modelled ("j5", "j6"): a scene with friction = "urdf" models '
+        "it",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("said", "effects"),
+    [
+        ("", ["damping", "friction"]),
+        ("damping = 0", ["friction"]),
+        ('damping = "urdf"\nfriction = 0.1', []),
+        ("[joints.j1]\ndamping = 0.2", ["friction"]),
+        ("lock_all_but = []", []),
+        ("[lock]\nj1 = 0.5", []),
+        ('lock_all_but = ["j1"]', ["damping", "friction"]),
+    ],
+)
+def test_what_a_scene_decides_is_not_warned_of(
+    said: str, effects: list[str], tmp_path: Path
+) -> None:
+    (tmp_path / "s.toml").write_text(said)
+    scene = read_scene(tmp_path / "s.toml")
+    found = read(tmp_path, one(DYNAMICS), effects=scene.from_urdf, decided=scene.decides)
+    words = " ".join(found.warnings).partition(" of joint")[0].split()
+    assert [word for word in words if word in ("damping", "friction")] == effects
 
 
 @pytest.mark.parametrize(

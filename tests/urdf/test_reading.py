@@ -111,12 +111,12 @@ def test_what_is_ignored_is_told(read: Read) -> None:
         "<gazebo> elements: 1, not modelled",
         "<inertia_hint> elements of a link: 1, not modelled",
         "collisions: 1, not modelled",
-        "joint damping and friction: 1, not modelled",
         "joint limits (position, velocity, effort): 1, not modelled",
         "visuals: 1, not modelled",
     )
-    assert len(reading.warnings) == 1
+    assert len(reading.warnings) == 2
     assert 'joint "j1": <limit> "nan" is not finite' in reading.warnings[0]
+    assert 'robot.urdf:5: warning: damping of joint "j1" is not modelled' in reading.warnings[1]
 
 
 def test_a_thousand_unknown_names_take_few_lines(read: Read) -> None:

@@ -139,6 +139,23 @@ CASES = {
     "axis without xyz": (pair(j="<axis/>"), 5, "xyz"),
     "zero axis": (pair(j='<axis xyz="0 0 0"/>'), 5, "length zero"),
     "negative inertia": (with_iyy('iyy="-0.01"'), 4, 'link "b": inertia is not positive definite'),
+    "loop": (
+        GOOD.replace("</robot>", '<loop name="l1"/>\n<loop name="l2" type="revolute"/></robot>'),
+        6,
+        '<loop> "l1", "l2": closed loops are not modelled; remove it',
+    ),
+    "loop of Drake": (GOOD.replace("</robot>", '<loop_joint name="l"/></robot>'), 6, '"l": closed'),
+    "loop in capitals": (GOOD.replace("</robot>", "<Loop/></robot>"), 6, '<loop> "": closed loops'),
+    "loop in a namespace": (
+        GOOD.replace("</robot>", '<x:loop xmlns:x="http://x" name="l"/></robot>'),
+        6,
+        '<loop> "l": closed loops',
+    ),
+    "coupling": (
+        GOOD.replace("</robot>", '<coupling name="c"><ratio value="6.0"/></coupling></robot>'),
+        6,
+        '<coupling> "c": couplings are not modelled; write it as a <mimic>',
+    ),
     "mimics itself": (pair(j=Y + '<mimic joint="j1"/>'), 5, 'joint "j1" mimics itself'),
     "mimics nothing": (pair(j=Y + '<mimic joint="jx"/>'), 5, "does not exist"),
     "massless leaf": (

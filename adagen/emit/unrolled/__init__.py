@@ -7,11 +7,10 @@ nothing twice; what is left is cut into functions (layout.py) and printed (text.
 from __future__ import annotations
 
 from adagen.emit.unrolled.emission import CHUNK, unrolled_values, why_not_unrolled
-from adagen.emit.unrolled.pays import pays_unrolled, pays_unrolled_in_lanes
+from adagen.emit.unrolled.pays import pays_unrolled_in_lanes
 
 __all__ = [
     "CHUNK",
-    "pays_unrolled",
     "pays_unrolled_in_lanes",
     "unrolled_values",
     "why_not_unrolled",

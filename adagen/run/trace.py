@@ -9,13 +9,13 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+from adagen.cost.play import Exchange, Interval, Timeline
 from adagen.errors import InputError
-from adagen.schedule.timeline import Exchange, Interval, MachineTimeline
 
 _SORTS = ("kinematics", "assembly", "disassembly", "slaved", "send", "receive")
 
 
-def read_trace(path: str, names: Sequence[str], processes: int) -> MachineTimeline:
+def read_trace(path: str, names: Sequence[str], processes: int) -> Timeline:
     """Return the timeline in a trace file; times become microseconds.
 
     A process that receives is shown as waiting until the message is sent.
@@ -69,7 +69,7 @@ def _interval(row: Mapping[str, Any], place: Mapping[str, int], processes: int) 
     return Interval(process, what, joint, message, start / 1e3, (start + length) / 1e3)
 
 
-def _timeline(found: list[Interval]) -> MachineTimeline:
+def _timeline(found: list[Interval]) -> Timeline:
     found.sort(key=lambda i: i.process)  # stable: the file has each process's stages in order
     ends = [i.end for i in found]
     for k, (before, after) in enumerate(pairwise(found)):
@@ -88,4 +88,4 @@ def _timeline(found: list[Interval]) -> MachineTimeline:
             exchanges.append(Exchange(sender[i.message], i.process, sent[i.message], end))
             start = arrived
         intervals.append(Interval(i.process, i.what, i.joint, i.message, start, end))
-    return MachineTimeline(tuple(intervals), tuple(exchanges), max(ends), "measured")
+    return Timeline(tuple(intervals), tuple(exchanges), max(ends), "measured")

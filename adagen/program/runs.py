@@ -12,6 +12,11 @@ from adagen.plan.order import Ends, Unit, ends_of, outward_order
 from adagen.plan.steps import Accelerate, Articulate, Deliver
 from adagen.plan.types import PlanJoint
 
+FEWEST_IN_COLUMNS = 4
+"""Joints of one freedom that a run must have to be taken by columns."""
+
+OF_ONE_FREEDOM = ("revolute", "prismatic")
+
 
 @dataclass(frozen=True)
 class Run:
@@ -140,8 +145,8 @@ def pays_columns(joints: Sequence[PlanJoint], run: Run) -> bool:
     that it is less work number by number. See templates/runtime/kernels/inward_columns.hpp.
     """
     own = joints[run.first : run.last + 1]
-    single = sum(joint.kind in _OF_ONE_FREEDOM for joint in own)
-    return single >= max(_FEWEST_IN_COLUMNS, len(own) - single)
+    single = sum(joint.kind in OF_ONE_FREEDOM for joint in own)
+    return single >= max(FEWEST_IN_COLUMNS, len(own) - single)
 
 
 def parts_of(units: Iterable[Unit]) -> Iterable[Limbs | list[int]]:
@@ -182,7 +187,3 @@ def spans(joints: Iterable[int]) -> list[tuple[int, int]]:
         else:
             found.append((j, j))
     return found
-
-
-_FEWEST_IN_COLUMNS = 4
-_OF_ONE_FREEDOM = ("revolute", "prismatic")

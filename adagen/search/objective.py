@@ -23,15 +23,16 @@ from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.digits import EPSILON, generic_configuration
 from adagen.plan.types import FACTORS
-from adagen.predict.best import best_schedule
 from adagen.schedule import CostProfile, Schedule, named_schedule
 from adagen.schedule.tree import Named
+from adagen.search.best import best_schedule
 
 OBJECTIVES = ("time", "accuracy", "both")
 LIMITS = (1e1, 1e2, 1e3, 1e4, 1e5)
 """Growths that objective `accuracy` lets pass at a cut, one after the other."""
 HARDLY_SINGULAR = {"double": 1e12, "float": 1e5}
 """Growth that objective `time` lets pass: factorizations still succeed."""
+_TRIALS = 6
 _BETTER = 0.5  # of the predicted error, for a slower schedule to be taken
 
 
@@ -109,7 +110,9 @@ def predicted_digits(objective: str, model: Model, plan: Plan) -> Digits:
 
 
 def _tried(plan: Plan) -> float:
-    """The relative error found in generic states, the larger of two first corrections.
+    """The relative error found in generic states, the largest of their first corrections.
+
+    Few poses are bad ones: two states would tell too little.
 
     Zero where nothing but g is known: where the plan cannot be refined, or takes the second way
     that it has for singular poses, which refinement does not know. Infinite where no digit is
@@ -117,7 +120,7 @@ def _tried(plan: Plan) -> float:
     """
     count = sum(KINDS[joint.kind].nv for joint in plan.joints)
     sizes = [0.0]
-    for seed in (1, 2):
+    for seed in range(1, _TRIALS + 1):
         q = generic_configuration(plan.joints, seed)
         v, tau = (np.sin(step * seed * np.arange(1, count + 1)) for step in (2.3, 3.1))
         with suppress(UsageError, FloatingPointError):

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
-from adagen.emit.runs import Run
-from adagen.emit.segments import LANES, segments_of, slots_of
 from adagen.plan import Plan
 from adagen.plan.abreast import Limbs, limbs_abreast
+from adagen.plan.types import FACTORS
+from adagen.program.runs import Run
+from adagen.program.segments import LANES, segments_of, slots_of
 
 
 @dataclass(frozen=True)
-class Layout:
+class Slots:
     """The slots of all joints, and what is taken side by side.
 
     Attributes:
@@ -36,16 +38,32 @@ class Layout:
         """Whether every joint lies at its own number."""
         return self.slots == tuple(range(self.count))
 
+    def ranges(self, joints: Iterable[int]) -> list[tuple[int, int]]:
+        """First and last slots of ranges that hold joints and in which no block is empty."""
+        found: list[tuple[int, int]] = []
+        for slot in sorted(self.slots[j] for j in joints):
+            if found and slot - found[-1][1] < _WIDEST:
+                found[-1] = (found[-1][0], slot)
+            else:
+                found.append((slot, slot))
+        return found
+
     @staticmethod
-    def of(plan: Plan, batch: bool) -> Layout:
+    def plainly(plan: Plan) -> Slots:
+        """Every joint at its own number, nothing side by side."""
+        count = len(plan.joints)
+        return Slots(tuple(range(count)), count, ((),) * len(plan.processes), ())
+
+    @staticmethod
+    def of(plan: Plan, batch: bool) -> Slots:
         """Lay out a plan's joints; those of a batch have their lanes for states."""
         limbs = tuple(
             () if batch else tuple(limbs_abreast(plan, process)) for process in plan.processes
         )
         segments = () if batch else tuple(segments_of(plan, limbs))
-        count, width = len(plan.joints), LANES[plan.scalar]
+        count, width = len(plan.joints), LANES[FACTORS[plan.scalar]]
         if not segments and not any(limbs):
-            return Layout(tuple(range(count)), count, limbs, segments)
+            return Slots(tuple(range(count)), count, limbs, segments)
         slots, next_ = [-1] * count, 0
         for run in segments:
             own_slots = slots_of(run, width)
@@ -66,7 +84,10 @@ class Layout:
         for j in range(count):
             if slots[j] < 0:
                 slots[j], next_ = next_, next_ + 1
-        return Layout(tuple(slots), next_, limbs, segments)
+        return Slots(tuple(slots), next_, limbs, segments)
+
+
+_WIDEST = 16  # joints in the widest block: two apart by less may share one
 
 
 def _up(slot: int, width: int) -> int:

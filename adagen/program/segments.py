@@ -8,16 +8,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
 
-from adagen.emit.runs import Run, outward_units
 from adagen.plan import Plan
 from adagen.plan.abreast import Limbs
 from adagen.plan.steps import Kinematics
-from adagen.plan.types import PlanJoint
+from adagen.plan.types import FACTORS, PlanJoint
+from adagen.program.runs import Run, outward_units
 
 LANES = {"double": 8, "float": 16}
 """Numbers in the widest registers."""
 
-_KINDS = frozenset({"revolute", "spherical"})
+KINDS = frozenset({"revolute", "spherical"})
+"""Kinds of joints that are passed in segments."""
+
 _FEWEST_ROWS = 2  # of a run's joints, a segment's k-th ones in each
 
 
@@ -50,7 +52,8 @@ def segments_of(plan: Plan, limbs: Sequence[Sequence[Limbs]]) -> list[Run]:
 def pays_segments(joints: Sequence[PlanJoint], run: Run, scalar: str) -> bool:
     """Whether a run is long enough for segments, and of kinds that all lanes can take at once."""
     own = joints[run.first : run.last + 1]
-    return len(own) >= _FEWEST_ROWS * LANES[scalar] and all(j.kind in _KINDS for j in own)
+    enough = len(own) >= _FEWEST_ROWS * LANES[FACTORS[scalar]]
+    return enough and all(j.kind in KINDS for j in own)
 
 
 def _outward(plan: Plan, p: int, limbs: Sequence[Limbs]) -> Iterator[Run]:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable
 
+from adagen.drawing.outline import Row, robot_rows, schedule_rows
+from adagen.drawing.svg import INK, MUTED, Canvas, colour, shorten, text_width, time_axis
 from adagen.errors import printable
-from adagen.schedule.outline import Row, robot_rows, schedule_rows
-from adagen.schedule.svg import INK, MUTED, Canvas, colour, shorten, text_width, time_axis
 from adagen.schedule.timeline import Timeline, predict
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node, Schedule, preorder
@@ -39,10 +39,9 @@ def schedule_svg(schedule: Schedule, topology: Topology, title: str) -> str:
     canvas = Canvas()
     nodes = {node.joint: node for node in preorder(schedule.root)}
     left, right = schedule_rows(schedule, topology), robot_rows(topology)
-    tree_label = _tree_label(nodes, topology)
-    robot_label = _robot_label(topology)
-    middle = MARGIN + _width(left, tree_label) + 2 * MARGIN
-    width = max(middle + _width(right, robot_label) + MARGIN, _chart_width(nodes))
+    of_tree, of_robot = tree_label(nodes, topology), robot_label(topology)
+    middle = MARGIN + outline_width(left, of_tree) + 2 * MARGIN
+    width = max(middle + outline_width(right, of_robot) + MARGIN, _chart_width(nodes))
     middle = max(middle, width / 2)
     bottom = _head(canvas, schedule, title, width)
     bottom = _gantt(canvas, schedule, topology, bottom, width)
@@ -56,8 +55,12 @@ def schedule_svg(schedule: Schedule, topology: Topology, title: str) -> str:
         middle, bottom + 15, "joint under joint, in the same colours; joint number", 10, fill=MUTED
     )
     bottom += 34
-    _outline(canvas, left, nodes, tree_label, MARGIN, bottom)
-    _outline(canvas, right, nodes, robot_label, middle, bottom)
+
+    def process_of(joint: int) -> int:
+        return nodes[joint].processes[0]
+
+    draw_outline(canvas, left, process_of, of_tree, MARGIN, bottom)
+    draw_outline(canvas, right, process_of, of_robot, middle, bottom)
     return canvas.document(width, bottom + ROW * len(left) + MARGIN, title)
 
 
@@ -70,7 +73,9 @@ def _chart_width(nodes: dict[int, Node]) -> float:
 Label = Callable[[Row], tuple[str, str]]
 
 
-def _tree_label(nodes: dict[int, Node], topology: Topology) -> Label:
+def tree_label(nodes: dict[int, Node], topology: Topology) -> Label:
+    """Return what rows of a schedule tree say: the name, and joint number, k and cost."""
+
     def label(row: Row) -> tuple[str, str]:
         node = nodes[row.joint]
         a, b = node.processes
@@ -82,7 +87,9 @@ def _tree_label(nodes: dict[int, Node], topology: Topology) -> Label:
     return label
 
 
-def _robot_label(topology: Topology) -> Label:
+def robot_label(topology: Topology) -> Label:
+    """Return what rows of a robot say: the name, and joint number and freedoms."""
+
     def label(row: Row) -> tuple[str, str]:
         dofs = topology.dofs[row.joint]
         note = f"{row.joint}:  {dofs} DOF" if dofs > 1 else f"{row.joint}"
@@ -96,7 +103,8 @@ def _note_column(rows: list[Row], label: Label) -> float:
     return max(row.indent * INDENT + text_width(label(row)[0], SIZE) for row in rows) + 30
 
 
-def _width(rows: list[Row], label: Label) -> float:
+def outline_width(rows: list[Row], label: Label) -> float:
+    """Return how wide an outline is, pixels."""
     return _note_column(rows, label) + max(text_width(label(row)[1], 9) for row in rows)
 
 
@@ -205,9 +213,16 @@ def _messages(
         canvas.circle(x2, y2, 2, INK)
 
 
-def _outline(
-    canvas: Canvas, rows: list[Row], nodes: dict[int, Node], label: Label, x: float, y: float
+def draw_outline(
+    canvas: Canvas,
+    rows: list[Row],
+    process_of: Callable[[int], int],
+    label: Label,
+    x: float,
+    y: float,
 ) -> None:
+    """Draw an outline, each row with its process in a circle."""
+
     def centre(row: int) -> tuple[float, float]:
         return x + 7 + rows[row].indent * INDENT, y + row * ROW
 
@@ -218,7 +233,7 @@ def _outline(
     notes = x + _note_column(rows, label)
     for i, row in enumerate(rows):
         cx, cy = centre(i)
-        process = nodes[row.joint].processes[0]
+        process = process_of(row.joint)
         fill, ink = colour(process)
         name, note = label(row)
         canvas.circle(cx, cy, 7, fill)

@@ -15,9 +15,9 @@ from adagen.executor.growth import predicted_growth
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.steps import Join
-from adagen.predict.objective import OBJECTIVES, Digits, predicted_digits, schedule_for
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import Schedule, load_profile
+from adagen.search.objective import OBJECTIVES, Digits, predicted_digits, schedule_for
 from adagen.stability import robots
 from adagen.states import random_states
 from tests.emitted import plan_of

@@ -4,25 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from adagen.schedule.svg import INK, MUTED, Canvas, colour, shorten, text_width, time_axis
-from adagen.schedule.timeline import Interval, MachineTimeline
+from adagen.cost.play import Interval, Timeline
+from adagen.drawing.gantt import bar, legend
+from adagen.drawing.svg import INK, MUTED, Canvas, colour, shorten, text_width, time_axis
 
 MARGIN = 24.0
 LANE = 22.0
 SIZE = 11.0
 WIDTH = 1100.0
 MOST_LANES = 64
-WAIT = "#e4e4e4"
-_LEGEND = (
-    ("kinematics", 90.0),
-    ("assembly", 80.0),
-    ("disassembly", 100.0),
-    ("message", 80.0),
-    ("waiting", 70.0),
-)
 
 
-def machine_svg(timelines: Sequence[MachineTimeline], names: Sequence[str], title: str) -> str:
+def machine_svg(timelines: Sequence[Timeline], names: Sequence[str], title: str) -> str:
     """Return a drawing of timelines under each other, on one scale.
 
     Args:
@@ -35,7 +28,7 @@ def machine_svg(timelines: Sequence[MachineTimeline], names: Sequence[str], titl
     """
     canvas = Canvas()
     canvas.text(MARGIN, 34, shorten(title, WIDTH - 2 * MARGIN, 18), 18, bold=True)
-    _legend(canvas, MARGIN, 56)
+    legend(canvas, MARGIN, 56)
     longest = max(max(line.makespan for line in timelines), 1e-9)
     left = MARGIN + 100
     scale = (WIDTH - left - MARGIN - 90) / longest
@@ -45,40 +38,9 @@ def machine_svg(timelines: Sequence[MachineTimeline], names: Sequence[str], titl
     return canvas.document(WIDTH, top + MARGIN, title)
 
 
-def _legend(canvas: Canvas, x: float, y: float) -> None:
-    for what, width in _LEGEND:
-        _bar(canvas, "send" if what == "message" else what, 0, x, y - 9, 16, 11)
-        canvas.text(x + 21, y, what, 10, fill=MUTED)
-        x += 21 + width
-
-
-def _bar(
-    canvas: Canvas,
-    what: str,
-    process: int,
-    x: float,
-    y: float,
-    width: float,
-    height: float,
-    note: str = "",
-) -> None:
-    fill = colour(process)[0]
-    if what in ("wait", "waiting"):
-        canvas.rect(x, y, width, height, WAIT, note=note)
-        return
-    if what in ("send", "receive"):
-        canvas.rect(x, y, width, height, INK, note=note)
-        return
-    canvas.rect(x, y, width, height, fill, stroke="#ffffff", note=note)
-    if what == "kinematics":
-        canvas.rect(x + 0.5, y + 1, max(width - 1, 0), height * 0.45, "#ffffff")
-    elif what in ("disassembly", "slaved"):
-        canvas.rect(x + 0.5, y + height - 6, max(width - 1, 0), 3, "#ffffff")
-
-
 def _chart(
     canvas: Canvas,
-    line: MachineTimeline,
+    line: Timeline,
     names: Sequence[str],
     left: float,
     top: float,
@@ -99,7 +61,7 @@ def _chart(
         if i.process in place:
             x, y = left + i.start * scale, place[i.process] + 2
             width = (i.end - i.start) * scale
-            _bar(canvas, i.what, i.process, x, y, width, LANE - 4, _note(i, names))
+            bar(canvas, i.what, i.process, x, y, width, LANE - 4, _note(i, names))
             if i.joint is not None and i.what in ("assembly", "disassembly"):
                 name = shorten(names[i.joint], width - 4, 9)
                 if name and text_width(name, 9) <= width - 4 and not name.startswith("…"):

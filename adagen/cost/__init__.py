@@ -1,0 +1,14 @@
+"""What a program takes on a machine: the one price that is searched by, drawn and said."""
+
+from adagen.cost.features import Features, operation_features, step_features
+from adagen.cost.play import Exchange, Interval, Timeline, timeline
+
+__all__ = [
+    "Exchange",
+    "Features",
+    "Interval",
+    "Timeline",
+    "operation_features",
+    "step_features",
+    "timeline",
+]

@@ -1,0 +1,171 @@
+"""What operations are made of, in the coefficients of a cost profile.
+
+This is the one place where that is said: of what is predicted, and of what is fitted to measured
+times.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from adagen.model.kinds import KINDS
+from adagen.plan.abreast import Limbs
+from adagen.plan.steps import (
+    Accelerate,
+    AccelerateRoot,
+    ApplyCoupling,
+    Articulate,
+    Deliver,
+    Disassemble,
+    FreeAcceleration,
+    FreeBase,
+    FusedJoin,
+    HoldMobility,
+    InvertRoot,
+    Join,
+    Kinematics,
+    LinkBias,
+    Load,
+    LoadRoot,
+    Propagate,
+    Receive,
+    Send,
+    SolveCoupling,
+    SolveMobility,
+    SolveRoot,
+    StartEmpty,
+    StartLink,
+    Step,
+)
+from adagen.plan.types import PlanJoint
+from adagen.program import Operation
+from adagen.program.runs import Run
+from adagen.schedule.costs import PRESCRIBED, block_rows
+
+Features = dict[str, float]
+"""How often each coefficient counts; names as in ``adagen.schedule.costs.NAMES``."""
+
+_PLAIN: dict[type, str] = {
+    LinkBias: "link.bias",
+    StartLink: "link.start",
+    InvertRoot: "root.invert",
+    SolveRoot: "root.solve",
+    SolveMobility: "root.solve",
+    HoldMobility: "root.invert",
+    LoadRoot: "deliver.load",
+    AccelerateRoot: "root.accelerate",
+    FreeBase: "free.base",
+    FreeAcceleration: "free.acceleration",
+    Load: "deliver.load",
+    SolveCoupling: "slaved.solve",
+    ApplyCoupling: "slaved.apply",
+}
+
+
+def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
+    """Return what a step that is carried out by itself is made of; nothing for a message.
+
+    Args:
+        step: a step of a plan.
+        joints: the plan's joints.
+    """
+    if isinstance(step, Send | Receive | StartEmpty):
+        return {}
+    plain = _PLAIN.get(type(step))
+    if plain is not None:
+        return {plain: 1}
+    joint = joints[step.joint]  # type: ignore[union-attr]
+    kind = PRESCRIBED if joint.prescribed else joint.kind
+    match step:
+        case Kinematics():
+            return {f"kinematics.{joint.kind}": 1}
+        case FusedJoin():
+            freedoms = sum(KINDS[joints[j].kind].nv for j in step.run)
+            own = _join(step, "spherical" if freedoms < 6 else "floating")
+            return {**own, "kinematics.revolute": len(step.run)}
+        case Join():
+            return _join(step, kind)
+        case Disassemble():
+            return {f"disassemble.{kind}": 1, "disassemble.coupling": len(step.forces)}
+        case Articulate():
+            grounded = not step.reversed and joint.parent == 0
+            if grounded and joint.prescribed:  # nothing is handed to the ground
+                return {}
+            return _turned("articulate", "ground" if grounded else kind, step.reversed)
+        case Propagate():
+            first = "ground" if step.near is None else kind
+            found = _turned("propagate", first, step.reversed)
+            return {**found, "propagate.spread": len(step.spreads)}
+        case Deliver():
+            return _turned("deliver", kind, step.reversed)
+        case Accelerate():
+            return _turned("accelerate", kind, step.reversed)
+    raise AssertionError(f"unknown step {step}")
+
+
+def _join(step: Join, kind: str) -> Features:
+    grounded = step.a is None and kind != "floating"
+    on_a = sum(coupling.side == "A" for coupling in step.couplings)
+    across = sum(block.across for block in step.blocks)
+    rows = block_rows(kind)
+    return {
+        f"join.{'ground' if grounded else kind}": 1,
+        "join.coupling_a": on_a,
+        "join.coupling_b": len(step.couplings) - on_a,
+        "join.block": rows * (len(step.blocks) - across),
+        "join.across": rows * across,
+    }
+
+
+def _turned(group: str, key: str, turned: bool) -> Features:
+    return {f"{group}.{key}": 1, **({f"{group}.reversed": 1} if turned else {})}
+
+
+_LANES = {2: "two", 4: "four"}
+
+
+def operation_features(operation: Operation, joints: Sequence[PlanJoint]) -> Features:
+    """Return what an operation is made of; nothing for a message.
+
+    Args:
+        operation: an operation of a program.
+        joints: the joints of its plan.
+    """
+    block = operation.block
+    if isinstance(block, Limbs):
+        return _limbs_features(operation.does, block, joints)
+    found = [_of_step(step, operation.method, joints) for step in operation.steps]
+    if isinstance(block, Run) and operation.does == "articulate" and operation.method != "step":
+        found.append({"articulate.run": 1})
+    if operation.method == "segments":
+        found.append({"kinematics_segments.run": 1})
+    return added(found)
+
+
+def added(parts: Iterable[Features]) -> Features:
+    """Return what several things are made of together."""
+    total: Features = {}
+    for part in parts:
+        for name, count in part.items():
+            total[name] = total.get(name, 0) + count
+    return total
+
+
+def _limbs_features(does: str, limbs: Limbs, joints: Sequence[PlanJoint]) -> Features:
+    """Of limbs side by side: row by row, and once for all rows where they are swept inwards."""
+    lanes = _LANES[limbs.lanes]
+    rows: list[Features] = [{f"{does}_{lanes}.{joints[row[0]].kind}": 1} for row in limbs.rows]
+    return added([*rows, {f"limbs.{lanes}": 1}] if does == "articulate" else rows)
+
+
+def _of_step(step: Step, method: str, joints: Sequence[PlanJoint]) -> Features:
+    """Of a step by the method that its operation passes its block by."""
+    match step, method:
+        case Kinematics(), "segments":
+            return {f"kinematics_segments.{joints[step.joint].kind}": 1}
+        case Propagate(), "response":
+            return {f"propagate_run.{joints[step.joint].kind}": 1}
+        case Articulate(), "columns":
+            turned = {"articulate.reversed": 1} if step.reversed else {}
+            return {f"articulate_columns.{joints[step.joint].kind}": 1, **turned}
+    return step_features(step, joints)

@@ -1,0 +1,200 @@
+"""A program played through in time: who works, who waits, what is under way when."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+from adagen.cost.features import operation_features
+from adagen.cost.straight import straight_times
+from adagen.plan.stages import Stage, stages
+from adagen.plan.steps import Receive, Send
+from adagen.program import Operation, Program
+from adagen.schedule.costs import ChannelCosts, StepCosts
+from adagen.schedule.profile import CostProfile
+
+
+@dataclass(frozen=True)
+class Interval:
+    """What one process does for a while, or waits for; microseconds from the start.
+
+    Attributes:
+        process: which process.
+        what: kinematics, assembly, disassembly, slaved, send, receive or wait.
+        joint: the joint that the work ends with (disassembly: begins with), for people.
+        message: number of the message that is sent, received or waited for.
+        start: when it begins.
+        end: when it ends.
+        operation: place of the operation in the process's program; None where that is not known.
+    """
+
+    process: int
+    what: str
+    joint: int | None
+    message: int | None
+    start: float
+    end: float
+    operation: int | None = None
+
+
+@dataclass(frozen=True)
+class Exchange:
+    """A message between processes; microseconds from the start."""
+
+    sender: int
+    receiver: int
+    sent: float
+    used: float
+
+
+@dataclass(frozen=True)
+class Timeline:
+    """How an evaluation goes on a machine, predicted or measured; times in microseconds.
+
+    Attributes:
+        intervals: process by process, in order.
+        exchanges: messages between processes.
+        makespan: when the last process is done.
+        source: ``predicted`` or ``measured``.
+    """
+
+    intervals: tuple[Interval, ...]
+    exchanges: tuple[Exchange, ...]
+    makespan: float
+    source: str
+
+    def busy(self, process: int) -> float:
+        """Return for how long a process works."""
+        return sum(
+            i.end - i.start for i in self.intervals if i.process == process and i.what != "wait"
+        )
+
+    def waiting(self, process: int) -> float:
+        """Return for how long a process waits for others, not counting what comes after its end."""
+        return sum(
+            i.end - i.start for i in self.intervals if i.process == process and i.what == "wait"
+        )
+
+    def by_stage(self) -> Timeline:
+        """Return the same with the operations of each stage as one interval, as traces have it."""
+        found: list[Interval] = []
+        for interval in self.intervals:
+            last = found[-1] if found else None
+            if (
+                last is not None
+                and interval.message is None is last.message
+                and (interval.process, interval.what) == (last.process, last.what)
+            ):
+                found[-1] = replace(last, end=interval.end, operation=None)
+            else:
+                found.append(replace(interval, operation=None))
+        return replace(self, intervals=tuple(found))
+
+
+def timeline(program: Program, profile: CostProfile) -> Timeline:
+    """Return how one evaluation is predicted to go.
+
+    Each process is taken to have a core of its own, and all to begin at the same instant.
+
+    Args:
+        program: what runs.
+        profile: a profile with the costs of steps.
+
+    Raises:
+        ValueError: the profile prices joins alone, as the paper's does.
+    """
+    if profile.steps is None:
+        raise ValueError(f"the profile {profile.name} has no costs of steps")
+    return _Play(program, profile.steps).play()
+
+
+@dataclass
+class _Play:
+    program: Program
+    costs: StepCosts
+    sent: dict[int, float] = field(default_factory=dict)  # message -> when its sender was done
+
+    def __post_init__(self) -> None:
+        plan = self.program.plan
+        self.plan = plan
+        self.channel: ChannelCosts = self.costs.channel(plan.channel)
+        self.stages = [stages(process) for process in plan.processes]
+        self.time = _times(self.program, self.costs)
+        self.at = [0] * len(plan.processes)  # next operation of each process
+        self.clock = [
+            self._evaluation() / self.costs.speed(p) if process.operations else 0.0
+            for p, process in enumerate(self.program.processes)
+        ]
+        self.intervals: list[Interval] = []
+        self.exchanges: list[Exchange] = []
+
+    def _evaluation(self) -> float:
+        straight = self.program.shape == "unrolled"
+        return self.costs["unrolled.evaluation" if straight else "process.evaluation"]
+
+    def play(self) -> Timeline:
+        """Let every process go on as far as it can, until all are done."""
+        left = True
+        while left:
+            moved = left = False
+            for p, process in enumerate(self.program.processes):
+                own = process.operations
+                while self.at[p] < len(own) and self._advance(p, own[self.at[p]]):
+                    self.at[p] += 1
+                    moved = True
+                left = left or self.at[p] < len(own)
+            assert moved or not left, "a program whose processes wait for each other"
+        order = sorted(self.intervals, key=lambda i: (i.process, i.start, i.end))
+        return Timeline(tuple(order), tuple(self.exchanges), max(self.clock), "predicted")
+
+    def _advance(self, p: int, operation: Operation) -> bool:
+        """Run an operation of a process; return whether that is possible yet."""
+        start = self.clock[p]
+        stage = self.stages[p][operation.stage]
+        match operation.steps:
+            case (Send() as step,):
+                self._note(p, stage, start, start + self.channel.send + self._copied(step))
+                self.sent[step.message] = self.clock[p]
+            case (Receive() as step,):
+                if step.message not in self.sent:
+                    return False
+                self._receive(p, stage, step)
+            case _:
+                time = self.time(p, self.at[p], operation) / self.costs.speed(p)
+                self._note(p, stage, start, start + time)
+        return True
+
+    def _copied(self, step: Send | Receive) -> float:
+        """Time to put a message's numbers in, or to take them out."""
+        numbers = self.plan.messages[step.message].numbers(self.plan.right_hand_sides)
+        return numbers * self.channel.number / 2
+
+    def _receive(self, p: int, stage: Stage, step: Receive) -> None:
+        start, sent = self.clock[p], self.sent[step.message]
+        begin = max(start, sent + self.channel.latency)
+        if begin > start:
+            self.intervals.append(Interval(p, "wait", None, step.message, start, begin))
+        self._note(p, stage, begin, begin + self._copied(step))
+        source = self.plan.messages[step.message].source
+        self.exchanges.append(Exchange(source, p, sent, self.clock[p]))
+
+    def _note(self, p: int, stage: Stage, start: float, end: float) -> None:
+        found = Interval(p, stage.what, stage.joint, stage.message, start, end, self.at[p])
+        self.intervals.append(found)
+        self.clock[p] = end
+
+
+Times = Callable[[int, int, Operation], float]
+"""Time of an operation, microseconds on a core of speed 1, by its process and place there."""
+
+
+def _times(program: Program, costs: StepCosts) -> Times:
+    """Return what tells the time of each operation."""
+    if program.shape == "unrolled":
+        straight = straight_times(program, costs)
+        return lambda p, place, _: straight[p][place]
+    plan = program.plan
+    slaved = 1 + len(plan.slaved) * costs["slaved.column"]  # right-hand sides of every step
+    return lambda _p, _place, operation: (
+        costs.total(operation_features(operation, plan.joints)) * slaved
+    )

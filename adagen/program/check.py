@@ -1,0 +1,250 @@
+"""Proves a program well formed, on every emission, in time linear in its operations.
+
+What is proven: every value is set before it is read, and none is overwritten or added to at a wrong
+time; every message is sent once by its source, holds what its source has computed, and is received
+once by its target; processes do not wait for each other in a circle; every joint's acceleration is
+computed by its owner, and has one owner; loops store the first inertia that they leave at a link
+and add all others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from adagen.plan.abreast import Limbs, placed_links
+from adagen.plan.order import ends_of
+from adagen.plan.steps import (
+    Articulate,
+    HoldMobility,
+    InvertRoot,
+    Kinematics,
+    LoadRoot,
+    Receive,
+    Send,
+    SolveMobility,
+    SolveRoot,
+    StartEmpty,
+    StartLink,
+    Step,
+)
+from adagen.plan.types import Plan
+from adagen.program.effects import Effects, Place, contents, effects, joined_runs
+from adagen.program.names import PREPARES
+from adagen.program.runs import Run, ends_of_run
+from adagen.program.types import Links, Operation, Program
+
+
+class ProgramError(Exception):
+    """A program that would compute something else than its plan says, or nothing at all."""
+
+
+def check(program: Program) -> None:
+    """Check a program, what recovers from a singular pose included.
+
+    Raises:
+        ProgramError: it is not well formed; the message names the process and the operation.
+    """
+    _check_owners(program.plan)
+    _check_run(program.plan, [process.operations for process in program.processes])
+    if any(process.recovery for process in program.processes):
+        _check_run(program.plan, [process.recovery for process in program.processes])
+
+
+def _check_owners(plan: Plan) -> None:
+    owners: dict[int, int] = {}
+    for p, process in enumerate(plan.processes):
+        for joint in process.owns:
+            if joint in owners:
+                raise ProgramError(
+                    f'joint "{plan.joints[joint].name}" is owned by processes {owners[joint]} '
+                    f"and {p}"
+                )
+            owners[joint] = p
+    for joint, known in enumerate(plan.joints):
+        if joint not in owners:
+            raise ProgramError(f'no process owns joint "{known.name}"')
+
+
+def _check_run(plan: Plan, operations: Sequence[Sequence[Operation]]) -> None:
+    """Let each process run as far as messages have come, until all are done."""
+    mail: set[int] = set()
+    received: set[int] = set()
+    runs = joined_runs(plan)
+    memories = [_Memory(plan, p, runs) for p in range(len(operations))]
+    at = [0] * len(operations)
+    moved = True
+    while moved:
+        moved = False
+        for p, own in enumerate(operations):
+            while at[p] < len(own) and memories[p].run(own[at[p]], mail, received):
+                at[p] += 1
+                moved = True
+    for p, own in enumerate(operations):
+        if at[p] < len(own):
+            raise ProgramError(f"process {p} waits for ever at {own[at[p]].does}")
+        memories[p].finish()
+    exchanged = {
+        step.message
+        for own in operations
+        for operation in own
+        for step in operation.steps
+        if isinstance(step, Send)
+    }
+    if lost := exchanged - received:
+        raise ProgramError(f"message {min(lost)} is sent and never received")
+
+
+class _Memory:
+    """What one process has set, and whether it has been read since."""
+
+    def __init__(self, plan: Plan, p: int, runs: dict[int, tuple[int, ...]]) -> None:
+        self.plan, self.p, self.runs = plan, p, runs
+        self.read: dict[Place, bool] = {}  # of each place that is set: whether it has been read
+        self.left: dict[int, bool] = {}  # of links at which loops left an inertia: likewise
+        self.prepared: set[tuple[str, int]] = set()  # what loops have prepared
+        self.placed = placed_links(plan)
+        self.where = ""
+
+    def run(self, operation: Operation, mail: set[int], received: set[int]) -> bool:
+        """Run an operation; return False if it has to wait for a message."""
+        self.where = f"process {self.p}, {operation.does}"
+        if isinstance(operation.block, Links):
+            words = (operation.does,) if operation.does in PREPARES else ()
+            self.prepared |= {(word, k) for word in words for k in operation.block.numbers}
+        for place in self._needed(operation):
+            if place not in self.prepared:
+                raise ProgramError(f"{self.where}: {place[0]} of {place[1]} is missing")
+        for step in operation.steps:
+            match step:
+                case Receive():
+                    if not self._receive(step.message, mail, received):
+                        return False
+                case Send():
+                    self._send(step.message, mail)
+                case _:
+                    self._apply(effects(self.plan, step, self.runs))
+        self._leave(operation)
+        return True
+
+    def finish(self) -> None:
+        """Check that all accelerations are there."""
+        self.where = f"process {self.p}"
+        for joint in self.plan.processes[self.p].owns:
+            if ("qdd", joint) not in self.read:
+                name = self.plan.joints[joint].name
+                raise ProgramError(f'{self.where}: the acceleration of "{name}" is not computed')
+
+    def _apply(self, found: Effects) -> None:
+        for place in (*found.reads, *found.alters):
+            self._known(place)
+            self.read[place] = True
+        for place in found.adds:
+            self._known(place)
+            if self.read[place]:
+                raise ProgramError(f"{self.where}: {place} is added to after it was read")
+        for place in found.sets:
+            self._set(place)
+        for place in found.alters:
+            self.read[place] = False
+
+    def _known(self, place: Place) -> None:
+        if place not in self.read:
+            raise ProgramError(f"{self.where}: {place} is read before it is set")
+
+    def _set(self, place: Place) -> None:
+        if self.read.get(place) is False:
+            raise ProgramError(f"{self.where}: {place} is overwritten before it was read")
+        self.read[place] = False
+
+    def _send(self, number: int, mail: set[int]) -> None:
+        message = self.plan.messages[number]
+        if message.source != self.p or number in mail:
+            raise ProgramError(f"{self.where}: message {number} is not this process's to send")
+        mail.add(number)
+        inertias: Iterable[Place] = (("inertia", link) for link in message.inertias)
+        for place in (*contents(message), *inertias):
+            self._known(place)
+            # An inertia that is sent is this process's share of a sum that goes on here.
+            self.read[place] = self.read[place] or not _is_inertia(place)
+
+    def _receive(self, number: int, mail: set[int], received: set[int]) -> bool:
+        message = self.plan.messages[number]
+        if message.target != self.p or number in received:
+            raise ProgramError(f"{self.where}: message {number} is not this process's to receive")
+        if number not in mail:
+            return False
+        received.add(number)
+        self._apply(Effects(sets=contents(message)))
+        for link in message.inertias:
+            if ("inertia", link) in self.read:
+                self._apply(Effects(adds=(("inertia", link),)))
+            else:
+                self._set(("inertia", link))
+        return True
+
+    def _needed(self, operation: Operation) -> Iterator[tuple[str, int]]:
+        """What must have been prepared for an operation of loops."""
+        for step in operation.steps:
+            match step, operation.method:
+                case Kinematics(), "each" | "segments" | "lanes" | "base":
+                    yield "angles", step.joint
+                case Articulate(), "columns":
+                    link = ends_of(self.plan.joints, step.joint, step.reversed).far
+                    if ("inertia", link) in self.read and link not in self.placed:
+                        yield "link_columns", link
+                case SolveRoot() | SolveMobility(), _ if self.prepared:
+                    if step.link in self.placed and ("own", step.link) in self.prepared:
+                        yield "place_inertia", step.link
+
+    def _leave(self, operation: Operation) -> None:
+        """Check that loops store the first inertia at a link, and add others."""
+        for step in operation.steps:
+            for link in self._used_up(step):
+                if link in self.left:
+                    self.left[link] = True
+            if isinstance(step, StartLink) and self.prepared and step.link in self.placed:
+                self.prepared.add(("own", step.link))
+            if isinstance(step, StartEmpty):
+                self.left.pop(step.link, None)
+            if isinstance(step, HoldMobility):
+                self.left[step.link] = False
+        for link, first in zip(self._left_at(operation), operation.first, strict=True):
+            if link == 0:
+                continue
+            if first and self.left.get(link) is False:
+                raise ProgramError(f"{self.where}: the inertia left at link {link} is lost")
+            if not first and link not in self.left:
+                raise ProgramError(f"{self.where}: nothing was left at link {link} to add to")
+            self.left[link] = False
+
+    def _used_up(self, step: Step) -> tuple[int, ...]:
+        """Links whose inertia a step reads."""
+        match step:
+            case Articulate():
+                return (ends_of(self.plan.joints, step.joint, step.reversed).far,)
+            case SolveRoot() | SolveMobility() | InvertRoot() | LoadRoot():
+                return (step.link,)
+        return ()
+
+    def _left_at(self, operation: Operation) -> tuple[int, ...]:
+        """Links at which an operation leaves an inertia, as ``first`` has them."""
+        match operation.does, operation.block:
+            case _ if not operation.first:
+                return ()
+            case "articulate", Limbs() as limbs:
+                return tuple(self.plan.joints[j].parent for j in limbs.rows[0])
+            case "articulate", Run() as run:
+                return (ends_of_run(self.plan.joints, run)[0],)
+            case "free_base", Run() as run:
+                return (run.first + 1,)
+            case "place_inertia", Links() as links:
+                return links.numbers
+            case "receive", _:
+                (step,) = operation.steps
+                assert isinstance(step, Receive)
+                return self.plan.messages[step.message].inertias
+        raise ProgramError(f"{self.where} says what it leaves, and leaves nothing")
+
+
+def _is_inertia(place: Place) -> bool:
+    return isinstance(place, tuple) and place[0] == "inertia"

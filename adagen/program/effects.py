@@ -1,0 +1,223 @@
+"""What a step reads and sets of its process's memory: what the checker goes by.
+
+A place is a name: a ``Block``, ``Bias`` or ``Force`` of the plan, or a pair of a word and a number:
+
+* ``("velocity", link)``, ``("transform", joint)``: its motion, as kinematics finds it;
+* ``("inertia", link)``: I^A and p^A of a link;
+* ``("projected", joint)``: U, D and u of a joint that was swept inwards;
+* ``("load", link)``, ``("acceleration", link)``, ``("joined", joint)``, ``("qdd", joint)``;
+* ``("torques", 0)``: of slaved joints.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from adagen.plan.order import ends_of
+from adagen.plan.steps import (
+    Accelerate,
+    AccelerateRoot,
+    ApplyCoupling,
+    Articulate,
+    Bias,
+    Block,
+    Deliver,
+    Disassemble,
+    Force,
+    FreeAcceleration,
+    FreeBase,
+    FusedJoin,
+    HoldMobility,
+    InvertRoot,
+    Join,
+    Kinematics,
+    LinkBias,
+    Load,
+    LoadRoot,
+    Propagate,
+    Receive,
+    Send,
+    SolveCoupling,
+    SolveMobility,
+    SolveRoot,
+    StartEmpty,
+    StartLink,
+    Step,
+)
+from adagen.plan.types import Message, Plan
+
+Place = Block | Bias | Force | tuple[str, int]
+
+
+@dataclass(frozen=True)
+class Effects:
+    """Places that something touches.
+
+    Attributes:
+        reads: must have been set.
+        sets: get a new value; what they held must have been read.
+        adds: are added to: must have been set, and not been read since.
+        alters: are read and set again.
+    """
+
+    reads: tuple[Place, ...] = ()
+    sets: tuple[Place, ...] = ()
+    adds: tuple[Place, ...] = ()
+    alters: tuple[Place, ...] = ()
+
+
+_OfLink = (
+    LinkBias
+    | StartLink
+    | StartEmpty
+    | InvertRoot
+    | SolveRoot
+    | SolveMobility
+    | HoldMobility
+    | Load
+    | LoadRoot
+    | AccelerateRoot
+)
+
+
+def joined_runs(plan: Plan) -> dict[int, tuple[int, ...]]:
+    """Return the joints that each join puts together, by the joint that it is named by."""
+    steps = (step for process in plan.processes for step in process.steps)
+    joins = (step for step in steps if isinstance(step, Join))
+    return {j.joint: j.run if isinstance(j, FusedJoin) else (j.joint,) for j in joins}
+
+
+def effects(plan: Plan, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effects:
+    """Return what a step that is no message reads and sets.
+
+    Args:
+        plan: the plan.
+        step: one of its steps.
+        runs: what joins put together (``joined_runs``).
+    """
+    match step:
+        case Join():
+            return _join(step)
+        case Disassemble():
+            return _disassemble(step, runs[step.joint])
+        case Articulate() | Propagate() | Deliver() | Accelerate():
+            return _across(plan, step)
+        case Kinematics() | FreeBase() | FreeAcceleration() | SolveCoupling() | ApplyCoupling():
+            return _of_joint(plan, step)
+        case Send() | Receive():
+            raise AssertionError("what a message does depends on what has been sent")
+    return _of_link(step)
+
+
+def _of_joint(
+    plan: Plan, step: Kinematics | FreeBase | FreeAcceleration | SolveCoupling | ApplyCoupling
+) -> Effects:
+    match step:
+        case Kinematics(j):
+            moving = _moving(("velocity", plan.joints[j].parent))
+            return Effects(moving, (("transform", j), ("velocity", j + 1)))
+        case FreeBase(j):
+            return Effects(adds=(("inertia", j + 1),))
+        case FreeAcceleration(j):
+            return Effects((("acceleration", j + 1),), (("qdd", j),))
+        case SolveCoupling():
+            return Effects(_coupled(plan), (("torques", 0),))
+        case ApplyCoupling():
+            return Effects((("torques", 0),))
+
+
+def _of_link(step: _OfLink) -> Effects:
+    link = step.link
+    reads: tuple[Place, ...]
+    match step:
+        case LinkBias():
+            return Effects((("velocity", link),), (Bias(None, link),))
+        case StartLink():
+            return Effects((("velocity", link),), (("inertia", link),))
+        case StartEmpty():
+            return Effects(sets=(("inertia", link),))
+        case InvertRoot():
+            return Effects((("inertia", link),), (step.block, step.bias))
+        case SolveRoot():
+            return Effects((("inertia", link),), (("acceleration", link),))
+        case SolveMobility():
+            reads = (("inertia", link), step.block, step.bias)
+            return Effects(reads, (("acceleration", link),))
+        case HoldMobility():
+            return Effects((step.block, step.bias), (("inertia", link),))
+        case Load():
+            return Effects(() if step.force is None else (step.force,), (("load", link),))
+        case LoadRoot():
+            reads = (("inertia", link), ("acceleration", link))
+            return Effects(reads, (("load", link),))
+        case AccelerateRoot():
+            reads = (step.block, step.bias, ("load", link))
+            return Effects(reads, (("acceleration", link),))
+
+
+def contents(message: Message) -> tuple[Place, ...]:
+    """Return the places that a message holds, but for inertias, which its target adds."""
+    if message.sweep == "torques":
+        return (("torques", 0),)
+    accelerations: tuple[Place, ...] = tuple(("qdd", joint) for joint in message.joints)
+    return (*message.blocks, *message.biases, *message.forces, *accelerations)
+
+
+def _moving(*places: tuple[str, int]) -> tuple[Place, ...]:
+    """Those places that are not of the ground."""
+    return tuple(place for place in places if place[1] > 0)
+
+
+def _across(plan: Plan, step: Articulate | Propagate | Deliver | Accelerate) -> Effects:
+    """Of a step that takes something across a joint."""
+    j = step.joint
+    ends = ends_of(plan.joints, j, step.reversed)
+    reads: tuple[Place, ...]
+    sets: tuple[Place, ...]
+    match step:
+        case Articulate():
+            reads = (("transform", j), ("inertia", ends.far))
+            return Effects(reads, (("projected", j),), _moving(("inertia", ends.near)))
+        case Propagate():
+            near = (place for place in (step.near, step.near_bias) if place is not None)
+            sources = (spread.source for spread in step.spreads)
+            targets = (spread.target for spread in step.spreads)
+            return Effects((("projected", j), *near, *sources), (step.block, step.bias, *targets))
+        case Deliver():
+            added = _moving(("load", ends.near))
+            return Effects((("load", ends.far),), (), added, (("projected", j),))
+        case Accelerate():
+            reads = (("projected", j), *_moving(("acceleration", ends.near)))
+            sets = (("qdd", j), *_moving(("acceleration", ends.far)))
+            return Effects(reads, sets)
+
+
+def _join(step: Join) -> Effects:
+    joints = step.run if isinstance(step, FusedJoin) else (step.joint,)
+    read: list[Place] = [("transform", j) for j in joints]
+    read += [place for place in (step.a_bias, step.b_bias) if place is not None]
+    blocks = [step.a, step.b, *(coupling.source for coupling in step.couplings)]
+    blocks += [update.source for update in step.blocks]
+    read += [block for block in blocks if block is not None and block.joint is not None]
+    read += [update.source for update in step.biases]
+    blocks_set = (update.target for update in step.blocks)
+    biases_set = (update.target for update in step.biases)
+    return Effects(tuple(read), (("joined", step.joint), *blocks_set, *biases_set))
+
+
+def _disassemble(step: Disassemble, run: Sequence[int]) -> Effects:
+    held = (update.source for update in step.updates if update.source is not None)
+    accelerations: tuple[Place, ...] = tuple(("qdd", j) for j in run)
+    targets = (update.target for update in step.updates)
+    return Effects((("joined", step.joint), *step.forces, *held), (*targets, *accelerations))
+
+
+def _coupled(plan: Plan) -> tuple[Place, ...]:
+    """Accelerations of slaved joints and of those that they follow."""
+    found: dict[Place, None] = {}
+    for slaved in plan.slaved:
+        mimic = plan.joints[slaved].mimic
+        assert mimic is not None  # that is what slaved means
+        found["qdd", slaved] = found["qdd", mimic[0]] = None
+    return tuple(found)

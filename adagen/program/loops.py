@@ -1,0 +1,218 @@
+"""The operations of a process in shape kernels: steps put together to loops over runs and limbs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import groupby
+from typing import Any
+
+from adagen.plan.abreast import Limbs, placed_links
+from adagen.plan.edges import is_base
+from adagen.plan.order import inward_order, outward_order
+from adagen.plan.responses import responses
+from adagen.plan.stages import stages
+from adagen.plan.steps import (
+    Accelerate,
+    Articulate,
+    Deliver,
+    FreeBase,
+    Kinematics,
+    Propagate,
+    Receive,
+    StartEmpty,
+    StartLink,
+    Step,
+)
+from adagen.plan.types import Plan, Process
+from adagen.program.names import PASSING, does
+from adagen.program.runs import (
+    Run,
+    ends_of_run,
+    links_of_run,
+    outward_units,
+    pays_columns,
+    swept,
+    units_of_sweep,
+)
+from adagen.program.segments import split
+from adagen.program.slots import Slots
+from adagen.program.types import Block, Links, Method, Operation
+
+
+class Loops:
+    """Puts the steps of one process together.
+
+    Args:
+        plan: the plan.
+        process: one of its processes.
+        slots: where joints lie in memory.
+        limbs: those that the process passes side by side.
+        batch: whether SIMD lanes are for states.
+    """
+
+    def __init__(
+        self, plan: Plan, process: Process, slots: Slots, limbs: Sequence[Limbs], batch: bool
+    ) -> None:
+        self.plan, self.process, self.slots, self.limbs = plan, process, slots, limbs
+        self.batch = batch
+        self.joints = plan.joints
+        self.placed = placed_links(plan)
+        starts = {s.link for s in process.steps if isinstance(s, StartLink)}
+        self.own = starts - self.placed  # links whose own inertia the sweep adds as it passes them
+        self.holding: set[int] = set()  # links at which an inertia has been left
+        self.bare: set[int] = set()  # links whose own inertia is set up
+        self.by_columns: set[int] = set()  # those of them that are set up by columns, too
+        self.found: list[Operation] = []
+        self.stage = 0
+
+    def operations(self) -> tuple[Operation, ...]:
+        """Return the operations of the process in order."""
+        together: dict[type, Callable[[list[Any]], None]] = {
+            Kinematics: self._kinematics,
+            StartLink: self._link_inertias,
+            StartEmpty: self._clear,
+            FreeBase: self._free_bases,
+            Articulate: self._articulate,
+            Propagate: self._propagate,
+            Deliver: self._deliver,
+            Accelerate: self._accelerate,
+            Receive: self._receive,
+        }
+        for number, stage in enumerate(stages(self.process)):
+            self.stage = number
+            steps = self.process.steps[stage.first : stage.last]
+            for kind, group in groupby(steps, type):
+                if kind in together:
+                    together[kind](list(group))
+                else:
+                    for step in group:
+                        self._add(does(step), None, "step", (step,))
+        return tuple(self.found)
+
+    def _add(
+        self,
+        what: str,
+        block: Block | None,
+        method: Method,
+        steps: Iterable[Step] = (),
+        first: Iterable[bool] = (),
+    ) -> None:
+        self.found.append(Operation(what, block, method, tuple(steps), self.stage, tuple(first)))
+
+    def _first(self, link: int) -> bool:
+        """Whether what is to be left at a link is the first there."""
+        first = link not in self.holding
+        self.holding.add(link)
+        return first
+
+    def _kinematics(self, steps: list[Kinematics]) -> None:
+        joints = [step.joint for step in steps]
+        self._add("angles", Links(tuple(joints)), "each")
+        for j in joints:
+            if is_base(self.joints[j]):
+                self._add("kinematics", Run(j, j), "base", [Kinematics(j)])
+        for unit in outward_units(self.joints, joints, self.limbs, self.process.treated):
+            if isinstance(unit, Limbs):
+                self._add("kinematics", unit, "lanes", map(Kinematics, unit.members()))
+                continue
+            what = "kinematics" if unit.treated else PASSING
+            for run, in_segments in split(unit.run, self.slots.segments):
+                method: Method = "segments" if in_segments else "each"
+                self._add(what, run, method, map(Kinematics, range(run.first, run.last + 1)))
+
+    def _link_inertias(self, steps: list[StartLink]) -> None:
+        links = [step.link for step in steps]
+        self.bare.update(links)
+        self._add("link_inertia", Links(tuple(links)), "each", steps)
+        for link in links:
+            if link in self.placed:
+                self._add("place_inertia", Links((link,)), "step", (), [self._first(link)])
+
+    def _clear(self, steps: list[StartEmpty]) -> None:
+        links = tuple(step.link for step in steps)
+        self.holding -= set(links)  # what comes first takes its place
+        self._add("clear_inertia", Links(links), "step", steps)
+
+    def _free_bases(self, steps: list[FreeBase]) -> None:
+        for step in steps:
+            first = self._first(step.joint + 1)
+            self._add("free_base", Run(step.joint, step.joint), "step", [step], [first])
+
+    def _articulate(self, steps: list[Articulate]) -> None:
+        by_joint = {step.joint: step for step in steps}
+        swept_inwards = list(units_of_sweep(self.joints, steps, self.limbs, inward_order))
+        columns: set[int] = set()
+        for unit in swept_inwards:
+            if isinstance(unit, Run) and self._in_columns(unit):
+                columns |= set(links_of_run(self.joints, unit)) - {self._near(unit)}
+        self._set_up_columns(columns & self.own)
+        for unit in swept_inwards:
+            if isinstance(unit, Limbs):
+                nears = [self.joints[j].parent for j in unit.rows[0]]
+                first = [near > 0 and self._first(near) for near in nears]
+                members = (by_joint[j] for row in reversed(unit.rows) for j in row)
+                self._add("articulate", unit, "lanes", members, first)
+                continue
+            own = [by_joint[j] for j in _inwards(unit)]
+            if self._near(unit) == 0 and self.joints[unit.first].prescribed:
+                # The ground moves as it does, and so does what it carries: nothing is computed.
+                self._add("articulate", unit, "step", own)
+                continue
+            method: Method = "columns" if self._in_columns(unit) else "each"
+            self._add("articulate", unit, method, own, [self._first(self._near(unit))])
+
+    def _near(self, run: Run) -> int:
+        return ends_of_run(self.joints, run)[0]
+
+    def _in_columns(self, run: Run) -> bool:
+        if self._near(run) == 0 and self.joints[run.first].prescribed:
+            return False
+        return not self.batch and pays_columns(self.joints, run)
+
+    def _set_up_columns(self, links: set[int]) -> None:
+        """Set those links up by columns that are not yet, and with them what lies among them."""
+        wanted = links - self.by_columns
+        if not wanted:
+            return
+        ranges = self.slots.ranges(link - 1 for link in wanted)
+        among = {
+            link
+            for link in self.bare
+            if any(a <= self.slots.slots[link - 1] <= b for a, b in ranges)
+        }
+        self.by_columns |= among
+        self._add("link_columns", Links(tuple(sorted(among))), "columns")
+
+    def _propagate(self, steps: list[Propagate]) -> None:
+        for run in responses(self.plan, self.process, steps):
+            if len(run) > 1:
+                block = Run(run[0].joint, run[-1].joint)
+                self._add("propagate", block, "response", run)
+            else:
+                self._add("propagate", None, "step", run)
+
+    def _deliver(self, steps: list[Deliver]) -> None:
+        by_joint = {step.joint: step for step in steps}
+        for run in swept(self.joints, steps):
+            self._add("deliver", run, "each", (by_joint[j] for j in _inwards(run)))
+
+    def _accelerate(self, steps: list[Accelerate]) -> None:
+        by_joint = {step.joint: step for step in steps}
+        for unit in units_of_sweep(self.joints, steps, self.limbs, outward_order):
+            if isinstance(unit, Limbs):
+                members = (by_joint[j] for j in unit.members())
+                self._add("accelerate", unit, "lanes", members)
+            else:
+                own = [by_joint[j] for j in reversed(list(_inwards(unit)))]
+                self._add("accelerate", unit, "each", own)
+
+    def _receive(self, steps: list[Receive]) -> None:
+        for step in steps:
+            links = self.plan.messages[step.message].inertias
+            self._add("receive", None, "step", [step], [self._first(link) for link in links])
+
+
+def _inwards(run: Run) -> Iterator[int]:
+    """The joints of a run as they are swept inwards: towards the root of the sweep."""
+    joints = range(run.first, run.last + 1)
+    return iter(joints if run.reversed else reversed(joints))

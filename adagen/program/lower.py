@@ -1,0 +1,60 @@
+"""From a plan to a program: which steps are carried out together, and by which method."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from adagen.plan.stages import stages
+from adagen.plan.steps import Step
+from adagen.plan.types import Plan, Process
+from adagen.program.loops import Loops
+from adagen.program.names import does
+from adagen.program.slots import Slots
+from adagen.program.types import Method, Operation, ProcessProgram, Program
+
+LOOPS = "kernels"
+"""The shape whose operations are loops over runs and limbs; the others go step by step."""
+
+
+@lru_cache(maxsize=8)  # a plan is priced, checked, drawn and emitted one after the other
+def lower(plan: Plan, shape: str, *, batch: bool = False) -> Program:
+    """Return the program of a plan in a shape.
+
+    Args:
+        plan: what each process computes.
+        shape: "kernels", "unrolled", "joints" or a baseline; one that takes the plan.
+        batch: whether SIMD lanes are for states.
+    """
+    if shape != LOOPS:
+        method: Method = "straight" if shape == "unrolled" else "step"
+        processes = tuple(
+            ProcessProgram(
+                _step_by_step(process, method), _step_by_step(_recovery_of(process), method)
+            )
+            for process in plan.processes
+        )
+        return Program(plan, shape, batch, Slots.plainly(plan), processes)
+    slots = Slots.of(plan, batch)
+    programs = []
+    for p, process in enumerate(plan.processes):
+        operations = Loops(plan, process, slots, slots.limbs[p], batch).operations()
+        recovery: tuple[Operation, ...] = ()
+        if process.recovery:
+            recovery = Loops(plan, _recovery_of(process), slots, (), batch).operations()
+        programs.append(ProcessProgram(operations, recovery))
+    return Program(plan, shape, batch, slots, tuple(programs))
+
+
+def _recovery_of(process: Process) -> Process:
+    """The process with the steps of its recovery in place of the others."""
+    return Process(process.recovery, process.reads, process.owns, process.shares)
+
+
+def _step_by_step(process: Process, method: Method) -> tuple[Operation, ...]:
+    """One operation for each step."""
+    steps: tuple[Step, ...] = process.steps
+    return tuple(
+        Operation(does(step), None, method, (step,), number)
+        for number, stage in enumerate(stages(process))
+        for step in steps[stage.first : stage.last]
+    )

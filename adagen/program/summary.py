@@ -1,0 +1,133 @@
+"""What is said of a program: how its processes meet, who has what, what lies side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from adagen.errors import printable
+from adagen.plan.abreast import Limbs
+from adagen.plan.steps import Join, SolveMobility, SolveRoot
+from adagen.plan.types import Process
+from adagen.program.runs import spans
+from adagen.program.types import Program
+
+Meeting = Literal["alone", "joined", "gathered"]
+
+
+@dataclass(frozen=True)
+class Gathering:
+    """How processes gather (adagen/plan/gather.py).
+
+    Attributes:
+        roots: links whose accelerations all processes solve for.
+        core: joints that every process sweeps for itself, ascending.
+    """
+
+    roots: tuple[int, ...]
+    core: tuple[int, ...]
+
+
+def meeting(program: Program) -> Meeting:
+    """Return how the processes of a program meet."""
+    processes = program.plan.processes
+    if sum(bool(process.steps) for process in processes) < 2:
+        return "alone"
+    joins = any(isinstance(step, Join) for process in processes for step in process.steps)
+    return "joined" if joins else "gathered"
+
+
+def gathering(program: Program) -> Gathering:
+    """Return where the processes of a program gather."""
+    roots = {
+        step.link
+        for process in program.plan.processes
+        for step in process.steps
+        if isinstance(step, SolveRoot | SolveMobility)
+    }
+    core = {joint for process in program.plan.processes for joint in process.shares}
+    return Gathering(tuple(sorted(roots)), tuple(sorted(core)))
+
+
+def owners(program: Program) -> dict[str, int]:
+    """Return the process that gives the acceleration of each joint, by its name."""
+    by_joint = {j: p for p, process in enumerate(program.plan.processes) for j in process.owns}
+    return {joint.name: by_joint[j] for j, joint in enumerate(program.plan.joints)}
+
+
+def lanes(program: Program) -> list[tuple[int, Limbs]]:
+    """Return the limbs that lie side by side in SIMD lanes, each with its process."""
+    return [(p, limbs) for p, own in enumerate(program.slots.limbs) for limbs in own]
+
+
+def groups(program: Program, process: int, *, whole: bool = False) -> list[str]:
+    """Return what a process treats, run by run and limbs by limbs, in words.
+
+    Args:
+        program: the program.
+        process: one of its processes.
+        whole: whether all joints of a run are named, and not its first and last alone.
+    """
+    own: Process = program.plan.processes[process]
+    side_by_side = program.slots.limbs[process]
+    found = []
+    for limbs in side_by_side:
+        chains = (_run_words(program, chain, whole) for chain in zip(*limbs.rows, strict=True))
+        found.append(f"{' | '.join(chains)} in {limbs.lanes} lanes")
+    taken = {j for limbs in side_by_side for j in limbs.members()}
+    left = spans(set(own.owns) - taken)
+    return found + [_run_words(program, range(a, b + 1), whole) for a, b in left]
+
+
+def _run_words(program: Program, run: Sequence[int], whole: bool) -> str:
+    shown = run if whole else dict.fromkeys((run[0], run[-1]))
+    names = [program.plan.joints[j].name for j in shown]
+    return (", " if whole else " .. ").join(names)
+
+
+def title(program: Program) -> str:
+    """Return in a few words how many processes there are, and how they meet."""
+    count = len(program.plan.processes)
+    if count == 1:
+        return "1 process"
+    match meeting(program):
+        case "alone":
+            how = "one of them at work"
+        case "joined":
+            how = "joined at cuts"
+        case "gathered":
+            found = gathering(program)
+            how = f"gathered at {named(_links(program, found.roots))}"
+            if found.core:
+                how += f", core {named(_joints(program, found.core))}"
+    return f"{count} processes, {how}"
+
+
+def _links(program: Program, numbers: Iterable[int]) -> list[str]:
+    return [program.plan.links[k].name if k else "the ground" for k in numbers]
+
+
+def _joints(program: Program, numbers: Iterable[int]) -> list[str]:
+    return [program.plan.joints[j].name for j in numbers]
+
+
+_NAMED = 4
+
+
+def named(names: list[str]) -> str:
+    """Return a few names, and how many more there are."""
+    more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
+    return ", ".join(names[:_NAMED]) + more
+
+
+def program_text(program: Program) -> str:
+    """Return who does what in lines of text, for people."""
+    lines = [title(program)]
+    if program.shape == "unrolled":
+        lines[0] += ", straight lines of statements"
+    for p in range(len(program.plan.processes)):
+        own = groups(program, p, whole=True) or ["nothing"]
+        lines.append(f"process {p}")
+        lines += [f"  {printable(words)}" for words in own]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,96 @@
+"""The program: what runs, operation by operation, as it is emitted, priced, drawn and checked.
+
+A plan (adagen/plan) says what each process computes, joint by joint. A program says how: which
+steps are carried out together, over which block of joints, by which method, and where joints lie in
+memory. Whatever is said of a solver is read off its program.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from adagen.plan.abreast import Limbs
+from adagen.plan.steps import Step
+from adagen.plan.types import Plan
+from adagen.program.runs import Run
+from adagen.program.slots import Slots
+
+Method = Literal["step", "each", "columns", "segments", "lanes", "base", "response", "straight"]
+"""How an operation passes its block.
+
+* ``step``: one joint or link, by a call of its own;
+* ``each``: a loop over a run, number by number;
+* ``columns``: a loop over a run, the six columns of the articulated inertia in SIMD lanes;
+* ``segments``: a run cut into as many segments as there are SIMD lanes, one in each;
+* ``lanes``: limbs side by side, one in each SIMD lane;
+* ``base``: a floating base, whose frame is its own;
+* ``response``: the mobility of a run at its last link, as a sum over its freedoms;
+* ``straight``: statements without loops or calls.
+"""
+
+
+@dataclass(frozen=True)
+class Links:
+    """Links, or the joints above them, that one operation treats in no particular order."""
+
+    numbers: tuple[int, ...]
+
+
+Block = Run | Limbs | Links
+
+
+@dataclass(frozen=True)
+class Operation:
+    """Steps of a plan that are carried out together.
+
+    Attributes:
+        does: what it does, a value of ``DOES`` or a key of ``PREPARES``.
+        block: joints or links that it is done for; None where a message or nothing but the step
+            says that.
+        method: how the block is passed.
+        steps: the steps of the plan, in the order in which they are done; none for what only
+            prepares others.
+        stage: place of its stage among the process's stages (adagen/plan/stages.py).
+        first: for each link at which it leaves an inertia (in the order of the steps, limbs by
+            lane): whether that is the first one there, and so is stored instead of added.
+    """
+
+    does: str
+    block: Block | None
+    method: Method
+    steps: tuple[Step, ...]
+    stage: int
+    first: tuple[bool, ...] = ()
+
+
+@dataclass(frozen=True)
+class ProcessProgram:
+    """What one process runs.
+
+    Attributes:
+        operations: in order.
+        recovery: what it runs instead in a pose in which a mobility cannot be held.
+    """
+
+    operations: tuple[Operation, ...]
+    recovery: tuple[Operation, ...] = ()
+
+
+@dataclass(frozen=True)
+class Program:
+    """What runs.
+
+    Attributes:
+        plan: the constants, messages, owners and steps that it carries out.
+        shape: "kernels" (loops), "unrolled" (straight lines) or "joints" (a call for each step).
+        batch: whether SIMD lanes are for states.
+        slots: where joints lie in memory, and what lies side by side.
+        processes: one for each process of the plan.
+    """
+
+    plan: Plan
+    shape: str
+    batch: bool
+    slots: Slots
+    processes: tuple[ProcessProgram, ...]

@@ -1,0 +1,82 @@
+"""The schedule that the tool takes by itself: the fastest of all families, as it is played."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from adagen.model import Model
+from adagen.plan import can_gather
+from adagen.plan.clusters import fold_of
+from adagen.plan.cuts import cuttable_joints
+from adagen.schedule import CostProfile, Schedule, Topology, find_schedule
+from adagen.schedule.search import EXPANSIONS
+from adagen.search.families import Families
+from adagen.search.played import played_schedule
+
+_USUAL = {"strategy": "exact", "split": "always", "tie": "work", "improved": True}
+"""How a search is asked for where nothing is said; who says otherwise asks for the paper's."""
+
+
+def best_schedule(
+    model: Model,
+    processes: int,
+    profile: CostProfile,
+    form: str = "segment",
+    scalar: str = "double",
+    limit: float | None = None,
+    gather: bool = True,
+    **search: Any,
+) -> Schedule:
+    """Return a schedule for a form of the algorithm.
+
+    Where the profile has costs of steps, both forms are searched at the price that is played, form
+    `ada` from the schedule on that is best by Eq. (11) (adagen/search/played.py), form `segment` by
+    families (adagen/search/families.py), at joints alone where cuts lose no digits. By another
+    strategy, split or tie than the usual one, and by the paper's profile, Eq. (11) alone counts.
+
+    Args:
+        model: the robot.
+        processes: P.
+        profile: the costs.
+        form: of the algorithm.
+        scalar: "double", "float" or "mixed".
+        limit: largest growth g at a cut of form `segment`, instead of what suits the scalar.
+        gather: whether processes may gather at a core instead of being joined.
+        search: further arguments of ``find_schedule``.
+
+    Raises:
+        InputError: the robot has no joint, or costs are too large.
+        UsageError: an argument is out of range.
+    """
+    topology, costs = Topology.of(model), profile
+    if form == "ada":
+        profile = profile.joins_only()
+    if form == "segment" and processes == 1:
+        return find_schedule(topology, 1, profile=profile, **search)
+    seen = fold_of(model, form)
+    if not len(seen.topology):  # all one cluster
+        search["cuttable"] = [False] * len(topology)
+        return find_schedule(topology, processes, profile=profile, **search)
+    if form == "ada":
+        found = find_schedule(seen.topology, processes, profile=profile, **search)
+        best = seen.unfold(found, profile)
+        if costs.steps is None or any(search.get(k, v) != v for k, v in _USUAL.items()):
+            return best
+        return played_schedule(model, best, costs, scalar)
+    cuttable = cuttable_joints(model, scalar, seen.joints, limit)
+
+    def joined(allowed: Sequence[bool]) -> Schedule:
+        found = find_schedule(seen.topology, processes, profile=profile, cuttable=allowed, **search)
+        return seen.unfold(found, profile)
+
+    best = joined(cuttable)
+    if profile.steps is None:
+        return best
+    families = Families(model, seen, processes, profile, search.get("expansions", EXPANSIONS))
+    families.consider(joined([False] * len(seen.topology)), "alone")
+    families.consider(best, "joined")
+    if gather and can_gather(model):
+        families.gather(cuttable_joints(model, scalar), best)
+    families.bound_joined(cuttable)
+    return families.taken()

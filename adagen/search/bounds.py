@@ -1,0 +1,119 @@
+"""Lower bounds on layouts, in the price that is played.
+
+Whoever takes part in an exchange has passed the way to the core and the core itself, and its limbs;
+it waits for the slowest of the others, whose message is under way for the latency; and then sweeps
+the core, solves for the root, and goes outwards. The slowest takes no less than the average, and no
+less than the longest limb.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from adagen.schedule.costs import ChannelCosts, StepCosts
+from adagen.search.floors import NOTHING, Floors
+from adagen.search.limbs import Core, Limb, Robot
+
+_TELLS = 27
+"""Numbers that a process tells another at least: a link's inertia and bias force."""
+
+
+@dataclass(frozen=True)
+class Around:
+    """What a process takes for a core besides its limbs, on a core of speed 1; microseconds.
+
+    Attributes:
+        way: the kinematics between the ground and the root.
+        before: the kinematics of the core.
+        after: the sweeps through the core, and the root.
+    """
+
+    way: float
+    before: float
+    after: float
+
+
+class Bounds:
+    """Lower bounds on the time of layouts.
+
+    Args:
+        robot: the robot.
+        floors: what its joints take at least.
+        processes: P.
+        costs: the machine's coefficients.
+        channel: those of messages.
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        floors: Floors,
+        processes: int,
+        costs: StepCosts,
+        channel: ChannelCosts,
+    ) -> None:
+        self.robot, self.floors, self.processes = robot, floors, processes
+        self.fastest = max(costs.speed(p) for p in range(processes))
+        self.start = costs["process.evaluation"] / self.fastest
+        self.latency = channel.latency
+        self.taking = _TELLS * channel.number / 2
+        self.telling = channel.send + self.taking
+        self.solve = costs["root.solve"]
+        self.outwards = min(floor.outwards for floor in floors.row)
+
+    def around(self, core: Core) -> Around:
+        """Return what a core takes besides limbs."""
+        whole = self.floors.core(core.joints)
+        pose = sum(self.floors.pose[j] for j in core.joints)
+        after = whole.both - pose + self.solve
+        return Around(self.floors.way(core.root), pose, after)
+
+    def frame(self, cores: Sequence[Core], limbs: Sequence[Limb]) -> float:
+        """Return the least that a layout takes whose cores hold these at least.
+
+        What is taken from a limb into its core costs all processes no less than it cost the one.
+        """
+        arounds = {core.tree: self.around(core) for core in cores}
+        least = self.start + self._limbs(limbs, arounds) / self.fastest
+        if len(self.robot.trees) == 1 and cores:
+            return max(least, self.shared(arounds[0], limbs, self.processes, 2))
+        work = sum(self.floors.work(limb).both for limb in limbs)
+        return max(least, self.start + work / self.processes / self.fastest)
+
+    def _limbs(self, limbs: Iterable[Limb], arounds: dict[int, Around]) -> float:
+        """The longest limb, with what its process and those that wait for it take besides."""
+        most, messages = 0.0, self.telling + self.taking
+        for limb in limbs:
+            long, around = self.floors.longest(limb), arounds.get(limb.tree)
+            if around is None:
+                most = max(most, long.both)
+                continue
+            rest = around.before + around.after + (0.0 if limb.up else around.way)
+            alone = long.both + messages * self.fastest
+            waited = long.inwards + (messages + self.latency) * self.fastest + self.outwards
+            most = max(most, rest + max(alone, waited))
+        return most
+
+    def shared(self, around: Around, limbs: Sequence[Limb], most: int, fewest: int) -> float:
+        """Return the least that limbs of one shared tree take, by the average of its processes.
+
+        Args:
+            around: what its core takes.
+            limbs: the limbs.
+            most: processes that share them, at most.
+            fewest: at least.
+        """
+        work = NOTHING
+        for limb in limbs:
+            work = work.plus(self.floors.work(limb))
+        up = any(limb.up for limb in limbs)
+        least = float("inf")
+        for count in range(fewest, most + 1):
+            ways = around.way * (count - up) / count + around.before + around.after
+            told = (count - 1) * self.telling
+            alone = (work.both / count + ways) / self.fastest + told + (count - 1) * self.taking
+            inwards = (work.inwards / count + ways + self.outwards) / self.fastest
+            waited = inwards + told + self.latency + self.taking
+            least = min(least, max(alone, waited))
+        return self.start + least

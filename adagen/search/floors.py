@@ -1,0 +1,207 @@
+"""Lower bounds on what joints cost, whatever they are passed with: what proofs rest on.
+
+A joint is passed by itself, by columns, in segments, or in a row with one to three others. Rows
+hold joints of limbs that do not hang on each other, so that two joints on one way outwards are
+never in the same row: a process that has both pays two rows in full. A row's price shared by as
+many joints as there can be in it is the least that a joint adds to the work of all processes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import accumulate
+
+from adagen.plan.abreast import KINDS
+from adagen.plan.gather_trees import held_link
+from adagen.plan.types import PlanJoint
+from adagen.program.runs import FEWEST_IN_COLUMNS, OF_ONE_FREEDOM, Run
+from adagen.schedule.costs import PRESCRIBED, StepCosts
+from adagen.search.limbs import Limb, Robot
+
+_ROWS = {2: ("two", 2), 3: ("four", 3), 4: ("four", 4)}
+"""By joints in a row: the coefficients that price it, and how many share it."""
+
+
+@dataclass(frozen=True)
+class Floor:
+    """The least that a joint takes, microseconds.
+
+    Attributes:
+        inwards: kinematics and the sweep inwards.
+        outwards: the sweep outwards.
+        both: all of it; at least the sum of the two.
+    """
+
+    inwards: float
+    outwards: float
+    both: float
+
+    def plus(self, other: Floor) -> Floor:
+        """Return the sum of two."""
+        return Floor(
+            self.inwards + other.inwards, self.outwards + other.outwards, self.both + other.both
+        )
+
+
+NOTHING = Floor(0.0, 0.0, 0.0)
+
+
+def _least(ways: Sequence[tuple[float, float]]) -> Floor:
+    return Floor(
+        min(way[0] for way in ways), min(way[1] for way in ways), min(sum(way) for way in ways)
+    )
+
+
+class Floors:
+    """Lower bounds for the joints of a robot.
+
+    Args:
+        robot: the robot.
+        costs: the machine's coefficients.
+
+    Attributes:
+        single: of each joint passed by itself or with its run, as those of a core are.
+        row: of each joint, with the whole row that it is in.
+        share: of each joint, with its share of the row that it is in.
+        pose: the kinematics alone of a joint by itself or with its run.
+        most: how many joints of a kind can lie side by side.
+    """
+
+    def __init__(self, robot: Robot, costs: StepCosts) -> None:
+        self.robot, self.costs = robot, costs
+        joints = robot.joints
+        self.most = {kind: self._most_in_row(kind) for kind in sorted(KINDS)}
+        run_of = {j: Run(j, j) for j in range(len(joints))}
+        run_of.update({j: run for run in robot.runs for j in _within(run)})
+        long = {j for run in robot.long for j in _within(run)}
+        self.pose = [self._pose(joint, j in long) for j, joint in enumerate(joints)]
+        self.single, self.row, self.share = [], [], []
+        for j, (pose, joint) in enumerate(zip(self.pose, joints, strict=True)):
+            ways = self._ways(joint, pose, run_of[j])
+            count = self.most.get(joint.kind, 1)
+            rows = [(self._in_row(joint, n), n) for n in range(2, count + 1)]
+            self.single.append(_least(ways))
+            self.row.append(_least([*ways, *(row for row, _ in rows)]))
+            shared = [(a / n, b / n) for (a, b), n in rows]
+            self.share.append(_least([*ways, *shared]))
+        self._sums = [
+            [0.0, *accumulate(getattr(each, name) for each in self.share)]
+            for name in ("inwards", "outwards", "both")
+        ]
+        self._deepest: list[Floor] = [NOTHING] * len(joints)
+        for j in reversed(range(len(joints))):
+            self._deepest[j] = self.row[j].plus(_longest(self._deepest[k] for k in robot.at[j + 1]))
+        self._way = [0.0] * (len(joints) + 1)
+        self._turned = [NOTHING] * (len(joints) + 1)
+        self._above = [NOTHING] * (len(joints) + 1)
+        for j, joint in enumerate(joints):
+            self._climb(j, joint)
+
+    def work(self, limb: Limb) -> Floor:
+        """Return the least that a limb adds to the work of all processes together."""
+        found = [
+            sum(sums[span.stop] - sums[span.start] for span in limb.spans) for sums in self._sums
+        ]
+        whole = Floor(*found)
+        if not limb.up:
+            return whole
+        return whole.plus(self._turned[limb.link]).plus(self._grounded(limb))
+
+    def longest(self, limb: Limb) -> Floor:
+        """Return the least that the process takes which has a limb: all of it, and row by row."""
+        if limb.up:
+            way = self._above[limb.link].plus(self._grounded(limb))
+        else:
+            way = self._deepest[limb.spans[0].start]
+        return _longest((way, self.work(limb)))
+
+    def way(self, link: int) -> float:
+        """Return the kinematics between the ground and a link, microseconds."""
+        return self._way[link]
+
+    def core(self, joints: Sequence[int]) -> Floor:
+        """Return the least that every process takes for joints of a core."""
+        total = NOTHING
+        for j in joints:
+            total = total.plus(self.single[j])
+        return total
+
+    def _most_in_row(self, kind: str) -> int:
+        """How many joints of a kind there are none of which hangs on another, up to four."""
+        joints, widest = self.robot.joints, [0] * (len(self.robot.joints) + 1)
+        for j in reversed(range(len(joints))):
+            here = max(widest[j + 1], joints[j].kind == kind)
+            widest[joints[j].parent] += here
+        return min(widest[0], max(_ROWS))
+
+    def _pose(self, joint: PlanJoint, in_long: bool) -> float:
+        alone = self.costs[f"kinematics.{joint.kind}"]
+        in_segment = self.costs[f"kinematics_segments.{joint.kind}"]
+        return min(alone, in_segment) if in_long else alone
+
+    def _ways(self, joint: PlanJoint, pose: float, run: Run) -> list[tuple[float, float]]:
+        """Prices of a joint by itself, in and outwards; the run is the longest it may be in."""
+        costs, kind = self.costs, joint.kind
+        if joint.parent == 0 and kind == "floating" and not joint.prescribed:
+            return [(pose + costs["free.base"], costs["free.acceleration"])]
+        priced = PRESCRIBED if joint.prescribed else kind
+        sweeps = [costs[f"articulate.{priced}"]]
+        if joint.parent == 0:
+            sweeps.append(0.0 if joint.prescribed else costs["articulate.ground"])
+        own = (self.robot.joints[j].kind for j in _within(run))
+        if sum(each in OF_ONE_FREEDOM for each in own) >= FEWEST_IN_COLUMNS:
+            sweeps.append(costs[f"articulate_columns.{kind}"])
+        inwards = pose + min(sweeps) + costs["articulate.run"] / run.length
+        return [(inwards, costs[f"accelerate.{priced}"])]
+
+    def _in_row(self, joint: PlanJoint, count: int) -> tuple[float, float]:
+        """The price of a row of joints."""
+        (name, _), costs = _ROWS[count], self.costs
+        inwards = (
+            costs[f"kinematics_{name}.{joint.kind}"] + costs[f"articulate_{name}.{joint.kind}"]
+        )
+        return inwards, costs[f"accelerate_{name}.{joint.kind}"]
+
+    def _climb(self, j: int, joint: PlanJoint) -> None:
+        """What is on the ground's side of a joint's child link, its joint passed the other way."""
+        link, parent = j + 1, joint.parent
+        self._way[link] = self._way[parent] + self.pose[j]
+        more, single = self.share[j], self.single[j]
+        spared = Floor(
+            *(getattr(single, n) - getattr(more, n) for n in ("inwards", "outwards", "both"))
+        )
+        self._turned[link] = self._turned[parent].plus(spared)
+        beside = (self._deepest[k] for k in self.robot.at[parent] if k != j and parent > 0)
+        self._above[link] = single.plus(_longest([self._above[parent], *beside]))
+
+    def _grounded(self, limb: Limb) -> Floor:
+        """What the ground at the far end of a limb takes besides."""
+        if self.robot.trees[limb.tree].base is not None:
+            return NOTHING
+        costs, joints = self.costs, self.robot.joints
+        held = held_link(limb.link, joints)
+        inwards = costs["root.invert"] if held else 0.0
+        link = held or limb.link
+        while link > 0:
+            joint = joints[link - 1]
+            priced = PRESCRIBED if joint.prescribed else joint.kind
+            price = costs["propagate.ground" if joint.parent == 0 else f"propagate.{priced}"]
+            inwards += min(price, costs[f"propagate_run.{joint.kind}"]) if held else price
+            link = joint.parent
+        return Floor(inwards, 0.0, inwards)
+
+
+def _within(run: Run) -> range:
+    """The joints of a run."""
+    return range(run.first, run.last + 1)
+
+
+def _longest(floors: Iterable[Floor]) -> Floor:
+    """The largest of each, 0 for none."""
+    inwards = outwards = both = 0.0
+    for floor in floors:
+        inwards = max(inwards, floor.inwards)
+        outwards = max(outwards, floor.outwards)
+        both = max(both, floor.both)
+    return Floor(inwards, outwards, both)

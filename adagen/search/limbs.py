@@ -1,0 +1,206 @@
+"""Where processes may gather, and the limbs that hang there: what a search hands out.
+
+In a tree of moving links that several processes share, a *core* is chosen: a root link and joints
+that hang together below it. What is left are limbs, each the work of one process: subtrees that
+hang on links of the core, and all on the ground's side of its root. Links are numbered outwards, so
+the root is the topmost link of the core; seen from any other link of it the core is the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain, groupby
+
+from adagen.plan.edges import Edge, edges_from, is_base, joints_at
+from adagen.plan.gather_trees import Tree, held_link, moving_trees
+from adagen.plan.types import PlanJoint
+from adagen.program.runs import Run, runs
+from adagen.program.segments import KINDS, pays_segments
+
+_COMPARED = 256
+"""Joints of a limb up to which it is compared with others."""
+
+
+@dataclass(frozen=True)
+class Core:
+    """Where the processes of a tree meet.
+
+    Attributes:
+        tree: number of the tree.
+        root: the topmost link.
+        joints: outwards from it, ascending.
+    """
+
+    tree: int
+    root: int
+    joints: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True)
+class Limb:
+    """What one process takes as a whole.
+
+    Attributes:
+        tree: number of its tree.
+        link: the link of the core that it hangs on; 0 for a tree that is not shared.
+        spans: its joints, as ranges, ascending.
+        up: whether it is what lies on the ground's side of a core.
+        kind: equal for limbs that cost the same wherever they stand in a sequence.
+    """
+
+    tree: int
+    link: int
+    spans: tuple[range, ...]
+    up: bool
+    kind: object
+
+    @property
+    def joints(self) -> Iterator[int]:
+        """Its joints, ascending."""
+        return chain.from_iterable(self.spans)
+
+    def __len__(self) -> int:
+        """Return how many joints it has."""
+        return sum(map(len, self.spans))
+
+
+class Robot:
+    """A robot as trees of links that move together.
+
+    Args:
+        joints: its joints.
+
+    Attributes:
+        trees: its trees, not laid out.
+        tree_of: the number of each joint's tree; length N.
+        last: the last joint of the subtree that hangs on each joint; length N.
+        at: the joints that hang on each link; length N + 1.
+        runs: what is passed in one go outwards, if nothing parts it.
+        long: parts of them that may be passed in segments.
+        prolonging: joints that go on with a run which may be passed in segments.
+    """
+
+    def __init__(self, joints: Sequence[PlanJoint]) -> None:
+        self.joints = joints
+        self.trees = moving_trees(joints)
+        self.tree_of = [0] * len(joints)
+        for number, tree in enumerate(self.trees):
+            for link in tree.links:
+                self.tree_of[link - 1] = number
+        self.last = list(range(len(joints)))
+        self.at: list[list[int]] = [[] for _ in range(len(joints) + 1)]
+        for j in reversed(range(len(joints))):
+            parent = joints[j].parent
+            self.at[parent].insert(0, j)
+            if parent > 0:
+                self.last[parent - 1] = max(self.last[parent - 1], self.last[j])
+        self.runs = runs(joints, (j for j, joint in enumerate(joints) if not is_base(joint)))
+        self.long = [part for run in self.runs for part in self._long(run)]
+        self.prolonging = {j for run in self.long for j in range(run.first + 1, run.last + 1)}
+        self._kinds: dict[object, int] = {}
+        self._kind_of: dict[int, object] = {}
+        self._edges: dict[tuple[int, int], list[Edge]] = {}
+
+    def _long(self, run: Run) -> Iterator[Run]:
+        """The parts of a run that may be passed in segments, as long as can be."""
+        own = range(run.first, run.last + 1)
+        for fit, group in groupby(own, lambda j: self.joints[j].kind in KINDS):
+            part = list(group)
+            if fit and pays_segments(self.joints, Run(part[0], part[-1]), "double"):
+                yield Run(part[0], part[-1])
+
+    def floats(self, tree: int, link: int) -> bool:
+        """Return whether a link floats on the ground."""
+        base = self.trees[tree].base
+        return base is not None and link == base + 1
+
+    def limbs(self, cores: Sequence[Core]) -> tuple[Limb, ...]:
+        """Return what hangs on cores, and the trees that are not shared, by their first joints."""
+        shared = {core.tree for core in cores}
+        found = [self._whole(t) for t in range(len(self.trees)) if t not in shared]
+        for core in cores:
+            found += self._around(core)
+        return tuple(sorted(found, key=lambda limb: limb.spans[0][0]))
+
+    def _around(self, core: Core) -> Iterator[Limb]:
+        if not self.floats(core.tree, core.root):
+            links, above = self.trees[core.tree].links, core.root - 1
+            first, last = links[0] - 1, links[-1] - 1
+            spans = (range(first, above + 1), range(self.last[above] + 1, last + 1))
+            whole = tuple(span for span in spans if span)
+            yield Limb(core.tree, core.root, whole, True, ("up", core.root))
+        inside = set(core.joints)
+        for link in (core.root, *(j + 1 for j in core.joints)):
+            for j in self.at[link]:
+                if j not in inside:
+                    span = range(j, self.last[j] + 1)
+                    yield Limb(core.tree, link, (span,), False, (link, self._kind(j)))
+
+    def _whole(self, tree: int) -> Limb:
+        links = self.trees[tree].links
+        return Limb(
+            tree, 0, (range(links[0] - 1, links[-1]),), False, (0, self._kind(links[0] - 1))
+        )
+
+    def _kind(self, joint: int) -> object:
+        """The kinds of a subtree's joints and how they hang together, as a number."""
+        if joint not in self._kind_of:
+            span = range(joint, self.last[joint] + 1)
+            if len(span) > _COMPARED or joint in self.prolonging:
+                return ("own", joint)
+            told = tuple(
+                (j - self.joints[j].parent if j > joint else 0, self.joints[j].kind)
+                + ((True,) if self.joints[j].prescribed else ())
+                for j in span
+            )
+            self._kind_of[joint] = self._kinds.setdefault(told, len(self._kinds))
+        return self._kind_of[joint]
+
+    def stretch(self, joint: int) -> tuple[int, ...]:
+        """Return the joints from one on up to where limbs part next; none if they never do.
+
+        A core that has one of them has them all: processes meet where limbs part.
+        """
+        found = [joint]
+        while len(self.at[found[-1] + 1]) == 1:
+            found += self.at[found[-1] + 1]
+        return tuple(found) if self.at[found[-1] + 1] else ()
+
+    def laid_out(self, core: Core, owner: dict[int, int], core_owner: int) -> Tree:
+        """Return a shared tree with a layout.
+
+        Args:
+            core: where its processes meet.
+            owner: the process of each joint that is not in the core; joints of other trees too.
+            core_owner: the process that adds what belongs to the core.
+        """
+        tree = self.trees[core.tree]
+        inside = frozenset(core.joints)
+        own = {j: owner[j] for j in tree.joints if j not in inside}
+        grounded = own[core.root - 1] if tree.base is None else None
+        hold = 0 if grounded is None else held_link(core.root, self.joints)
+        edges = self._edges_from(core.tree, core.root)
+        return Tree(
+            *(tree.links, tree.joints, tree.base, core.root, edges, own, inside),
+            *(core_owner, grounded, hold),
+        )
+
+    def alone(self, tree: int, process: int) -> Tree:
+        """Return a tree that is all one process's."""
+        own = self.trees[tree]
+        root = 0 if own.base is None else own.base + 1
+        edges = self._edges_from(tree, root)
+        owner = dict.fromkeys(own.joints, process)
+        return Tree(own.links, own.joints, own.base, root, edges, owner, frozenset(), process, None)
+
+    def _edges_from(self, tree: int, root: int) -> list[Edge]:
+        if (tree, root) not in self._edges:
+            at = self._joints_at[tree]
+            self._edges[tree, root] = edges_from(root, self.joints, at)
+        return self._edges[tree, root]
+
+    @cached_property
+    def _joints_at(self) -> list[dict[int, list[int]]]:
+        return [joints_at(self.joints, tree.joints) for tree in self.trees]

@@ -1,0 +1,151 @@
+"""The price that is played, as the search sees it: nothing else here knows how steps are priced.
+
+A schedule is priced by its plan as a whole (``played``), the share of one process by itself
+(``Pricing.share``): what the processes of a layout take is composed of such shares.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from adagen.cost import operation_features
+from adagen.emit.shapes import SHAPES
+from adagen.model import Model
+from adagen.plan import Plan, make_plan
+from adagen.plan.abreast import Limbs
+from adagen.plan.stages import stages
+from adagen.plan.steps import Kinematics, Receive, Send
+from adagen.plan.types import Message, PlanJoint, Process
+from adagen.predict import predict
+from adagen.program import Operation
+from adagen.program.loops import Loops
+from adagen.program.segments import segments_of
+from adagen.program.slots import Slots
+from adagen.schedule import CostProfile, Schedule
+from adagen.schedule.costs import ChannelCosts, StepCosts
+
+
+def played(model: Model, schedule: Schedule, profile: CostProfile) -> float:
+    """Return what a schedule takes as loops, its program played through; microseconds.
+
+    Args:
+        model: the robot.
+        schedule: of its joints.
+        profile: a profile with the costs of steps.
+    """
+    return predict(make_plan(model, schedule), profile, "kernels").makespan
+
+
+def is_emitted(model: Model, schedule: Schedule) -> bool:
+    """Return whether the shape that gathers takes the plan of a schedule."""
+    return SHAPES["kernels"].why_not(make_plan(model, schedule)) is None
+
+
+@dataclass(frozen=True)
+class Share:
+    """What one process takes on a core of speed 1, without messages; microseconds.
+
+    Attributes:
+        kinematics: of all joints that it passes, long runs in segments unless another process
+            parts them.
+        least_kinematics: the same however others part its runs, at least.
+        inwards: up to the messages that it sends.
+        between: from then on up to those that it takes.
+        outwards: all after them.
+        process: its steps; messages stand for all that there are.
+        limbs: those that it passes side by side.
+    """
+
+    kinematics: float
+    least_kinematics: float
+    inwards: float
+    between: float
+    outwards: float
+    process: Process
+    limbs: tuple[Limbs, ...]
+
+
+class Pricing:
+    """Prices of what single processes do.
+
+    Args:
+        plan: any plan of the robot, for its joints.
+        profile: a profile with the costs of steps.
+    """
+
+    def __init__(self, plan: Plan, profile: CostProfile) -> None:
+        assert profile.steps is not None  # as the caller has made sure
+        self.costs: StepCosts = profile.steps
+        self.channel: ChannelCosts = self.costs.channel(plan.channel)
+        self._plan = plan
+
+    @property
+    def joints(self) -> tuple[PlanJoint, ...]:
+        """The robot's joints."""
+        return self._plan.joints
+
+    def share(self, process: Process, messages: tuple[Message, ...]) -> Share | None:
+        """Return what a process takes; None where no shape gathers with such steps.
+
+        Args:
+            process: its steps, with one message for all that it sends and takes at a time.
+            messages: those messages, by number.
+        """
+        plan = replace(self._plan, processes=(process,), messages=messages)
+        if SHAPES["kernels"].why_not(plan) is not None:
+            return None
+        slots = Slots.of(plan, batch=False)
+        (limbs,) = slots.limbs
+        phases = [0.0, 0.0, 0.0, 0.0]  # kinematics, then as the messages part the rest
+        phase = 1
+        found, parts = Loops(plan, process, slots, limbs, batch=False).operations(), stages(process)
+        for operation in found:
+            match operation.steps:
+                case (Send(),):
+                    phase = 2
+                case (Receive(),):
+                    phase = 3
+                case _:
+                    kinematics = parts[operation.stage].what == "kinematics"
+                    phases[0 if kinematics else phase] += self._time(operation)
+        moving, inwards, between, outwards = phases
+        least = self._least_kinematics(found) if slots.segments else moving
+        return Share(moving, least, inwards, between, outwards, process, limbs)
+
+    def _time(self, operation: Operation) -> float:
+        return self.costs.total(operation_features(operation, self.joints))
+
+    def _least_kinematics(self, operations: Sequence[Operation]) -> float:
+        """What kinematics take at least, each joint by itself or in a segment, or in its limbs."""
+        total = 0.0
+        for operation in operations:
+            moves = [step for step in operation.steps if isinstance(step, Kinematics)]
+            if operation.method == "lanes" and moves:
+                total += self._time(operation)
+                continue
+            for step in moves:
+                kind = self.joints[step.joint].kind
+                total += min(
+                    self.costs[f"kinematics.{kind}"], self.costs[f"kinematics_segments.{kind}"]
+                )
+        return total
+
+    def kinematics(self, shares: Sequence[Share]) -> list[float]:
+        """Return what the kinematics of processes take that part each other's long runs."""
+        processes = tuple(
+            replace(s.process, steps=tuple(t for t in s.process.steps if isinstance(t, Kinematics)))
+            for s in shares
+        )
+        limbs = tuple(share.limbs for share in shares)
+        plan = replace(self._plan, processes=processes)
+        segments = tuple(segments_of(plan, limbs))
+        slots = replace(Slots.plainly(plan), limbs=limbs, segments=segments)
+        return [
+            sum(map(self._time, Loops(plan, process, slots, own, batch=False).operations()))
+            for process, own in zip(processes, limbs, strict=True)
+        ]
+
+    def numbers(self, message: Message) -> int:
+        """Return how many numbers a message holds."""
+        return message.numbers(self._plan.right_hand_sides)

@@ -1,0 +1,175 @@
+"""Branch and bound over layouts, beside a look at all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import combinations, product
+
+import numpy as np
+import pytest
+
+from adagen.emit.shapes import SHAPES
+from adagen.model import Model
+from adagen.plan import can_gather, make_plan
+from adagen.plan.constants import joints_of
+from adagen.predict import predict
+from adagen.schedule import CostProfile, Schedule, Topology, find_schedule, load_profile
+from adagen.search import best_schedule
+from adagen.search.bounds import Bounds
+from adagen.search.floors import Floors
+from adagen.search.gathered import GatheredSearch, Spent
+from adagen.search.layouts import Frame, Layout, LayoutPrices
+from adagen.search.limbs import Core, Robot
+from adagen.search.price import Pricing
+from adagen.search.trees import schedule_of
+from tests.models import human_figure, random_tree
+from tests.predict.costs import step_profile
+
+DEFAULT = load_profile("default")
+OTHERS = step_profile()
+
+
+@dataclass
+class Case:
+    """A robot's layouts, priced."""
+
+    model: Model
+    processes: int
+    profile: CostProfile
+
+    def __post_init__(self) -> None:
+        assert self.profile.steps is not None
+        self.topology = Topology.of(self.model)
+        self.robot = Robot(joints_of(self.model))
+        self.pattern = find_schedule(
+            self.topology, self.processes, profile=self.profile, expansions=0
+        )
+        plan = make_plan(self.model, self.pattern)
+        self.prices = LayoutPrices(self.robot, Pricing(plan, self.profile))
+        steps = self.profile.steps
+        floors = Floors(self.robot, steps)
+        self.bounds = Bounds(self.robot, floors, self.processes, steps, steps.window)
+
+    def schedule(self, layout: Layout) -> Schedule | None:
+        return schedule_of(layout, self.robot, self.topology, self.pattern, self.profile)
+
+    def searched(self, limit: int = 10**6) -> GatheredSearch:
+        roots = [False] + [True] * len(self.robot.joints)
+        search = GatheredSearch(
+            self.prices,
+            self.bounds,
+            roots,
+            float("inf"),
+            Spent(limit),
+            lambda layout: self.schedule(layout) is not None,
+        )
+        search.run()
+        return search
+
+    def everything(self) -> Iterator[Layout]:
+        """Yield all layouts: every root, core and way to hand out limbs; not one process alone."""
+        for cores in self.all_cores():
+            if not cores and len(self.robot.trees) == 1:
+                continue
+            limbs = self.robot.limbs(cores)
+            for of in product(range(self.processes), repeat=len(limbs)):
+                shares = tuple(
+                    tuple(k for k, owner in enumerate(of) if owner == p)
+                    for p in range(self.processes)
+                )
+                layout = Layout(Frame(cores, limbs), shares)
+                if all(len(layout.taking_part(core.tree)) > 1 for core in cores):
+                    yield layout
+
+    def all_cores(self) -> Iterator[tuple[Core, ...]]:
+        per_tree: list[list[Core | None]] = []
+        for number, tree in enumerate(self.robot.trees):
+            own: list[Core | None] = [None]
+            for root in tree.links:
+                below = range(root, self.robot.last[root - 1] + 1)
+                for count in range(min(3, len(below)) + 1):
+                    for joints in combinations(below, count):
+                        links = {root, *(j + 1 for j in joints)}
+                        if all(self.robot.joints[j].parent in links for j in joints):
+                            own.append(Core(number, root, joints))
+            per_tree.append(own)
+        for choice in product(*per_tree):
+            yield tuple(core for core in choice if core is not None)
+
+
+def robots(count: int, profile: CostProfile) -> Iterator[Case]:
+    """Yield small random robots, of few kinds of joints so that limbs are alike."""
+    seed = 0
+    while count:
+        seed += 1
+        rng = np.random.default_rng(seed)
+        joints, processes = 3 + seed % 6, 2 + (seed % 3 == 0)
+        model = random_tree(rng, joints, branching=0.6, floating=seed % 2 == 0)
+        if can_gather(model):
+            count -= 1
+            yield Case(model, processes, profile)
+
+
+@pytest.mark.parametrize("profile", [DEFAULT, OTHERS], ids=["default", "others"])
+def test_nothing_is_faster_than_what_is_found(profile: CostProfile) -> None:
+    """Twenty robots under each of two profiles: all layouts that schedules say, as played."""
+    meeting = 0
+    for case in robots(20, profile):
+        search = case.searched()
+        assert search.lower == search.best
+        least = float("inf")
+        for layout in case.everything():
+            time = case.prices.time(layout)
+            if time is not None and time < least and (made := case.schedule(layout)) is not None:
+                least = predict(make_plan(case.model, made), profile, "kernels").makespan
+        assert search.best == pytest.approx(least, abs=1e-12)
+        meeting += search.layout is not None and bool(search.layout.frame.cores)
+    assert meeting > 5
+
+
+def test_the_bound_of_a_frame_is_below_all_its_layouts() -> None:
+    for case in robots(12, OTHERS):
+        for layout in case.everything():
+            time = case.prices.time(layout)
+            frame = layout.frame
+            if time is not None:
+                assert case.bounds.frame(frame.cores, frame.limbs) <= time + 1e-12
+
+
+def test_what_is_not_looked_at_counts_in_the_bound() -> None:
+    case = Case(human_figure(), 4, DEFAULT)
+    whole = case.searched()
+    assert whole.lower == whole.best
+    for limit in (0, 5, 40):
+        some = case.searched(limit)
+        assert some.spent.expanded <= limit
+        assert some.lower <= whole.best <= some.best
+    assert case.searched(0).lower < whole.best
+
+
+@pytest.mark.parametrize("processes", [2, 4, 8])
+def test_a_figure_is_proven_to_be_done_best(processes: int) -> None:
+    model = human_figure()
+    found = best_schedule(model, processes, DEFAULT)
+    assert found.verdict == "optimal"
+    assert found.makespan == predict(make_plan(model, found), DEFAULT, "kernels").makespan
+    assert set(found.families) == {"alone", "gathered", "joined"}
+    assert found.candidates > 1
+
+
+def test_more_processes_are_not_slower() -> None:
+    model = human_figure()
+    times = [best_schedule(model, processes, DEFAULT).makespan for processes in (2, 3, 4, 8)]
+    assert times == sorted(times, reverse=True)
+
+
+def test_what_gathers_can_be_emitted() -> None:
+    case = Case(human_figure(), 4, DEFAULT)
+    layout = case.searched().layout
+    assert layout is not None
+    made = case.schedule(layout)
+    assert made is not None
+    plan = make_plan(case.model, made)
+    assert SHAPES["kernels"].why_not(plan) is None
+    assert sum(bool(process.owns) for process in plan.processes) > 1
