@@ -18,7 +18,7 @@ from adagen.executor.checks import Check
 from adagen.executor.frames import Transform, columnwise
 from adagen.executor.kinematics import Motion
 from adagen.executor.state import State
-from adagen.graph import Expression, Graph, matrix_times, total
+from adagen.graph import Expression, Graph, matrix_times, reflect, total
 from adagen.model.kinds import HELD
 from adagen.plan.digits import GIMBAL_LOCK
 from adagen.plan.steps import FusedJoin, Join
@@ -157,7 +157,7 @@ def joint_coordinates(graph: Graph, s: Array) -> tuple[Array, Expression]:
     for k in range(n):
         r[:, k] = r[:, k] * scale[k]
     for k in range(n):
-        _reflect(graph, k, r, b)
+        reflect(k, r, b)
     inverse = _inverted(graph, r[:n])
     top = matrix_times(inverse, b[:n])
     for k in range(n):
@@ -178,24 +178,6 @@ def _unit(graph: Graph, s: Array) -> Expression:
     if squared.constant == 0:
         return graph.constant(1)
     return graph.reciprocal(graph.sqrt(graph.larger(squared, graph.constant(_NEAR))))
-
-
-def _reflect(graph: Graph, k: int, r: Array, b: Array) -> None:
-    """Reflect r and b so that nothing is left below the diagonal in column k of r."""
-    rows = [i for i in range(k, 6) if i == k or r[i, k].constant != 0]
-    if len(rows) == 1:
-        return
-    x = r[rows, k]
-    reached = graph.sign(x[0]) * _norm(graph, x)
-    u = x.copy()
-    u[0] = x[0] + reached
-    factor = 2 * graph.reciprocal(total(u * u))
-    for matrix, columns in ((r, range(k + 1, r.shape[1])), (b, range(6))):
-        for c in columns:
-            part = factor * total(u * matrix[rows, c])
-            matrix[rows, c] = matrix[rows, c] - u * part
-    r[rows, k] = graph.constant(0)
-    r[k, k] = -reached
 
 
 def _inverted(graph: Graph, r: Array) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -9,8 +10,8 @@ from numpy.typing import NDArray
 
 from adagen.executor.checks import SINGULAR, Check
 from adagen.executor.state import State
-from adagen.graph import Factors, factorize, matrix_times, total
-from adagen.plan.digits import EPSILON, LEAST_PIVOT
+from adagen.graph import Expression, Factors, factorize, matrix_times, solve_by_reflections, total
+from adagen.plan.digits import LEAST_PIVOT
 from adagen.plan.steps import (
     AccelerateRoot,
     HoldMobility,
@@ -23,7 +24,7 @@ from adagen.plan.steps import (
 from adagen.plan.types import FACTORS
 
 Array = NDArray[Any]
-_NOTHING = 1e-30  # kg m^2 or kg: an inertia without which a division is by zero
+_HALVES = (range(3), range(3, 6))  # angular and linear
 
 
 class Roots:
@@ -71,12 +72,10 @@ class Roots:
 
     def _hold(self, step: HoldMobility) -> None:
         """Phi^-1 and -Phi^-1 b, where no pivot of Phi is small beside the largest of its kind."""
-        graph = self.state.graph
         phi, b = self.memory[step.block], self.memory[step.bias]
         factors, least = factorize(phi), LEAST_PIVOT[FACTORS[self.state.plan.scalar]]
-        for rows in (range(3), range(3, 6)):
-            first, second, third = (phi[k, k] for k in rows)
-            most = graph.larger(graph.larger(first, second), third) * least
+        for rows in _HALVES:
+            most = self._largest(phi, rows) * least
             for k in rows:
                 check = Check(factors.pivots[k], most, step.link - 1, SINGULAR)
                 self.state.checks.append(check)
@@ -84,55 +83,20 @@ class Roots:
         self.memory["IA", step.link] = inverse
         self.memory["pA", step.link] = -matrix_times(inverse, b)
 
-    def _under_mobility(self, step: SolveMobility) -> Array:
-        """The a of (1 + Phi I) a = r with r = b - Phi p, shape (6, columns).
+    def _largest(self, matrix: Array, rows: Sequence[int]) -> Expression:
+        """The largest of three entries of the diagonal."""
+        first, second, third = (matrix[k, k] for k in rows)
+        return self.state.graph.larger(self.state.graph.larger(first, second), third)  # type: ignore[no-any-return]
 
-        With I = L D L^T and U = L D, I a = U y where (D + U^T Phi U) y = U^T r. That matrix is
-        symmetric and positive definite whatever Phi and I do not hold, and a = r - Phi U y. Where
-        the link is held much firmer than r tells, that subtracts nearly equal numbers: what is left
-        over of the equation is solved for once more.
+    def _under_mobility(self, step: SolveMobility) -> Array:
+        """The a of (1 + Phi I) a = b - Phi p, shape (6, columns).
+
+        Phi and I may both be singular, and rows would have to be exchanged by size: reflections
+        are as stable and need not look.
         """
         inertia, p = self.memory["IA", step.link], self.memory["pA", step.link]
         phi, b = self.memory[step.block], self.memory[step.bias]
-        if not any(x.constant != 0 for x in inertia.flat):
-            return np.asarray(b - matrix_times(phi, p))
-        u, d = self._semidefinite(inertia)
-        phi_u = matrix_times(phi, u)
-        m = matrix_times(u.T, phi_u)
-        for k in range(len(d)):
-            m[k, k] = d[k] + m[k, k]
-        factors = self.state.factorize(m, step.link - 1)
-
-        def solved(r: Array) -> Array:
-            result: Array = r - matrix_times(phi_u, factors.solve(matrix_times(u.T, r)))
-            return result
-
-        r = b - matrix_times(phi, p)
-        a = solved(r)
-        left: Array = r - a - matrix_times(phi, matrix_times(inertia, a))
-        return np.asarray(a + solved(left))
-
-    def _semidefinite(self, inertia: Array) -> tuple[Array, list[Any]]:
-        """U = L D, shape (6, m), and D of I = L D L^T, where I may be singular.
-
-        A pivot that is lost to rounding counts as what rounding leaves of it; a row that is zero
-        is left out.
-        """
-        graph, lost = self.state.graph, 4 * EPSILON[FACTORS[self.state.plan.scalar]]
-        columns: list[Array] = []
-        pivots: list[Any] = []
-        over: list[Array] = []
-        for j in range(6):
-            if inertia[j, j].constant == 0:
-                continue
-            column = self.state.zeros(6)
-            for i in range(j, 6):
-                terms = [-(u[i] * v[j]) for u, v in zip(columns, over, strict=True)]
-                column[i] = total([inertia[i, j], *terms])
-            least = inertia[j, j] * lost + _NOTHING
-            column[j] = graph.larger(column[j], least) if columns else column[j]
-            inverse = graph.reciprocal(column[j])
-            columns.append(column)
-            pivots.append(column[j])
-            over.append(column * inverse)
-        return np.array(columns, dtype=object).T, pivots
+        held = matrix_times(phi, inertia)
+        for k in range(6):
+            held[k, k] = held[k, k] + 1
+        return solve_by_reflections(held, b - matrix_times(phi, p))

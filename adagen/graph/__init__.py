@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from adagen.graph.count import Operations, count_operations, live_nodes
 from adagen.graph.evaluate import BALLS, DOUBLE, FLOAT, Algebra, Evaluation
-from adagen.graph.linear import Factors, cross, dot, factorize, matrix_times, total
+from adagen.graph.linear import (
+    Factors,
+    cross,
+    dot,
+    factorize,
+    matrix_times,
+    reflect,
+    solve_by_reflections,
+    total,
+)
 from adagen.graph.nodes import Expression, Graph, Node
 from adagen.graph.numbers import Number, Numbers
 
@@ -27,5 +36,7 @@ __all__ = [
     "factorize",
     "live_nodes",
     "matrix_times",
+    "reflect",
+    "solve_by_reflections",
     "total",
 ]

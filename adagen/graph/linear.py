@@ -121,3 +121,38 @@ def factorize(matrix: Array) -> Factors:
             lower[i, j] = scaled[i, j] * inverses[j]
     diagonal = tuple(matrix[i, i] for i in range(n))
     return Factors(lower, tuple(inverses), tuple(pivots), diagonal)
+
+
+def reflect(k: int, r: Array, b: Array) -> None:
+    """Reflect r and b, of as many rows; nothing is left below the diagonal in column k of r.
+
+    Householder's reflection; columns of r before k have nothing there already.
+    """
+    graph = r[0, 0].graph
+    rows = [i for i in range(k, len(r)) if i == k or r[i, k].constant != 0]
+    if len(rows) == 1:
+        return
+    x = r[rows, k]
+    reached = graph.sign(x[0]) * graph.sqrt(total(x * x))
+    u = x.copy()
+    u[0] = x[0] + reached
+    factor = 2 * graph.reciprocal(total(u * u))
+    for matrix, first in ((r, k + 1), (b, 0)):
+        for c in range(first, matrix.shape[1]):
+            part = factor * total(u * matrix[rows, c])
+            matrix[rows, c] = matrix[rows, c] - u * part
+    r[rows, k] = graph.constant(0)
+    r[k, k] = -reached
+
+
+def solve_by_reflections(matrix: Array, right: Array) -> Array:
+    """Return M^-1 x of a square matrix of any kind, shape (n, k)."""
+    r, x = matrix.copy(), right.copy()
+    for k in range(len(r)):
+        reflect(k, r, x)
+    for i in reversed(range(len(r))):
+        over = r[i, i].graph.reciprocal(r[i, i])
+        for c in range(x.shape[1]):
+            terms = [-(r[i, k] * x[k, c]) for k in range(i + 1, len(r))]
+            x[i, c] = total([x[i, c], *terms]) * over
+    return x

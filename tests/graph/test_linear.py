@@ -6,9 +6,21 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from adagen.graph import Expression, Graph, cross, dot, factorize, matrix_times, total
+from adagen.graph import (
+    Evaluation,
+    Expression,
+    Graph,
+    cross,
+    dot,
+    factorize,
+    matrix_times,
+    solve_by_reflections,
+    total,
+)
 from tests.graph.evaluate import evaluate
 
 Array = NDArray[Any]
@@ -71,3 +83,19 @@ def test_a_sum_waits_least_for_what_comes_last() -> None:
     late = graph.input("late", ready=100)
     assert total([late, *early]).node.ready == 104
     assert ((late + early[0]) + early[1]).node.ready == 108
+
+
+@given(st.integers(1, 6), st.integers(0, 2**32 - 1))
+def test_reflections_solve_what_has_no_good_pivots(n: int, seed: int) -> None:
+    """Of any square matrix: the first pivots of this one are zero."""
+    rng = np.random.default_rng(seed)
+    matrix, right = rng.normal(size=(n, n)), rng.normal(size=(n, 2))
+    matrix = np.eye(n)[::-1] + 0.1 * matrix / n
+    matrix[0, 0] = 0.0 if n > 1 else 1.0
+    inputs: dict[str, float] = {}
+    graph = Graph()
+    m, x = given_as("m", matrix, graph, inputs), given_as("x", right, graph, inputs)
+    expressions = solve_by_reflections(m, x)
+    found = Evaluation(graph, inputs.__getitem__).of(expressions.flat)
+    expected = np.linalg.solve(matrix, right)
+    np.testing.assert_allclose(np.reshape(found, right.shape), expected, atol=1e-12)
