@@ -6,8 +6,8 @@ from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from adagen.emit.runs import Run, pays_columns, runs, units_of_sweep
-from adagen.emit.segments import pays_segments, segments_of
+from adagen.emit.runs import Run, pays_columns, units_of_sweep
+from adagen.emit.segments import segments_of
 from adagen.emit.shapes import SHAPES
 from adagen.model.kinds import KINDS
 from adagen.plan.abreast import Limbs, limbs_abreast
@@ -132,12 +132,14 @@ class Together:
         inward: the run that a joint is passed inwards with.
         outward: the run that it is passed outwards with in segments.
         responding: joints of runs whose mobility is asked for at the last link only.
+        columns: runs that are taken by columns.
     """
 
     limbs: Mapping[int, Limbs]
     inward: Mapping[int, Run]
     outward: Mapping[int, Run]
     responding: Container[int]
+    columns: Container[Run] = ()
 
 
 _NUMBERS = {2: "two", 4: "four"}
@@ -155,22 +157,19 @@ def passed_together(plan: Plan, shape: str = "auto") -> list[Together]:
         return [Together({}, {}, {}, ()) for _ in plan.processes]
     limbs = [limbs_abreast(plan, process) for process in plan.processes]
     outward = _by_joint(segments_of(plan, limbs))
-    return [
-        Together(
-            {j: each for each in own for j in each.members()},
-            _by_joint(_inward(plan, process, own)),
-            outward,
-            _responding(plan, process),
+    found = []
+    for process, own in zip(plan.processes, limbs, strict=True):
+        inward = list(_inward(plan, process, own))
+        found.append(
+            Together(
+                {j: each for each in own for j in each.members()},
+                _by_joint(inward),
+                outward,
+                _responding(plan, process),
+                frozenset(run for run in inward if pays_columns(plan.joints, run)),
+            )
         )
-        for process, own in zip(plan.processes, limbs, strict=True)
-    ]
-
-
-def in_runs(joints: Sequence[PlanJoint]) -> Together:
-    """Return what joints are passed with where nothing lies side by side."""
-    found = runs(joints, range(len(joints)))
-    outward = (run for run in found if pays_segments(joints, run, "double"))
-    return Together({}, _by_joint(found), _by_joint(outward), ())
+    return found
 
 
 def _by_joint(own: Iterable[Run]) -> dict[int, Run]:
@@ -208,7 +207,7 @@ def _shared_features(
     if j in together.limbs:
         return _row_features(step, kind, together.limbs[j])
     if isinstance(step, Articulate) and j in together.inward:
-        return _run_features(step, joints, together.inward[j])
+        return _run_features(step, joints, together)
     if isinstance(step, Kinematics) and j in together.outward:
         return {
             f"kinematics_segments.{kind}": 1,
@@ -226,10 +225,10 @@ def _row_features(step: Step, kind: str, limbs: Limbs) -> Features:
     return found
 
 
-def _run_features(step: Articulate, joints: Sequence[PlanJoint], run: Run) -> Features:
+def _run_features(step: Articulate, joints: Sequence[PlanJoint], together: Together) -> Features:
     """Of one joint of a run, with its share of the way into the run and out of it."""
-    found = features(step, joints)
-    if pays_columns(joints, run):
+    found, run = features(step, joints), together.inward[step.joint]
+    if run in together.columns:
         found = {f"articulate_columns.{joints[step.joint].kind}": 1}
         if step.reversed:
             found["articulate.reversed"] = 1

@@ -92,7 +92,7 @@ class Pricing:
         if SHAPES["kernels"].why_not(plan) is not None:
             return None
         (together,) = passed_together(plan, "kernels")
-        phases = [0.0, 0.0, 0.0, 0.0]  # kinematics, then as the messages part the rest
+        phases = [0.0, 0.0, 0.0, 0.0]  # kinematics, then as messages part the rest, or else sweeps
         phase = 1
         for stage in stages(process):
             if stage.message is not None:
@@ -100,10 +100,34 @@ class Pricing:
                 continue
             steps = process.steps[stage.first : stage.last]
             time = work_time(steps, plan.joints, self.costs, 0, together)
+            if stage.what == "disassembly":
+                phase = 3
             phases[0 if stage.what == "kinematics" else phase] += time
         kinematics, inwards, between, outwards = phases
         least = self._least_kinematics(process, together) if together.outward else kinematics
         return Share(kinematics, least, inwards, between, outwards, process, together)
+
+    def sweeps(self, process: Process, *, singly: bool) -> tuple[float, float]:
+        """Return what a process that exchanges nothing takes in its first and second sweep.
+
+        Long runs are taken to be passed outwards as is best; nothing is known of a process that
+        shape kernels does not take.
+
+        Args:
+            process: its steps.
+            singly: whether it may be that nothing is passed together, as in shape joints.
+        """
+        share = self.share(process, ())
+        if share is None:
+            return 0.0, 0.0
+        inwards, outwards = share.least_kinematics + share.inwards, share.outwards
+        if singly:
+            later = [stage.first for stage in stages(process) if stage.what == "disassembly"]
+            first = process.steps[: min(later, default=len(process.steps))]
+            rest = process.steps[len(first) :]
+            inwards = min(inwards, work_time(first, self.joints, self.costs))
+            outwards = min(outwards, work_time(rest, self.joints, self.costs))
+        return inwards, outwards
 
     def _least_kinematics(self, process: Process, together: Together) -> float:
         """What kinematics take at least, each joint by itself or in a segment, or in its limbs."""
