@@ -1,7 +1,7 @@
-"""``python -m benchmarks.search [joins] [steps]``: what is proven of schedules and how fast.
+"""``python -m benchmarks.search [joins] [played]``: what is proven of schedules and how fast.
 
-Writes docs/search.md, the table of joins (Eq. 11, the paper's constants), that of steps (form
-segment, the shipped costs), or both.
+Writes docs/search.md, the table of joins (Eq. 11, the paper's constants), that of what is played
+(form segment, the shipped costs), or both.
 Robots of adagen's test environment (example-robot-data) that are not there are left out.
 """
 
@@ -17,8 +17,13 @@ from pathlib import Path
 from typing import Any
 
 from adagen.model import Model
+from adagen.plan import make_plan
+from adagen.predict import predict
 from adagen.schedule import Schedule, Topology, find_schedule, load_profile
+from adagen.schedule.restricted import joined_between_processes
 from adagen.schedule.tree import Split
+from adagen.search import best_schedule
+from adagen.stability.robots import chain, rod
 from adagen.urdf import read_robot
 from benchmarks.paper import robots
 from benchmarks.paper.measured import machine, model_of
@@ -33,6 +38,32 @@ REAL = {  # floating base or not, file within the package
     "icub": (True, "icub_description/robots/icub_reduced.urdf"),
     "tiago_dual": (True, "tiago_description/robots/tiago_dual.urdf"),
 }
+PLAYED = (  # fixed and floating
+    "a1_description/urdf/a1.urdf",
+    "alex_description/urdf/alex_nub_hands.urdf",
+    "allegro_hand_description/urdf/allegro_left_hand.urdf",
+    "anymal_b_simple_description/robots/anymal-kinova.urdf",
+    "b1_description/urdf/b1-z1.urdf",
+    "baxter_description/urdf/baxter.urdf",
+    "bolt_description/robots/bolt.urdf",
+    "centauro_description/urdf/centauro.urdf",
+    "g1_description/urdf/g1_29dof_with_hand_rev_1_0.urdf",
+    "human_description/robots/human.urdf",
+    "icub_description/robots/icub.urdf",
+    "panda_description/urdf/panda.urdf",
+    "pr2_description/urdf/pr2.urdf",
+    "romeo_description/urdf/romeo_small.urdf",
+    "simple_humanoid_description/urdf/simple_humanoid.urdf",
+    "solo_description/robots/solo12.urdf",
+    "talos_data/robots/talos_full_v2.urdf",
+    "talos_data/robots/talos_reduced.urdf",
+    "tiago_description/robots/tiago.urdf",
+    "tiago_description/robots/tiago_dual.urdf",
+    "tiago_pro_description/robots/tiago_pro.urdf",
+    "ur_description/urdf/ur5_robot.urdf",
+    "xarm_description/urdf/xarm7.urdf",
+)
+CHAINS = ((200, 4), (200, 8), (2000, 4), (10_000, 16))  # joints that turn, processes
 SPLITS: tuple[Split, ...] = ("always", "free", "any")
 
 
@@ -102,6 +133,7 @@ def joins() -> Iterator[str]:
     """Yield the lines of the table of joins."""
     for task in tasks():
         s, spent, busy = timed(
+            find_schedule,
             task.topology,
             task.processes,
             profile=PAPER,
@@ -116,23 +148,50 @@ def joins() -> Iterator[str]:
         )
 
 
-def steps() -> Iterator[str]:
-    """Yield the lines of the table of steps: times played through, and the default budget."""
-    chains = [(f"serial {n}", Topology.serial(n), p) for n, p in ((64, 8), (200, 4), (200, 8))]
-    known = [(name, Topology.of(model), p) for name, model in real() for p in (2, 4, 8)]
-    for name, topology, processes in [*chains, ("serial 512", Topology.serial(512), 16), *known]:
-        s, _, busy = timed(topology, processes, profile=DEFAULT)
-        one = find_schedule(topology, 1, profile=DEFAULT)
-        yield line(
-            *(name, len(topology), processes, f"{one.makespan:.2f}", f"{s.makespan:.3f}"),
-            *(f"{s.lower_bound:.3f}", proof(s), s.expanded, f"{busy:.2f}"),
-        )
+def played() -> Iterator[str]:
+    """Yield the lines of the table of what is played, under the default budget."""
+    for name, model in (*shown(), *((f"chain {n}", turning(n)) for n, _ in CHAINS)):
+        chains = [p for n, p in CHAINS if name == f"chain {n}"]
+        for processes in chains or (2, 4, 8):
+            s, _, busy = timed(best_schedule, model, processes, DEFAULT)
+            topology = Topology.of(model)
+            never = [False] * len(topology)
+            one = find_schedule(topology, processes, profile=DEFAULT, cuttable=never)
+            alone = predict(make_plan(model, one), DEFAULT).makespan
+            yield line(
+                *(name, len(topology), processes, f"{alone:.3f}", f"{s.makespan:.3f}"),
+                *(f"{s.lower_bound:.3f}", proof(s), family(s), s.expanded, f"{busy:.1f}"),
+            )
 
 
-def timed(*arguments: Any, **options: Any) -> tuple[Schedule, float, float]:
-    """Return what is found, and the seconds by the clock and of the processor."""
+def shown() -> Iterator[tuple[str, Model]]:
+    """Yield the real robots that there are, on the ground and floating."""
+    folder = Path(sysconfig.get_paths()["purelib"], PACKAGE)
+    for file in PLAYED:
+        for floating in (False, True):
+            if (folder / file).exists():
+                name = Path(file).stem + ", floating" * floating
+                yield name, read_robot(folder / file, floating=floating).model
+
+
+def turning(joints: int) -> Model:
+    """Return a chain of rods whose joints turn about x, y and z in turn."""
+    return chain(f"chain {joints}", [rod()] * joints, axes="xyz")
+
+
+def family(schedule: Schedule) -> str:
+    """Return the family of a schedule that was chosen from several."""
+    if schedule.meeting == "gather":
+        return "gathered"
+    return "joined" if joined_between_processes(schedule.root) else "alone"
+
+
+def timed(
+    search: Callable[..., Schedule], *arguments: Any, **options: Any
+) -> tuple[Schedule, float, float]:
+    """Return what a search finds, and the seconds by the clock and of the processor."""
     begin, busy = time.perf_counter(), time.process_time()
-    found = find_schedule(*arguments, **options)
+    found = search(*arguments, **options)
     return found, time.perf_counter() - begin, time.process_time() - busy
 
 
@@ -162,20 +221,19 @@ rule, so that bounds under different rules do not compare; the schedules do. One
 | robot | joints | P | split | makespan | bound | verdict | expanded | seconds | of CPU | budget |
 |---|---|---|---|---|---|---|---|---|---|---|
 """,
-    "steps": """## By steps, as the machine sees it
+    "played": """## As it is played
 
-Written by `python -m benchmarks.search steps` ({machine}). Form `segment`, the shipped costs,
-ranges divided in any way (up to 16 processes; beyond, in halves); times in microseconds. The
-makespan is that of the plan played through: both sweeps, waiting, messages, kinematics towards
-cuts, which side stays local. So the verdict is about that, against all such schedules. The search
-ends after a fixed number of expansions, the same on every machine. One row by hand:
-`adagen schedule ROBOT --procs P`.
+Written by `python -m benchmarks.search played` ({machine}). Form `segment`, the shipped costs;
+times in microseconds, of the plan played through: lanes, columns, segments, waiting and messages
+included. *Bound*: what no schedule of any family beats, in the same price. *Chosen*: one process
+alone, processes that gather at a core, or processes that are joined. The search ends after a fixed
+budget, the same on every machine. One row by hand: `adagen schedule ROBOT --procs P`.
 
-| robot | joints | P | on one process | makespan | bound | verdict | expanded | seconds of CPU |
-|---|---|---|---|---|---|---|---|---|
+| robot | joints | P | alone | makespan | bound | verdict | chosen | expanded | seconds of CPU |
+|---|---|---|---|---|---|---|---|---|---|
 """,
 }
-TABLES: dict[str, Callable[[], Iterator[str]]] = {"joins": joins, "steps": steps}
+TABLES: dict[str, Callable[[], Iterator[str]]] = {"joins": joins, "played": played}
 
 
 def page(name: str, rows: Sequence[str]) -> str:

@@ -143,7 +143,7 @@ def given_trees(
                 "leave it to the core"
             )
         if laid_out.grounded is not None:
-            laid_out = replace(laid_out, hold=held_link(root, joints))
+            laid_out = replace(laid_out, hold=held_links(joints)[root])
         found.append(laid_out)
     return found
 
@@ -181,7 +181,7 @@ def _laid_out(
     found = (_rooted(tree, edges_from(root, joints, at), root, assigned, first) for root in roots)
     # The ground, or the base, always serves as a root.
     best = min((tree for tree in found if tree is not None), key=lambda tree: len(tree.core))
-    return best if best.grounded is None else replace(best, hold=held_link(best.root, joints))
+    return best if best.grounded is None else replace(best, hold=held_links(joints)[best.root])
 
 
 def _rooted(
@@ -224,23 +224,19 @@ def least_busy(counts: Mapping[int, int]) -> int:
     return min(counts, key=lambda p: (counts[p], p))
 
 
-def held_link(root: int, joints: Sequence[PlanJoint]) -> int:
-    """Return the link that enough joints hold to make its mobility regular.
+def held_links(joints: Sequence[PlanJoint]) -> list[int]:
+    """Return for each link the one before it that enough joints hold to make its mobility regular.
 
     Args:
-        root: a link that is not the ground.
         joints: the robot's joints.
 
     Returns:
-        A link on the way from the ground to the root; 0 if no link before the root is held so.
+        Length N + 1: a link on the way from the ground; 0 if none before the link is held so.
     """
-    way, link = [], root
-    while link > 0:
-        way.append(link - 1)
-        link = joints[link - 1].parent
-    freedoms = 0
-    for joint in reversed(way[1:]):
-        freedoms += 0 if joints[joint].prescribed else KINDS[joints[joint].kind].nv
-        if freedoms >= HELD_FREEDOMS:
-            return joint + 1
-    return 0
+    freedoms = [0] * (len(joints) + 1)
+    held = [0] * (len(joints) + 1)
+    for j, joint in enumerate(joints):
+        above = joint.parent
+        freedoms[j + 1] = freedoms[above] + (0 if joint.prescribed else KINDS[joint.kind].nv)
+        held[j + 1] = held[above] or (above if freedoms[above] >= HELD_FREEDOMS else 0)
+    return held

@@ -6,7 +6,8 @@ needed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 
 from adagen.plan.steps import Block, HoldMobility, Propagate
@@ -27,29 +28,31 @@ def responses(
         process: the process that has the steps.
         steps: some of its steps, in order.
     """
-    holds = any(isinstance(step, HoldMobility) for step in process.steps)
+    mentions: Counter[Block] = Counter()
+    if len(steps) > 1 and any(isinstance(step, HoldMobility) for step in process.steps):
+        mentions.update(_blocks((*process.steps, *plan.messages)))
     first = 0
     for k, step in enumerate(steps):
-        if holds and k + 1 < len(steps) and _goes_on(plan, process, step, steps[k + 1], k == first):
+        if k + 1 < len(steps) and _goes_on(plan, mentions, step, steps[k + 1], k == first):
             continue
         yield steps[first : k + 1]
         first = k + 1
 
 
-def _goes_on(plan: Plan, process: Process, step: Propagate, after: Propagate, begins: bool) -> bool:
-    """Whether a step's mobility serves the next one alone."""
+def _goes_on(
+    plan: Plan, mentions: Mapping[Block, int], step: Propagate, after: Propagate, begins: bool
+) -> bool:
+    """Whether a step's mobility serves the next one alone.
+
+    ``mentions``: how often steps and messages name each block, where the ground is held at all.
+    """
     if begins and step.near is not None:
         return False
     for each in (step, after):
         if each.reversed or each.spreads or plan.joints[each.joint].prescribed:
             return False
     follows = plan.joints[after.joint].parent == step.joint + 1 == after.joint
-    return follows and after.near == step.block and _mentions(plan, process, step.block) == 2
-
-
-def _mentions(plan: Plan, process: Process, block: Block) -> int:
-    """How often a process's steps and the messages name a block."""
-    return sum(found == block for found in _blocks((*process.steps, *plan.messages)))
+    return follows and after.near == step.block and mentions.get(step.block) == 2
 
 
 def _blocks(of: object) -> Iterator[Block]:

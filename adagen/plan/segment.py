@@ -10,7 +10,7 @@ inertia. With one process this is the serial articulated-body algorithm.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -60,10 +60,60 @@ class Component:
 
 
 @dataclass
-class _Segment:
-    joint: int  # names it: the topmost joint of its schedule
-    free: list[int]  # floating joints on the ground
+class Segment:
+    """What one process assembles without anyone else.
+
+    Attributes:
+        joint: names it.
+        free: floating joints on the ground.
+        components: its other joints, by what moves together.
+    """
+
+    joint: int
+    free: list[int]
     components: list[Component]
+
+    def inwards(self) -> tuple[list[Step], list[set[tuple[int, int]]]]:
+        """Return the steps of the first sweep, and which links they couple in each component."""
+        steps: list[Step] = []
+        for component in self.components:
+            if component.root > 0:
+                steps.append(StartLink(component.root))
+            steps.extend(StartLink(edge.far) for edge in component.edges)
+        steps.extend(FreeBase(j) for j in self.free)
+        couplings = []
+        for component in self.components:
+            steps.extend(Articulate(e.joint, e.reversed) for e in reversed(component.edges))
+            more, coupled = mobility_steps(self.joint, component)
+            steps += more
+            couplings.append(coupled)
+        return steps, couplings
+
+    def outwards(self, forces: Mapping[int, Force]) -> list[Step]:
+        """Return the steps of the second sweep.
+
+        Args:
+            forces: those on handles, by link.
+        """
+        steps: list[Step] = []
+        for component in self.components:
+            handles = set(component.handles)
+            loaded = dict.fromkeys(edge.near for edge in component.path)
+            loaded.update(dict.fromkeys(component.handles))
+            steps.extend(
+                Load(link, forces.get(link) if link in handles else None)
+                for link in loaded
+                if link > 0
+            )
+            steps.extend(Deliver(e.joint, e.reversed) for e in reversed(component.path))
+            if component.root > 0 and component.handles:
+                block = Block(self.joint, component.root, component.root)
+                bias = Bias(self.joint, component.root)
+                steps.append(AccelerateRoot(component.root, block, bias))
+        for component in self.components:
+            steps.extend(Accelerate(e.joint, e.reversed) for e in component.edges)
+        steps.extend(FreeAcceleration(j) for j in self.free)
+        return steps
 
 
 class SegmentPlanner(AdaPlanner):
@@ -73,16 +123,16 @@ class SegmentPlanner(AdaPlanner):
         self, joints: tuple[PlanJoint, ...], schedule: Schedule, runs: Sequence[Run] = ()
     ) -> None:
         super().__init__(joints, schedule, runs)
-        self.members: dict[int, list[int]] = {}  # joints below a node that are all on one process
         self.inside: set[int] = set()
+        # Nodes with all below them on one process, which may be treated as one.
+        self.members: dict[int, Node] = {}
         for node in postorder(schedule.root):
-            parts = [self.members.get(child.joint) for child in node.children]
-            same = all(child.processes[0] == node.processes[0] for child in node.children)
-            if same and None not in parts and self._belongs(node):
-                self.members[node.joint] = [
-                    node.joint,
-                    *(j for part in parts if part for j in part),
-                ]
+            whole = all(
+                child.joint in self.members and child.processes[0] == node.processes[0]
+                for child in node.children
+            )
+            if whole and self._belongs(node):
+                self.members[node.joint] = node
         self.fusions.leave_to(self.members)
         for node in preorder(schedule.root):
             if node.joint in self.members or node.joint in self.inside:
@@ -98,48 +148,23 @@ class SegmentPlanner(AdaPlanner):
     def _segment(self, node: Node) -> Chain | None:
         if node.joint not in self.members:
             return None
-        members = set(self.members[node.joint])
+        members = {below.joint for below in preorder(node)}
         for j in members:
             self.open[self.joints[j].parent] -= 1
             self.open[j + 1] -= 1
-        segment = self._laid_out(node.joint, members)
-        process = node.processes[0]
-        chain = Chain(node.joint, process, segment=segment)
-        steps = self.steps[process]
-        for component in segment.components:
-            if component.root > 0:
-                steps.append(StartLink(component.root))
-            steps.extend(StartLink(edge.far) for edge in component.edges)
-        steps.extend(FreeBase(j) for j in segment.free)
-        for component in segment.components:
-            steps.extend(Articulate(e.joint, e.reversed) for e in reversed(component.edges))
-            self._mobility(component, chain)
+        handles = {link for link, count in enumerate(self.open) if count > 0}
+        segment = laid_out(self.joints, node.joint, members, handles)
+        steps, couplings = segment.inwards()
+        self.steps[node.processes[0]] += steps
+        chain = Chain(node.joint, node.processes[0], segment=segment)
+        for component, coupled in zip(segment.components, couplings, strict=True):
+            self._show(component, chain, coupled)
         return chain
 
-    def _laid_out(self, name: int, members: set[int]) -> _Segment:
-        """Find the components of a segment, a root for each, and the paths to its handles."""
-        free = [j for j in sorted(members) if is_free_base(self.joints[j])]
-        links = set(joints_at(self.joints, members))
-        at = joints_at(self.joints, sorted(members.difference(free)))
-        components: list[Component] = []
-        left = set(links)
-        for start in (0, *sorted(links - {0})):
-            if start not in left or (start == 0 and not at.get(0)):
-                left.discard(start)
-                continue
-            together = {start, *(edge.far for edge in edges_from(start, self.joints, at))}
-            left -= together
-            handles = sorted(h for h in together if h > 0 and self.open[h] > 0)
-            root = start if start == 0 or not handles else handles[0]
-            components.append(Component(root, edges_from(root, self.joints, at), handles))
-        return _Segment(name, free, components)
-
-    def _mobility(self, component: Component, chain: Chain) -> None:
-        """Phi and b at the handles: at the root by inversion, elsewhere carried outwards."""
+    @staticmethod
+    def _show(component: Component, chain: Chain, couplings: set[tuple[int, int]]) -> None:
+        """Note the blocks and biases that a component has at its handles."""
         name = chain.joint
-        assert name is not None  # segments are named by a joint
-        steps, couplings = mobility_steps(name, component)
-        self.steps[chain.process] += steps
         for k, g in enumerate(component.handles):
             chain.blocks[g, g] = Block(name, g, g)
             chain.biases[g] = Bias(name, g)
@@ -149,24 +174,36 @@ class SegmentPlanner(AdaPlanner):
 
     def _release(self, chain: Chain, forces: dict[int, Force]) -> None:
         segment = chain.segment
-        assert isinstance(segment, _Segment)
-        steps = self.steps[chain.process]
-        for component in segment.components:
-            loaded = dict.fromkeys(edge.near for edge in component.path)
-            loaded.update(dict.fromkeys(component.handles))
-            steps.extend(
-                Load(link, forces.get(link) if link in component.handles else None)
-                for link in loaded
-                if link > 0
-            )
-            steps.extend(Deliver(e.joint, e.reversed) for e in reversed(component.path))
-            if component.root > 0 and component.handles:
-                name = segment.joint
-                block = Block(name, component.root, component.root)
-                steps.append(AccelerateRoot(component.root, block, Bias(name, component.root)))
-        for component in segment.components:
-            steps.extend(Accelerate(e.joint, e.reversed) for e in component.edges)
-        steps.extend(FreeAcceleration(j) for j in segment.free)
+        assert isinstance(segment, Segment)
+        self.steps[chain.process] += segment.outwards(forces)
+
+
+def laid_out(
+    joints: Sequence[PlanJoint], name: int, members: Set[int], handles: Container[int]
+) -> Segment:
+    """Find the components of a segment, a root for each, and the paths to its handles.
+
+    Args:
+        joints: the robot's joints.
+        name: the joint that names the segment.
+        members: its joints.
+        handles: links with joints that are neither in the segment nor done with.
+    """
+    free = [j for j in sorted(members) if is_free_base(joints[j])]
+    links = set(joints_at(joints, members))
+    at = joints_at(joints, sorted(set(members).difference(free)))
+    components: list[Component] = []
+    left = set(links)
+    for start in (0, *sorted(links - {0})):
+        if start not in left or (start == 0 and not at.get(0)):
+            left.discard(start)
+            continue
+        together = {start, *(edge.far for edge in edges_from(start, joints, at))}
+        left -= together
+        own = sorted(h for h in together if h > 0 and h in handles)
+        root = start if start == 0 or not own else own[0]
+        components.append(Component(root, edges_from(root, joints, at), own))
+    return Segment(name, free, components)
 
 
 def mobility_steps(name: int, component: Component) -> tuple[list[Step], set[tuple[int, int]]]:

@@ -68,11 +68,12 @@ def outward_units(
         treated: joints that are treated later.
     """
     sweep = {j: ends_of(joints, j) for j in passed if not is_base(joints[j])}
+    later = frozenset(treated)
     for part in parts_of(outward_order(sweep, limbs)):
         if isinstance(part, Limbs):
             yield part
         else:
-            yield from _outward_runs(joints, part, treated)
+            yield from _outward_runs(joints, part, later)
 
 
 def _outward_runs(

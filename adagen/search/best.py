@@ -11,7 +11,7 @@ from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
 from adagen.schedule import CostProfile, Schedule, Topology, find_schedule
 from adagen.schedule.search import EXPANSIONS
-from adagen.search.families import Families
+from adagen.search.families import Families, scaled
 from adagen.search.played import played_schedule
 
 _USUAL = {"strategy": "exact", "split": "always", "tie": "work", "improved": True}
@@ -65,18 +65,28 @@ def best_schedule(
             return best
         return played_schedule(model, best, costs, scalar)
     cuttable = cuttable_joints(model, scalar, seen.joints, limit)
+    expansions = search.pop("expansions", EXPANSIONS)
+    spend = scaled(expansions, len(topology)) if profile.steps is not None else expansions
 
     def joined(allowed: Sequence[bool]) -> Schedule:
-        found = find_schedule(seen.topology, processes, profile=profile, cuttable=allowed, **search)
+        found = find_schedule(
+            seen.topology,
+            processes,
+            profile=profile,
+            cuttable=allowed,
+            expansions=spend,
+            **search,
+        )
         return seen.unfold(found, profile)
 
     best = joined(cuttable)
     if profile.steps is None:
         return best
-    families = Families(model, seen, processes, profile, search.get("expansions", EXPANSIONS))
+    families = Families(model, seen, processes, profile, expansions)
     families.consider(joined([False] * len(seen.topology)), "alone")
     families.consider(best, "joined")
     if gather and can_gather(model):
-        families.gather(cuttable_joints(model, scalar), best)
+        alike = seen.trivial and limit is None
+        families.gather(cuttable if alike else cuttable_joints(model, scalar), best)
     families.bound_joined(cuttable)
     return families.taken()

@@ -77,9 +77,14 @@ class Bounds:
         arounds = {core.tree: self.around(core) for core in cores}
         least = self.start + self._limbs(limbs, arounds) / self.fastest
         if len(self.robot.trees) == 1 and cores:
-            return max(least, self.shared(arounds[0], limbs, self.processes, 2))
+            most = min(self.processes, sum(self._ends(limb) for limb in limbs))
+            return max(least, self.shared(arounds[0], limbs, max(most, 2), 2))
         work = sum(self.floors.work(limb).both for limb in limbs)
         return max(least, self.start + work / self.processes / self.fastest)
+
+    def _ends(self, limb: Limb) -> int:
+        """How many processes can share a limb at most, once the core has grown into it."""
+        return 1 if limb.up else self.floors.ends[limb.spans[0].start]
 
     def _limbs(self, limbs: Iterable[Limb], arounds: dict[int, Around]) -> float:
         """The longest limb, with what its process and those that wait for it take besides."""

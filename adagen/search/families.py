@@ -2,8 +2,8 @@
 
 * ``alone``: one process does everything.
 * ``gathered``: processes gather at a core (layouts.py), searched by branch and bound.
-* ``joined``: processes are joined at cuts: what the search by steps finds (adagen/schedule), and
-  all single cuts that may be faster where there are two processes.
+* ``joined``: processes are joined at cuts: what the search by steps finds (adagen/schedule) at its
+  own prices, and at those that are played (joined.py).
 
 The bound is the least of what each family can do.
 """
@@ -21,14 +21,23 @@ from adagen.schedule.fold import Fold
 from adagen.search.bounds import Bounds
 from adagen.search.floors import Floors
 from adagen.search.gathered import GatheredSearch, Spent
-from adagen.search.joined import JoinedFloor
+from adagen.search.joined import LONG, JoinedFloor
 from adagen.search.layouts import Layout, LayoutPrices
 from adagen.search.limbs import Robot
 from adagen.search.price import Pricing, played
 from adagen.search.trees import schedule_of
 
-_CUTS = 100
-"""Schedules of one cut that are played at most."""
+_USUAL = 128  # joints up to which a robot gets all expansions
+_FEWEST = 64  # expansions that any robot gets
+_JOINTS = 20
+"""Joints that may be priced in shares of processes for each expansion."""
+
+_ROUNDED = 1e-5  # microseconds that sums of rounded times may be off
+
+
+def scaled(expansions: int, joints: int) -> int:
+    """Return how many expansions a robot gets, each of which costs as much as it has joints."""
+    return min(expansions, max(_FEWEST, expansions * _USUAL // joints))
 
 
 class Families:
@@ -39,7 +48,7 @@ class Families:
         seen: the robot as cuts see it.
         processes: P.
         profile: a profile with the costs of steps.
-        expansions: what each search may spend.
+        expansions: what each search may spend, for a robot of some tens of joints.
     """
 
     def __init__(
@@ -47,7 +56,8 @@ class Families:
     ) -> None:
         assert profile.steps is not None  # as the caller has made sure
         self.model, self.seen, self.processes = model, seen, processes
-        self.profile, self.costs, self.expansions = profile, profile.steps, expansions
+        self.profile, self.costs = profile, profile.steps
+        self.most, self.expansions = expansions, scaled(expansions, len(model.joints))
         self.topology = Topology.of(model)
         self.best: Schedule | None = None
         self.least = float("inf")
@@ -55,6 +65,7 @@ class Families:
         self.candidates = self.expanded = 0
         self.bounds: list[float] = []
         self.fastest: dict[str, Schedule] = {}  # of each family, with its time as loops
+        self._priced: Pricing | None = None
 
     def consider(self, schedule: Schedule, family: str) -> None:
         """Play a schedule of a family, and keep it if none was as fast."""
@@ -84,9 +95,8 @@ class Families:
                 root with the ground beyond it shows a mobility; elsewhere inertias are added.
             pattern: a schedule whose facts (tie, split and so on) are taken over.
         """
-        plan = make_plan(self.model, pattern)
-        pricing = Pricing(plan, self.profile)
-        robot = Robot(plan.joints)
+        pricing = self._pricing(pattern)
+        robot = Robot(pricing.joints)
         floors = Floors(robot, self.costs)
         bounds = Bounds(robot, floors, self.processes, self.costs, pricing.channel)
         floating = [robot.trees[robot.tree_of[j]].base is not None for j in range(len(cuttable))]
@@ -100,7 +110,7 @@ class Families:
             bounds,
             roots,
             self.least,
-            Spent(self.expansions),
+            Spent(_JOINTS * self.most),
             lambda layout: tree(layout) is not None,
         )
         search.run()
@@ -109,7 +119,7 @@ class Families:
         self.expanded += search.spent.expanded
         self.bounds.append(search.lower)
         if search.layout is not None and (found := tree(search.layout)) is not None:
-            self._keep("gathered", found, search.best)
+            self._keep("gathered", found, played(self.model, found, self.profile))
 
     def bound_joined(self, cuttable: Sequence[bool]) -> None:
         """Bound what processes can do that are joined, and look at what may be faster.
@@ -117,21 +127,24 @@ class Families:
         Args:
             cuttable: for each joint of the folded robot whether processes may meet there.
         """
-        floor = JoinedFloor(self.model, self.seen, self.processes, self.profile, cuttable)
-        lower, spent = floor.lower(self.least, self.expansions)
+        assert self.best is not None  # one process comes first
+        tie = self.best.tie
+        floor = JoinedFloor(
+            self.model, self.seen, self.processes, self.profile, self._pricing(self.best), cuttable
+        )
+        lower, spent, made = floor.lower(self.least, self.expansions, tie)
         self.expanded += spent
-        if lower < self.least and self.processes == 2:
-            lower = self._single_cuts(floor)
         self.bounds.append(lower)
+        if lower < self.least:
+            if len(self.topology) > LONG:
+                made = floor.found(tie, self.expansions)
+            if made is not None:
+                self.consider(made, "joined")
 
-    def _single_cuts(self, floor: JoinedFloor) -> float:
-        """Play schedules of one cut while they may be faster; return a bound on all others."""
-        assert self.best is not None  # other families come first
-        for played_so_far, (bound, schedule) in enumerate(floor.single_cuts(self.best.tie)):
-            if bound >= self.least or played_so_far == _CUTS:
-                return bound
-            self.consider(schedule, "joined")
-        return self.least
+    def _pricing(self, schedule: Schedule) -> Pricing:
+        if self._priced is None:
+            self._priced = Pricing(make_plan(self.model, schedule), self.profile)
+        return self._priced
 
     def taken(self) -> Schedule:
         """Return the candidate that is emitted the fastest, with what is known of it.
@@ -141,6 +154,8 @@ class Families:
         """
         assert self.best is not None  # one process can do everything
         lower = min([self.least, *self.bounds])
+        if lower > self.least - _ROUNDED:
+            lower = self.least
         emitted = {
             name: predict(make_plan(self.model, each), self.profile).makespan
             for name, each in self.fastest.items()

@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from itertools import accumulate
 
 from adagen.plan.abreast import KINDS
-from adagen.plan.gather_trees import held_link
 from adagen.plan.types import PlanJoint
 from adagen.program.runs import FEWEST_IN_COLUMNS, OF_ONE_FREEDOM, Run
 from adagen.schedule.costs import PRESCRIBED, StepCosts
@@ -65,6 +64,7 @@ class Floors:
         row: of each joint, with the whole row that it is in.
         share: of each joint, with its share of the row that it is in.
         pose: the kinematics alone of a joint by itself or with its run.
+        ends: how many joints with nothing beyond them there are from each joint on.
         most: how many joints of a kind can lie side by side.
     """
 
@@ -72,31 +72,51 @@ class Floors:
         self.robot, self.costs = robot, costs
         joints = robot.joints
         self.most = {kind: self._most_in_row(kind) for kind in sorted(KINDS)}
-        run_of = {j: Run(j, j) for j in range(len(joints))}
-        run_of.update({j: run for run in robot.runs for j in _within(run)})
+        run_of = {j: run for run in robot.runs for j in _within(run)}
+        in_columns = {
+            j
+            for run in robot.runs
+            if sum(joints[k].kind in OF_ONE_FREEDOM for k in _within(run)) >= FEWEST_IN_COLUMNS
+            for j in _within(run)
+        }
         long = {j for run in robot.long for j in _within(run)}
         self.pose = [self._pose(joint, j in long) for j, joint in enumerate(joints)]
-        self.single, self.row, self.share = [], [], []
-        for j, (pose, joint) in enumerate(zip(self.pose, joints, strict=True)):
-            ways = self._ways(joint, pose, run_of[j])
-            count = self.most.get(joint.kind, 1)
-            rows = [(self._in_row(joint, n), n) for n in range(2, count + 1)]
-            self.single.append(_least(ways))
-            self.row.append(_least([*ways, *(row for row, _ in rows)]))
-            shared = [(a / n, b / n) for (a, b), n in rows]
-            self.share.append(_least([*ways, *shared]))
+        self._alone = [
+            self._ways(joint, self.pose[j], run_of[j].length if j in run_of else 1, j in in_columns)
+            for j, joint in enumerate(joints)
+        ]
+        self.single = [_least(ways) for ways in self._alone]
+        most = [self.most.get(joint.kind, 1) for joint in joints]
+        self.row = [self.in_row(j, count) for j, count in enumerate(most)]
+        self.share = [self.of_row(j, count) for j, count in enumerate(most)]
         self._sums = [
             [0.0, *accumulate(getattr(each, name) for each in self.share)]
             for name in ("inwards", "outwards", "both")
         ]
         self._deepest: list[Floor] = [NOTHING] * len(joints)
+        self.ends = [1] * len(joints)
         for j in reversed(range(len(joints))):
+            self.ends[j] = sum(self.ends[k] for k in robot.at[j + 1]) or 1
             self._deepest[j] = self.row[j].plus(_longest(self._deepest[k] for k in robot.at[j + 1]))
         self._way = [0.0] * (len(joints) + 1)
+        self._depth = [0] * (len(joints) + 1)
         self._turned = [NOTHING] * (len(joints) + 1)
         self._above = [NOTHING] * (len(joints) + 1)
         for j, joint in enumerate(joints):
             self._climb(j, joint)
+
+    def in_row(self, joint: int, count: int) -> Floor:
+        """Return what a joint takes with its whole row, where so many at most can be in one."""
+        rows = (self._in_row(self.robot.joints[joint], n) for n in range(2, count + 1))
+        return _least([*self._alone[joint], *rows])
+
+    def of_row(self, joint: int, count: int) -> Floor:
+        """Return what a joint takes with its share of a row likewise."""
+        ways = list(self._alone[joint])
+        for n in range(2, count + 1):
+            inwards, outwards = self._in_row(self.robot.joints[joint], n)
+            ways.append((inwards / n, outwards / n))
+        return _least(ways)
 
     def work(self, limb: Limb) -> Floor:
         """Return the least that a limb adds to the work of all processes together."""
@@ -106,12 +126,16 @@ class Floors:
         whole = Floor(*found)
         if not limb.up:
             return whole
-        return whole.plus(self._turned[limb.link]).plus(self._grounded(limb))
+        return whole.plus(self._turned[limb.link]).plus(self._upwards(limb))
+
+    def alone(self, limb: Limb) -> float:
+        """Return about what a limb takes beside no other."""
+        return sum(self.single[j].both for j in limb.joints)
 
     def longest(self, limb: Limb) -> Floor:
         """Return the least that the process takes which has a limb: all of it, and row by row."""
         if limb.up:
-            way = self._above[limb.link].plus(self._grounded(limb))
+            way = self._above[limb.link].plus(self._upwards(limb))
         else:
             way = self._deepest[limb.spans[0].start]
         return _longest((way, self.work(limb)))
@@ -140,8 +164,17 @@ class Floors:
         in_segment = self.costs[f"kinematics_segments.{joint.kind}"]
         return min(alone, in_segment) if in_long else alone
 
-    def _ways(self, joint: PlanJoint, pose: float, run: Run) -> list[tuple[float, float]]:
-        """Prices of a joint by itself, in and outwards; the run is the longest it may be in."""
+    def _ways(
+        self, joint: PlanJoint, pose: float, length: int, in_columns: bool
+    ) -> list[tuple[float, float]]:
+        """Prices of a joint by itself, in and outwards.
+
+        Args:
+            joint: the joint.
+            pose: its kinematics.
+            length: of the longest run that it may be in.
+            in_columns: whether that may be taken by columns.
+        """
         costs, kind = self.costs, joint.kind
         if joint.parent == 0 and kind == "floating" and not joint.prescribed:
             return [(pose + costs["free.base"], costs["free.acceleration"])]
@@ -149,10 +182,9 @@ class Floors:
         sweeps = [costs[f"articulate.{priced}"]]
         if joint.parent == 0:
             sweeps.append(0.0 if joint.prescribed else costs["articulate.ground"])
-        own = (self.robot.joints[j].kind for j in _within(run))
-        if sum(each in OF_ONE_FREEDOM for each in own) >= FEWEST_IN_COLUMNS:
+        if in_columns:
             sweeps.append(costs[f"articulate_columns.{kind}"])
-        inwards = pose + min(sweeps) + costs["articulate.run"] / run.length
+        inwards = pose + min(sweeps) + costs["articulate.run"] / length
         return [(inwards, costs[f"accelerate.{priced}"])]
 
     def _in_row(self, joint: PlanJoint, count: int) -> tuple[float, float]:
@@ -167,6 +199,7 @@ class Floors:
         """What is on the ground's side of a joint's child link, its joint passed the other way."""
         link, parent = j + 1, joint.parent
         self._way[link] = self._way[parent] + self.pose[j]
+        self._depth[link] = self._depth[parent] + 1
         more, single = self.share[j], self.single[j]
         spared = Floor(
             *(getattr(single, n) - getattr(more, n) for n in ("inwards", "outwards", "both"))
@@ -175,12 +208,21 @@ class Floors:
         beside = (self._deepest[k] for k in self.robot.at[parent] if k != j and parent > 0)
         self._above[link] = single.plus(_longest([self._above[parent], *beside]))
 
+    def _upwards(self, limb: Limb) -> Floor:
+        """What a limb takes besides that is swept towards a link beyond it."""
+        tree = self.robot.trees[limb.tree]
+        first = tree.base + 1 if tree.base is not None else self.robot.held[limb.link] or limb.link
+        count = self._depth[limb.link] - self._depth[first]
+        inwards = count * self.costs["articulate.reversed"]
+        outwards = count * self.costs["accelerate.reversed"]
+        return self._grounded(limb).plus(Floor(inwards, outwards, inwards + outwards))
+
     def _grounded(self, limb: Limb) -> Floor:
         """What the ground at the far end of a limb takes besides."""
         if self.robot.trees[limb.tree].base is not None:
             return NOTHING
         costs, joints = self.costs, self.robot.joints
-        held = held_link(limb.link, joints)
+        held = self.robot.held[limb.link]
         inwards = costs["root.invert"] if held else 0.0
         link = held or limb.link
         while link > 0:

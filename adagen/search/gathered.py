@@ -12,11 +12,14 @@ import heapq
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby, permutations
+from math import prod
 
 from adagen.search.bounds import Around, Bounds
 from adagen.search.layouts import Frame, Layout, LayoutPrices
 from adagen.search.limbs import Core
 
+_LOOK = 2  # what a look at a frame or a layout costs
+_MANY = 32  # shares of a process from which on a first layout is guessed
 _ALL_NUMBERS = 3
 """Processes up to which all ways to number them are tried."""
 
@@ -26,15 +29,26 @@ Counts = tuple[int, ...]
 
 @dataclass
 class Spent:
-    """What a search may spend and has spent: frames, shares of processes and layouts looked at."""
+    """What a search may spend, and what it has spent.
+
+    A frame, a layout or the share of a process is expanded once; the latter costs as much as the
+    robot has joints, the others as much as a joint or two.
+
+    Attributes:
+        limit: what may be spent.
+        spent: so much of it is.
+        expanded: on so many.
+    """
 
     limit: int
+    spent: int = 0
     expanded: int = 0
 
-    def on(self) -> bool:
-        """Spend one; return whether it was there."""
-        if self.expanded >= self.limit:
+    def on(self, cost: int) -> bool:
+        """Spend something; return whether it was there."""
+        if self.spent >= self.limit:
             return False
+        self.spent += cost
         self.expanded += 1
         return True
 
@@ -108,7 +122,7 @@ class GatheredSearch:
                 if bound < self.best:
                     heapq.heappush(heap, (bound, order, frame))
                     order += 1
-            if not heap or heap[0][0] >= self.best or not self.spent.on():
+            if not heap or heap[0][0] >= self.best or not self.spent.on(_LOOK):
                 break
             bound, _, frame = heapq.heappop(heap)
             if self._meets(frame):
@@ -263,8 +277,24 @@ class _HandOut:
     def run(self) -> float:
         """Look for faster layouts; return a bound on those that were not looked at."""
         counts = tuple(len(own) for own in self.classes)
+        if prod(n + 1 for n in counts) > _MANY:
+            self._guess()
         self._next(counts, [], self.search.processes)
         return self.left
+
+    def _guess(self) -> None:
+        """Consider the layout that gives the heaviest limb left to the process that has least."""
+        search, floors = self.search, self.search.bounds.floors
+        if not search.spent.on(len(search.robot.joints)):
+            return
+        loads = [0.0] * search.processes
+        shares: list[list[int]] = [[] for _ in loads]
+        weights = [floors.alone(limb) for limb in self.frame.limbs]
+        for k in sorted(range(len(weights)), key=lambda k: -weights[k]):
+            p = loads.index(min(loads))
+            loads[p] += weights[k]
+            shares[p].append(k)
+        search.consider(self.frame, [tuple(sorted(own)) for own in shares if own])
 
     def _next(self, remaining: Counts, blocks: list[_Block], processes: int) -> None:
         """Hand out what remains to so many processes."""
@@ -285,7 +315,8 @@ class _HandOut:
             bound = max(self._bound(rest, blocks, processes - 1, more=True), self._least(counts))
             if bound >= search.best:
                 continue
-            if not search.spent.on():
+            cost = _LOOK if counts in self.blocks else len(search.robot.joints)
+            if not search.spent.on(cost):
                 self.left = min(self.left, max(bound, self.bound))
                 return
             block = self._block(counts)

@@ -8,8 +8,8 @@ played. Under the least that each joint can take, it bounds that price as well.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -17,23 +17,29 @@ import numpy as np
 from adagen.model import Model
 from adagen.plan.abreast import KINDS
 from adagen.plan.constants import joints_of
+from adagen.plan.edges import on_the_way
+from adagen.plan.segment import laid_out
+from adagen.plan.steps import Force, Kinematics
+from adagen.plan.types import Process
 from adagen.schedule import CostProfile, Schedule
 from adagen.schedule.budget import Budget
-from adagen.schedule.chains import WHOLE
+from adagen.schedule.chains import WHOLE, Chain
 from adagen.schedule.costs import PRESCRIBED
 from adagen.schedule.fold import Fold
 from adagen.schedule.found import Found
 from adagen.schedule.profile import TICKS
 from adagen.schedule.segment_bounds import SegmentBounds
 from adagen.schedule.segment_front import Label, State, draft_of
+from adagen.schedule.segment_schedule import find_segments
 from adagen.schedule.segment_search import FOREVER, SegmentSearch
 from adagen.schedule.segments import SegmentCosts
 from adagen.schedule.sweeps import Sweeps
 from adagen.schedule.tree import Tie
-from adagen.search.floors import Floors
+from adagen.search.floors import Floor, Floors
 from adagen.search.limbs import Robot
+from adagen.search.price import Pricing
 
-_LONG = 512
+LONG = 512
 """Joints up to which the longest ways through chains are looked at."""
 
 _ROWS = {2: ("two", 2), 3: ("four", 3), 4: ("four", 4)}
@@ -74,57 +80,131 @@ def least_profile(
     return replace(profile, steps=replace(profile.steps, table=table))
 
 
+@dataclass(frozen=True)
+class _Joint:
+    """What a joint takes beside no, one, two or three others of its kind; ticks.
+
+    Attributes:
+        kind: its kind.
+        pose: its kinematics by itself.
+        shares: inwards and outwards, with its share of the row that it is in.
+        rows: the same with the whole row.
+    """
+
+    kind: str
+    pose: int
+    shares: tuple[tuple[int, int], ...]
+    rows: tuple[tuple[int, int], ...]
+
+
 class _CutSearch(SegmentSearch):
     """The search by steps among schedules that cut the robot at all, at the least prices.
 
     Args:
-        rows: of each position, what its joint takes with the whole row that it is in, inwards and
-            outwards, ticks; empty for no such bound.
+        joints: by position; empty for no bounds of chains beyond those of their joints.
+        played: what a chain takes on one process, by its positions, as far as that is known:
+            both sweeps without what every process takes, ticks on a core of speed 1.
     """
 
-    def __init__(self, *arguments: Any, rows: Sequence[tuple[int, int]] = ()) -> None:
+    def __init__(
+        self,
+        *arguments: Any,
+        joints: Sequence[_Joint] = (),
+        played: Callable[[Sequence[int]], tuple[int, int]],
+    ) -> None:
         super().__init__(*arguments)
-        self._rows = rows
+        self._joints = joints
+        self._played = played
+        self._exact: dict[Chain, tuple[int, int]] = {}
         self._known: dict[State, Label] = {}
+        self._more: dict[Chain, tuple[int, int]] = {}
+
+    def _lower(self, state: State) -> int:
+        if state.processes == 1:
+            return self._quick(state).time.total
+        return super()._lower(state)
 
     def _alone(self, state: State) -> Label:
         if state.chain == WHOLE and state.processes > 1:
             return Label(Sweeps(FOREVER, 0, 0), state)
+        quick = self._quick(state)
+        if not self._joints:
+            return quick
+        if state.chain not in self._exact:
+            self._exact[state.chain] = self._played(self.costs.chains.positions(state.chain))
+        speed, (inwards, outwards) = self._speeds[state.first], self._exact[state.chain]
+        first = round((self.costs.start + state.beyond + inwards) / speed)
+        second = round(outwards / speed)
+        time = quick.time
+        return quick._replace(
+            time=Sweeps(max(time.assembly, first), max(time.disassembly, second), time.apart)
+        )
+
+    def _quick(self, state: State) -> Label:
+        """A bound for a chain on one process that needs no look at its joints together."""
         if state not in self._known:
             label = super()._alone(state)
-            if self._rows:
-                more = self._beyond_work(state)
-                label = label._replace(time=label.time.after(*more))
+            if self._joints:
+                if state.chain not in self._more:
+                    self._more[state.chain] = self._beyond_work(state.chain)
+                speed = self._speeds[state.first]
+                inwards, outwards = (math.floor(t / speed) for t in self._more[state.chain])
+                label = label._replace(time=label.time.after(inwards, outwards))
             self._known[state] = label
         return self._known[state]
 
-    def _beyond_work(self, state: State) -> tuple[int, int]:
-        """How much longer the longest way through a chain takes, row by row, than its shared work.
+    def _beyond_work(self, chain: Chain) -> tuple[int, int]:
+        """How much longer a chain takes in both sweeps than its joints by themselves at the least.
 
-        Both are bounds: joints on one way outwards never lie side by side.
+        Rows are no longer than there are joints side by side in the chain itself; joints on one way
+        outwards never lie side by side; and no limb lies beside the way to the ground.
         """
-        parent = self.costs.chains.parent
+        chains = self.costs.chains
+        parent, positions = chains.parent, chains.positions(chain)
+        width = self._widths(positions)
+        total, longest = [0, 0], [0, 0]
         reached: dict[int, tuple[int, int]] = {}  # by link
-        inwards = outwards = 0
-        for position in self.costs.chains.positions(state.chain):
-            before = reached.get(parent[position], (0, 0))
-            row = self._rows[position]
-            here = reached[position + 1] = (before[0] + row[0], before[1] + row[1])
-            inwards, outwards = max(inwards, here[0]), max(outwards, here[1])
-        own, assembly, disassembly = self.costs.work(state.chain)
-        speed = self._speeds[state.first]
-        more = (max(0, inwards - own - assembly), max(0, outwards - disassembly))
-        return math.floor(more[0] / speed), math.floor(more[1] / speed)
+        for position in positions:
+            joint = self._joints[position]
+            count = min(width[joint.kind], len(joint.rows)) - 1
+            before, row = reached.get(parent[position], (0, 0)), joint.rows[count]
+            reached[position + 1] = (before[0] + row[0], before[1] + row[1])
+            for sweep in (0, 1):
+                total[sweep] += joint.shares[count][sweep]
+                longest[sweep] = max(longest[sweep], reached[position + 1][sweep])
+        own, assembly, disassembly = self.costs.work(chain)
+        way = sum(self._joints[p].pose - self.costs.own[p] for p in chains.above(chain.top))
+        inwards = max(0, max(total[0], longest[0]) - own - assembly)
+        return inwards + max(0, way), max(0, max(total[1], longest[1]) - disassembly)
+
+    def _widths(self, positions: Sequence[int]) -> dict[str, int]:
+        """How many joints of each kind there are none of which hangs on another of them."""
+        parent = self.costs.chains.parent
+        found: dict[str, int] = {}
+        inside = set(positions)
+        kinds = {self._joints[position].kind for position in positions}
+        for kind in sorted(kinds):
+            widest: dict[int, int] = {}
+            most = 0
+            for position in reversed(positions):
+                here = max(widest.get(position + 1, 0), self._joints[position].kind == kind)
+                if parent[position] - 1 in inside:
+                    widest[parent[position]] = widest.get(parent[position], 0) + here
+                else:
+                    most += here
+            found[kind] = most
+        return found
 
 
 class JoinedFloor:
-    """What joined schedules take at least, and those of one cut that may be fast.
+    """What joined schedules take at least, and the one that may be the fastest.
 
     Args:
         model: the robot.
         seen: the robot as cuts see it.
         processes: P.
         profile: a profile with the costs of steps.
+        pricing: what processes take.
         cuttable: for each joint of the folded robot whether two processes may meet there.
     """
 
@@ -134,51 +214,89 @@ class JoinedFloor:
         seen: Fold,
         processes: int,
         profile: CostProfile,
+        pricing: Pricing,
         cuttable: Sequence[bool],
     ) -> None:
         assert profile.steps is not None  # as the caller has made sure
         robot = Robot(joints_of(model))
+        self.pricing = pricing
         self.floors = Floors(robot, profile.steps)
         self.seen, self.processes, self.profile = seen, processes, profile
         least = least_profile(profile, self.floors.most, folded=not seen.trivial)
         self.costs = SegmentCosts(seen.topology, least)
         self.speeds = tuple(profile.steps.speed(p) for p in range(processes))
         at = np.array([cuttable[j] for j in self.costs.chains.original], dtype=np.bool_)
+        self._allowed = at
         self.bounds = SegmentBounds(self.costs, at, self.speeds)
 
     def _search(self, expansions: int) -> _CutSearch:
         budget = Budget(expansions, None)
-        rows = [self._row(j) for j in self.costs.chains.original]
-        if len(rows) > _LONG:
-            rows = []
-        return _CutSearch(self.costs, self.bounds, self.speeds, budget, rows=rows)
+        original = self.costs.chains.original
+        joints = [self._joint(j) for j in original] if len(original) <= LONG else []
+        return _CutSearch(
+            self.costs, self.bounds, self.speeds, budget, joints=joints, played=self._segment
+        )
 
-    def _row(self, joint: int) -> tuple[int, int]:
-        """What a joint of the folded robot takes with the whole rows that it is in, ticks."""
-        own = [self.floors.row[j] for j in self.seen.joints[joint]]
-        inwards, outwards = sum(f.inwards for f in own), sum(f.outwards for f in own)
-        return math.floor(inwards * TICKS), math.floor(outwards * TICKS)
+    def _segment(self, positions: Sequence[int]) -> tuple[int, int]:
+        """What one process takes for some joints of the folded robot and no others, ticks."""
+        original, robot = self.costs.chains.original, self.floors.robot
+        members = {j for position in positions for j in self.seen.joints[original[position]]}
+        if not members:
+            return 0, 0
+        others = (j for j in range(len(robot.joints)) if j not in members)
+        handles = {link for j in others for link in (robot.joints[j].parent, j + 1)} - {0}
+        segment = laid_out(robot.joints, min(members), members, handles)
+        reads = on_the_way(robot.joints, members)
+        forces = {link: Force(0, link) for link in handles}
+        steps = (*map(Kinematics, reads), *segment.inwards()[0], *segment.outwards(forces))
+        process = Process(steps, reads, tuple(sorted(members)))
+        inwards, outwards = self.pricing.sweeps(process, singly=not self.seen.trivial)
+        return round(inwards * TICKS), round(outwards * TICKS)
 
-    def lower(self, known: float, expansions: int) -> tuple[float, int]:
+    def _joint(self, joint: int) -> _Joint:
+        """What a joint of the folded robot takes, the joints of a run one after the other."""
+        own = self.seen.joints[joint]
+        kind = self.floors.robot.joints[own[0]].kind
+        counts = range(1, max(_ROWS) + 1) if kind in KINDS else range(1, 2)
+
+        def ticks(of: Callable[[int, int], Floor], count: int) -> tuple[int, int]:
+            floors = [of(j, count) for j in own]
+            inwards, outwards = sum(f.inwards for f in floors), sum(f.outwards for f in floors)
+            return math.floor(inwards * TICKS), math.floor(outwards * TICKS)
+
+        return _Joint(
+            kind if len(own) == 1 else "run",
+            math.floor(sum(self.floors.pose[j] for j in own) * TICKS),
+            tuple(ticks(self.floors.of_row, count) for count in counts),
+            tuple(ticks(self.floors.in_row, count) for count in counts),
+        )
+
+    def lower(self, known: float, expansions: int, tie: Tie) -> tuple[float, int, Schedule | None]:
         """Return a time that no joined schedule beats, or ``known`` where none beats that.
 
         Args:
             known: a time of interest, microseconds.
             expansions: states that may be expanded.
+            tie: the preference among equals, for the schedule.
 
         Returns:
-            The bound in microseconds, and the expansions spent.
+            The bound in microseconds, the expansions spent, and the schedule that may take so long.
         """
         search = self._search(expansions)
         search.tighten(math.ceil(known * TICKS))
-        return min(known, search.lower / TICKS), search.budget.expanded
+        made = None
+        if search.best is not None:
+            made = self._schedule(Found(draft_of(search.best, self.costs.chains), 0, 0), tie)
+        return min(known, search.lower / TICKS), search.budget.expanded, made
 
-    def single_cuts(self, tie: Tie) -> Iterator[tuple[float, Schedule]]:
-        """Yield the schedules of two processes by their bounds, and those, microseconds."""
-        search, whole = self._search(1 << 30), State(WHOLE, 0, self.processes)
-        cuts = sorted(set(self.bounds.options(WHOLE, self.processes).position.tolist()))
-        labels = [label for cut in cuts for label in search.ways(whole, cut, 1, FOREVER)]
-        for label in sorted(labels, key=lambda label: label.time.total):
-            found = Found(draft_of(label, self.costs.chains), 0, 1)
-            schedule = found.schedule(self.seen.topology, self.processes, self.profile, tie)
-            yield label.time.total / TICKS, self.seen.unfold(schedule, self.profile)
+    def found(self, tie: Tie, expansions: int) -> Schedule:
+        """Return the schedule that the search by steps finds at the least prices.
+
+        They come nearer to what is played than those of joints one by one where runs are long.
+        """
+        found = find_segments(self.costs, self.processes, self._allowed, expansions, None)
+        return self._schedule(found, tie)
+
+    def _schedule(self, found: Found, tie: Tie) -> Schedule:
+        schedule = found.schedule(self.seen.topology, self.processes, self.profile, tie)
+        return self.seen.unfold(schedule, self.profile)

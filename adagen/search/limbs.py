@@ -14,11 +14,12 @@ from functools import cached_property
 from itertools import chain, groupby
 
 from adagen.plan.edges import Edge, edges_from, is_base, joints_at
-from adagen.plan.gather_trees import Tree, held_link, moving_trees
+from adagen.plan.gather_trees import Tree, held_links, moving_trees
 from adagen.plan.types import PlanJoint
 from adagen.program.runs import Run, runs
 from adagen.program.segments import KINDS, pays_segments
 
+_KEPT = 64  # roots whose edges are kept
 _COMPARED = 256
 """Joints of a limb up to which it is compared with others."""
 
@@ -77,6 +78,7 @@ class Robot:
         tree_of: the number of each joint's tree; length N.
         last: the last joint of the subtree that hangs on each joint; length N.
         at: the joints that hang on each link; length N + 1.
+        held: for each link the one before it whose mobility is taken for a body; 0 for none.
         runs: what is passed in one go outwards, if nothing parts it.
         long: parts of them that may be passed in segments.
         prolonging: joints that go on with a run which may be passed in segments.
@@ -93,9 +95,12 @@ class Robot:
         self.at: list[list[int]] = [[] for _ in range(len(joints) + 1)]
         for j in reversed(range(len(joints))):
             parent = joints[j].parent
-            self.at[parent].insert(0, j)
+            self.at[parent].append(j)
             if parent > 0:
                 self.last[parent - 1] = max(self.last[parent - 1], self.last[j])
+        for own in self.at:
+            own.reverse()
+        self.held = held_links(joints)
         self.runs = runs(joints, (j for j, joint in enumerate(joints) if not is_base(joint)))
         self.long = [part for run in self.runs for part in self._long(run)]
         self.prolonging = {j for run in self.long for j in range(run.first + 1, run.last + 1)}
@@ -180,7 +185,7 @@ class Robot:
         inside = frozenset(core.joints)
         own = {j: owner[j] for j in tree.joints if j not in inside}
         grounded = own[core.root - 1] if tree.base is None else None
-        hold = 0 if grounded is None else held_link(core.root, self.joints)
+        hold = 0 if grounded is None else self.held[core.root]
         edges = self._edges_from(core.tree, core.root)
         return Tree(
             *(tree.links, tree.joints, tree.base, core.root, edges, own, inside),
@@ -197,6 +202,8 @@ class Robot:
 
     def _edges_from(self, tree: int, root: int) -> list[Edge]:
         if (tree, root) not in self._edges:
+            if len(self._edges) == _KEPT:
+                self._edges.clear()
             at = self._joints_at[tree]
             self._edges[tree, root] = edges_from(root, self.joints, at)
         return self._edges[tree, root]

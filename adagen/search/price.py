@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from adagen.cost import operation_features
+from adagen.cost import operation_features, step_features
 from adagen.emit.shapes import SHAPES
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.abreast import Limbs
 from adagen.plan.stages import stages
-from adagen.plan.steps import Kinematics, Receive, Send
+from adagen.plan.steps import Kinematics, Receive, Send, Step
 from adagen.plan.types import Message, PlanJoint, Process
 from adagen.predict import predict
 from adagen.program import Operation
@@ -97,7 +97,7 @@ class Pricing:
             return None
         slots = Slots.of(plan, batch=False)
         (limbs,) = slots.limbs
-        phases = [0.0, 0.0, 0.0, 0.0]  # kinematics, then as the messages part the rest
+        phases = [0.0, 0.0, 0.0, 0.0]  # kinematics, then as messages part the rest, or else sweeps
         phase = 1
         found, parts = Loops(plan, process, slots, limbs, batch=False).operations(), stages(process)
         for operation in found:
@@ -107,11 +107,38 @@ class Pricing:
                 case (Receive(),):
                     phase = 3
                 case _:
-                    kinematics = parts[operation.stage].what == "kinematics"
-                    phases[0 if kinematics else phase] += self._time(operation)
+                    what = parts[operation.stage].what
+                    phase = 3 if what == "disassembly" else phase
+                    phases[0 if what == "kinematics" else phase] += self._time(operation)
         moving, inwards, between, outwards = phases
         least = self._least_kinematics(found) if slots.segments else moving
         return Share(moving, least, inwards, between, outwards, process, limbs)
+
+    def sweeps(self, process: Process, *, singly: bool) -> tuple[float, float]:
+        """Return what a process that exchanges nothing takes in its first and second sweep.
+
+        Long runs are taken to be passed outwards as is best; nothing is known of a process that
+        shape kernels does not take.
+
+        Args:
+            process: its steps.
+            singly: whether it may be that nothing is passed together, as in shape joints.
+        """
+        share = self.share(process, ())
+        if share is None:
+            return 0.0, 0.0
+        inwards, outwards = share.least_kinematics + share.inwards, share.outwards
+        if singly:
+            later = [stage.first for stage in stages(process) if stage.what == "disassembly"]
+            first = process.steps[: min(later, default=len(process.steps))]
+            rest = process.steps[len(first) :]
+            inwards = min(inwards, self._singly(first))
+            outwards = min(outwards, self._singly(rest))
+        return inwards, outwards
+
+    def _singly(self, steps: Sequence[Step]) -> float:
+        """What steps take one by one."""
+        return sum(self.costs.total(step_features(step, self.joints)) for step in steps)
 
     def _time(self, operation: Operation) -> float:
         return self.costs.total(operation_features(operation, self.joints))

@@ -1,0 +1,87 @@
+"""The best of all families: what is proven of it, and robots so long that not all is looked at."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from adagen.calibrate.schedules import random_schedule
+from adagen.model import Model
+from adagen.plan import make_plan
+from adagen.plan.cuts import cuttable_joints
+from adagen.predict import predict
+from adagen.schedule import (
+    Topology,
+    find_schedule,
+    load_profile,
+    schedule_from_json,
+    schedule_to_json,
+    validate,
+)
+from adagen.schedule.restricted import joined_between_processes
+from adagen.search import best_schedule
+from adagen.search.price import played
+from tests.models import binary, human_figure, random_tree, serial_chain, star
+
+DEFAULT = load_profile("default")
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.integers(2, 14), st.sampled_from([2, 3, 4]), st.booleans(), st.integers(0, 2**32 - 1))
+def test_nothing_that_is_joined_is_faster(
+    joints: int, processes: int, floating: bool, seed: int
+) -> None:
+    """Random schedule trees, played through, beside what is proven."""
+    rng = np.random.default_rng(seed)
+    model = random_tree(rng, joints, branching=0.4, floating=floating)
+    best, topology = best_schedule(model, processes, DEFAULT), Topology.of(model)
+    assert best.lower_bound <= best.makespan == played(model, best, DEFAULT)
+    validate(best, topology)
+    cuttable = cuttable_joints(model)
+    found = find_schedule(topology, processes, profile=DEFAULT, cuttable=cuttable)
+    assert best.makespan <= played(model, found, DEFAULT)
+    for k in range(6):
+        other = random_schedule(topology, processes, DEFAULT, seed + k)
+        if all(cuttable[j] for j in joined_between_processes(other.root)):
+            assert best.lower_bound <= played(model, other, DEFAULT) + 1e-9
+
+
+@pytest.mark.parametrize("model", [human_figure(), binary(4, floating=True), star(6, 5)])
+def test_one_process_is_a_candidate(model: Model) -> None:
+    for processes in (2, 4):
+        alone = find_schedule(
+            Topology.of(model),
+            processes,
+            profile=DEFAULT,
+            cuttable=[False] * len(model.joints),
+        )
+        best = best_schedule(model, processes, DEFAULT)
+        assert best.makespan <= played(model, alone, DEFAULT)
+        assert best.verdict == "optimal"
+
+
+def test_long_chains_are_shared_out() -> None:
+    """With a budget that does not grow with the chain; the bound is that of all schedules."""
+    model = serial_chain(700)
+    best = best_schedule(model, 4, DEFAULT)
+    alone = find_schedule(
+        Topology.of(model), 4, profile=DEFAULT, cuttable=[False] * len(model.joints)
+    )
+    assert best.makespan < 0.7 * played(model, alone, DEFAULT)
+    assert best.gap < 0.15
+    assert best.makespan == predict(make_plan(model, best), DEFAULT).makespan
+
+
+def test_the_file_tells_what_was_searched() -> None:
+    model = human_figure()
+    best, topology = best_schedule(model, 3, DEFAULT), Topology.of(model)
+    told = json.loads(schedule_to_json(best, topology))
+    assert set(told["families"]) == {"alone", "gathered", "joined"}
+    assert told["candidates"] == best.candidates > 1
+    again = schedule_from_json(json.dumps(told), topology, DEFAULT)
+    assert again.families == ()  # it is priced by its tree anew
+    assert make_plan(model, again) == make_plan(model, best)
