@@ -156,3 +156,14 @@ def anything(seed: int, family: str) -> tuple[Model, Plan]:
     if family == "ada":
         return model, make_plan(model, schedule, form="ada", scalar=scalar)
     return model, make_plan(model, schedule, meeting=family, scalar=scalar)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["alone with effects", "ada by one, fused"])
+def test_batches_take_them_too(name: str, builder: Builder, tmp_path: Path) -> None:
+    """In lanes sines are others; what is computed is true."""
+    fused = Case(three_axis_chain(2), 1, ADA, FusedJoin)
+    case = {**CASES, "ada by one, fused": fused}[name]
+    solver = builder.solver(case.plan("double"), name="many", batch=2, shape="unrolled")
+    states = random_states(case.model, 21, seed=3)
+    assert solver.error(case.model, states, tmp_path, "--check") < ROUNDING["double"]
