@@ -52,7 +52,9 @@ def played_schedule(
     search = _Played(model, found, profile, scalar)
     best = search.improved()
     lower = min(best.makespan, search.least())
-    return replace(best, lower_bound=lower, expanded=found.expanded + search.played)
+    expanded = found.expanded + search.played
+    names, count = ("joined" if found.processes > 1 else "alone",), search.played
+    return replace(best, lower_bound=lower, expanded=expanded, families=names, candidates=count)
 
 
 @dataclass
