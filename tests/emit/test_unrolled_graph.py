@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from adagen.emit.unrolled import Simulated, pays_unrolled, simulate
+from adagen.emit.unrolled import Grouping, Simulated, pays_unrolled, simulate
 from adagen.graph import Operations
 from adagen.model import FLOATING, REVOLUTE, Inertia, Model
 from adagen.plan import FORMS, Plan, make_plan
@@ -63,17 +63,19 @@ def rounded(value: object) -> float:
     return int(getattr(value, "p", 0)) / int(getattr(value, "q", 1))
 
 
-def evaluated(plan: Plan, state: dict[str, Array]) -> Array:
+def evaluated(plan: Plan, state: dict[str, Array], grouping: Grouping | None = None) -> Array:
     """Return the accelerations that the graphs of all processes give together."""
-    simulated = simulate(plan)
+    simulated = simulate(plan, grouping)
     qdd = np.full(state["v"].shape, np.nan)
     mail: dict[int, list[float]] = {}
     for p, one in enumerate(simulated):
-        results = one.machine.results
-        if results:
-            places = [plan.joints[j].v + k for j in results for k in range(len(results[j]))]
-            wanted = [x for values in results.values() for x in values]
-            qdd[places] = evaluate(wanted, Inputs(p, plan, simulated, state, mail), rounded)
+        machine = one.machine
+        for j, values in machine.results.items():
+            found = evaluate(values, Inputs(p, plan, simulated, state, mail), rounded)
+            for k, value in enumerate(found):
+                lanes = value if isinstance(value, tuple) else (value,) * 8
+                for each, own in zip(machine.rows.own(j), lanes, strict=False):
+                    qdd[plan.joints[each].v + k] = own
     return qdd
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -51,8 +52,8 @@ class KinematicMachine:
         """Configuration and velocity of a joint, a slaved one's from its source."""
         joint, kind = self.machine.plan.joints[j], self._kind(j)
         if joint.mimic is None:
-            q = [self.machine.graph.input(f"q[{joint.q + k}]") for k in range(kind.nq)]
-            return q, [self.machine.graph.input(f"v[{joint.v + k}]") for k in range(kind.nv)]
+            q = self.machine.rows.entries("q", j, kind.nq)
+            return list(q), list(self.machine.rows.entries("v", j, kind.nv))
         source, multiplier, offset = joint.mimic
         (angle, *_), (rate, *_) = self.state(source)
         return [angle * multiplier + offset], [rate * multiplier]
@@ -61,14 +62,14 @@ class KinematicMachine:
         """Placement of a joint's child link, its velocity and its reference acceleration."""
         joint, kind = self.machine.plan.joints[j], self._kind(j)
         q, v = self.state(j)
-        base = self.machine.constants(joint.rotation)
+        base = self.machine.rows.of_joint(j, lambda joint: joint.rotation)
         turn, shift = self._placement(j, q)
-        origin = self.machine.constants(joint.translation)
+        origin = self.machine.rows.of_joint(j, lambda joint: joint.translation)
         if shift is not None:
             origin = np.array(
                 [total([origin[k], *(base[k] * shift)]) for k in range(3)], dtype=object
             )
-        x = Transform(placed(base, turn), origin)
+        x = Transform(placed(base, turn, across=j in self.machine.rows), origin)
         motion = self.machine.zeros(6)
         motion[list(kind.free)] = v
         self.machine.memory["X", j] = x
@@ -91,11 +92,21 @@ class KinematicMachine:
 
     def _circular(self, angle: Expression) -> tuple[Expression, Expression]:
         """Cosine and sine; they are taken of all angles of the process at once."""
-        if angle not in self.machine.angles:
-            self.machine.angles.append(angle)
-        k = self.machine.angles.index(angle)
-        cosine = self.machine.graph.input(f"cosine[{k}]", _READY)
-        return cosine, self.machine.graph.input(f"sine[{k}]", _READY)
+        graph, angles, width = self.machine.graph, self.machine.angles, angle.node.width
+        own = [graph.lane(angle, k) for k in range(width)]
+        places = range(0, len(angles), width)
+        k = next((k for k in places if angles[k : k + width] == own), len(angles))
+        if k == len(angles):
+            angles.extend(own)
+        cosine = graph.input(f"cosine[{k}]", _READY, width)
+        return cosine, graph.input(f"sine[{k}]", _READY, width)
+
+    def take_angles_of_rows(self) -> None:
+        """Place the angles of rows before all others, the widest first: loads are then aligned."""
+        rows = self.machine.rows.rows
+        for j in sorted(rows, key=lambda j: -rows[j].width):
+            if self.machine.plan.joints[j].kind == "revolute":
+                self._circular(self.machine.rows.entries("q", j, 1)[0])
 
     def _orientation(self, j: int, quaternion: list[Expression]) -> Array:
         """Rotation matrix of a quaternion (x, y, z, w) of any length."""
@@ -125,7 +136,7 @@ class KinematicMachine:
                 [self.machine.zeros(3), plus_cross(ground, omega, sliding)]
             )
         else:
-            above: Field = self.machine.memory["field", parent] if parent > 0 else self._ground()
+            above = self._above(j)
             turned = back.vector(above.omega)
             omega = turned + turning
             alpha = plus_cross(back.vector(above.alpha), turned, turning)
@@ -133,6 +144,31 @@ class KinematicMachine:
             a = back.vector(np.array(carried, dtype=object))
             a = plus_cross(plus_cross(a, turned + turned, sliding), turning, sliding)
         self.machine.memory["field", j + 1] = Field(omega, alpha, a, _gradient(omega, alpha))
+
+    def _above(self, j: int) -> Field:
+        """The field of a joint's parent link, of a row's first joints that of several links."""
+        if self.machine.plan.joints[j].parent > 0 and self.machine.rows.follows(j):
+            above: Field = self.machine.memory["field", self.machine.plan.joints[j].parent]
+            return above
+        links = self.machine.rows.near_links(j)
+        fields = {link: self._field_of(link) for link in dict.fromkeys(links)}
+        if len(fields) == 1:
+            return fields[links[0]]
+        omega, alpha, a = (
+            self.machine.rows.packed([getattr(fields[link], name) for link in links])
+            for name in ("omega", "alpha", "a")
+        )
+        return Field(omega, alpha, a, _gradient(omega, alpha))
+
+    def _field_of(self, link: int) -> Field:
+        if link == 0:
+            return self._ground()
+        kept, k = self.machine.rows.kept("field", link)
+        field: Field = kept
+        if k is None:
+            return field
+        parts = (field.omega, field.alpha, field.a, field.gradient)
+        return Field(*(self.machine.rows.lane(part, k) for part in parts))
 
     def _ground(self) -> Field:
         nothing = self.machine.zeros(3)
@@ -149,14 +185,14 @@ class KinematicMachine:
 
     def link_inertia(self, number: int) -> Array:
         """Spatial inertia at the link's origin, constant, shape (6, 6)."""
-        link = self.machine.plan.links[number]
-        c, mass = self.machine.constants(link.com), self.machine.graph.constant(link.mass)
+        c = self.machine.rows.of_link(number, lambda link: link.com)
+        mass = self.machine.rows.of_link(number, lambda link: [link.mass])[0]
         zero = self.machine.graph.constant(0)
         m = c * mass
         mx = np.array([[zero, -m[2], m[1]], [m[2], zero, -m[0]], [-m[1], m[0], zero]])
         inertia = self.machine.zeros(6, 6)
         inertia[:3, 3:], inertia[3:, :3] = mx, mx.T
-        about_com = self.machine.constants(link.tensor)
+        about_com = self.machine.rows.of_link(number, lambda link: link.tensor)
         for i in range(3):
             inertia[3 + i, 3 + i] = mass
             for k in range(3):
@@ -188,8 +224,10 @@ class KinematicMachine:
         moment_of_force = plus_cross(np.array(moment, dtype=object), moment_of_mass, field.a)
         force = [total([field.a[k] * mass, *(h[k] * moment_of_mass)]) for k in range(3)]
         whole = np.concatenate([moment_of_force, np.array(force, dtype=object)])
-        for push in self._pushes(number):
-            whole = whole - push
+        pushes = [list(self._pushes(j + 1)) for j in self.machine.rows.lanes(number - 1)]
+        nothing = self.machine.zeros(6)
+        for lanes in zip_longest(*pushes, fillvalue=nothing):
+            whole = whole - self.machine.rows.packed(lanes)
         return whole
 
     def _pushes(self, number: int) -> Iterator[Array]:

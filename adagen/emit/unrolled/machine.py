@@ -9,6 +9,7 @@ point, not the spatial one), so that no linear velocity is needed but that of a 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -17,10 +18,13 @@ from numpy.typing import NDArray
 from adagen.emit.unrolled.checks import Check
 from adagen.emit.unrolled.joins import JoinMachine
 from adagen.emit.unrolled.kinematics import KinematicMachine
+from adagen.emit.unrolled.lanes import rows_of
+from adagen.emit.unrolled.rows import RowMachine
 from adagen.emit.unrolled.segments import SegmentMachine
 from adagen.graph import Expression, Factors, Graph, factorize, total
 from adagen.model.kinds import HELD, KINDS, JointKind
 from adagen.plan import Plan
+from adagen.plan.abreast import Limbs
 from adagen.plan.growth import EPSILON
 from adagen.plan.steps import (
     ApplyCoupling,
@@ -43,16 +47,20 @@ RECEIVED = "w.from"
 class Machine:
     """One process: a graph, a memory and the meaning of each step.
 
+    Joints in one row (rows.py) are treated as one, whose values are wide.
+
     Attributes:
         graph: all that the process computes; inputs are named as the emitted code names them.
         angles: joint angles whose sine and cosine are taken, in order.
         checks: pivots to be looked at.
         lengths: squared lengths of quaternions and their joints.
-        results: accelerations in the order of ``owns``, known after the last step.
+        results: accelerations by joints, of a row wide; known after the last step.
         sent: contents of the messages sent so far, without what is known beforehand.
     """
 
-    def __init__(self, plan: Plan, mail: dict[int, list[Any]]) -> None:
+    def __init__(
+        self, plan: Plan, mail: dict[int, list[Any]], all_limbs: Sequence[Limbs] = ()
+    ) -> None:
         self.plan, self.mail = plan, mail
         self.graph = Graph()
         self.columns = plan.right_hand_sides
@@ -62,9 +70,11 @@ class Machine:
         self.lengths: list[tuple[Expression, int]] = []
         self.results: dict[int, Array] = {}
         self.sent: dict[int, list[Expression]] = {}
+        self.rows = RowMachine(self, rows_of(all_limbs))
         self.motion = KinematicMachine(self)
         self.segments = SegmentMachine(self)
         self.joins = JoinMachine(self)
+        self.motion.take_angles_of_rows()
 
     def step(self, step: Step) -> bool:
         """Do one step; return False if it has to wait for a message."""
@@ -123,9 +133,7 @@ class Machine:
 
     def given(self, j: int) -> Array:
         """What tau holds for joint j: its torques, or its accelerations; shape (n,)."""
-        joint = self.plan.joints[j]
-        own = [self.graph.input(f"tau[{joint.v + k}]") for k in range(KINDS[joint.kind].nv)]
-        return np.array(own, dtype=object)
+        return self.rows.entries("tau", j, KINDS[self.plan.joints[j].kind].nv)
 
     def factorize(self, matrix: Array, joint: int) -> Factors:
         """Return the factors of a matrix, its pivots being checked in the name of a joint.
@@ -191,7 +199,7 @@ class Machine:
         """Keep a joint's accelerations, shape (n, columns); with slaved joints they come later."""
         if self.plan.joints[j].prescribed:
             qdd = self.column(self.given(j))
-        self.memory["qdd", j] = qdd
+        self.memory.update((("qdd", each), own) for each, own in self.rows.apart(j, qdd))
         if not self.plan.slaved:
             self.results[j] = qdd[:, 0]
 

@@ -117,7 +117,7 @@ class SegmentMachine:
         scaled = self.machine.zeros(len(free), 6)
         scaled[:, constrained] = factors.backward(over)
         self.memory["articulated", step.joint] = Articulated(factors, u, moved, scaled)
-        if near == 0:
+        if near == 0 and not any(self.machine.rows.near_links(step.joint)):
             return  # the ground does not feel it
         handed = self.machine.zeros(6, 6)  # exact projection: rows and columns of S stay zero
         for i, row in enumerate(constrained):
@@ -135,8 +135,12 @@ class SegmentMachine:
             force = force + matrix_times(handed, drift * sigma)
         if not step.reversed:
             handed, force = x.inertia(handed), columnwise(x.force, force)
-        self.memory["IA", near] = self.memory["IA", near] + handed
-        self.memory["pA", near] = self.memory["pA", near] + force
+        if step.reversed:
+            self.memory["IA", near] = self.memory["IA", near] + handed
+            self.memory["pA", near] = self.memory["pA", near] + force
+        else:
+            self.machine.rows.hand_on("IA", step.joint, handed)
+            self.machine.rows.hand_on("pA", step.joint, force)
 
     def _invert_root(self, step: InvertRoot) -> None:
         """Phi = (I^A)^-1 by its factors, and b = -Phi p^A."""
@@ -237,7 +241,9 @@ class SegmentMachine:
 
     def _accelerate(self, step: Accelerate) -> None:
         near, far, sigma = self._ends(step)
-        start = None if near == 0 else self.memory["a", near]
+        start = (
+            self.memory["a", near] if step.reversed else self.machine.rows.near_motion(step.joint)
+        )
         moved, self.memory["a", far] = self._far_acceleration(step, start)
         self.machine.accelerate(step.joint, moved * sigma)
 

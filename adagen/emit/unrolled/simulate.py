@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from itertools import accumulate, chain
 from typing import Any
 
+from adagen.emit.unrolled.align import aligned, unlike
+from adagen.emit.unrolled.lanes import fit_for_lanes, steps_in_order
 from adagen.emit.unrolled.machine import Machine
 from adagen.graph import Operations, count_operations
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
-from adagen.plan.abreast import limbs_abreast
+from adagen.plan.abreast import Limbs, limbs_abreast, more_alike
+from adagen.plan.types import Process
 
 _MOST_FREEDOMS = 24
 _MOST_FREEDOMS_IN_LANES = 512
@@ -38,30 +42,79 @@ class Simulated:
         return count_operations(self.machine.graph, self.machine.roots())
 
 
-@lru_cache(maxsize=2)  # a plan is judged, priced and emitted one after the other
-def simulate(plan: Plan) -> tuple[Simulated, ...]:
+Grouping = tuple[tuple[Limbs, ...], ...]
+"""The limbs that share straight-line code, for each process."""
+
+
+def grouping_of(plan: Plan) -> Grouping:
+    """Return the limbs that go together: those of shape kernels, or others that are more alike."""
+    if plan.form != "segment":
+        return tuple(() for _ in plan.processes)
+    return tuple(fit_for_lanes(plan, _alike(plan, process)) for process in plan.processes)
+
+
+def _alike(plan: Plan, process: Process) -> list[Limbs]:
+    found = limbs_abreast(plan, process)
+    return more_alike(plan, process, found, lambda limbs: unlike(plan, limbs))
+
+
+def straight_line(plan: Plan, *, lanes: bool = True) -> tuple[Simulated, ...]:
+    """Return the plan's processes as a straight line is emitted: in lanes where that is less work.
+
+    Args:
+        plan: the plan.
+        lanes: whether limbs may share code at all.
+
+    Raises:
+        RuntimeError: the plan deadlocks.
+    """
+    alone, grouping = simulate(plan), grouping_of(plan)
+    if not lanes or not any(grouping):
+        return alone
+    together = simulate(plan, grouping)
+    return min(alone, together, key=lambda line: max(one.operations.instructions for one in line))
+
+
+@lru_cache(maxsize=4)  # a plan is judged, priced and emitted one after the other
+def simulate(plan: Plan, grouping: Grouping | None = None) -> tuple[Simulated, ...]:
     """Return the plan's processes, each after all its steps; nobody may change them.
+
+    Args:
+        plan: the plan.
+        grouping: which limbs share code, one in each lane; None for none.
 
     Raises:
         RuntimeError: the plan deadlocks.
     """
     mail: dict[int, list[Any]] = {}
-    machines = [Machine(plan, mail) for _ in plan.processes]
-    ends: list[list[int]] = [[] for _ in machines]
+    limbs = grouping or tuple(() for _ in plan.processes)
+    robot = aligned(plan, chain.from_iterable(limbs))
+    machines = [Machine(robot, mail, own) for own in limbs]
+    orders = [
+        steps_in_order(plan, process, own)
+        for process, own in zip(plan.processes, limbs, strict=True)
+    ]
+    done = [0] * len(machines)
+    ends = [[0] * len(process.steps) for process in plan.processes]
     moved = True
     while moved:
         moved = False
-        for machine, process, reached in zip(machines, plan.processes, ends, strict=True):
-            while len(reached) < len(process.steps):
-                machine.graph.mark = len(reached)
-                if not machine.step(process.steps[len(reached)]):
+        for p, (machine, process) in enumerate(zip(machines, plan.processes, strict=True)):
+            while done[p] < len(orders[p]):
+                place = orders[p][done[p]]
+                machine.graph.mark = place
+                if not machine.step(process.steps[place]):
                     break
-                reached.append(len(machine.graph.nodes))
+                ends[p][place] = len(machine.graph.nodes)
+                done[p] += 1
                 moved = True
-    for p, (process, reached) in enumerate(zip(plan.processes, ends, strict=True)):
-        if len(reached) < len(process.steps):
-            raise RuntimeError(f"process {p} waits for ever at {process.steps[len(reached)]}")
-    return tuple(Simulated(*pair) for pair in zip(machines, map(tuple, ends), strict=True))
+    for p, (process, order) in enumerate(zip(plan.processes, orders, strict=True)):
+        if done[p] < len(order):
+            raise RuntimeError(f"process {p} waits for ever at {process.steps[order[done[p]]]}")
+    return tuple(
+        Simulated(machine, tuple(accumulate(own, max)))
+        for machine, own in zip(machines, ends, strict=True)
+    )
 
 
 def pays_unrolled(plan: Plan) -> bool:
