@@ -66,6 +66,7 @@ def emit(
     chunk: int = 0,
     compiler: str = "",
     profile: CostProfile | None = None,
+    lanes: bool = True,
 ) -> dict[str, str]:
     """Return the emitted files, file name to text.
 
@@ -81,6 +82,8 @@ def emit(
         compiler: what the MPI wrapper is to call; "" for its own choice.
         profile: what messages cost where the program plays stretches of computing through instead
             of timing itself; without it, or if it tells nothing of messages, the shipped one.
+        lanes: whether limbs that are alike may share a straight line, one in each SIMD lane; they
+            do where that is less work.
 
     Returns:
         NAME_pP.cpp, NAME_pP.plan.json, Makefile and, if given, NAME_pP.svg.
@@ -90,7 +93,7 @@ def emit(
     """
     processes = batch or len(plan.processes)
     stem = stem_of(plan, name, batch)
-    text = source(plan, stem, shape, refine, chunk, compiler, batch, profile)
+    text = source(plan, stem, shape, refine, chunk, compiler, batch, profile, lanes)
     files = {
         f"{stem}.cpp": text,
         f"{stem}.plan.json": plan_to_json(plan),
@@ -116,6 +119,7 @@ def source(
     compiler: str = "",
     batch: int = 0,
     profile: CostProfile | None = None,
+    lanes: bool = True,
 ) -> str:
     """Return the C++ source of a plan; ``stem`` begins the names of its C functions.
 
@@ -129,7 +133,7 @@ def source(
         check_batch(shape, refine)
     shape = chosen_shape(plan, checked_shape(refine, shape), batch=bool(batch))
     plan = refinable(plan) if refine else plan
-    words = Words(plan, refine, chunk, bool(batch))
+    words = Words(plan, refine, chunk, bool(batch), lanes)
     processes = batch or len(plan.processes)
     return render(
         "solver.cpp.j2",

@@ -21,6 +21,7 @@ class Words:
     refine: int = 0  # steps of refinement
     chunk: int = 0  # values of one function in shape unrolled; 0 for its default
     batch: bool = False  # whether lanes are for states
+    lanes: bool = True  # whether limbs may share straight-line code, one in each lane
 
     @cached_property
     def joints(self) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from adagen.emit.shapes import SHAPES, chosen_shape, stepwise
-from adagen.executor import simulate
+from adagen.executor import straight_line
 from adagen.graph import live_nodes
 from adagen.plan import Plan
 from adagen.plan.stages import stages
@@ -45,11 +45,12 @@ def is_priced(plan: Plan, shape: str) -> bool:
 
 def straight_features(plan: Plan) -> Features:
     """Return what the straight line of a plan on one process is made of."""
-    (process,) = simulate(plan)
+    (process,) = straight_line(plan)
     found = process.operations
     return {
         "unrolled.evaluation": 1,
-        "unrolled.operation": found.arithmetic - found.fused,  # a product is added in one go
+        # A product is added in one go; what is done in lanes is done once.
+        "unrolled.operation": found.arithmetic - found.fused + found.moves,
         "unrolled.sine": len(process.machine.angles),
         "unrolled.cycle": found.ready,
     }
@@ -73,7 +74,7 @@ def straight_timeline(plan: Plan, costs: StepCosts) -> MachineTimeline:
 
 def _done_after_stages(plan: Plan) -> list[int]:
     """Return how many operations are done after each stage of a process."""
-    (process,) = simulate(plan)
+    (process,) = straight_line(plan)
     nodes = process.machine.graph.nodes
     marks = [
         nodes[index].mark
