@@ -195,7 +195,7 @@ class Motion:
         moment_of_force = plus_cross(np.array(moment, dtype=object), moment_of_mass, field.a)
         force = [total([field.a[k] * mass, *(h[k] * moment_of_mass)]) for k in range(3)]
         whole = np.concatenate([moment_of_force, np.array(force, dtype=object)])
-        pushes = [list(self._pushes(j + 1)) for j in self.state.rows.lanes(number - 1)]
+        pushes = [self._pushes(j + 1) for j in self.state.rows.lanes(number - 1)]
         nothing = self.state.zeros(6)
         for lanes in zip_longest(*pushes, fillvalue=nothing):
             whole = whole - self.state.rows.packed(lanes)

@@ -169,17 +169,16 @@ class State:
         q, v = self.configuration(j)
         lost: list[list[Expression]] = [[] for _ in v]
         if joint.damping:
-            damping = self._of_joint(j, lambda joint: joint.damping)
             for terms, rate in zip(lost, v, strict=True):
-                terms.append(-(damping * rate))
+                terms.append(-(rate * self._of_joint(j, lambda joint: joint.damping)))
         if joint.friction:
             slope = self.graph.reciprocal(self._of_joint(j, lambda joint: joint.friction_speed))
-            friction = self._of_joint(j, lambda joint: joint.friction)
             for terms, rate in zip(lost, v, strict=True):
-                terms.append(-(friction * self.graph.tanh(rate * slope)))
+                part = self.graph.tanh(rate * slope)
+                terms.append(-(part * self._of_joint(j, lambda joint: joint.friction)))
         if joint.stiffness:
-            rest = self._of_joint(j, lambda joint: joint.rest)
-            lost[0].append(-(self._of_joint(j, lambda joint: joint.stiffness) * (q[0] - rest)))
+            turned = q[0] - self._of_joint(j, lambda joint: joint.rest)
+            lost[0].append(-(turned * self._of_joint(j, lambda joint: joint.stiffness)))
         return lost
 
     def _of_joint(self, j: int, read: Callable[[PlanJoint], float]) -> Expression:

@@ -346,9 +346,9 @@ def _rational(value: Any) -> Any:
 
 def _lanewise(operation: Callable[[Any, Any], Any], x: Any, y: Any) -> Any:
     """An operation on constants: a single number stands for all lanes."""
-    width = max(len(c) if isinstance(c, tuple) else 1 for c in (x, y))
-    if width == 1:
+    if not isinstance(x, tuple) and not isinstance(y, tuple):
         return operation(x, y)
+    width = max(len(c) for c in (x, y) if isinstance(c, tuple))
     xs, ys = (c if isinstance(c, tuple) else (c,) * width for c in (x, y))
     return tuple(operation(a, b) for a, b in zip(xs, ys, strict=True))
 
