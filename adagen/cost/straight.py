@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from adagen.cost.features import Features, added
-from adagen.executor import Simulated, simulate
+from adagen.executor import Simulated, straight_line
 from adagen.graph import live_nodes
 from adagen.plan import Plan
 from adagen.plan.steps import Receive, Send, Step
@@ -26,7 +26,7 @@ _COMPUTED = ("add", "sub", "mul", "reciprocal")
 
 def straight_features(plan: Plan) -> Features:
     """Return what the straight line of a plan on one process is made of."""
-    (process,) = simulate(plan)
+    (process,) = straight_line(plan)
     steps = plan.processes[0].steps
     parts = _stretches(process, steps)
     return added([{"unrolled.evaluation": 1}, *(features for features, _ in parts)])
@@ -38,7 +38,7 @@ def straight_times(program: Program, costs: StepCosts) -> list[list[float]]:
     The operations of a stretch share its time by their statements.
     """
     found = []
-    processes = zip(simulate(program.plan), program.plan.processes, strict=True)
+    processes = zip(straight_line(program.plan), program.plan.processes, strict=True)
     for simulated, process in processes:
         times = [0.0] * len(process.steps)
         for features, statements in _stretches(simulated, process.steps):
@@ -68,9 +68,9 @@ def _stretches(
         if node.op in _COMPUTED:
             counts[here][node.mark] = counts[here].get(node.mark, 0) + 1
     operations = simulated.operations
-    taken = 1 - operations.fused / max(1, operations.arithmetic)  # a sum takes up a product
     computed = sum(sum(count.values()) for count in counts) or 1
-    statements = operations.arithmetic * taken
+    # A sum takes up a product; what is done in SIMD lanes is done once, and moved into them.
+    statements = operations.arithmetic - operations.fused + operations.moves
     parts = []
     for k, (count, cycles) in enumerate(zip(counts, done, strict=True)):
         share = sum(count.values()) / computed

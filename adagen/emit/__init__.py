@@ -69,6 +69,7 @@ def emit(
     chunk: int = 0,
     compiler: str = "",
     profile: CostProfile | None = None,
+    lanes: bool = True,
 ) -> dict[str, str]:
     """Return the emitted files, file name to text.
 
@@ -84,6 +85,8 @@ def emit(
         compiler: what the MPI wrapper is to call; "" for its own choice.
         profile: what messages cost where the program plays stretches of computing through instead
             of timing itself; without it, or if it tells nothing of messages, the shipped one.
+        lanes: whether limbs that are alike may share a straight line, one in each SIMD lane; they
+            do where that is less work.
 
     Returns:
         NAME_pP.cpp, NAME_pP.plan.json, Makefile and, if given, NAME_pP.svg.
@@ -93,7 +96,7 @@ def emit(
     """
     processes = batch or len(plan.processes)
     stem = stem_of(plan, name, batch)
-    text = source(plan, stem, shape, refine, chunk, compiler, batch, profile)
+    text = source(plan, stem, shape, refine, chunk, compiler, batch, profile, lanes)
     files = {
         f"{stem}.cpp": text,
         f"{stem}.plan.json": plan_to_json(plan),
@@ -148,6 +151,7 @@ def source(
     compiler: str = "",
     batch: int = 0,
     profile: CostProfile | None = None,
+    lanes: bool = True,
 ) -> str:
     """Return the C++ source of a plan; ``stem`` begins the names of its C functions.
 
@@ -158,7 +162,7 @@ def source(
     check(program)
     refine = refinement_steps(refine, plan.scalar)
     plan, shape = program.plan, program.shape
-    words = Words(program, refine, chunk)
+    words = Words(program, refine, chunk, lanes)
     processes = batch or len(plan.processes)
     costs = load_profile("default") if profile is None else profile
     return render(

@@ -7,6 +7,8 @@ text or counts takes them from the graphs.
 from __future__ import annotations
 
 from adagen.executor.checks import SINGULAR, Check
+from adagen.executor.grouping import grouping_of, straight_line
+from adagen.executor.lanes import Grouping
 from adagen.executor.machine import RECEIVED, Machine
 from adagen.executor.run import PlanError, Simulated, simulate
 from adagen.executor.solve import Run, interpret
@@ -15,10 +17,13 @@ __all__ = [
     "RECEIVED",
     "SINGULAR",
     "Check",
+    "Grouping",
     "Machine",
     "PlanError",
     "Run",
     "Simulated",
+    "grouping_of",
     "interpret",
     "simulate",
+    "straight_line",
 ]

@@ -25,3 +25,11 @@ class Check:
     least: Expression
     joint: int
     failure: str = "kFactorization"
+
+
+def exceeds(value: Expression, least: Expression) -> bool:
+    """Whether a constant is known to be more than another value, in all lanes."""
+    graph = value.graph
+    lanes = range(max(value.node.width, least.node.width))
+    pairs = [(graph.lane(value, k).constant, graph.lane(least, k).constant) for k in lanes]
+    return all(x > (y or 0) for x, y in pairs)

@@ -86,8 +86,11 @@ class Turn:
 
 
 def _smaller(p: Expression, q: Expression) -> bool:
-    """Whether |p| <= |q|, where both are known; true where they are not."""
-    return p.constant is None or q.constant is None or abs(p.constant) <= abs(q.constant)
+    """Whether |p| <= |q|, where both are known, in the first lane; true where they are not."""
+    if p.constant is None or q.constant is None:
+        return True
+    first, second = (x.graph.lane(x, 0).constant for x in (p, q))
+    return bool(abs(first) <= abs(second))
 
 
 @dataclass(frozen=True)
@@ -155,7 +158,7 @@ def constant_turn(rotation: Array) -> Turn | None:
         for c in range(3):
             alone = [rotation[m, k].constant for k in range(3) if k != c]
             alone += [rotation[k, c].constant for k in range(3) if k != m]
-            if abs(rotation[m, c].constant) == 1 and not any(x != 0 for x in alone):
+            if rotation[m, c].constant in (1, -1) and not any(x != 0 for x in alone):
                 i, k = ((m + 1) % 3, (m + 2) % 3)
                 a, b = ((c + 1) % 3, (c + 2) % 3)
                 block = rotation[i, a], rotation[i, b], rotation[k, a], rotation[k, b]
@@ -169,9 +172,20 @@ def about_z(cosine: Expression, sine: Expression) -> Turn:
     return Turn((0, 1, 2), (0, 1, 2), (cosine, -sine, sine, cosine), True, 1)
 
 
-def placed(base: Array, turn: Turn | Dense | None) -> Rotation:
-    """Return the constant rotation ``base`` times ``turn``, what can be merged merged."""
+def placed(base: Array, turn: Turn | Dense | None, *, across: bool = False) -> Rotation:
+    """Return the constant rotation ``base`` times ``turn``, what can be merged merged.
+
+    Args:
+        base: it, shape (3, 3).
+        turn: about z or by a quaternion; None for none.
+        across: whether a base without structure is R_x R_z if it has a zero that shows that.
+    """
     fixed = constant_turn(base)
+    if across and fixed is None and isinstance(turn, Turn) and base[0, 2].constant == 0:
+        (p, q), (c, s) = base[1:, 2], (turn.block[0], turn.block[2])
+        about_x = Turn((1, 2, 0), (1, 2, 0), (q, p, -p, q), True, 1)
+        x, y = base[0, 0], -base[0, 1]
+        return Rotation((about_x, about_z(x * c - y * s, y * c + x * s)))
     if turn is None:
         return Rotation((fixed or Dense(base),))
     if isinstance(turn, Dense):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import zip_longest
 from typing import Any
 
 import numpy as np
@@ -48,14 +49,14 @@ class Motion:
         """Placement of a joint's child link, its velocity and its reference acceleration."""
         joint, kind = self.state.plan.joints[j], self._kind(j)
         q, v = self.state.configuration(j)
-        base = self.state.constants(joint.rotation)
+        base = self.state.rows.of_joint(j, lambda joint: joint.rotation)
         turn, shift = self._placement(j, q)
-        origin = self.state.constants(joint.translation)
+        origin = self.state.rows.of_joint(j, lambda joint: joint.translation)
         if shift is not None:
             origin = np.array(
                 [total([origin[k], *(base[k] * shift)]) for k in range(3)], dtype=object
             )
-        x = Transform(placed(base, turn), origin)
+        x = Transform(placed(base, turn, across=j in self.state.rows), origin)
         motion = self.state.zeros(6)
         motion[list(kind.free)] = v
         self.state.memory["X", j] = x
@@ -104,7 +105,7 @@ class Motion:
                 [self.state.zeros(3), plus_cross(ground, omega, sliding)]
             )
         else:
-            above: Field = self.state.memory["field", parent] if parent > 0 else self._ground()
+            above = self._above(j)
             turned = back.vector(above.omega)
             omega = turned + turning
             alpha = plus_cross(back.vector(above.alpha), turned, turning)
@@ -112,6 +113,31 @@ class Motion:
             a = back.vector(np.array(carried, dtype=object))
             a = plus_cross(plus_cross(a, turned + turned, sliding), turning, sliding)
         self.state.memory["field", j + 1] = Field(omega, alpha, a, _gradient(omega, alpha))
+
+    def _above(self, j: int) -> Field:
+        """The field of a joint's parent link, of a row's first joints that of several links."""
+        if self.state.plan.joints[j].parent > 0 and self.state.rows.follows(j):
+            above: Field = self.state.memory["field", self.state.plan.joints[j].parent]
+            return above
+        links = self.state.rows.near_links(j)
+        fields = {link: self._field_of(link) for link in dict.fromkeys(links)}
+        if len(fields) == 1:
+            return fields[links[0]]
+        omega, alpha, a = (
+            self.state.rows.packed([getattr(fields[link], name) for link in links])
+            for name in ("omega", "alpha", "a")
+        )
+        return Field(omega, alpha, a, _gradient(omega, alpha))
+
+    def _field_of(self, link: int) -> Field:
+        if link == 0:
+            return self._ground()
+        kept, k = self.state.rows.kept("field", link)
+        field: Field = kept
+        if k is None:
+            return field
+        parts = (field.omega, field.alpha, field.a, field.gradient)
+        return Field(*(self.state.rows.lane(part, k) for part in parts))
 
     def _ground(self) -> Field:
         nothing = self.state.zeros(3)
@@ -127,14 +153,14 @@ class Motion:
 
     def link_inertia(self, number: int) -> Array:
         """Spatial inertia at the link's origin, constant, shape (6, 6)."""
-        link = self.state.plan.links[number]
-        c, mass = self.state.constants(link.com), self.state.graph.constant(link.mass)
+        c = self.state.rows.of_link(number, lambda link: link.com)
+        mass = self.state.rows.of_link(number, lambda link: link.mass)[()]
         zero = self.state.graph.constant(0)
         m = c * mass
         mx = np.array([[zero, -m[2], m[1]], [m[2], zero, -m[0]], [-m[1], m[0], zero]])
         inertia = self.state.zeros(6, 6)
         inertia[:3, 3:], inertia[3:, :3] = mx, mx.T
-        about_com = self.state.constants(link.tensor)
+        about_com = self.state.rows.of_link(number, lambda link: link.tensor)
         for i in range(3):
             inertia[3 + i, 3 + i] = mass
             for k in range(3):
@@ -169,8 +195,10 @@ class Motion:
         moment_of_force = plus_cross(np.array(moment, dtype=object), moment_of_mass, field.a)
         force = [total([field.a[k] * mass, *(h[k] * moment_of_mass)]) for k in range(3)]
         whole = np.concatenate([moment_of_force, np.array(force, dtype=object)])
-        for push in self._pushes(number):
-            whole = whole - push
+        pushes = [self._pushes(j + 1) for j in self.state.rows.lanes(number - 1)]
+        nothing = self.state.zeros(6)
+        for lanes in zip_longest(*pushes, fillvalue=nothing):
+            whole = whole - self.state.rows.packed(lanes)
         return whole
 
     def _pushes(self, number: int) -> Iterator[Array]:

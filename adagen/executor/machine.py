@@ -9,6 +9,7 @@ point, not the spatial one), so that no linear velocity is needed but that of a 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,7 @@ from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Segments
 from adagen.executor.state import Refining, State
 from adagen.graph import Expression, Graph, Numbers, total
+from adagen.plan.abreast import Limbs
 from adagen.plan.steps import (
     ApplyCoupling,
     Disassemble,
@@ -40,6 +42,8 @@ RECEIVED = "w.from"
 class Machine(State):
     """One process: its state and the meaning of each step.
 
+    Joints in one row (rows.py) are treated as one, whose values are wide.
+
     Attributes:
         sent: contents of the messages sent so far, without what is known beforehand.
     """
@@ -50,13 +54,15 @@ class Machine(State):
         mail: dict[int, list[Any]],
         refining: Refining = None,
         graph: Graph | Numbers | None = None,
+        all_limbs: Sequence[Limbs] = (),
     ) -> None:
-        super().__init__(plan, refining, graph)
+        super().__init__(plan, refining, graph, all_limbs)
         self.mail = mail
         self.sent: dict[int, list[Expression]] = {}
         self.motion = Motion(self)
         self.segments = Segments(self, self.motion)
         self.joins = Joins(self, self.motion)
+        self.take_angles_of_rows()
 
     def step(self, step: Step) -> bool:
         """Do one step; return False if it has to wait for a message."""

@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from itertools import accumulate, chain
 from typing import Any
 
+from adagen.executor.align import aligned
+from adagen.executor.lanes import Grouping, steps_in_order
 from adagen.executor.machine import Machine
 from adagen.executor.state import Refining
 from adagen.graph import Operations, count_operations
@@ -24,7 +27,7 @@ class Simulated:
 
     Attributes:
         machine: its graph and what is wanted of it.
-        ends: number of nodes in the graph after each step.
+        ends: number of nodes in the graph after each step and all before it.
     """
 
     machine: Machine
@@ -44,19 +47,26 @@ def _done(machine: Machine, step: Step) -> bool:
         raise PlanError(f"{step} reads {missing}, which this process does not have") from None
 
 
-@lru_cache(maxsize=4)  # a plan is judged, priced and emitted one after the other
-def simulate(plan: Plan, refining: Refining = None) -> tuple[Simulated, ...]:
+@lru_cache(maxsize=8)  # a plan is judged, priced and emitted one after the other, in lanes or not
+def simulate(
+    plan: Plan, grouping: Grouping | None = None, refining: Refining = None
+) -> tuple[Simulated, ...]:
     """Return the plan's processes, each after all its steps; nobody may change them.
 
     Args:
         plan: the plan.
+        grouping: which limbs share code, one in each lane; None for none. Link frames are then
+            turned as these agree best (align.py).
         refining: what of iterative refinement is computed, if any.
 
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
     mail: dict[int, list[Any]] = {}
-    return after_all_steps(plan, [Machine(plan, mail, refining) for _ in plan.processes])
+    limbs = grouping or tuple(() for _ in plan.processes)
+    robot = aligned(plan, chain.from_iterable(limbs)) if any(limbs) else plan
+    machines = [Machine(robot, mail, refining, all_limbs=own) for own in limbs]
+    return after_all_steps(plan, machines)
 
 
 def after_all_steps(plan: Plan, machines: Sequence[Machine]) -> tuple[Simulated, ...]:
@@ -65,18 +75,28 @@ def after_all_steps(plan: Plan, machines: Sequence[Machine]) -> tuple[Simulated,
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    ends: list[list[int]] = [[] for _ in machines]
+    orders = [
+        steps_in_order(plan, process, machine.limbs)
+        for machine, process in zip(machines, plan.processes, strict=True)
+    ]
+    done = [0] * len(machines)
+    ends = [[0] * len(process.steps) for process in plan.processes]
     moved = True
     while moved:
         moved = False
-        for machine, process, reached in zip(machines, plan.processes, ends, strict=True):
-            while len(reached) < len(process.steps):
-                machine.graph.mark = len(reached)
-                if not _done(machine, process.steps[len(reached)]):
+        for p, (machine, process) in enumerate(zip(machines, plan.processes, strict=True)):
+            while done[p] < len(orders[p]):
+                place = orders[p][done[p]]
+                machine.graph.mark = place
+                if not _done(machine, process.steps[place]):
                     break
-                reached.append(len(machine.graph.nodes))
+                ends[p][place] = len(machine.graph.nodes)
+                done[p] += 1
                 moved = True
-    for p, (process, reached) in enumerate(zip(plan.processes, ends, strict=True)):
-        if len(reached) < len(process.steps):
-            raise PlanError(f"process {p} waits for ever at {process.steps[len(reached)]}")
-    return tuple(Simulated(*pair) for pair in zip(machines, map(tuple, ends), strict=True))
+    for p, (process, order) in enumerate(zip(plan.processes, orders, strict=True)):
+        if done[p] < len(order):
+            raise PlanError(f"process {p} waits for ever at {process.steps[order[done[p]]]}")
+    return tuple(
+        Simulated(machine, tuple(accumulate(own, max)))
+        for machine, own in zip(machines, ends, strict=True)
+    )

@@ -127,7 +127,7 @@ class Segments:
             kept = factors.solve(self._diagonal(len(free), rotor))
             scaled[:, free] = factors.solve(own)
         self.memory["articulated", step.joint] = Articulated(factors, u, moved, scaled, kept)
-        if near == 0:
+        if near == 0 and not any(self.state.rows.near_links(step.joint)):
             return  # the ground does not feel it
         handed = self.state.zeros(6, 6)  # exact projection: rows and columns of S stay zero
         for i, row in enumerate(constrained):
@@ -150,8 +150,12 @@ class Segments:
             force = force + matrix_times(handed, drift * sigma)
         if not step.reversed:
             handed, force = x.inertia(handed), columnwise(x.force, force)
-        self.memory["IA", near] = self.memory["IA", near] + handed
-        self.memory["pA", near] = self.memory["pA", near] + force
+        if step.reversed:
+            self.memory["IA", near] = self.memory["IA", near] + handed
+            self.memory["pA", near] = self.memory["pA", near] + force
+        else:
+            self.state.rows.hand_on("IA", step.joint, handed)
+            self.state.rows.hand_on("pA", step.joint, force)
 
     def _diagonal(self, n: int, entry: Expression) -> Array:
         matrix = self.state.zeros(n, n)
@@ -254,7 +258,8 @@ class Segments:
 
     def _accelerate(self, step: Accelerate) -> None:
         near, far, sigma = self._ends(step)
-        start = None if near == 0 else self.memory["a", near]
+        rows = self.state.rows
+        start = self.memory["a", near] if step.reversed else rows.near_motion(step.joint)
         moved, self.memory["a", far] = self._far_acceleration(step, start)
         self.state.accelerate(step.joint, moved * sigma)
         if self.state.refining:

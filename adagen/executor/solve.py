@@ -10,15 +10,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import SINGULAR, Check
+from adagen.executor.grouping import straight_line
+from adagen.executor.lanes import Grouping
 from adagen.executor.machine import RECEIVED, Machine
-from adagen.executor.run import after_all_steps, simulate
+from adagen.executor.run import Simulated, after_all_steps, simulate
 from adagen.executor.state import Refining
 from adagen.graph import DOUBLE, Algebra, Evaluation, Numbers
+from adagen.graph.evaluate import in_lanes
 from adagen.model.kinds import KINDS
 from adagen.plan.steps import FusedJoin
 from adagen.plan.types import Plan
 
 Array = NDArray[Any]
+Lanes = bool | Grouping
+"""Whether limbs may share a straight line where that is less work, or which limbs do."""
 
 
 class SingularPoseError(FloatingPointError):
@@ -29,7 +34,14 @@ class SingularPoseError(FloatingPointError):
 
 
 def interpret(
-    plan: Plan, q: Any, v: Any, tau: Any, algebra: Algebra = DOUBLE, *, once: bool = False
+    plan: Plan,
+    q: Any,
+    v: Any,
+    tau: Any,
+    algebra: Algebra = DOUBLE,
+    *,
+    once: bool = False,
+    lanes: Lanes = False,
 ) -> Array:
     """Return the joint accelerations that a plan computes.
 
@@ -40,6 +52,7 @@ def interpret(
         tau: joint torques and forces (prescribed joints: accelerations), then outer forces.
         algebra: what is computed with.
         once: whether to compute in double at once, without graphs (see ``Run``).
+        lanes: whether limbs may share a straight line, as they may in emitted code, or which do.
 
     Returns:
         Accelerations, shape (nv,) or (nv, S).
@@ -48,12 +61,18 @@ def interpret(
         PlanError: a process waits for a message that never comes, or reads what it does not have.
         FloatingPointError: a factorization failed; the message names the joint.
     """
-    run = Run(plan, {"q": q, "v": v, "tau": tau}, algebra, once=once)
+    run = Run(plan, {"q": q, "v": v, "tau": tau}, algebra, once=once, lanes=lanes)
     try:
         run.check()
     except SingularPoseError:
-        return interpret(plan.recovering(), q, v, tau, algebra, once=once)
+        return interpret(plan.recovering(), q, v, tau, algebra, once=once, lanes=bool(lanes))
     return run.accelerations()
+
+
+def _line(plan: Plan, refining: Refining, lanes: Lanes) -> tuple[Simulated, ...]:
+    if refining is not None:
+        return simulate(plan, refining=refining)
+    return straight_line(plan, lanes=lanes) if isinstance(lanes, bool) else simulate(plan, lanes)
 
 
 class Run:
@@ -66,6 +85,7 @@ class Run:
         refining: what of iterative refinement is computed, if any.
         once: whether to compute in double at once, without graphs. It is the faster way where a
             plan is carried out a few times; last digits are others.
+        lanes: whether limbs may share a straight line, or which do; not in refinement, nor at once.
 
     Attributes:
         machines: one for each process, after all its steps.
@@ -79,6 +99,7 @@ class Run:
         refining: Refining = None,
         *,
         once: bool = False,
+        lanes: Lanes = False,
     ) -> None:
         self.plan, self.inputs, self.algebra, self.once = plan, inputs, algebra, once
         self._circular: dict[int, list[tuple[Any, Any]]] = {}
@@ -91,7 +112,7 @@ class Run:
             with np.errstate(all="ignore"):  # pivots are looked at afterwards
                 after_all_steps(plan, self.machines)
         else:
-            self.machines += [one.machine for one in simulate(plan, refining)]
+            self.machines += [one.machine for one in _line(plan, refining, lanes)]
         self._evaluations = [
             Evaluation(machine.graph, lookup, algebra)
             for machine, lookup in zip(self.machines, lookups, strict=True)
@@ -114,10 +135,11 @@ class Run:
         for p, (process, machine) in enumerate(
             zip(self.plan.processes, self.machines, strict=True)
         ):
-            for j in process.owns:
-                v = self.plan.joints[j].v
-                values = machine.results[j]
-                rows[v : v + len(values)] = self._values(p, values)
+            for j in set(process.owns) & machine.results.keys():
+                own = machine.lanes_of_result(j)
+                for k, value in enumerate(self._values(p, machine.results[j])):
+                    for each, x in zip(own, in_lanes(value, len(own)), strict=True):
+                        rows[self.plan.joints[each].v + k] = x
         return np.asarray(self.algebra.together(rows))
 
     def check(self, *, digits: bool = True) -> None:
@@ -137,13 +159,17 @@ class Run:
                 pivot, least = values[2 * k : 2 * k + 2]
                 if not digits and check.failure in ("kFactorization", "kGrowth"):
                     least = 0
-                if not np.all(pivot > least):
-                    self._fail(check)
+                wide = isinstance(pivot, tuple)
+                own = machine.rows.own(check.joint) if wide else (check.joint,)
+                pairs = zip(own, in_lanes(pivot, len(own)), in_lanes(least, len(own)), strict=False)
+                for joint, x, y in pairs:
+                    if not np.all(x > y):
+                        self._fail(check, joint)
 
-    def _fail(self, check: Check) -> None:
+    def _fail(self, check: Check, joint: int) -> None:
         if check.failure == SINGULAR:
             raise SingularPoseError
-        names = f'joint "{self.plan.joints[check.joint].name}"'
+        names = f'joint "{self.plan.joints[joint].name}"'
         if check.failure == "kGimbalLock":
             steps = (step for process in self.plan.processes for step in process.steps)
             run = next(s.run for s in steps if isinstance(s, FusedJoin) and s.joint == check.joint)

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from collections.abc import Callable, Sequence
+from typing import Any, Literal, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import Check
+from adagen.executor.lanes import rows_of
+from adagen.executor.rows import Rows
 from adagen.graph import Expression, Factors, Graph, Numbers, factorize, total
 from adagen.model.kinds import HELD, KINDS, JointKind
+from adagen.plan.abreast import Limbs
 from adagen.plan.digits import EPSILON
-from adagen.plan.types import FACTORS, Plan
+from adagen.plan.types import FACTORS, Plan, PlanJoint
 
 Array = NDArray[Any]
 Refining = Literal["answer", "correction"] | None
@@ -34,13 +38,19 @@ class State:
         angles: joint angles whose sine and cosine are taken, in order.
         checks: pivots to be looked at.
         lengths: squared lengths of quaternions and their joints.
-        results: accelerations in the order of ``owns``, known after the last step.
+        results: accelerations by joints, known after the last step; of a row wide.
+        limbs: those that share code, one in each lane.
+        rows: joints that are treated as one.
         refining: whether joint forces are kept, in the frames of the child links, and whether links
             feel what is left over of their equations of motion, and nothing else.
     """
 
     def __init__(
-        self, plan: Plan, refining: Refining = None, graph: Graph | Numbers | None = None
+        self,
+        plan: Plan,
+        refining: Refining = None,
+        graph: Graph | Numbers | None = None,
+        all_limbs: Sequence[Limbs] = (),
     ) -> None:
         self.plan, self.refining = plan, refining
         self.graph: Any = Graph() if graph is None else graph
@@ -51,6 +61,8 @@ class State:
         self.checks: list[Check] = []
         self.lengths: list[tuple[Expression, int]] = []
         self.results: dict[int, Array] = {}
+        self.limbs = tuple(all_limbs)
+        self.rows = Rows(self, rows_of(all_limbs))
 
     # -- numbers ----------------------------------------------------------------------------------
 
@@ -96,10 +108,10 @@ class State:
         """Configuration and velocity of a joint, a slaved one's from its source."""
         joint, kind = self.plan.joints[j], KINDS[self.plan.joints[j].kind]
         if joint.mimic is None:
-            q = [self.graph.input(f"q[{joint.q + k}]") for k in range(kind.nq)]
+            q = list(self.rows.entries("q", j, kind.nq))
             if self.refining == "correction":
                 return q, [self.graph.constant(0)] * kind.nv
-            return q, [self.graph.input(f"v[{joint.v + k}]") for k in range(kind.nv)]
+            return q, list(self.rows.entries("v", j, kind.nv))
         source, multiplier, offset = joint.mimic
         (angle, *_), (rate, *_) = self.configuration(source)
         return [angle * multiplier + offset], [rate * multiplier]
@@ -112,16 +124,25 @@ class State:
 
     def circular(self, angle: Expression) -> tuple[Expression, Expression]:
         """Cosine and sine; they are taken of all angles of the process at once."""
-        if angle not in self.angles:
-            self.angles.append(angle)
-        k = self.angles.index(angle)
-        return self.graph.input(f"cosine[{k}]", READY), self.graph.input(f"sine[{k}]", READY)
+        width, angles = angle.node.width, self.angles
+        own = [angle] if width == 1 else [self.graph.lane(angle, k) for k in range(width)]
+        places = range(0, len(angles), width)
+        k = next((k for k in places if angles[k : k + width] == own), len(angles))
+        if k == len(angles):
+            angles.extend(own)
+        cosine = self.graph.input(f"cosine[{k}]", READY, width)
+        return cosine, self.graph.input(f"sine[{k}]", READY, width)
+
+    def take_angles_of_rows(self) -> None:
+        """Place the angles of rows before all others, the widest first: loads are then aligned."""
+        rows = self.rows.rows
+        for j in sorted(rows, key=lambda j: -rows[j].width):
+            if self.plan.joints[j].kind == "revolute":
+                self.circular(self.rows.entries("q", j, 1)[0])
 
     def given(self, j: int) -> Array:
         """What tau holds for joint j: its torques, or its accelerations; shape (n,)."""
-        joint = self.plan.joints[j]
-        own = [self.graph.input(f"tau[{joint.v + k}]") for k in range(KINDS[joint.kind].nv)]
-        return np.array(own, dtype=object)
+        return self.rows.entries("tau", j, KINDS[self.plan.joints[j].kind].nv)
 
     def torques(self, j: int) -> Array:
         """Torques of joint j, shape (n, columns): those at work, then those of the coupling rows.
@@ -146,19 +167,29 @@ class State:
         if not (joint.damping or joint.friction or joint.stiffness):
             return []
         q, v = self.configuration(j)
-        lost = [[-(joint.damping * rate)] for rate in v] if joint.damping else [[] for _ in v]
-        if joint.friction:
-            slope = self.graph.reciprocal(self.graph.constant(joint.friction_speed))
+        lost: list[list[Expression]] = [[] for _ in v]
+        if joint.damping:
             for terms, rate in zip(lost, v, strict=True):
-                terms.append(-(joint.friction * self.graph.tanh(rate * slope)))
+                terms.append(-(rate * self._of_joint(j, lambda joint: joint.damping)))
+        if joint.friction:
+            slope = self.graph.reciprocal(self._of_joint(j, lambda joint: joint.friction_speed))
+            for terms, rate in zip(lost, v, strict=True):
+                part = self.graph.tanh(rate * slope)
+                terms.append(-(part * self._of_joint(j, lambda joint: joint.friction)))
         if joint.stiffness:
-            lost[0].append(-(joint.stiffness * (q[0] - joint.rest)))
+            turned = q[0] - self._of_joint(j, lambda joint: joint.rest)
+            lost[0].append(-(turned * self._of_joint(j, lambda joint: joint.stiffness)))
         return lost
+
+    def _of_joint(self, j: int, read: Callable[[PlanJoint], float]) -> Expression:
+        """A number of a joint, of a row's joints wide."""
+        return cast("Expression", self.rows.of_joint(j, read)[()])
 
     def rotor(self, j: int) -> Expression | None:
         """Rotor inertia of a joint, None for none."""
-        size = self.plan.joints[j].rotor_inertia
-        return self.graph.constant(size) if size else None
+        if not self.plan.joints[j].rotor_inertia:
+            return None
+        return self._of_joint(j, lambda joint: joint.rotor_inertia)
 
     def keep_force(self, j: int, force: Array, *, driven: bool = False) -> None:
         """Keep the force of a joint in its child link's frame, shape (6, columns).
@@ -177,6 +208,10 @@ class State:
         """Keep a joint's accelerations, shape (n, columns); with slaved joints they come later."""
         if self.plan.joints[j].prescribed:
             qdd = self.column(self.given(j))
-        self.memory["qdd", j] = qdd
+        self.memory.update((("qdd", each), own) for each, own in self.rows.apart(j, qdd))
         if not self.plan.slaved:
             self.results[j] = qdd[:, 0]
+
+    def lanes_of_result(self, j: int) -> tuple[int, ...]:
+        """Return the joints whose accelerations ``results`` has for joint j, lane by lane."""
+        return (j,) if self.plan.slaved else self.rows.lanes(j)

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from adagen.graph.nodes import Expression, Graph
+from adagen.graph.nodes import Expression, Graph, Node
 
 
 @dataclass(frozen=True)
@@ -20,6 +20,8 @@ class Operations:
         negate: changes of sign that no sum takes up.
         fused: sums and differences that can take up a product of no other use.
         ready: cycles until the last value is there, were there no limit to what is done at once.
+        wide: how many of the products, sums, quotients and negations are done in several lanes.
+        moves: numbers put into lanes or taken from there.
     """
 
     multiply: int
@@ -28,11 +30,18 @@ class Operations:
     negate: int
     fused: int
     ready: int
+    wide: int = 0
+    moves: int = 0
 
     @property
     def arithmetic(self) -> int:
         """Products, sums and differences."""
         return self.multiply + self.add
+
+    @property
+    def instructions(self) -> int:
+        """About how many instructions do it: a product is added in one."""
+        return self.arithmetic - self.fused + self.divide + self.negate + self.moves
 
 
 def live_nodes(graph: Graph, roots: Iterable[Expression]) -> list[int]:
@@ -60,6 +69,30 @@ def count_operations(graph: Graph, roots: Iterable[Expression]) -> Operations:
         for index in alive
     )
     ready = max((graph.nodes[root.index].ready for root in roots), default=0)
+    wide = sum(graph.nodes[index].width > 1 and graph.nodes[index].op in _DONE for index in alive)
     return Operations(
-        kinds["mul"], kinds["add"] + kinds["sub"], kinds["reciprocal"], kinds["neg"], fused, ready
+        kinds["mul"],
+        kinds["add"] + kinds["sub"],
+        kinds["reciprocal"],
+        kinds["neg"],
+        fused,
+        ready,
+        wide,
+        sum(_moves(graph.nodes[index]) for index in alive),
     )
+
+
+_DONE = ("mul", "add", "sub", "reciprocal", "neg")
+
+
+def _moves(node: Node) -> int:
+    """Return how many numbers a value puts into lanes or takes from there."""
+    match node.op:
+        case "pack":
+            return node.width
+        case "lane":
+            return 1
+        case "across":
+            return int(node.value)
+        case _:
+            return 0

@@ -13,7 +13,7 @@ from typing import Any, Protocol
 import numpy as np
 from flint import arb
 
-from adagen.graph.nodes import Expression, Graph
+from adagen.graph.nodes import Expression, Graph, Node
 
 _FAR = 1e5  # beyond, three parts of pi/2 would lose digits
 
@@ -165,7 +165,7 @@ class Evaluation:
         self.values: dict[int, Any] = {}
 
     def of(self, expressions: Iterable[Expression]) -> list[Any]:
-        """Return the values of some expressions."""
+        """Return the values of some expressions, of wide ones tuples."""
         indices = [x.index for x in expressions]
         with np.errstate(all="ignore"):  # who asks looks at what comes out
             for index in self._missing(indices):
@@ -185,6 +185,8 @@ class Evaluation:
 
     def _value(self, index: int) -> Any:
         node, values = self.graph.nodes[index], self.values
+        if node.width > 1:
+            return self._wide(node)
         match node.op:
             case "mul":
                 return values[node.args[0]] * values[node.args[1]]
@@ -198,7 +200,25 @@ class Evaluation:
                 return self.algebra.number(node.value)
             case "input":
                 return self.lookup(node.value)
+            case "lane":
+                return values[node.args[0]][node.value]
+            case "across":
+                return _across(values[node.args[0]], node.value)
         return self._function(node.op, [values[k] for k in node.args])
+
+    def _wide(self, node: Node) -> tuple[Any, ...]:
+        """The values of all lanes."""
+        args = [self.values[k] for k in node.args]
+        match node.op:
+            case "constant":
+                return tuple(map(self.algebra.number, node.value))
+            case "input":
+                array, first = str(node.value).removesuffix("]").split("[")
+                return tuple(self.lookup(f"{array}[{int(first) + k}]") for k in range(node.width))
+            case "pack":
+                return tuple(args)
+        lanes = zip(*(in_lanes(x, node.width) for x in args), strict=True)
+        return tuple(_ARITHMETIC[node.op](*own) for own in lanes)
 
     def _function(self, op: str, args: list[Any]) -> Any:
         algebra = self.algebra
@@ -214,6 +234,33 @@ class Evaluation:
             case "max":
                 return algebra.larger(*args)
         raise AssertionError(f"no meaning for {op}")
+
+
+def in_lanes(value: Any, width: int) -> tuple[Any, ...]:
+    """Return the values of all lanes: a single number is in each."""
+    return value if isinstance(value, tuple) else (value,) * width
+
+
+_ARITHMETIC: dict[str, Callable[..., Any]] = {
+    "add": lambda x, y: x + y,
+    "sub": lambda x, y: x - y,
+    "mul": lambda x, y: x * y,
+    "neg": lambda x: -x,
+    "reciprocal": lambda x: 1 / x,
+}
+
+
+def _across(lanes: tuple[Any, ...], count: int) -> Any:
+    """The sum of the first numbers, half by half as the runtime adds them."""
+    if len(lanes) == 1:
+        return lanes[0]
+    half = len(lanes) // 2
+    first, second = lanes[:half], lanes[half:]
+    if count == len(lanes):
+        return _across(tuple(x + y for x, y in zip(first, second, strict=True)), half)
+    if count > half:
+        return _across(first, half) + _across(second, count - half)
+    return _across(first, count)
 
 
 def _sine_and_cosine(angle: Any) -> tuple[Any, ...]:

@@ -4,10 +4,15 @@ Constants are rational numbers, folded without rounding and rounded once, when t
 Only identities that hold for every finite number to the last bit are used: x + 0, 1 x, 0 x, -(-x),
 x - x, and signs drawn out of products. A product that is structurally zero is zero; a product that
 is merely tiny is not touched.
+
+A value has a width: one number, or as many as there are SIMD lanes. Operations on wide values work
+lane by lane, and a single number beside them stands for all lanes. A constant that is the same in
+all lanes is a single number, so that the identities are used where they hold in all lanes.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import isqrt
 from typing import Any, Literal
@@ -15,7 +20,20 @@ from typing import Any, Literal
 from flint import fmpq
 
 Op = Literal[
-    "constant", "input", "add", "sub", "mul", "neg", "reciprocal", "sqrt", "sign", "tanh", "max"
+    "constant",
+    "input",
+    "add",
+    "sub",
+    "mul",
+    "neg",
+    "reciprocal",
+    "sqrt",
+    "sign",
+    "tanh",
+    "max",
+    "pack",
+    "lane",
+    "across",
 ]
 
 _LONGEST = 2048  # bits of a numerator or denominator before it is cut to
@@ -29,6 +47,9 @@ _CYCLES: dict[Op, int] = {
     "sqrt": 18,
     "sign": 2,
     "tanh": 60,
+    "pack": 3,
+    "lane": 3,
+    "across": 12,
 }
 
 
@@ -37,11 +58,14 @@ class Node:
     """One value of a graph.
 
     Attributes:
-        op: what is done.
+        op: what is done; "pack" makes one wide value of numbers, "lane" takes one of its numbers,
+            "across" adds up its first numbers.
         args: indices of the operands; all are less than the node's own index.
-        value: the rational number of a constant, the name of an input, else None.
+        value: the rational number of a constant (a tuple where it is wide), the name of an input,
+            which number "lane" takes, how many "across" adds up, else None.
         ready: about how many cycles after the inputs the value is there (add and multiply: 4).
         mark: what ``Graph.mark`` was when it was made: the step it belongs to.
+        width: how many numbers it holds, one for each lane.
     """
 
     op: Op
@@ -49,6 +73,7 @@ class Node:
     value: Any
     ready: int
     mark: int
+    width: int = 1
 
 
 class Graph:
@@ -64,21 +89,66 @@ class Graph:
         self.mark = 0
         self._known: dict[tuple[Any, ...], int] = {}
 
-    def input(self, name: str, ready: int = 0) -> Expression:
+    def input(self, name: str, ready: int = 0, width: int = 1) -> Expression:
         """Return the value that is called ``name`` where the graph is evaluated."""
-        return self._node("input", (), name, ready)
+        return self._node("input", (), name, ready, width)
 
     def constant(self, value: Any) -> Expression:
-        """Return a number: a float or int (taken as it is, nothing is rounded) or a fmpq."""
-        if not isinstance(value, fmpq):
-            value = fmpq(*value.as_integer_ratio()) if isinstance(value, float) else fmpq(value)
-        return self._node("constant", (), _shortened(value))
+        """Return a number: a float or int (taken as it is, nothing is rounded) or a fmpq.
+
+        A tuple holds a number for each lane.
+        """
+        if not isinstance(value, tuple):
+            return self._node("constant", (), _shortened(_rational(value)))
+        lanes = tuple(_shortened(_rational(x)) for x in value)
+        if all(x == lanes[0] for x in lanes):
+            return self._node("constant", (), lanes[0])
+        return self._node("constant", (), lanes, width=len(lanes))
+
+    def pack(self, numbers: Sequence[Expression]) -> Expression:
+        """Return a value with a number in each lane; the number itself where all are the same."""
+        first = numbers[0]
+        if all(x == first for x in numbers):
+            return first
+        known = tuple(x.constant for x in numbers)
+        if None not in known:
+            return self.constant(known)
+        opposite = [x.negated for x in numbers]
+        if all(x is not None for x in opposite):
+            return -self.pack([x for x in opposite if x is not None])
+        if all(x.node.op == "lane" and x.node.value == k for k, x in enumerate(numbers)):
+            (source, *others) = {x.node.args[0] for x in numbers}
+            if not others and self.nodes[source].width == len(numbers):
+                return Expression(self, source)
+        return self._node("pack", tuple(x.index for x in numbers), width=len(numbers))
+
+    def lane(self, a: Expression, k: int) -> Expression:
+        """Return the number in lane k of a value; a single number is in all lanes."""
+        if a.node.width == 1:
+            return a
+        if a.constant is not None:
+            return self.constant(a.constant[k])
+        if a.negated is not None:
+            return -self.lane(a.negated, k)
+        if a.node.op == "pack":
+            return Expression(self, a.node.args[k])
+        return self._node("lane", (a.index,), k, width=1)
+
+    def across(self, a: Expression, count: int) -> Expression:
+        """Return the sum of a value's first numbers."""
+        if a.node.width == 1:
+            return self.constant(count) * a
+        if a.constant is not None:
+            return self.constant(sum(a.constant[:count], start=fmpq(0)))
+        if a.negated is not None:
+            return -self.across(a.negated, count)
+        return self._node("across", (a.index,), count, width=1)
 
     def add(self, a: Expression, b: Expression) -> Expression:
         """Return a + b."""
         x, y = a.constant, b.constant
         if x is not None and y is not None:
-            return self.constant(x + y)
+            return self.constant(_lanewise(lambda a, b: a + b, x, y))
         if x == 0:
             return b
         if y == 0:
@@ -95,7 +165,7 @@ class Graph:
         """Return a - b."""
         x, y = a.constant, b.constant
         if x is not None and y is not None:
-            return self.constant(x - y)
+            return self.constant(_lanewise(lambda a, b: a - b, x, y))
         if x == 0:
             return self.neg(b)
         if y == 0:
@@ -114,7 +184,7 @@ class Graph:
         """Return a b."""
         x, y = a.constant, b.constant
         if x is not None and y is not None:
-            return self.constant(x * y)
+            return self.constant(_lanewise(lambda a, b: a * b, x, y))
         if y is not None:
             a, b, x = b, a, y
         if x is not None:
@@ -122,8 +192,8 @@ class Graph:
                 return a
             if x == 1:
                 return b
-            if x < 0:
-                return self.neg(self.mul(self.constant(-x), b))
+            if _is_negative(x):
+                return self.neg(self.mul(self.neg(a), b))
         if a.negated is not None:
             return self.neg(self.mul(a.negated, b))
         if b.negated is not None:
@@ -133,21 +203,24 @@ class Graph:
     def neg(self, a: Expression) -> Expression:
         """Return -a."""
         if a.constant is not None:
-            return self.constant(-a.constant)
+            return self.constant(_lanewise(lambda x, y: x - y, fmpq(0), a.constant))
         if a.negated is not None:
             return a.negated
         return self._node("neg", (a.index,))
 
     def reciprocal(self, a: Expression) -> Expression:
         """Return 1 / a; of zero it is left to whoever evaluates it."""
-        if a.constant is not None and a.constant != 0:
-            return self.constant(1 / a.constant)
+        x = a.constant
+        if x is not None and x != 0 and not (isinstance(x, tuple) and 0 in x):
+            return self.constant(_lanewise(lambda x, y: x / y, fmpq(1), x))
         if a.negated is not None:
             return self.neg(self.reciprocal(a.negated))
         return self._node("reciprocal", (a.index,))
 
     def sqrt(self, a: Expression) -> Expression:
         """Return the square root of a; of a number to 256 bits behind the point."""
+        if a.node.width > 1:
+            return self._by_lanes(self.sqrt, a)
         x = a.constant
         if x is None or x < 0:
             return self._node("sqrt", (a.index,))
@@ -156,18 +229,24 @@ class Graph:
 
     def sign(self, a: Expression) -> Expression:
         """Return 1 where a is not negative, else -1."""
+        if a.node.width > 1:
+            return self._by_lanes(self.sign, a)
         if a.constant is not None:
             return self.constant(1 if a.constant >= 0 else -1)
         return self._node("sign", (a.index,))
 
     def tanh(self, a: Expression) -> Expression:
         """Return the hyperbolic tangent of a; an odd function."""
+        if a.node.width > 1:
+            return self._by_lanes(self.tanh, a)
         if a.negated is not None:
             return self.neg(self.tanh(a.negated))
         return a if a.constant == 0 else self._node("tanh", (a.index,))
 
     def larger(self, a: Expression, b: Expression) -> Expression:
         """Return the larger of a and b."""
+        if max(a.node.width, b.node.width) > 1:
+            return self._by_lanes(self.larger, a, b)
         x, y = a.constant, b.constant
         if x is not None and y is not None:
             return a if x >= y else b
@@ -175,14 +254,23 @@ class Graph:
             return a
         return self._node("max", (min(a.index, b.index), max(a.index, b.index)))
 
-    def _node(self, op: Op, args: tuple[int, ...], value: Any = None, ready: int = 0) -> Expression:
-        key = (op, args, value)
+    def _by_lanes(self, function: Callable[..., Expression], *args: Expression) -> Expression:
+        """A function of the runtime, which takes single numbers, of each lane."""
+        width = max(a.node.width for a in args)
+        return self.pack([function(*(self.lane(a, k) for a in args)) for k in range(width)])
+
+    def _node(
+        self, op: Op, args: tuple[int, ...], value: Any = None, ready: int = 0, width: int = 0
+    ) -> Expression:
+        """Return a value, the one that is there if it is; without a width, as wide as its args."""
+        key = (op, args, (value, width) if op == "input" else value)
         index = self._known.get(key)
         if index is None:
             ready += max((self.nodes[k].ready for k in args), default=0)
             ready += _CYCLES.get(op, 4)
             index = self._known[key] = len(self.nodes)
-            self.nodes.append(Node(op, args, value, ready, self.mark))
+            width = width or max((self.nodes[k].width for k in args), default=1)
+            self.nodes.append(Node(op, args, value, ready, self.mark, width))
         return Expression(self, index)
 
 
@@ -202,7 +290,7 @@ class Expression:
 
     @property
     def constant(self) -> Any:
-        """Its value if that is known beforehand (fmpq), else None."""
+        """Its value if that is known beforehand (fmpq; a tuple where it is wide), else None."""
         node = self.graph.nodes[self.index]
         return node.value if node.op == "constant" else None
 
@@ -247,6 +335,28 @@ class Expression:
 
     def __repr__(self) -> str:
         return f"Expression({self.index}: {self.node})"
+
+
+def _rational(value: Any) -> Any:
+    """A float or int as a rational number."""
+    if isinstance(value, fmpq):
+        return value
+    return fmpq(*value.as_integer_ratio()) if isinstance(value, float) else fmpq(value)
+
+
+def _lanewise(operation: Callable[[Any, Any], Any], x: Any, y: Any) -> Any:
+    """An operation on constants: a single number stands for all lanes."""
+    if not isinstance(x, tuple) and not isinstance(y, tuple):
+        return operation(x, y)
+    width = max(len(c) for c in (x, y) if isinstance(c, tuple))
+    xs, ys = (c if isinstance(c, tuple) else (c,) * width for c in (x, y))
+    return tuple(operation(a, b) for a, b in zip(xs, ys, strict=True))
+
+
+def _is_negative(x: Any) -> bool:
+    """Whether a constant is told as the negative of another: its first number but zeros is."""
+    first = next((a for a in x if a != 0), 0) if isinstance(x, tuple) else x
+    return bool(first < 0)
 
 
 def _shortened(value: Any) -> Any:

@@ -17,6 +17,7 @@ class Number:
     __slots__ = ("known", "x")
     graph: ClassVar[Numbers]
     ready: ClassVar[int] = 0
+    width: ClassVar[int] = 1
 
     def __init__(self, x: float, known: bool = False) -> None:
         self.x, self.known = x, known
@@ -84,7 +85,7 @@ class Numbers:
         self.mark = 0
         self._inputs: dict[str, Number] = {}
 
-    def input(self, name: str, ready: int = 0) -> Number:  # noqa: ARG002
+    def input(self, name: str, ready: int = 0, width: int = 1) -> Number:  # noqa: ARG002
         """Return an input."""
         if name not in self._inputs:
             self._inputs[name] = Number(self.lookup(name))
@@ -94,6 +95,11 @@ class Numbers:
     def constant(value: Any) -> Number:
         """Return a number that is known beforehand."""
         return Number(float(value), known=True)
+
+    @staticmethod
+    def lane(a: Number, k: int) -> Number:  # noqa: ARG004
+        """Return the number, which is in all lanes."""
+        return a
 
     @staticmethod
     def reciprocal(a: Number) -> Number:

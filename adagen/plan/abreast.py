@@ -6,7 +6,7 @@ far as their joints are of the same kinds.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from typing import TypeVar
@@ -106,6 +106,54 @@ def limbs_abreast(plan: Plan, process: Process) -> list[Limbs]:
             taken = set(best.members())  # what is left of a longer chain may be taken later
             chains = [rest for c in chains if (rest := [j for j in c if j not in taken])]
     return found
+
+
+def more_alike(
+    plan: Plan, process: Process, found: Iterable[Limbs], unlike: Callable[[Limbs], float]
+) -> list[Limbs]:
+    """Return limbs some of which are exchanged for chains left over, if that makes them more alike.
+
+    Args:
+        plan: of form "segment".
+        process: one of its processes.
+        found: the limbs that it takes side by side.
+        unlike: how unlike each other limbs are.
+    """
+    last, result = _last_beyond(plan.joints), list(found)
+    for pool in _chains(plan, process):
+        for k in range(len(result)):
+            while result[k].rows[-1][0] in {j for c in pool for j in c}:
+                others = result[:k] + result[k + 1 :]
+                offers = [
+                    offer
+                    for offer in _exchanged(plan.joints, pool, result, result[k], last)
+                    if unlike(offer) < unlike(result[k]) and _in_order([*others, offer], last)
+                ]
+                if not offers:
+                    break
+                result[k] = min(offers, key=unlike)
+    return result
+
+
+def _exchanged(
+    joints: Sequence[PlanJoint],
+    pool: Iterable[Sequence[int]],
+    found: Iterable[Limbs],
+    limbs: Limbs,
+    last: Sequence[int],
+) -> Iterator[Limbs]:
+    """Yield limbs with one of them exchanged for the end of a chain of which nothing is taken."""
+    taken = {j for each in found for j in each.members()}
+    own = list(zip(*limbs.rows, strict=True))
+    kinds = [joints[j].kind for j in own[0]]
+    for chain in pool:
+        end = tuple(chain[-len(kinds) :])
+        if [joints[j].kind for j in end] != kinds or not taken.isdisjoint(end):
+            continue
+        for k in range(len(own)):
+            rest = own[:k] + own[k + 1 :]
+            if not any(_one_beyond_other(end, other, last) for other in rest):
+                yield Limbs(tuple(zip(*sorted([*rest, end]), strict=True)))
 
 
 def _chains(plan: Plan, process: Process) -> list[list[list[int]]]:

@@ -23,11 +23,11 @@ class Arithmetic(Floating):
 def evaluate(
     roots: Iterable[Expression], inputs: Mapping[str, Any], number: Callable[[Any], Any]
 ) -> list[Any]:
-    """Return the values of expressions of one graph.
+    """Return the values of expressions of one graph, of wide ones tuples.
 
     Args:
         roots: what is wanted.
-        inputs: values of the inputs by name.
+        inputs: values of the inputs by name; a wide one's lanes follow each other in an array.
         number: makes a number of the arithmetic from a rational one.
     """
     roots = list(roots)

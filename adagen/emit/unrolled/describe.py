@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
 from adagen.emit.words import Words
 from adagen.plan.steps import (
     Accelerate,
@@ -43,6 +45,11 @@ _OF_JOINT: dict[type, str] = {
     FusedJoin: "assembly of the run that it ends: its two sides become one chain",
     Disassemble: "disassembly: its acceleration and force",
 }
+_OF_JOINTS: dict[type, str] = {
+    Kinematics: "placement, velocity and reference acceleration of their links",
+    Articulate: "articulated-body inertia and bias force through them",
+    Accelerate: "their accelerations, and those of the links beyond",
+}
 _OF_LINK: dict[type, str] = {
     LinkBias: "acceleration where nothing acts on it",
     StartLink: "force that the reference field takes",
@@ -63,13 +70,24 @@ _OTHER: dict[type, str] = {
 }
 
 
-def describe_step(words: Words, step: Step) -> str:
-    """Return what a step does and to which joint or link, in one line of ASCII."""
+def describe_step(words: Words, step: Step, row: Callable[[int], Sequence[int]]) -> str:
+    """Return what a step does and to which joints or links, in one line of ASCII.
+
+    Args:
+        words: the plan's names.
+        step: the step.
+        row: the joints that are treated as one with a joint.
+    """
     kind = type(step)
     if kind in _OTHER:
         return _OTHER[kind]
     if kind in _OF_LINK:
         link = getattr(step, "link", 0)
-        return f"link {link} {words.quoted_link(link)}: {_OF_LINK[kind]}"
-    joint = getattr(step, "joint", 0)
-    return f"joint {joint} {words.quoted_joint(joint)}: {_OF_JOINT[kind]}"
+        links = [j + 1 for j in row(link - 1)]
+        names = ", ".join(f"{k} {words.quoted_link(k)}" for k in links)
+        return f"link{'s' * (len(links) > 1)} {names}: {_OF_LINK[kind]}"
+    joints = row(getattr(step, "joint", 0))
+    names = ", ".join(f"{j} {words.quoted_joint(j)}" for j in joints)
+    if len(joints) > 1:
+        return f"joints {names}: {_OF_JOINTS[kind]}"
+    return f"joint {names}: {_OF_JOINT[kind]}"

@@ -10,9 +10,10 @@ from adagen.emit.entries import entries_of, ranges, read_joints
 from adagen.emit.processes import describe_message
 from adagen.emit.unrolled.describe import describe_step
 from adagen.emit.unrolled.layout import Chunk, Layout, Stretch, is_given, laid_out, looked_at
-from adagen.emit.unrolled.text import FUNCTIONS, Text
+from adagen.emit.unrolled.text import FUNCTIONS, TYPES, Text
 from adagen.emit.words import Words
-from adagen.executor import Simulated, simulate
+from adagen.executor import Simulated, straight_line
+from adagen.executor.checks import exceeds
 from adagen.graph import Expression, live_nodes
 from adagen.plan import Plan
 from adagen.plan.stages import stages
@@ -21,6 +22,9 @@ from adagen.plan.types import Process
 
 CHUNK = 1000
 """Values that one function computes, unless it is said otherwise."""
+
+_NAMED = ("reciprocal", "pack", "lane", "across")
+_ANGLES_AT_ONCE = 16  # the most that registers hold
 
 
 def why_not_unrolled(plan: Plan) -> str | None:
@@ -37,27 +41,29 @@ def unrolled_values(words: Words, chunk: int = 0) -> dict[str, object]:
     """
     chunk = chunk or words.chunk or CHUNK
     plan = words.plan
-    again = plan.recovering() if any(process.recovery for process in plan.processes) else None
+    recovers = any(process.recovery for process in plan.processes)
+    plans = [plan, plan.recovering()] if recovers else [plan]
+    lanes = words.lanes and not words.batch
+    line = [one for each in plans for one in straight_line(each, lanes=lanes)]
+    processes = [process for each in plans for process in each.processes]
+    wide = any(simulated.machine.rows.rows for simulated in line)
     rows = [
-        _ProcessText(words, p, process, simulated, chunk)
-        for p, (process, simulated) in enumerate(
-            zip(
-                (*plan.processes, *(again.processes if again else ())),
-                (*simulate(plan), *(simulate(again) if again else ())),
-                strict=True,
-            )
-        )
+        _ProcessText(words, p, process, simulated, chunk, wide=wide)
+        for p, (process, simulated) in enumerate(zip(processes, line, strict=True))
     ]
+    angles = max(len(row.machine.angles) for row in rows)
     told = [row.values() for row in rows]
     functions = any(row.calls_functions() for row in rows)
     return {
-        "runtime": ["status.hpp", *["kernels/lanes.hpp"] * words.batch],
+        "runtime": ["status.hpp", *["kernels/lanes.hpp"] * (words.batch or wide)],
         "functions": ["unrolled_functions.hpp"] * functions
         + ["unrolled_lane_functions.hpp"] * (functions and words.batch),
         "unrolled": told[: len(plan.processes)],
         "recovery": told[len(plan.processes) :],
         "places": max((row.layout.places for row in rows), default=0),
-        "angle_count": max(len(row.machine.angles) for row in rows),
+        "angle_count": -(-angles // _ANGLES_AT_ONCE) * _ANGLES_AT_ONCE if wide else angles,
+        "wide": wide,
+        "wide_results": max((row.count_of_lanes for row in rows), default=0),
     }
 
 
@@ -65,9 +71,16 @@ class _ProcessText:
     """The functions of one process."""
 
     def __init__(
-        self, words: Words, p: int, process: Process, simulated: Simulated, chunk: int
+        self,
+        words: Words,
+        p: int,
+        process: Process,
+        simulated: Simulated,
+        chunk: int,
+        *,
+        wide: bool,
     ) -> None:
-        self.words, self.p, self.machine = words, p, simulated.machine
+        self.words, self.p, self.machine, self.wide = words, p, simulated.machine, wide
         self.process = process
         self.owner = p % len(words.plan.processes)  # processes come again for their recovery
         self.graph = simulated.machine.graph
@@ -76,6 +89,8 @@ class _ProcessText:
             self.process, self.machine, simulated.ends, chunk, batch=words.batch
         )
         self.text = Text(self.graph, words.plan.scalar, self._only_users())
+        self.count_of_lanes = 0
+        self.wide_results = self._places_of_results()
         self.followers = self._followers()
         self.functions: list[dict[str, object]] = []
 
@@ -91,6 +106,7 @@ class _ProcessText:
             "operations": self.operations,
             "read": read_joints(self.words, self.process),
             "owned": owned,
+            "angles": self._places_of_angles() if self.wide else [],
         }
 
     def calls_functions(self) -> bool:
@@ -103,8 +119,8 @@ class _ProcessText:
         users: dict[int, list[int]] = defaultdict(list)
         for index in live_nodes(self.graph, self.machine.roots()):
             node = self.graph.nodes[index]
-            for k in node.args:  # what is divided by keeps its name
-                users[k] += [index] if node.op != "reciprocal" else [index, -1]
+            for k in node.args:  # what is divided by, or moved into or out of lanes, keeps its name
+                users[k] += [index] if node.op not in _NAMED else [index, -1]
         for root in self.machine.roots():
             users[root.index].append(-1)
         return {k: using[0] for k, using in users.items() if len(using) == 1}
@@ -113,32 +129,54 @@ class _ProcessText:
         """By index, the lines that follow a value once it is there."""
         lines: dict[int, list[str]] = defaultdict(list)
         for length, joint in self.machine.lengths:
-            lines[length.index].append(f"require_length(w, x{length.index}, {joint});")
+            line = f"require_length(w, x{length.index}, {self._blamed(length, joint)});"
+            lines[length.index].append(line)
         for check in self.machine.checks:
             pivot, least = check.pivot, check.least
-            if pivot.constant is None or pivot.constant <= (least.constant or 0):
-                names = f"{self._name(pivot.index)}, {self._name(least.index)}"
-                line = f"require_more(w, {names}, {check.failure}, {check.joint});"
+            if pivot.constant is None or not exceeds(pivot, least):
+                names = f"{self.text.name(pivot.index)}, {self.text.name(least.index)}"
+                blamed = self._blamed(pivot, check.joint)
+                line = f"require_more(w, {names}, {check.failure}, {blamed});"
                 lines[(looked_at(check, self.layout.turns) or [pivot.index])[-1]].append(line)
         for number, content in self.machine.sent.items():
             for k, x in enumerate(content):
-                lines[x.index].append(f"w.to[{number}][{k}] = {self._name(x.index)};")
+                lines[x.index].append(f"w.to[{number}][{k}] = {self.text.name(x.index)};")
         for joint, values in self.machine.results.items():
             v = self.words.plan.joints[joint].v
             for k, x in enumerate(values):
-                lines[x.index].append(f"w.result[{v + k}] = {self._value(x.index)};")
+                place = self.wide_results.get((joint, k))
+                if place is None:
+                    lines[x.index].append(f"w.result[{v + k}] = {self._value(x.index)};")
+                else:
+                    value = self.text.name(x.index)
+                    if x.node.width == 1:  # the same in all lanes
+                        value = f"{TYPES[self._width(joint)]}{{}} + {value}"
+                    lines[x.index].append(f"put({value}, w.lanes.data() + {place});")
         return lines
 
-    def _name(self, index: int) -> str:
-        node = self.graph.nodes[index]
-        if node.op == "constant":
-            return self.text.literal(node.value)
-        return str(node.value) if is_given(node) else f"x{index}"
+    def _width(self, joint: int) -> int:
+        return len(self.machine.lanes_of_result(joint))
+
+    def _places_of_results(self) -> dict[tuple[int, int], int]:
+        """Where rows' accelerations are kept, by joint and freedom; the widest come first."""
+        places: dict[tuple[int, int], int] = {}
+        for joint in sorted(self.machine.results, key=lambda j: (-self._width(j), j)):
+            for k in range(len(self.machine.results[joint])):
+                if self._width(joint) > 1:
+                    places[joint, k] = self.count_of_lanes
+                    self.count_of_lanes += self._width(joint)
+        return places
+
+    def _blamed(self, checked: Expression, joint: int) -> str:
+        """The joint that a value is checked for, or the one of each lane."""
+        if checked.node.width == 1:
+            return str(joint)
+        return f"{{{', '.join(map(str, self.machine.rows.own(joint)))}}}"
 
     def _value(self, index: int) -> str:
         """A value's name where one is put down: a number in all lanes."""
         constant = self.graph.nodes[index].op == "constant"
-        return f"Value{{}} + {self._name(index)}" if constant else self._name(index)
+        return f"Value{{}} + {self.text.name(index)}" if constant else self.text.name(index)
 
     def _run(self) -> list[str]:
         """The lines of the function that does it all."""
@@ -164,7 +202,14 @@ class _ProcessText:
             for number in self.machine.sent
         ]
         angles = [self.text.inlined(angle.index) for angle in self.machine.angles]
-        if angles:
+        if angles and self.wide:
+            source = "q"
+            if not self._angles_are_given():
+                source = "w.angle.data()"
+                lines += [f"w.angle[{k}] = {angle};" for k, angle in enumerate(angles)]
+            arguments = f"{source}, kAngles_{self.p}, w.sine.data(), w.cosine.data()"
+            lines.append(f"take_sines_and_cosines({arguments});")
+        elif angles:
             first = self._first_of_run(angles)
             if first is None:
                 lines += [f"w.angle[{k}] = {angle};" for k, angle in enumerate(angles)]
@@ -177,6 +222,16 @@ class _ProcessText:
             if node.op == "constant" or is_given(node):
                 lines += followers
         return lines
+
+    def _angles_are_given(self) -> bool:
+        return all(is_given(angle.node) for angle in self.machine.angles)
+
+    def _places_of_angles(self) -> list[int]:
+        """Where angles are found: in q, or by turns where some are computed first."""
+        if not self._angles_are_given():
+            return list(range(len(self.machine.angles)))
+        names = (str(angle.node.value) for angle in self.machine.angles)
+        return [int(name.removeprefix("q[").removesuffix("]")) for name in names]
 
     @staticmethod
     def _first_of_run(angles: Sequence[str]) -> int | None:
@@ -228,7 +283,12 @@ class _ProcessText:
 
     def _inputs_of(self, roots: Sequence[Expression]) -> set[str]:
         nodes = [self.graph.nodes[k] for k in live_nodes(self.graph, roots)]
-        return {str(node.value) for node in nodes if is_given(node)}
+        names: set[str] = set()
+        for node in nodes:
+            if is_given(node):
+                array, place = str(node.value).removesuffix("]").split("[")
+                names.update(f"{array}[{int(place) + k}]" for k in range(node.width))
+        return names
 
     def _look_at_outer_forces(self) -> list[str]:
         plan = self.words.plan
@@ -243,19 +303,48 @@ class _ProcessText:
 
     def _give(self) -> list[str]:
         """An acceleration is given only where all went well."""
-        owned = ranges(entries_of(self.words, "v", self.process.owns))
-        terms = [f"unlike_zero(w.result.data() + {first}, {count})" for first, count in owned]
+        single, wide = self._single_results(), self._scattered()
+        terms = [f"unlike_zero(w.result.data() + {first}, {count})" for first, count in single]
+        terms += self._unlike_zero_in_lanes()
         amiss = f"!all({' + '.join(terms)} == 0)"
-        overflow = f"name_what_overflows(w, kOwned_{self.owner});"
+        overflow = [f"name_what_overflows(w, kOwned_{self.owner});"]
+        if wide:
+            overflow = [*(f"w.result[{v}] = w.lanes[{at}];" for v, at in wide), *overflow]
         if guards.talks(self.process):
-            lines = [f"if ({amiss}) {overflow}"]
+            lines = [f"if ({amiss}) {{", *(f"  {line}" for line in overflow), "}"]
+            lines = lines if wide else [f"if ({amiss}) {overflow[0]}"]
         else:
             amiss = f"__builtin_expect(w.status != kFine || {amiss}, 0)"
-            lines = guards.in_hindsight(amiss, [self._names_state()], [overflow])
+            lines = guards.in_hindsight(amiss, [self._names_state()], overflow)
         return [
             *lines,
             "if (w.status != kFine) return;",
-            *(f"std::copy_n(w.result.data() + {k}, {n}, w.qdd + {k});" for k, n in owned),
+            *(f"std::copy_n(w.result.data() + {k}, {n}, w.qdd + {k});" for k, n in single),
+            *(f"w.qdd[{v}] = w.lanes[{at}];" for v, at in wide),
+        ]
+
+    def _single_results(self) -> list[tuple[int, int]]:
+        """Ranges of accelerations that are computed by themselves."""
+        rows = {j for joint, _ in self.wide_results for j in self.machine.rows.own(joint)}
+        return ranges(entries_of(self.words, "v", [j for j in self.process.owns if j not in rows]))
+
+    def _scattered(self) -> list[tuple[int, int]]:
+        """Entries of the result that are computed in lanes, and where they are kept."""
+        joints = self.words.plan.joints
+        return sorted(
+            (joints[j].v + k, place + lane)
+            for (joint, k), place in self.wide_results.items()
+            for lane, j in enumerate(self.machine.rows.own(joint))
+        )
+
+    def _unlike_zero_in_lanes(self) -> list[str]:
+        """Sums that are zero if what is computed in lanes is finite, for each width."""
+        by_width: dict[int, list[int]] = defaultdict(list)
+        for (joint, _), place in self.wide_results.items():
+            by_width[self._width(joint)].append(place)
+        return [
+            f"unlike_zero<{TYPES[width]}, {len(places)}>(w.lanes.data() + {places[0]})"
+            for width, places in by_width.items()
         ]
 
     def _message(self, what: str, number: int) -> str:
@@ -278,16 +367,32 @@ class _ProcessText:
 
     def _chunk(self, chunk: Chunk) -> list[str]:
         """The statements of one function."""
-        scalar = "Lanes" if self.words.batch else "Real"
-        lines = [f"const {scalar} x{k} = w.x[{at}];" for k, at in sorted(chunk.loads.items())]
+        lines = [self._load(k, at) for k, at in sorted(chunk.loads.items())]
         mark = -1
         for index, right in self.text.statements(chunk.values).items():
             node = self.graph.nodes[index]
             if node.mark != mark:
                 mark = node.mark
-                lines.append(f"// {describe_step(self.words, self.process.steps[mark])}")
-            lines.append(f"const {scalar} x{index} = {right};")
+                lines.append(f"// {self._described(mark)}")
+            lines.append(f"const {self._type(index)} x{index} = {right};")
             if index in chunk.stores:
-                lines.append(f"w.x[{chunk.stores[index]}] = x{index};")
+                lines.append(self._store(index, chunk.stores[index]))
             lines += self.followers.get(index, [])
         return lines
+
+    def _described(self, mark: int) -> str:
+        return describe_step(self.words, self.process.steps[mark], self.machine.rows.own)
+
+    def _type(self, index: int) -> str:
+        return "Lanes" if self.words.batch else TYPES[self.graph.nodes[index].width]
+
+    def _load(self, index: int, place: int) -> str:
+        if self.graph.nodes[index].width == 1:
+            return f"const {self._type(index)} x{index} = w.x[{place}];"
+        kind = self._type(index)
+        return f"const {kind} x{index} = taken<{kind}>(w.x.data() + {place});"
+
+    def _store(self, index: int, place: int) -> str:
+        if self.graph.nodes[index].width == 1:
+            return f"w.x[{place}] = x{index};"
+        return f"put(x{index}, w.x.data() + {place});"

@@ -135,22 +135,28 @@ def looked_at(check: Check, turns: Mapping[int, int]) -> list[int]:
 
 
 def _assign_places(machine: Machine, chunks: Sequence[Chunk], turns: Mapping[int, int]) -> int:
-    """Give each value that is used beyond its chunk a place; places are used again."""
+    """Give each value that is used beyond its chunk a place, a wide one several.
+
+    Places are used again.
+    """
     users = _users_beyond(machine, chunks, turns)
-    free: list[int] = []
+    nodes = machine.graph.nodes
+    free: dict[int, list[int]] = defaultdict(list)  # by width; wide values are aligned
     count = 0
     place: dict[int, int] = {}
     for k, chunk in enumerate(chunks):
         for index in chunk.values:
             if index in users:
-                if not free:
-                    free, count = [count], count + 1
-                place[index] = chunk.stores[index] = free.pop()
+                width = nodes[index].width
+                if not free[width]:
+                    first = -(-count // width) * width
+                    free[width], count = [first], first + width
+                place[index] = chunk.stores[index] = free[width].pop()
         for index, wanting in users.items():
             if k in wanting:
                 chunk.loads[index] = place[index]
                 if wanting[-1] == k:
-                    free.append(place[index])
+                    free[nodes[index].width].append(place[index])
     return count
 
 

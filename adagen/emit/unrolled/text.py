@@ -7,13 +7,17 @@ from dataclasses import dataclass
 
 from adagen.emit.expressions import Printer
 from adagen.emit.unrolled.layout import is_given
-from adagen.graph import Graph
+from adagen.graph import Graph, Node
 
 _MOST = 6  # operands of one statement
 _LARGEST = {"double": 1.7976931348623157e308, "float": 3.4028234663852886e38}
 _LEAST = {"double": 5e-324, "float": 1.401298464324817e-45}
 FUNCTIONS = {"sqrt": "sqrt_of", "sign": "sign_of", "tanh": "tanh_of", "max": "max_of"}
 """Operations that are functions of the runtime, and their names there."""
+TYPES = {1: "Real", 2: "Two", 4: "Four", 8: "Eight"}
+"""Names of the types of single states' values, by width."""
+
+_MOVES = ("pack", "lane", "across")  # what they work on has a name
 _SUM, _PRODUCT, _SIGN, _ATOM = range(4)  # how tightly a text binds
 
 
@@ -40,7 +44,9 @@ class Text:
         self.printer = Printer(scalar)
 
     def literal(self, value: object) -> str:
-        """Return a rational number as a literal of the scalar, rounded once."""
+        """Return a rational number, or one for each lane, as a literal, rounded once."""
+        if isinstance(value, tuple):
+            return f"{TYPES[len(value)]}{{{', '.join(self.literal(x) for x in value)}}}"
         p, q = int(getattr(value, "p", 0)), int(getattr(value, "q", 1))
         try:
             number = p / q
@@ -49,6 +55,18 @@ class Text:
         if abs(number) > _LARGEST[self.scalar]:
             return "kInfinity" if number > 0 else "-kInfinity"
         return self.printer.number(0.0 if abs(number) < _LEAST[self.scalar] else number)
+
+    def name(self, index: int) -> str:
+        """Return what a value is called, a constant's number."""
+        node = self.graph.nodes[index]
+        if node.op == "constant":
+            return self.literal(node.value)
+        if not is_given(node):
+            return f"x{index}"
+        if node.width == 1:
+            return str(node.value)
+        array, place = str(node.value).removesuffix("]").split("[")
+        return f"taken<{TYPES[node.width]}>({array} + {place})"
 
     def statements(self, chunk: Sequence[int]) -> dict[int, str]:
         """Return the right-hand sides of those values of a chunk that get a name, in order.
@@ -65,13 +83,13 @@ class Text:
                 named[index] = str(node.value)
                 continue
             pieces = [self._operand(k, waiting) for k in node.args]
-            while sum(piece.operands for piece in pieces) > _MOST:
+            while node.op not in _MOVES and sum(piece.operands for piece in pieces) > _MOST:
                 k = max(range(len(pieces)), key=lambda k: pieces[k].operands)
                 named[node.args[k]] = waiting.pop(node.args[k]).text
                 pieces[k] = self._operand(node.args[k], waiting)
             for k in node.args:
                 waiting.pop(k, None)
-            piece = _combined(node.op, pieces)
+            piece = _moved(node, pieces) if node.op in _MOVES else _combined(node.op, pieces)
             if self.only_user.get(index) in here:
                 waiting[index] = piece
             else:
@@ -92,13 +110,21 @@ class Text:
     def _operand(self, index: int, waiting: Mapping[int, _Piece]) -> _Piece:
         if index in waiting:
             return waiting[index]
-        node = self.graph.nodes[index]
-        if node.op == "constant":
-            text = self.literal(node.value)
-            return _Piece(text, _SIGN if text.startswith("-") else _ATOM, 1)
-        if is_given(node):
-            return _Piece(str(node.value), _ATOM, 1)
-        return _Piece(f"x{index}", _ATOM, 1)
+        text = self.name(index)
+        return _Piece(text, _SIGN if text.startswith("-") else _ATOM, 1)
+
+
+def _moved(node: Node, pieces: Sequence[_Piece]) -> _Piece:
+    """Numbers put into lanes or taken from there."""
+    numbers = ", ".join(piece.text for piece in pieces)
+    match node.op:
+        case "pack":
+            text = f"{TYPES[node.width]}{{{numbers}}}"
+        case "lane":
+            text = f"{numbers}[{node.value}]"
+        case _:
+            text = f"across<{node.value}>({numbers})"
+    return _Piece(text, _ATOM, 1)
 
 
 def _combined(op: str, pieces: Sequence[_Piece]) -> _Piece:

@@ -1,0 +1,200 @@
+"""Link frames chosen anew so that joints in one row have their structure in common.
+
+Each joint's axis is z of its child link's frame, which may still be turned about it. By quarter
+turns nothing is rounded. Where the constants of all lanes have their zeros and ones at the same
+places, what these save for one limb is saved for all. Where joints' rotations have none in common,
+each link's x is put across its own axis and the next joint's: what is between them is then a turn
+about x and one about z, which the joint's own takes up (Denavit and Hartenberg 1955).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.exact import Exact, exact, identity, rotated_inertia, rounded
+from adagen.plan import Plan
+from adagen.plan.abreast import Limbs
+from adagen.plan.types import PlanJoint, PlanLink
+
+Array = NDArray[np.float64]
+_TURNS = tuple(
+    np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    for c, s in ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
+)
+_TURNABLE = ("revolute", "prismatic")
+_PATTERN = 1000  # what a rotation without a common lone entry weighs, beside
+_ZERO = 10  # an entry that is zero in one limb only, and one of a rotation that differs
+
+
+def aligned(plan: Plan, all_limbs: Iterable[Limbs]) -> Plan:
+    """Return the same plan with link frames of limbs turned so that their rows agree best.
+
+    Joint coordinates keep their meaning. Who is turned are all limbs but one, which has most in
+    common with the others as they are.
+    """
+    quarters: dict[int, int] = {}
+    all_limbs = tuple(all_limbs)
+    for limbs in all_limbs:
+        for _, turns in _quarters(plan, limbs):
+            quarters.update(turns)
+    plan = _turned(plan, {j: exact(_TURNS[k]) for j, k in quarters.items() if k})
+    return _across_axes(plan, all_limbs)
+
+
+def _across_axes(plan: Plan, all_limbs: Iterable[Limbs]) -> Plan:
+    """A plan where rotations in one row, if they have no lone entry in common, are R_x R_z.
+
+    Such a rotation has a zero where the joint's axis has its x in the parent link's frame.
+    """
+    turns: dict[int, Exact] = {}
+    oblique: set[int] = set()
+    for limbs in all_limbs:
+        for near, row in pairwise(limbs.rows):
+            rotations = [np.array(plan.joints[j].rotation) for j in row]
+            kinds = plan.joints[near[0]].kind, plan.joints[row[0]].kind
+            if kinds[0] not in _TURNABLE or kinds[1] != "revolute":
+                continue
+            if not set.intersection(*map(_lone, rotations)):
+                oblique.update(row)
+                turns.update(zip(near, map(_across, rotations), strict=True))
+    plan = _turned(plan, turns)
+    joints = [
+        replace(joint, rotation=_without_x(joint.rotation)) if j in oblique else joint
+        for j, joint in enumerate(plan.joints)
+    ]
+    return replace(plan, joints=tuple(joints))
+
+
+def _across(rotation: Array) -> Exact:
+    """The turn about z after which the third column has no first entry."""
+    x, y = exact(rotation[:2, 2])
+    if x == 0:
+        return identity(3)
+    length = (x * x + y * y).sqrt() * (-1 if y > 0 else 1)
+    result = identity(3)
+    result[0, 0] = result[1, 1] = -y / length
+    result[1, 0], result[0, 1] = x / length, -x / length
+    return result
+
+
+def _without_x(rotation: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...], ...]:
+    """A rotation whose entry of the first row and third column, zero but for rounding, is zero."""
+    first, *others = rotation
+    return ((*first[:2], 0.0), *others)
+
+
+def unlike(plan: Plan, limbs: Limbs) -> int:
+    """Return how much the constants of limbs differ in their structure, links turned as is best."""
+    return sum(cost for cost, _ in _quarters(plan, limbs))
+
+
+def _quarters(plan: Plan, limbs: Limbs) -> list[tuple[int, dict[int, int]]]:
+    """The quarter turns of each limb's links, and what differs still from the model's."""
+    chains = list(zip(*limbs.rows, strict=True))
+    offers = [[_best_turns(plan, chain, model) for chain in chains] for model in chains]
+    return min(offers, key=lambda offer: sum(cost for cost, _ in offer))
+
+
+def _best_turns(
+    plan: Plan, chain: Sequence[int], model: Sequence[int]
+) -> tuple[int, dict[int, int]]:
+    """The quarter turns of a chain's links that make it most like a model; what differs still."""
+    least: dict[int, tuple[int, dict[int, int]]] = {0: (0, {})}  # by the turn of the last link
+    for j, other in zip(chain, model, strict=True):
+        turns = range(4) if plan.joints[j].kind in _TURNABLE else range(1)
+        reached: dict[int, tuple[int, dict[int, int]]] = {}
+        for turn in turns:
+            offers = [
+                (cost + _difference(plan, j, other, before, turn), {**chosen, j: turn})
+                for before, (cost, chosen) in least.items()
+            ]
+            reached[turn] = min(offers, key=lambda offer: offer[0])
+        least = reached
+    return min(least.values(), key=lambda offer: offer[0])
+
+
+def _difference(plan: Plan, j: int, other: int, before: int, turn: int) -> int:
+    """How unlike joint j and its link are to another's, the links before and after being turned."""
+    near, own = _TURNS[before].T, _TURNS[turn]
+    one, two = plan.joints[j], plan.joints[other]
+    link, like = plan.links[j + 1], plan.links[other + 1]
+    rotation, model = near @ np.array(one.rotation) @ own, np.array(two.rotation)
+    unlike = _PATTERN * (bool(_lone(model)) and not _lone(model) & _lone(rotation))
+    pairs = [
+        (rotation, model),
+        (near @ np.array(one.translation), np.array(two.translation)),
+        (own.T @ np.array(link.com), np.array(like.com)),
+        (own.T @ np.array(link.tensor) @ own, np.array(like.tensor)),
+    ]
+    zeros = sum(int(((a == 0) != (b == 0)).sum()) for a, b in pairs)
+    return unlike + _ZERO * zeros + int((rotation != model).sum())
+
+
+def _lone(rotation: Array) -> set[tuple[int, int, float]]:
+    """Entries that are 1 or -1 to the bit, alone in their row and column."""
+    return {
+        (m, c, float(rotation[m, c]))
+        for m in range(3)
+        for c in range(3)
+        if abs(rotation[m, c]) == 1
+        and np.count_nonzero(rotation[m]) == np.count_nonzero(rotation[:, c]) == 1
+    }
+
+
+def _turned(plan: Plan, turns: Mapping[int, Exact]) -> Plan:
+    """A plan with the frames of some joints' child links turned, each number rounded once."""
+    if not turns:
+        return plan
+    links = {j + 1: turn for j, turn in turns.items()}
+    return replace(
+        plan,
+        links=tuple(
+            _link(link, links[k]) if k in links else link for k, link in enumerate(plan.links)
+        ),
+        joints=tuple(_joint(joint, j, links) for j, joint in enumerate(plan.joints)),
+        wrenches=tuple(
+            replace(
+                wrench,
+                rotation=_rows(links[wrench.link].T.dot(exact(wrench.rotation))),
+                translation=_vector(links[wrench.link].T.dot(exact(wrench.translation))),
+            )
+            if wrench.link in links
+            else wrench
+            for wrench in plan.wrenches
+        ),
+    )
+
+
+def _joint(joint: PlanJoint, j: int, links: Mapping[int, Exact]) -> PlanJoint:
+    if joint.parent not in links and j + 1 not in links:
+        return joint
+    near, own = links.get(joint.parent, identity(3)), links.get(j + 1, identity(3))
+    return replace(
+        joint,
+        rotation=_rows(near.T.dot(exact(joint.rotation)).dot(own)),
+        translation=_vector(near.T.dot(exact(joint.translation))),
+    )
+
+
+def _link(link: PlanLink, turn: Exact) -> PlanLink:
+    """A link whose frame is turned; it is no handle, so that its mobility is not asked for."""
+    return replace(
+        link,
+        com=_vector(turn.T.dot(exact(link.com))),
+        tensor=_rows(rotated_inertia(turn.T, exact(link.tensor))),
+        tensor_inverse=(),
+        phi=(),
+    )
+
+
+def _rows(matrix: Exact) -> tuple[tuple[float, ...], ...]:
+    return tuple(map(tuple, rounded(matrix).tolist()))
+
+
+def _vector(vector: Exact) -> tuple[float, ...]:
+    return tuple(rounded(vector).tolist())

@@ -1,0 +1,40 @@
+"""Which limbs of a plan share a straight line, and whether that is less work."""
+
+from __future__ import annotations
+
+from adagen.executor.align import unlike
+from adagen.executor.lanes import Grouping, fit_for_lanes
+from adagen.executor.run import Simulated, simulate
+from adagen.plan import Plan
+from adagen.plan.abreast import Limbs, limbs_abreast, more_alike
+from adagen.plan.types import Process
+
+
+def grouping_of(plan: Plan) -> Grouping:
+    """Return the limbs that go together: those of shape kernels, or others that are more alike."""
+    if plan.form != "segment":
+        return tuple(() for _ in plan.processes)
+    return tuple(fit_for_lanes(plan, _alike(plan, process)) for process in plan.processes)
+
+
+def _alike(plan: Plan, process: Process) -> list[Limbs]:
+    found = limbs_abreast(plan, process)
+    return more_alike(plan, process, found, lambda limbs: unlike(plan, limbs))
+
+
+def straight_line(plan: Plan, *, lanes: bool = True) -> tuple[Simulated, ...]:
+    """Return the plan's processes as a straight line is emitted: in lanes where that is less work.
+
+    Args:
+        plan: the plan.
+        lanes: whether limbs may share code at all.
+
+    Raises:
+        PlanError: the plan deadlocks, or a step reads what its process does not have.
+    """
+    alone = simulate(plan)
+    grouping = grouping_of(plan) if lanes else ()
+    if not any(grouping):
+        return alone
+    together = simulate(plan, grouping)
+    return min(alone, together, key=lambda line: max(one.operations.instructions for one in line))

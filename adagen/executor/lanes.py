@@ -1,0 +1,117 @@
+"""Which joints share straight-line code, one in each SIMD lane, and in which order that is done.
+
+Limbs that are alike go together row by row: the k-th joints of all limbs are one joint whose
+constants are wide. It is known by its first lane's joint. Lanes beyond the last limb repeat that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from adagen.plan import Plan
+from adagen.plan.abreast import Limbs
+from adagen.plan.order import ends_of, inward_order, outward_order
+from adagen.plan.steps import Accelerate, Articulate, Kinematics, StartLink, Step
+from adagen.plan.types import PlanJoint, Process
+
+Grouping = tuple[tuple[Limbs, ...], ...]
+"""The limbs that share straight-line code, for each process."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """Joints that are treated as one.
+
+    Attributes:
+        lanes: the joint in each lane; 2, 4 or 8.
+        count: how many of them, from the first on, are joints of their own.
+    """
+
+    lanes: tuple[int, ...]
+    count: int
+
+    @property
+    def width(self) -> int:
+        """How many lanes there are."""
+        return len(self.lanes)
+
+
+def row_of(joints: Sequence[int]) -> Row:
+    """Return a row of at least two joints in as many lanes as they need."""
+    width = 1 << (len(joints) - 1).bit_length()
+    return Row((*joints, *[joints[-1]] * (width - len(joints))), len(joints))
+
+
+def rows_of(all_limbs: Iterable[Limbs]) -> dict[int, Row]:
+    """Return the rows of limbs, by their first joint."""
+    return {row[0]: row_of(row) for limbs in all_limbs for row in limbs.rows}
+
+
+def fit_for_lanes(plan: Plan, all_limbs: Iterable[Limbs]) -> tuple[Limbs, ...]:
+    """Return what of limbs can share straight-line code: rows from the outermost inwards.
+
+    Joints of a row all move freely or all as prescribed, and the same passive torques and rotors
+    act on them. None is slaved, and none leads others.
+    """
+    sources = {joint.mimic[0] for joint in plan.joints if joint.mimic is not None}
+    found = []
+    for limbs in all_limbs:
+        rows: list[tuple[int, ...]] = []
+        for row in reversed(limbs.rows):
+            joints = [plan.joints[j] for j in row]
+            if len({_nature(joint) for joint in joints}) > 1:
+                break
+            if any(joint.mimic is not None for joint in joints) or not sources.isdisjoint(row):
+                break
+            rows.insert(0, row)
+        if rows:
+            found.append(Limbs(tuple(rows)))
+    return tuple(found)
+
+
+def _nature(joint: PlanJoint) -> tuple[object, ...]:
+    """What joints of a row have in common, whatever the numbers are."""
+    effects = (joint.damping, joint.friction, joint.stiffness, joint.rotor_inertia)
+    return (joint.kind, joint.prescribed, *map(bool, effects))
+
+
+def steps_in_order(plan: Plan, process: Process, all_limbs: Sequence[Limbs]) -> list[int]:
+    """Return the places of the steps that are done, in order: of a row, the one that stands for it.
+
+    Sweeps pass limbs as a whole, after what they hang on or what hangs on them.
+    """
+    places: list[int] = []
+    hidden = {j for limbs in all_limbs for row in limbs.rows for j in row[1:]}
+    for kind, group in groupby(enumerate(process.steps), lambda pair: type(pair[1])):
+        steps = list(group)
+        if all_limbs and kind in (Kinematics, Articulate, Accelerate):
+            by_joint = {j: place for place, step in steps for j in [_joint_of(step)]}
+            order = _swept(plan, [step for _, step in steps], all_limbs)
+            places += [by_joint[j] for j in order]
+        else:
+            places += [
+                place
+                for place, step in steps
+                if not (isinstance(step, StartLink) and step.link - 1 in hidden)
+            ]
+    return places
+
+
+def _joint_of(step: Step) -> int:
+    assert isinstance(step, Kinematics | Articulate | Accelerate)
+    return step.joint
+
+
+def _swept(plan: Plan, steps: Sequence[Step], all_limbs: Sequence[Limbs]) -> Iterator[int]:
+    """Yield the joints of a sweep in its order, of rows the first."""
+    turned = {s.joint for s in steps if isinstance(s, Articulate | Accelerate) and s.reversed}
+    joints = [_joint_of(step) for step in steps]
+    sweep = {j: ends_of(plan.joints, j, j in turned) for j in joints}
+    inwards = isinstance(steps[0], Articulate)
+    for unit in (inward_order if inwards else outward_order)(sweep, all_limbs):
+        if isinstance(unit, Limbs):
+            yield from (row[0] for row in (reversed(unit.rows) if inwards else unit.rows))
+        else:
+            yield unit

@@ -1,0 +1,166 @@
+"""What a process keeps of joints in one row, and how single joints and rows meet.
+
+A row's values are wide. They are kept in the name of its first joint, and of the link beyond that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.executor.lanes import Row
+from adagen.graph import Expression
+from adagen.plan.types import PlanJoint, PlanLink
+
+if TYPE_CHECKING:
+    from adagen.executor.state import State
+
+Array = NDArray[Any]
+
+
+class Rows:
+    """Rows on a process's memory.
+
+    Attributes:
+        rows: the rows by their first joints.
+    """
+
+    def __init__(self, state: State, rows: Mapping[int, Row]) -> None:
+        self.state, self.rows = state, rows
+        self._lane_of = {
+            j: (lead, k) for lead, row in rows.items() for k, j in enumerate(row.lanes[: row.count])
+        }
+
+    def __contains__(self, j: int) -> bool:
+        """Whether joint j stands for a row."""
+        return j in self.rows
+
+    def lanes(self, j: int) -> tuple[int, ...]:
+        """Return the joints that are treated as joint j: those of its row, or it alone."""
+        return self.rows[j].lanes if j in self.rows else (j,)
+
+    def own(self, j: int) -> tuple[int, ...]:
+        """Return the same without those that idle lanes repeat."""
+        return self.lanes(j)[: self.rows[j].count] if j in self.rows else (j,)
+
+    # -- constants and inputs ---------------------------------------------------------------------
+
+    def of_joint(self, j: int, read: Callable[[PlanJoint], Any]) -> Array:
+        """Return numbers of a joint as constants, of a row those of its lanes."""
+        return self._constants([read(self.state.plan.joints[i]) for i in self.lanes(j)])
+
+    def of_link(self, number: int, read: Callable[[PlanLink], Any]) -> Array:
+        """Return numbers of a link as constants, of those beyond a row those of its lanes."""
+        links = self.state.plan.links
+        return self._constants([read(links[j + 1]) for j in self.lanes(number - 1)])
+
+    def _constants(self, values: Sequence[Any]) -> Array:
+        return self.packed([self.state.constants(value) for value in values])
+
+    def entries(self, name: str, j: int, count: int) -> Array:
+        """Return the first ``count`` entries of a joint in q, v or tau."""
+        joints = [self.state.plan.joints[i] for i in self.lanes(j)]
+        starts = [joint.q if name == "q" else joint.v for joint in joints]
+        graph = self.state.graph
+        own = [[graph.input(f"{name}[{start + k}]") for k in range(count)] for start in starts]
+        return self.packed([np.array(each, dtype=object) for each in own])
+
+    # -- numbers and lanes ------------------------------------------------------------------------
+
+    def packed(self, arrays: Sequence[Array]) -> Array:
+        """Return arrays of one shape as one, a lane for each; of one array, itself."""
+        if len(arrays) == 1:
+            return arrays[0]
+        result = arrays[0].copy()
+        for index in np.ndindex(result.shape):
+            entries: list[Any] = [array[index] for array in arrays]
+            result[index] = self.state.graph.pack(entries)
+        return result
+
+    def lane(self, value: Array, k: int) -> Array:
+        """Return lane k of an array."""
+        return _each(value, lambda x: x.graph.lane(x, k))
+
+    def apart(self, j: int, value: Array) -> Iterator[tuple[int, Array]]:
+        """Yield each joint of joint j's row with its lane of an array."""
+        if j in self.rows:
+            yield from ((each, self.lane(value, k)) for k, each in enumerate(self.own(j)))
+        else:
+            yield j, value
+
+    # -- what is kept of links --------------------------------------------------------------------
+
+    def near_links(self, j: int) -> list[int]:
+        """Return the links that joint j's row hangs on, by lanes."""
+        return [self.state.plan.joints[i].parent for i in self.lanes(j)]
+
+    def follows(self, j: int) -> bool:
+        """Whether a joint's near link is kept as it needs it: not for limbs' first joints."""
+        near = self.near_links(j)
+        lead = near[0] - 1
+        if j not in self.rows:
+            return lead not in self._lane_of
+        return lead in self.rows and [i + 1 for i in self.rows[lead].lanes] == near
+
+    def kept(self, name: str, link: int) -> tuple[Any, int | None]:
+        """Return what is kept of a link, and its lane in that; None where it is kept by itself."""
+        if link - 1 not in self._lane_of:
+            return self.state.memory[name, link], None
+        lead, k = self._lane_of[link - 1]
+        return self.state.memory[name, lead + 1], k
+
+    def near_motion(self, j: int) -> Array | None:
+        """Return the acceleration of the links that joint j's row hangs on; None for the ground."""
+        near = self.near_links(j)
+        if not any(near):
+            return None
+        if self.follows(j):
+            motion: Array = self.state.memory["a", near[0]]
+            return motion
+        each = {0: self.state.zeros(6, self.state.columns)}
+        for link in set(near) - {0}:
+            value, k = self.kept("a", link)
+            each[link] = value if k is None else self.lane(value, k)
+        return self.packed([each[link] for link in near])
+
+    def hand_on(self, name: str, j: int, value: Array) -> None:
+        """Add what joint j hands inwards to what is kept of the links on its near side."""
+        near, memory = self.near_links(j), self.state.memory
+        if self.follows(j):
+            memory[name, near[0]] = memory[name, near[0]] + value
+            return
+        near = near[: len(self.own(j))]
+        for link in sorted(set(near) - {0}):
+            lanes = [k for k, each in enumerate(near) if each == link]
+            self._add(name, link, self._summed(value, lanes, len(near)))
+
+    def _summed(self, value: Array, lanes: Sequence[int], count: int) -> Array:
+        """The sum of some lanes of the first ones."""
+        if count == 1:
+            return value
+        if len(lanes) == count:
+            return _each(value, lambda x: x.graph.across(x, count))
+        first, *others = (self.lane(value, k) for k in lanes)
+        for each in others:
+            first = first + each
+        return first
+
+    def _add(self, name: str, link: int, value: Array) -> None:
+        memory = self.state.memory
+        if link - 1 in self._lane_of:
+            lead, _ = self._lane_of[link - 1]
+            nothing = self.state.zeros(*value.shape)
+            lanes = [value if i == link - 1 else nothing for i in self.rows[lead].lanes]
+            link, value = lead + 1, self.packed(lanes)
+        memory[name, link] = memory[name, link] + value
+
+
+def _each(value: Array, change: Callable[[Expression], Expression]) -> Array:
+    """An array of changed entries."""
+    result = value.copy()
+    for index, entry in np.ndenumerate(value):
+        result[index] = change(entry)
+    return result

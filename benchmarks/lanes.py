@@ -1,0 +1,86 @@
+"""What sharing a straight line saves limbs that are alike: beside loops and single ones, by turns.
+
+    python -m benchmarks.lanes URDF ... [--floating] [--rounds N] [--compiler NAME]
+
+One process. The ratio is that of the faster of the first two to the last. Nothing is asserted:
+figures of one machine are no test.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from adagen.bench.contest import Contestant, Rules, Times, hold
+from adagen.bench.emitted import Emitted
+from adagen.build import find_toolchain
+from adagen.build.toolchain import with_compiler
+from adagen.chart import Variant
+from adagen.emit import emit, stem_of
+from adagen.executor import straight_line
+from adagen.model import Model
+from adagen.urdf import read_robot
+
+WAYS = {
+    "loops": ("kernels", True),
+    "single": ("unrolled", False),
+    "in lanes": ("unrolled", True),
+}
+"""What is compared: shape, and whether limbs may share a straight line."""
+
+
+def contestants(model: Model, name: str, compiler: str = "") -> list[Contestant]:
+    """Return a robot's solvers on one process, compiled."""
+    toolchain = with_compiler(find_toolchain(), compiler)
+    _, plan = Variant("segment").plan(model)
+    stem = stem_of(plan)
+    found = []
+    for way, (shape, lanes) in WAYS.items():
+        text = emit(plan, shape=shape, lanes=lanes)[f"{stem}.cpp"]
+        source = Emitted(f"{name} {way}", model, f"{stem}.cpp", text, shape, 1, "double", None)
+        found.append(source.contestant(toolchain))
+    return found
+
+
+def instructions(model: Model) -> tuple[int, int]:
+    """Return about how many instructions the single limbs' line has, and that in lanes."""
+    _, plan = Variant("segment").plan(model)
+    alone, together = (straight_line(plan, lanes=lanes)[0].operations for lanes in (False, True))
+    return alone.instructions, together.instructions
+
+
+def line(name: str, freedoms: int, counts: tuple[int, int], times: list[Times]) -> str:
+    """Return a row of the table: least medians of a turn, ns, and the counts of instructions."""
+    loops, single, lanes = (min(one.turns) for one in times)
+    ratio = min(loops, single) / lanes
+    cells = (name, freedoms, *counts, *(f"{x:.0f}" for x in (loops, single, lanes)), f"{ratio:.2f}")
+    return f"| {' | '.join(map(str, cells))} |"
+
+
+def main() -> None:
+    """Measure what the command line names and print a table."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("urdf", nargs="+", help="robots")
+    parser.add_argument("--floating", action="store_true", help="put them on a floating base")
+    parser.add_argument("--rounds", type=int, default=9)
+    parser.add_argument("--compiler", default="", help="what the MPI wrapper is to call")
+    options = parser.parse_args()
+    print(
+        "| robot | freedoms | instructions, single | in lanes | loops, ns | single | in lanes | |"
+    )
+    print("|---|---|---|---|---|---|---|---|")
+    for path in map(Path, options.urdf):
+        model = read_robot(path, floating=options.floating).model
+        print(f"compiling {path.stem}", file=sys.stderr)
+        ways = contestants(model, path.stem, options.compiler)
+        times, gone = hold(ways, Rules(options.rounds), lambda text: print(text, file=sys.stderr))
+        for name, reason in gone.items():
+            print(f"{name}: {reason}", file=sys.stderr)
+        if not gone:
+            found = [times[way.name]["in_place"] for way in ways]
+            print(line(path.stem, model.nv, instructions(model), found), flush=True)
+
+
+if __name__ == "__main__":
+    main()
