@@ -32,9 +32,22 @@ def straight_line(plan: Plan, *, lanes: bool = True) -> tuple[Simulated, ...]:
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    alone = simulate(plan)
-    grouping = grouping_of(plan) if lanes else ()
-    if not any(grouping):
-        return alone
-    together = simulate(plan, grouping)
-    return min(alone, together, key=lambda line: max(one.operations.instructions for one in line))
+    grouping = chosen_grouping(plan) if lanes else ()
+    return simulate(plan, grouping) if any(grouping) else simulate(plan)
+
+
+def chosen_grouping(plan: Plan) -> Grouping:
+    """Return the limbs that share a straight line: for each process none where that is more work.
+
+    Raises:
+        PlanError: the plan deadlocks, or a step reads what its process does not have.
+    """
+    grouping = grouping_of(plan)
+    if any(grouping):
+        alone, together = (
+            max(one.operations.instructions for one in line)
+            for line in (simulate(plan), simulate(plan, grouping))
+        )
+        if together < alone:
+            return grouping
+    return tuple(() for _ in plan.processes)

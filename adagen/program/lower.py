@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import lru_cache
 
+from adagen.executor.grouping import chosen_grouping
 from adagen.plan.stages import stages
 from adagen.plan.steps import Step
 from adagen.plan.types import Plan, Process
@@ -33,7 +35,11 @@ def lower(plan: Plan, shape: str, *, batch: bool = False) -> Program:
             )
             for process in plan.processes
         )
-        return Program(plan, shape, batch, Slots.plainly(plan), processes)
+        slots = Slots.plainly(plan)
+        if shape == "unrolled" and not batch:
+            limbs = tuple(tuple(own) for own in chosen_grouping(plan))
+            slots = replace(slots, limbs=limbs)
+        return Program(plan, shape, batch, slots, processes)
     slots = Slots.of(plan, batch)
     programs = []
     for p, process in enumerate(plan.processes):

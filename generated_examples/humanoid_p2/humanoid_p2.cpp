@@ -2,9 +2,11 @@
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // options   form segment, shape unrolled, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// program   2 processes, gathered at torso; 0.536 us predicted (default profile)
-//           process 0: __base__ .. waist_pitch
-//           process 1: left_shoulder_pitch .. right_wrist_pitch
+// program   2 processes, gathered at torso; 0.42 us predicted (default profile)
+//           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll in 2
+//           lanes, __base__, waist_yaw .. waist_pitch
+//           process 1: left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch ..
+//           right_wrist_pitch in 2 lanes, neck_yaw .. neck_pitch
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // Each process sweeps its own limbs by the articulated-body algorithm: I^A and p^A, a link's inertia and
@@ -475,6 +477,145 @@ std::string describe(int status) {
   return "unknown failure";
 }
 
+// Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
+constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
+typedef Real Lanes __attribute__((vector_size(64)));
+typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
+typedef Bits LaneBits __attribute__((vector_size(64)));
+
+// Where registers are narrower, gcc tells that vectors are passed in other ways; none is, all is
+// inlined.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+#define ADAGEN_ALWAYS __attribute__((always_inline))
+#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
+#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
+
+ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
+ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
+
+// Whether any bit is set. Half by half: compilers take lanes apart one by one if left to it.
+typedef std::int64_t FourWords __attribute__((vector_size(32)));
+typedef std::int64_t TwoWords __attribute__((vector_size(16)));
+template <class T>
+ADAGEN_INLINE bool any_of(const T& x) {
+  if constexpr (sizeof x > sizeof(TwoWords)) {
+    typedef std::conditional_t<sizeof x == sizeof(FourWords), TwoWords, FourWords> Half;
+    Half halves[2];
+    std::memcpy(halves, &x, sizeof x);
+    const Half either = halves[0] | halves[1];
+    return any_of(either);
+  } else {
+    std::int64_t words[2]{};
+    std::memcpy(words, &x, sizeof x);
+    return (words[0] | words[1]) != 0;
+  }
+}
+
+// Whether all numbers are positive: false for NaN.
+ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
+template <class T>
+ADAGEN_INLINE bool all_positive(const T& x) {
+  return !any_of(~(x > T{}));
+}
+
+// One number or the other, lane by lane.
+ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
+  const LaneBits bits =
+      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
+  return reinterpret_cast<Lanes>(bits);
+}
+
+ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
+ADAGEN_INLINE bool all_zero(const Lanes& x) { return !any_of(x != Lanes{}); }
+
+ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
+ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
+  Lanes result = x;
+  for (int k = 0; k < kLanes; ++k) result[k] = std::tanh(x[k]);
+  return result;
+}
+
+// Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
+// three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
+// kLargestAngle; beyond, each lane is left to the C library.
+template <class R>
+struct Trigonometry;
+
+template <>
+struct Trigonometry<double> {
+  [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
+  [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
+  [[maybe_unused]] static constexpr double kParts[3] = {
+      1.57079632673412561417e+00, 6.07710050630396597660e-11, 2.02226624871116645580e-21};
+  [[maybe_unused]] static constexpr double kSine[6] = {
+      1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
+      -1.98412698295895385996e-4, 8.33333333332211858878e-3,  -1.66666666666666307295e-1};
+  [[maybe_unused]] static constexpr double kCosine[6] = {
+      -1.13585365213876817300e-11, 2.08757008419747316778e-9,  -2.75573141792967388112e-7,
+      2.48015872888517045348e-5,   -1.38888888888730564116e-3, 4.16666666666665929218e-2};
+};
+
+template <>
+struct Trigonometry<float> {
+  [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
+  [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
+  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f,
+                                                       7.54978995489188216e-8f};
+  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f,
+                                                      -1.6666654611e-1f};
+  [[maybe_unused]] static constexpr float kCosine[3] = {
+      2.443315711809948e-5f, -1.388731625493765e-3f, 4.166664568298827e-2f};
+};
+
+template <std::size_t n>
+ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
+  Lanes result = Lanes{} + coefficients[0];
+  ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
+  return result;
+}
+
+ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
+                                         Lanes& cosine) {
+  for (int k = 0; k < kLanes; ++k)
+    if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
+// Of angles that are not too large.
+ADAGEN_INLINE void near_sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  using Table = Trigonometry<Real>;
+  const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
+  const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
+  const Lanes turns = shifted - Table::kRound;
+  const Lanes rest =
+      ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
+  const Lanes square = rest * rest;
+  const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
+  const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
+  const LaneBits swapped = -(quadrant & 1);
+  const LaneBits s_bits = reinterpret_cast<LaneBits>(s);
+  const LaneBits c_bits = reinterpret_cast<LaneBits>(c);
+  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
+  const LaneBits sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
+  const LaneBits cosine_bits =
+      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
+  sine = reinterpret_cast<Lanes>(sine_bits);
+  cosine = reinterpret_cast<Lanes>(cosine_bits);
+}
+
+ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
+  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
+  return (angle > kLargest) | (angle < -kLargest);
+}
+
+ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  near_sine_and_cosine(angle, sine, cosine);
+  const LaneBits beyond = too_large(angle);
+  if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
+}
+
 constexpr std::array<MessageInfo, 4> kMessages{ {
     {0, 1, 27},  // 0: what hangs on "torso"
     {1, 0, 27},  // 1: what hangs on "torso"
@@ -827,11 +968,12 @@ struct Workspace {
   const Value* tau = nullptr;
   Value* qdd = nullptr;
   int status = kFine;
-  alignas(kCacheLine) std::array<Value, 17> angle{}, sine{}, cosine{};
+  alignas(kCacheLine) std::array<Value, 32> angle{}, sine{}, cosine{};
   std::array<Value, kNv> result{};
+  alignas(kCacheLine) std::array<Value, 12> lanes{};  // results of rows
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Value, 199> x{};
+  alignas(kCacheLine) std::array<Value, 248> x{};
 };
 
 // What straight lines of numbers need.
@@ -842,42 +984,6 @@ inline Real unlike_zero(const Real* x, int count) {
   Real sum = 0;
   for (int k = 0; k < count; ++k) sum += x[k] - x[k];
   return sum;
-}
-
-// Sine and cosine by the polynomials of fdlibm on [-pi/4, pi/4], after taking multiples of pi/2
-// away in three parts. No branch: a loop over it is done in SIMD lanes.
-inline void sine_and_cosine(double angle, double& sine, double& cosine) {
-  constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
-  const double n = (angle * 0.63661977236758134308 + kRound) - kRound;
-  const double r = ((angle - n * 1.57079632673412561417e+00) - n * 6.07710050630396597660e-11) -
-                   n * 2.02226624871116645580e-21;
-  const double z = r * r, z2 = z * z, z4 = z2 * z2;
-  const double s = r + r * z *
-                           ((-1.66666666666666307295e-1 + z * 8.33333333332211858878e-3) +
-                            z2 * (-1.98412698295895385996e-4 + z * 2.75573136213857245213e-6) +
-                            z4 * (-2.50507477628578072866e-8 + z * 1.58962301576546568060e-10));
-  const double c =
-      (1 - 0.5 * z) + z2 * ((4.16666666666665929218e-2 - z * 1.38888888888730564116e-3) +
-                            z2 * (2.48015872888517045348e-5 - z * 2.75573141792967388112e-7) +
-                            z4 * (2.08757008419747316778e-9 - z * 1.13585365213876817300e-11));
-  const double half = std::floor(n * 0.5), odd = n - 2 * half;
-  const double sign = 1 - 2 * (half - 2 * std::floor(half * 0.5));
-  sine = sign * (odd != 0 ? c : s);
-  cosine = sign * (odd != 0 ? -s : c);
-}
-
-template <int count>
-inline void take_sines_and_cosines(const Real* angle, Real* sine, Real* cosine) {
-  constexpr double kFar = 1e5;  // beyond, the three parts of pi/2 would lose digits
-  Real farthest = 0;
-  for (int k = 0; k < count; ++k) {
-    double s, c;
-    sine_and_cosine(angle[k], s, c);
-    sine[k] = Real(s), cosine[k] = Real(c);
-  }
-  for (int k = 0; k < count; ++k) farthest = std::max(farthest, std::abs(angle[k]));
-  if (farthest <= kFar) return;
-  for (int k = 0; k < count; ++k) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
 }
 
 // What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
@@ -931,4096 +1037,2728 @@ template <std::size_t owns>
   }
 }
 
+// Limbs that are alike share code: one is in each lane.
+typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
+template <class T>
+[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Real));
+template <class T>
+using Half =
+    std::conditional_t<kWidth<T> == 8, Four, std::conditional_t<kWidth<T> == 4, Two, Real>>;
+
+// Lanes are for limbs: g++ is told not to look for more to put side by side.
+#if defined(__clang__)
+#define ADAGEN_AS_IT_STANDS
+#else
+#define ADAGEN_AS_IT_STANDS __attribute__((optimize("no-tree-slp-vectorize")))
+#endif
+
+template <class T>
+ADAGEN_INLINE T taken(const Real* from) {
+  T x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
+}
+template <class T>
+ADAGEN_INLINE void put(const T& x, Real* to) {
+  std::memcpy(to, &x, sizeof x);
+}
+
+// The sum of the first numbers, half by half.
+template <int count>
+ADAGEN_INLINE Real across(const Real& x) {
+  return x;
+}
+template <int count, class T>
+ADAGEN_INLINE Real across(const T& x) {
+  constexpr int half = kWidth<T> / 2;
+  Half<T> halves[2];
+  std::memcpy(halves, &x, sizeof x);
+  if constexpr (count == kWidth<T>) {
+    const Half<T> sum = halves[0] + halves[1];
+    return across<half>(sum);
+  } else if constexpr (count > half) {
+    return across<half>(halves[0]) + across<count - half>(halves[1]);
+  } else {
+    return across<count>(halves[0]);
+  }
+}
+
+// Zero for finite numbers only, of rows that lie one after the other.
+template <class T, int rows>
+ADAGEN_INLINE Real unlike_zero(const Real* from) {
+  T sum{};
+  ADAGEN_FOR (k, 0, rows) {
+    const T x = taken<T>(from + k * kWidth<T>);
+    sum += x - x;
+  }
+  return across<kWidth<T>>(sum);
+}
+
+// The same as for single numbers, in the name of a joint for each lane.
+template <class T, std::size_t count>
+ADAGEN_COLD void name_what_is_not_more(Workspace& w, const T& x, const T& least, Failure kind,
+                                       const int (&joints)[count]) {
+  for (std::size_t k = 0; k < count; ++k) require_more(w, x[k], least[k], kind, joints[k]);
+}
+template <class T, class L, std::size_t count>
+ADAGEN_INLINE void require_more(Workspace& w, const T& x, const L& least, Failure kind,
+                                const int (&joints)[count]) {
+  const auto good = (x > least) & (x <= std::numeric_limits<Real>::max());
+  if (__builtin_expect(any_of(~good), 0)) name_what_is_not_more(w, x, T{} + least, kind, joints);
+}
+template <class T, std::size_t count>
+ADAGEN_INLINE void require_length(Workspace& w, const T& squared, const int (&joints)[count]) {
+  for (std::size_t k = 0; k < count; ++k) require_length(w, squared[k], joints[k]);
+}
+
+// Sines and cosines of angles, whose places in q are given; as many are written as fill registers.
+template <std::size_t count, std::size_t... lane>
+ADAGEN_INLINE Lanes angles_of(const Real* q, const std::array<int, count>& places,
+                              std::size_t first, std::index_sequence<lane...>) {
+  return Lanes{q[places[std::min(first + lane, count - 1)]]...};
+}
+template <std::size_t count>
+ADAGEN_INLINE void take_sines_and_cosines(const Real* q, const std::array<int, count>& places,
+                                          Real* sine, Real* cosine) {
+  constexpr int kBlocks = (static_cast<int>(count) + kLanes - 1) / kLanes;
+  ADAGEN_FOR (block, 0, kBlocks) {
+    const Lanes angle = angles_of(q, places, static_cast<std::size_t>(block * kLanes),
+                                  std::make_index_sequence<kLanes>{});
+    Lanes s, c;
+    sine_and_cosine(angle, s, c);
+    store(s, sine + block * kLanes);
+    store(c, cosine + block * kLanes);
+  }
+}
+
 // Each function is a straight line. A value is called x and its number in the expression graph; zeros
 // and constants are folded in, nothing is computed twice, and what nobody needs is not there.
 // Frames are the links' own; accelerations are deviations from the field that the links would have
 // with all joint accelerations zero.
 
 // =================================================================================================
-// Process 0: 1834 products, 1622 sums, 20 quotients
+// Process 0: 1151 products, 998 sums, 15 quotients, 1292 of them in lanes
 // =================================================================================================
 
-ADAGEN_NOINLINE void part_0_0(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   ADAGEN_INPUTS
   // joint 0 "__base__": placement, velocity and reference acceleration of its link
-  const Real x68 = v[3] * v[3];
-  const Real x73 = v[3] * v[4];
-  const Real x76 = v[4] * v[5];
-  const Real x77 = x68 + v[4] * v[4];
-  const Real x79 = v[3] * v[5];
-  // joint 1 "left_hip_pitch": placement, velocity and reference acceleration of its link
-  const Real x89 = v[5] * cosine[0] + v[3] * sine[0];
-  const Real x93 = v[3] * cosine[0] - v[5] * sine[0];
-  const Real x94 = v[4] + v[6];
-  const Real x95 = v[6] * x93;
-  const Real x96 = v[6] * x89;
-  const Real x98 = x73 * 0.09;
-  const Real x100 = x79 * 0.05;
-  const Real x102 = x98 - x100;
-  const Real x103 = (x68 + v[5] * v[5]) * 0.09;
-  const Real x105 = x76 * 0.05;
-  const Real x107 = x103 + x105;
-  const Real x109 = x76 * 0.09;
-  const Real x110 = x77 * 0.05;
-  const Real x112 = x109 + x110;
-  const Real x115 = cosine[0] * x112 + sine[0] * x102;
-  const Real x119 = cosine[0] * x102 - sine[0] * x112;
-  const Real x131 = x93 * x94;
-  const Real x132 = x131 - x95;
-  const Real x134 = x89 * x89 + x93 * x93;
-  const Real x136 = x89 * x94;
-  const Real x138 = x136 - x96;
-  // link 2 "left_hip": force that the reference field takes
-  const Real x1096 = x95 * 0.00308 - x131 * 0.0013299999999999998 - x119 * 0.041999999999999996;
-  w.x[0] = x1096;
-  const Real x1098 = x136 * 0.0013299999999999998 - x96 * 0.00308 + x115 * 0.041999999999999996;
-  w.x[1] = x1098;
-  const Real x1101 = x115 * 1.4 + x138 * 0.041999999999999996;
-  w.x[2] = x1101;
-  const Real x1104 = x119 * 1.4 + x132 * 0.041999999999999996;
-  w.x[3] = x1104;
-  const Real x1109 = x107 * 1.4 + x134 * 0.041999999999999996;
-  w.x[4] = x1109;
-  // joint 2 "left_hip_roll": placement, velocity and reference acceleration of its link
-  const Real x147 = x94 * cosine[1] + x89 * sine[1];
-  const Real x151 = x89 * cosine[1] - x94 * sine[1];
-  const Real x152 = x93 + v[7];
-  const Real x156 = x95 * sine[1] + v[7] * x151;
-  const Real x159 = x95 * cosine[1] - v[7] * x147;
-  const Real x161 = x115 + x138 * 0.04;
-  const Real x163 = x119 + x132 * 0.04;
-  const Real x166 = x107 + x134 * 0.04;
-  const Real x171 = sine[1] * x161 - cosine[1] * x166;
-  const Real x175 = sine[1] * x166 + cosine[1] * x161;
-  const Real x178 = x147 * x147;
-  const Real x183 = x147 * x151;
-  const Real x184 = x96 + x183;
-  const Real x186 = x178 + x152 * x152;
-  const Real x188 = x151 * x152;
-  const Real x190 = x156 + x188;
-  const Real x191 = x178 + x151 * x151;
-  const Real x193 = x147 * x152;
-  const Real x195 = x159 + x193;
-  // link 3 "left_groin": force that the reference field takes
-  const Real x1131 = x156 * 0.00379 + x188 * 0.0015500000000000002;
-  const Real x1155 = 0.00096 * (x191 - x186) + x1131 - x163 * 0.048;
-  const Real x1156 = x1155 - x175 * 0.024;
-  w.x[5] = x1156;
-  const Real x1140 = x159 * 0.00187 + x193 * 0.00036999999999999994 - x184 * 0.00096;
-  const Real x1158 = x1140 + x171 * 0.024;
-  w.x[6] = x1158;
-  const Real x1150 = x195 * 0.00096 - (x96 * 0.00342 + x183 * 0.00192);
-  const Real x1161 = x1150 + x171 * 0.048;
-  w.x[7] = x1161;
-  const Real x1167 = x195 * 0.024 - x184 * 0.048 + x171 * 1.2;
-  w.x[8] = x1167;
-  const Real x1172 = x186 * 0.048 + (x188 - x156) * 0.024;
-  const Real x1173 = x175 * 1.2 + x1172;
-  w.x[9] = x1173;
-  const Real x1180 = x163 * 1.2 - x191 * 0.024 - x190 * 0.048;
-  w.x[10] = x1180;
-  // joint 3 "left_hip_yaw": placement, velocity and reference acceleration of its link
-  const Real x204 = x152 * cosine[2] + x147 * sine[2];
-  const Real x208 = x147 * cosine[2] - x152 * sine[2];
-  const Real x209 = x151 + v[8];
-  const Real x219 = x156 * sine[2] - x96 * cosine[2] + v[8] * x208;
-  const Real x222 = x96 * sine[2] + x156 * cosine[2] - v[8] * x204;
-  const Real x226 = x171 - x184 * 0.12;
-  const Real x229 = x175 + x186 * 0.12;
-  const Real x232 = x163 - x190 * 0.12;
-  const Real x235 = cosine[2] * x232 + sine[2] * x226;
-  const Real x239 = cosine[2] * x226 - sine[2] * x232;
-  const Real x252 = x208 * x209;
-  const Real x253 = x252 - x219;
-  const Real x255 = x204 * x204 + x208 * x208;
-  const Real x257 = x204 * x209;
-  const Real x259 = x222 + x257;
-  // link 4 "left_thigh": force that the reference field takes
-  const Real x1200 = x159 * 0.00468;
-  w.x[11] = x1200;
-  const Real x1204 = x219 * 0.0429867 - x252 * 0.038306700000000006 + x239 * 0.26;
-  w.x[12] = x1204;
-  const Real x1207 = x222 * 0.0429867 + x257 * 0.038306700000000006 - x235 * 0.26;
-  w.x[13] = x1207;
-  const Real x1211 = x235 * 2.6 - x259 * 0.26;
-  w.x[14] = x1211;
-  const Real x1215 = x239 * 2.6 - x253 * 0.26;
-  w.x[15] = x1215;
-  const Real x1219 = x229 * 2.6 + x255 * 0.26;
-  w.x[16] = x1219;
-  // joint 4 "left_knee": placement, velocity and reference acceleration of its link
-  const Real x268 = x209 * cosine[3] + x204 * sine[3];
-  const Real x272 = x204 * cosine[3] - x209 * sine[3];
-  const Real x273 = x208 + v[9];
-  const Real x282 = x159 * cosine[3] + x219 * sine[3] + v[9] * x272;
-  const Real x285 = x219 * cosine[3] - x159 * sine[3] - v[9] * x268;
-  const Real x289 = x235 - x259 * 0.24;
-  const Real x292 = x239 - x253 * 0.24;
-  const Real x295 = x229 + x255 * 0.24;
-  const Real x298 = cosine[3] * x295 + sine[3] * x289;
-  const Real x302 = cosine[3] * x289 - sine[3] * x295;
-  const Real x307 = x273 * x273;
-  const Real x308 = x272 * x272 + x307;
-  const Real x310 = x268 * x272;
-  const Real x312 = x222 + x310;
-  const Real x313 = x268 * x268 + x307;
-  const Real x315 = x272 * x273;
-  const Real x317 = x282 + x315;
-  const Real x320 = x268 * x273;
-  const Real x321 = x320 - x285;
-  // link 5 "left_shank": force that the reference field takes
-  const Real x1256 = x222 * 0.043271300000000006 + x310 * 0.0410888;
-  const Real x1241 = x282 * 0.0020025 + x315 * 0.00018 - x321 * 0.00234;
-  const Real x1259 = x1241 + x292 * 0.018000000000000002;
-  w.x[17] = x1259;
-  const Real x1250 = x285 * 0.043091300000000006 - x320 * 0.0412688 + x317 * 0.00234;
-  const Real x1262 = x1250 + x292 * 0.234;
-  w.x[18] = x1262;
-  const Real x1267 = 0.00234 * (x313 - x308) + x1256 - x302 * 0.234;
-  const Real x1268 = x1267 - x298 * 0.018000000000000002;
-  w.x[19] = x1268;
-  const Real x1273 = x308 * 0.234 + (x310 - x222) * 0.018000000000000002;
-  const Real x1274 = x298 * 1.8 + x1273;
-  w.x[20] = x1274;
-  const Real x1282 = x302 * 1.8 - (x312 * 0.234 + x313 * 0.018000000000000002);
-  w.x[21] = x1282;
-  const Real x1288 = x292 * 1.8 - x321 * 0.234 + x317 * 0.018000000000000002;
-  w.x[22] = x1288;
-  // joint 5 "left_ankle_pitch": placement, velocity and reference acceleration of its link
-  const Real x331 = x268 * cosine[4] + x272 * sine[4];
-  const Real x335 = x272 * cosine[4] - x268 * sine[4];
-  const Real x336 = x273 + v[10];
-  const Real x345 = x282 * cosine[4] + x285 * sine[4] + v[10] * x335;
-  const Real x348 = x285 * cosine[4] - x282 * sine[4] - v[10] * x331;
-  const Real x352 = x298 + x308 * 0.3;
-  const Real x355 = x302 - x312 * 0.3;
-  const Real x358 = x292 - x321 * 0.3;
-  const Real x361 = cosine[4] * x352 + sine[4] * x355;
-  const Real x365 = cosine[4] * x355 - sine[4] * x352;
-  // link 6 "left_ankle": force that the reference field takes
-  const Real x1291 = x345 * 7.2e-05;
-  w.x[23] = x1291;
-  const Real x1293 = x348 * 7.2e-05;
-  w.x[24] = x1293;
-  const Real x1295 = x222 * 7.2e-05;
-  w.x[25] = x1295;
-  const Real x1297 = x361 * 0.2;
-  w.x[26] = x1297;
-  const Real x1298 = x365 * 0.2;
-  w.x[27] = x1298;
-  const Real x1299 = x358 * 0.2;
-  w.x[28] = x1299;
-  // joint 6 "left_ankle_roll": placement, velocity and reference acceleration of its link
-  const Real x395 = x336 * cosine[5] + x331 * sine[5];
-  const Real x399 = x331 * cosine[5] - x336 * sine[5];
-  const Real x400 = x335 + v[11];
-  const Real x409 = x222 * cosine[5] + x345 * sine[5] + v[11] * x399;
-  const Real x412 = x345 * cosine[5] - x222 * sine[5] - v[11] * x395;
-  const Real x416 = x361 + (x335 * x335 + x336 * x336) * 0.02;
-  const Real x419 = x365 - (x222 + x331 * x335) * 0.02;
-  const Real x422 = x358 - (x331 * x336 - x348) * 0.02;
-  const Real x425 = cosine[5] * x422 + sine[5] * x416;
-  const Real x429 = cosine[5] * x416 - sine[5] * x422;
-  const Real x432 = x395 * x395;
-  const Real x437 = x395 * x399;
-  const Real x438 = x437 - x348;
-  const Real x440 = x432 + x400 * x400;
-  const Real x442 = x399 * x400;
-  const Real x445 = x432 + x399 * x399;
-  const Real x447 = x395 * x400;
-  const Real x449 = x412 + x447;
-  // link 7 "left_foot": force that the reference field takes
-  const Real x1319 = 0.0007199999999999999 * (x445 - x440) - x442 * 0.002606663;
-  const Real x1342 = x409 * 0.00416667 + x1319 - x419 * 0.024;
-  const Real x1343 = x1342 - x429 * 0.024;
-  w.x[29] = x1343;
-  const Real x1344 = x425 * 0.024;
-  const Real x1328 = x447 * 0.002960003 - x438 * 0.0007199999999999999 + x412 * 0.00381333;
-  const Real x1345 = x1328 + x1344;
-  w.x[30] = x1345;
-  const Real x1337 = x348 * 0.001206667 - x437 * 0.00035334 + x449 * 0.0007199999999999999;
-  const Real x1347 = x1337 + x1344;
-  w.x[31] = x1347;
-  const Real x1353 = x449 * 0.024 - x438 * 0.024 + x425 * 0.8;
-  w.x[32] = x1353;
-  const Real x1358 = x440 * 0.024 + (x442 - x409) * 0.024;
-  const Real x1359 = x429 * 0.8 + x1358;
-  w.x[33] = x1359;
-  const Real x1365 = x419 * 0.8 - x445 * 0.024;
-  const Real x1366 = x1365 - (x409 + x442) * 0.024;
-  w.x[34] = x1366;
-  // joint 7 "right_hip_pitch": placement, velocity and reference acceleration of its link
-  const Real x458 = v[5] * cosine[6] + v[3] * sine[6];
-  const Real x462 = v[3] * cosine[6] - v[5] * sine[6];
-  const Real x463 = v[4] + v[12];
-  const Real x464 = v[12] * x462;
-  const Real x465 = v[12] * x458;
-  const Real x468 = x98 + x100;
-  const Real x470 = x103 - x105;
-  const Real x472 = x110 - x109;
-  const Real x476 = cosine[6] * x472 - sine[6] * x468;
-  const Real x481 = sine[6] * x472 + cosine[6] * x468;
-  const Real x493 = x462 * x463;
-  const Real x494 = x493 - x464;
-  const Real x496 = x458 * x458 + x462 * x462;
-  const Real x498 = x458 * x463;
-  const Real x500 = x498 - x465;
-  // link 8 "right_hip": force that the reference field takes
-  const Real x1380 = x464 * 0.00308 - x493 * 0.0013299999999999998 - x481 * 0.041999999999999996;
-  w.x[35] = x1380;
-  const Real x1383 = x498 * 0.0013299999999999998 - x465 * 0.00308 - x476 * 0.041999999999999996;
-  w.x[36] = x1383;
-  const Real x1387 = x476 * 1.4 - x500 * 0.041999999999999996;
-  w.x[37] = x1387;
-  const Real x1392 = x481 * 1.4 + x494 * 0.041999999999999996;
-  w.x[38] = x1392;
-  const Real x1397 = x470 * 1.4 + x496 * 0.041999999999999996;
-  w.x[39] = x1397;
-  // joint 8 "right_hip_roll": placement, velocity and reference acceleration of its link
-  const Real x509 = x463 * cosine[7] + x458 * sine[7];
-  const Real x513 = x458 * cosine[7] - x463 * sine[7];
-  const Real x514 = x462 + v[13];
-  const Real x518 = x464 * sine[7] + v[13] * x513;
-  const Real x521 = x464 * cosine[7] - v[13] * x509;
-  const Real x524 = x476 - 0.04 * x500;
-  const Real x527 = x481 + 0.04 * x494;
-  const Real x531 = x470 + 0.04 * x496;
-  const Real x534 = cosine[7] * x531 + sine[7] * x524;
-  const Real x538 = cosine[7] * x524 - sine[7] * x531;
-  const Real x541 = x509 * x509;
-  const Real x546 = x509 * x513;
-  const Real x547 = x465 + x546;
-  const Real x549 = x541 + x514 * x514;
-  const Real x551 = x513 * x514;
-  const Real x553 = x518 + x551;
-  const Real x554 = x541 + x513 * x513;
-  const Real x556 = x509 * x514;
-  const Real x558 = x521 + x556;
-  // link 9 "right_groin": force that the reference field takes
-  const Real x1402 = x518 * 0.00379 + x551 * 0.0015500000000000002;
-  const Real x1424 = 0.00096 * (x554 - x549) + x1402 + x527 * 0.048;
-  const Real x1425 = x1424 - x538 * 0.024;
-  w.x[40] = x1425;
-  const Real x1410 = x521 * 0.00187 + x556 * 0.00036999999999999994 - x547 * 0.00096;
-  const Real x1427 = x1410 + x534 * 0.024;
-  w.x[41] = x1427;
-  const Real x1419 = x558 * 0.00096 - (x465 * 0.00342 + x546 * 0.00192);
-  const Real x1430 = x1419 + x534 * 0.048;
-  w.x[42] = x1430;
-  const Real x1436 = x558 * 0.024 - x547 * 0.048 + x534 * 1.2;
-  w.x[43] = x1436;
-  const Real x1441 = x549 * 0.048 + (x551 - x518) * 0.024;
-  const Real x1442 = x538 * 1.2 + x1441;
-  w.x[44] = x1442;
-  const Real x1451 = x527 * 1.2 + x554 * 0.024 + x553 * 0.048;
-  w.x[45] = x1451;
-  // joint 9 "right_hip_yaw": placement, velocity and reference acceleration of its link
-  const Real x566 = x514 * cosine[8] + x509 * sine[8];
-  const Real x570 = x509 * cosine[8] - x514 * sine[8];
-  const Real x571 = x513 + v[14];
-  const Real x581 = x518 * sine[8] - x465 * cosine[8] + v[14] * x570;
-  const Real x584 = x465 * sine[8] + x518 * cosine[8] - v[14] * x566;
-  const Real x587 = x534 - 0.12 * x547;
-  const Real x590 = x538 + 0.12 * x549;
-  const Real x593 = x527 + 0.12 * x553;
-  const Real x598 = sine[8] * x587 - cosine[8] * x593;
-  const Real x602 = sine[8] * x593 + cosine[8] * x587;
-  const Real x615 = x570 * x571;
-  const Real x616 = x615 - x581;
-  const Real x618 = x566 * x566 + x570 * x570;
-  const Real x620 = x566 * x571;
-  const Real x622 = x584 + x620;
-  // link 10 "right_thigh": force that the reference field takes
-  const Real x1462 = x521 * 0.00468;
-  w.x[46] = x1462;
-  const Real x1466 = x581 * 0.0429867 - x615 * 0.038306700000000006 + x602 * 0.26;
-  w.x[47] = x1466;
-  const Real x1469 = x584 * 0.0429867 + x620 * 0.038306700000000006 - x598 * 0.26;
-  w.x[48] = x1469;
-  const Real x1473 = x598 * 2.6 - x622 * 0.26;
-  w.x[49] = x1473;
-  const Real x1477 = x602 * 2.6 - x616 * 0.26;
-  w.x[50] = x1477;
-  const Real x1481 = x590 * 2.6 + x618 * 0.26;
-  w.x[51] = x1481;
-  // joint 10 "right_knee": placement, velocity and reference acceleration of its link
-  const Real x630 = x571 * cosine[9] + x566 * sine[9];
-  const Real x634 = x566 * cosine[9] - x571 * sine[9];
-  const Real x635 = x570 + v[15];
-  const Real x644 = x521 * cosine[9] + x581 * sine[9] + v[15] * x634;
-  const Real x647 = x581 * cosine[9] - x521 * sine[9] - v[15] * x630;
-  const Real x650 = x598 - 0.24 * x622;
-  const Real x653 = x602 - 0.24 * x616;
-  const Real x656 = x590 + 0.24 * x618;
-  const Real x659 = cosine[9] * x656 + sine[9] * x650;
-  const Real x663 = cosine[9] * x650 - sine[9] * x656;
-  const Real x668 = x635 * x635;
-  const Real x669 = x634 * x634 + x668;
-  const Real x671 = x630 * x634;
-  const Real x673 = x584 + x671;
-  const Real x674 = x630 * x630 + x668;
-  const Real x676 = x634 * x635;
-  const Real x678 = x644 + x676;
-  const Real x681 = x630 * x635;
-  const Real x682 = x681 - x647;
-  // link 11 "right_shank": force that the reference field takes
-  const Real x1500 = x584 * 0.043271300000000006 + x671 * 0.0410888;
-  const Real x1488 = x644 * 0.0020025 + x676 * 0.00018 - x682 * 0.00234;
-  const Real x1503 = x1488 + x653 * 0.018000000000000002;
-  w.x[52] = x1503;
-  const Real x1495 = x647 * 0.043091300000000006 - x681 * 0.0412688 + x678 * 0.00234;
-  const Real x1506 = x1495 + x653 * 0.234;
-  w.x[53] = x1506;
-  const Real x1511 = 0.00234 * (x674 - x669) + x1500 - x663 * 0.234;
-  const Real x1512 = x1511 - x659 * 0.018000000000000002;
-  w.x[54] = x1512;
-  const Real x1517 = x669 * 0.234 + (x671 - x584) * 0.018000000000000002;
-  const Real x1518 = x659 * 1.8 + x1517;
-  w.x[55] = x1518;
-  const Real x1526 = x663 * 1.8 - (x673 * 0.234 + x674 * 0.018000000000000002);
-  w.x[56] = x1526;
-  const Real x1532 = x653 * 1.8 - x682 * 0.234 + x678 * 0.018000000000000002;
-  w.x[57] = x1532;
-  // joint 11 "right_ankle_pitch": placement, velocity and reference acceleration of its link
-  const Real x691 = x630 * cosine[10] + x634 * sine[10];
-  const Real x695 = x634 * cosine[10] - x630 * sine[10];
-  const Real x696 = x635 + v[16];
-  const Real x705 = x644 * cosine[10] + x647 * sine[10] + v[16] * x695;
-  const Real x708 = x647 * cosine[10] - x644 * sine[10] - v[16] * x691;
-  const Real x711 = x659 + 0.3 * x669;
-  const Real x714 = x663 - 0.3 * x673;
-  const Real x717 = x653 - 0.3 * x682;
-  const Real x720 = cosine[10] * x711 + sine[10] * x714;
-  const Real x724 = cosine[10] * x714 - sine[10] * x711;
-  // joint 12 "right_ankle_roll": placement, velocity and reference acceleration of its link
-  const Real x753 = x696 * cosine[11] + x691 * sine[11];
-  const Real x757 = x691 * cosine[11] - x696 * sine[11];
-  const Real x758 = x695 + v[17];
-  const Real x767 = x584 * cosine[11] + x705 * sine[11] + v[17] * x757;
-  const Real x770 = x705 * cosine[11] - x584 * sine[11] - v[17] * x753;
-  const Real x773 = x720 + 0.02 * (x695 * x695 + x696 * x696);
-  const Real x776 = x724 - 0.02 * (x584 + x691 * x695);
-  const Real x779 = x717 - 0.02 * (x691 * x696 - x708);
-  const Real x782 = cosine[11] * x779 + sine[11] * x773;
-  const Real x786 = cosine[11] * x773 - sine[11] * x779;
-  const Real x789 = x753 * x753;
-  const Real x794 = x753 * x757;
-  const Real x795 = x794 - x708;
-  const Real x797 = x789 + x758 * x758;
-  const Real x799 = x757 * x758;
-  const Real x802 = x789 + x757 * x757;
-  const Real x804 = x753 * x758;
-  const Real x806 = x770 + x804;
-  // link 13 "right_foot": force that the reference field takes
-  const Real x1547 = 0.0007199999999999999 * (x802 - x797) - x799 * 0.002606663;
-  const Real x1567 = x767 * 0.00416667 + x1547 - x776 * 0.024;
-  const Real x1568 = x1567 - x786 * 0.024;
-  const Real x1569 = x782 * 0.024;
-  const Real x1555 = x804 * 0.002960003 - x795 * 0.0007199999999999999 + x770 * 0.00381333;
-  const Real x1562 = x708 * 0.001206667 - x794 * 0.00035334 + x806 * 0.0007199999999999999;
-  const Real x1583 = x797 * 0.024 + (x799 - x767) * 0.024;
-  const Real x1584 = x786 * 0.8 + x1583;
-  const Real x1590 = x776 * 0.8 - x802 * 0.024;
-  const Real x1591 = x1590 - (x767 + x799) * 0.024;
+  const Real x98 = v[3] * v[3];
+  const Real x103 = v[3] * v[4];
+  const Real x106 = v[4] * v[5];
+  const Real x107 = x98 + v[4] * v[4];
+  const Real x109 = v[3] * v[5];
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch": placement, velocity and reference acceleration of their links
+  const Two x112 = Two{v[6], v[12]};
+  const Two x120 = taken<Two>(cosine + 0) * v[5] + taken<Two>(sine + 0) * v[3];
+  const Two x124 = taken<Two>(cosine + 0) * v[3] - taken<Two>(sine + 0) * v[5];
+  const Two x125 = v[4] + x112;
+  const Two x126 = x112 * x124;
+  const Two x127 = x112 * x120;
+  const Two x133 = x103 * Two{0.09, -0.09} - x109 * 0.05;
+  const Two x138 = (x98 + v[5] * v[5]) * Two{0.09, -0.09} + x106 * 0.05;
+  const Two x143 = x106 * Two{0.09, -0.09} + x107 * 0.05;
+  const Two x146 = taken<Two>(cosine + 0) * x143 + taken<Two>(sine + 0) * x133;
+  const Two x150 = taken<Two>(cosine + 0) * x133 - taken<Two>(sine + 0) * x143;
+  const Two x162 = x124 * x125;
+  const Two x163 = x162 - x126;
+  const Two x165 = x120 * x120 + x124 * x124;
+  const Two x167 = x120 * x125;
+  const Two x169 = x167 - x127;
+  // links 2 "left_hip", 8 "right_hip": force that the reference field takes
+  const Two x770 = x126 * 0.00308 - x162 * 0.0013299999999999998 - x150 * Two{0.041999999999999996, -0.041999999999999996};
+  put(x770, w.x.data() + 0);
+  const Two x772 = x167 * 0.0013299999999999998 - x127 * 0.00308 + x146 * Two{0.041999999999999996, -0.041999999999999996};
+  put(x772, w.x.data() + 2);
+  const Two x775 = x146 * 1.4 + x169 * Two{0.041999999999999996, -0.041999999999999996};
+  put(x775, w.x.data() + 4);
+  const Two x778 = x150 * 1.4 + x163 * Two{0.041999999999999996, -0.041999999999999996};
+  put(x778, w.x.data() + 6);
+  const Two x783 = x138 * 1.4 + x165 * Two{0.041999999999999996, -0.041999999999999996};
+  put(x783, w.x.data() + 8);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll": placement, velocity and reference acceleration of their links
+  const Two x172 = Two{v[7], v[13]};
+  const Two x179 = taken<Two>(cosine + 2) * x125 + taken<Two>(sine + 2) * x120;
+  const Two x183 = taken<Two>(cosine + 2) * x120 - taken<Two>(sine + 2) * x125;
+  const Two x184 = x124 + x172;
+  const Two x188 = taken<Two>(sine + 2) * x126 + x172 * x183;
+  const Two x191 = taken<Two>(cosine + 2) * x126 - x172 * x179;
+  const Two x193 = x146 + x169 * Two{0.04, -0.04};
+  const Two x195 = x150 + x163 * Two{0.04, -0.04};
+  const Two x198 = x138 + x165 * Two{0.04, -0.04};
+  const Two x203 = taken<Two>(sine + 2) * x193 - taken<Two>(cosine + 2) * x198;
+  const Two x207 = taken<Two>(sine + 2) * x198 + taken<Two>(cosine + 2) * x193;
+  const Two x210 = x179 * x179;
+  const Two x215 = x179 * x183;
+  const Two x216 = x127 + x215;
+  const Two x218 = x210 + x184 * x184;
+  const Two x220 = x183 * x184;
+  const Two x222 = x188 + x220;
+  const Two x223 = x210 + x183 * x183;
+  const Two x225 = x179 * x184;
+  const Two x227 = x191 + x225;
+  // links 3 "left_groin", 9 "right_groin": force that the reference field takes
+  const Two x805 = x188 * 0.00379 + x220 * 0.0015500000000000002;
+  const Two x829 = 0.00096 * (x223 - x218) + x805 - x195 * 0.048;
+  const Two x814 = x191 * 0.00187 + x225 * 0.00036999999999999994 - x216 * 0.00096;
+  const Two x824 = x227 * 0.00096 - (x127 * 0.00342 + x215 * 0.00192);
+  const Two x846 = x218 * 0.048 + (x220 - x188) * 0.024;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": placement, velocity and reference acceleration of their links
+  const Two x230 = Two{v[8], v[14]};
+  const Two x235 = taken<Two>(cosine + 4) * x184 + taken<Two>(sine + 4) * x179;
+  const Two x239 = taken<Two>(cosine + 4) * x179 - taken<Two>(sine + 4) * x184;
+  const Two x240 = x183 + x230;
+  const Two x250 = taken<Two>(sine + 4) * x188 - taken<Two>(cosine + 4) * x127 + x230 * x239;
+  const Two x253 = taken<Two>(sine + 4) * x127 + taken<Two>(cosine + 4) * x188 - x230 * x235;
+  const Two x257 = x203 - x216 * 0.12;
+  const Two x260 = x207 + x218 * 0.12;
+  const Two x263 = x195 - x222 * 0.12;
+  const Two x266 = taken<Two>(cosine + 4) * x263 + taken<Two>(sine + 4) * x257;
+  const Two x270 = taken<Two>(cosine + 4) * x257 - taken<Two>(sine + 4) * x263;
+  const Two x283 = x239 * x240;
+  const Two x284 = x283 - x250;
+  const Two x286 = x235 * x235 + x239 * x239;
+  const Two x288 = x235 * x240;
+  const Two x290 = x253 + x288;
+  // joints 4 "left_knee", 10 "right_knee": placement, velocity and reference acceleration of their links
+  const Two x293 = Two{v[9], v[15]};
+  const Two x298 = taken<Two>(cosine + 6) * x240 + taken<Two>(sine + 6) * x235;
+  const Two x302 = taken<Two>(cosine + 6) * x235 - taken<Two>(sine + 6) * x240;
+  const Two x303 = x239 + x293;
+  const Two x312 = taken<Two>(cosine + 6) * x191 + taken<Two>(sine + 6) * x250 + x293 * x302;
+  const Two x315 = taken<Two>(cosine + 6) * x250 - taken<Two>(sine + 6) * x191 - x293 * x298;
+  const Two x319 = x266 - x290 * 0.24;
+  const Two x322 = x270 - x284 * 0.24;
+  const Two x325 = x260 + x286 * 0.24;
+  const Two x328 = taken<Two>(cosine + 6) * x325 + taken<Two>(sine + 6) * x319;
+  const Two x332 = taken<Two>(cosine + 6) * x319 - taken<Two>(sine + 6) * x325;
+  const Two x337 = x303 * x303;
+  const Two x338 = x302 * x302 + x337;
+  const Two x340 = x298 * x302;
+  const Two x342 = x253 + x340;
+  const Two x343 = x298 * x298 + x337;
+  const Two x345 = x302 * x303;
+  const Two x347 = x312 + x345;
+  const Two x350 = x298 * x303;
+  const Two x351 = x350 - x315;
+  // links 5 "left_shank", 11 "right_shank": force that the reference field takes
+  const Two x930 = x253 * 0.043271300000000006 + x340 * 0.0410888;
+  const Two x915 = x312 * 0.0020025 + x345 * 0.00018 - x351 * 0.00234;
+  const Two x924 = x315 * 0.043091300000000006 - x350 * 0.0412688 + x347 * 0.00234;
+  const Two x941 = 0.00234 * (x343 - x338) + x930 - x332 * 0.234;
+  const Two x947 = x338 * 0.234 + (x340 - x253) * 0.018000000000000002;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": placement, velocity and reference acceleration of their links
+  const Two x355 = Two{v[10], v[16]};
+  const Two x360 = taken<Two>(cosine + 8) * x298 + taken<Two>(sine + 8) * x302;
+  const Two x364 = taken<Two>(cosine + 8) * x302 - taken<Two>(sine + 8) * x298;
+  const Two x365 = x303 + x355;
+  const Two x374 = taken<Two>(cosine + 8) * x312 + taken<Two>(sine + 8) * x315 + x355 * x364;
+  const Two x377 = taken<Two>(cosine + 8) * x315 - taken<Two>(sine + 8) * x312 - x355 * x360;
+  const Two x381 = x328 + x338 * 0.3;
+  const Two x384 = x332 - x342 * 0.3;
+  const Two x387 = x322 - x351 * 0.3;
+  const Two x390 = taken<Two>(cosine + 8) * x381 + taken<Two>(sine + 8) * x384;
+  const Two x394 = taken<Two>(cosine + 8) * x384 - taken<Two>(sine + 8) * x381;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": placement, velocity and reference acceleration of their links
+  const Two x418 = Two{v[11], v[17]};
+  const Two x423 = taken<Two>(cosine + 10) * x365 + taken<Two>(sine + 10) * x360;
+  const Two x427 = taken<Two>(cosine + 10) * x360 - taken<Two>(sine + 10) * x365;
+  const Two x428 = x364 + x418;
+  const Two x437 = taken<Two>(cosine + 10) * x253 + taken<Two>(sine + 10) * x374 + x418 * x427;
+  const Two x440 = taken<Two>(cosine + 10) * x374 - taken<Two>(sine + 10) * x253 - x418 * x423;
+  const Two x444 = x390 + (x364 * x364 + x365 * x365) * 0.02;
+  const Two x447 = x394 - (x253 + x360 * x364) * 0.02;
+  const Two x450 = x387 - (x360 * x365 - x377) * 0.02;
+  const Two x453 = taken<Two>(cosine + 10) * x450 + taken<Two>(sine + 10) * x444;
+  const Two x457 = taken<Two>(cosine + 10) * x444 - taken<Two>(sine + 10) * x450;
+  const Two x460 = x423 * x423;
+  const Two x465 = x423 * x427;
+  const Two x466 = x465 - x377;
+  const Two x468 = x460 + x428 * x428;
+  const Two x470 = x427 * x428;
+  const Two x473 = x460 + x427 * x427;
+  const Two x475 = x423 * x428;
+  const Two x477 = x440 + x475;
+  // links 7 "left_foot", 13 "right_foot": force that the reference field takes
+  const Two x992 = 0.0007199999999999999 * (x473 - x468) - x470 * 0.002606663;
+  const Two x1015 = x437 * 0.00416667 + x992 - x447 * 0.024;
+  const Two x1016 = x1015 - x457 * 0.024;
+  const Two x1017 = x453 * 0.024;
+  const Two x1001 = x475 * 0.002960003 - x466 * 0.0007199999999999999 + x440 * 0.00381333;
+  const Two x1010 = x377 * 0.001206667 - x465 * 0.00035334 + x477 * 0.0007199999999999999;
+  const Two x1031 = x468 * 0.024 + (x470 - x437) * 0.024;
+  const Two x1032 = x457 * 0.8 + x1031;
+  const Two x1038 = x447 * 0.8 - x473 * 0.024;
+  const Two x1039 = x1038 - (x437 + x470) * 0.024;
   // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
-  const Real x814 = v[3] * cosine[12] + v[4] * sine[12];
-  const Real x818 = v[4] * cosine[12] - v[3] * sine[12];
-  const Real x819 = v[5] + v[18];
-  const Real x820 = v[18] * x818;
-  const Real x821 = v[18] * x814;
-  const Real x823 = x79 * 0.09;
-  const Real x824 = x77 * 0.09;
-  const Real x828 = cosine[12] * x823 + x109 * sine[12];
-  const Real x832 = x109 * cosine[12] - sine[12] * x823;
-  const Real x844 = x818 * x819;
-  const Real x845 = x844 - x820;
-  const Real x847 = x814 * x814 + x818 * x818;
-  const Real x849 = x814 * x819;
-  const Real x851 = x849 - x821;
+  const Real x485 = v[3] * cosine[12] + v[4] * sine[12];
+  const Real x489 = v[4] * cosine[12] - v[3] * sine[12];
+  const Real x490 = v[5] + v[18];
+  const Real x491 = v[18] * x489;
+  const Real x492 = v[18] * x485;
+  const Real x494 = x109 * 0.09;
+  const Real x495 = x106 * 0.09;
+  const Real x496 = x107 * 0.09;
+  const Real x500 = cosine[12] * x494 + sine[12] * x495;
+  const Real x504 = cosine[12] * x495 - sine[12] * x494;
+  const Real x516 = x489 * x490;
+  const Real x517 = x516 - x491;
+  const Real x519 = x485 * x485 + x489 * x489;
+  const Real x521 = x485 * x490;
+  const Real x523 = x521 - x492;
   // link 14 "waist_link": force that the reference field takes
-  const Real x1032 = x820 * 0.00106 - x844 * 6e-05 - x832 * 0.016;
-  w.x[58] = x1032;
-  const Real x1034 = x849 * 6e-05 - x821 * 0.00106 + x828 * 0.016;
-  w.x[59] = x1034;
-  const Real x1037 = x828 * 0.8 + x851 * 0.016;
-  w.x[60] = x1037;
-  const Real x1040 = x832 * 0.8 + x845 * 0.016;
-  w.x[61] = x1040;
-  const Real x1045 = x824 * 0.8 + x847 * 0.016;
-  w.x[62] = x1045;
+  const Real x704 = x491 * 0.00106 - x516 * 6e-05 - x504 * 0.016;
+  w.x[10] = x704;
+  const Real x706 = x521 * 6e-05 - x492 * 0.00106 + x500 * 0.016;
+  w.x[11] = x706;
+  const Real x709 = x500 * 0.8 + x523 * 0.016;
+  w.x[12] = x709;
+  const Real x712 = x504 * 0.8 + x517 * 0.016;
+  w.x[13] = x712;
+  const Real x717 = x496 * 0.8 + x519 * 0.016;
+  w.x[14] = x717;
   // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
-  const Real x859 = x818 * cosine[13] + x819 * sine[13];
-  const Real x863 = x819 * cosine[13] - x818 * sine[13];
-  const Real x864 = x814 + v[19];
-  const Real x870 = v[19] * x863 - x821 * cosine[13];
-  const Real x875 = x828 + 0.05 * x851;
-  const Real x877 = x832 + 0.05 * x845;
-  const Real x880 = x824 + 0.05 * x847;
-  const Real x885 = cosine[13] * x877 - sine[13] * x880;
-  const Real x899 = x859 * x863;
-  const Real x904 = x863 * x864;
+  const Real x531 = x489 * cosine[13] + x490 * sine[13];
+  const Real x535 = x490 * cosine[13] - x489 * sine[13];
+  const Real x536 = x485 + v[19];
+  const Real x542 = v[19] * x535 - x492 * cosine[13];
+  const Real x547 = x500 + 0.05 * x523;
+  const Real x549 = x504 + 0.05 * x517;
+  const Real x552 = x496 + 0.05 * x519;
+  const Real x557 = cosine[13] * x549 - sine[13] * x552;
+  const Real x571 = x531 * x535;
+  const Real x576 = x535 * x536;
   // link 15 "abdomen": force that the reference field takes
-  const Real x985 = (x821 * sine[13] - v[19] * x859) * 0.001125;
-  w.x[63] = x985;
-  const Real x994 = x870 * 0.0014025 + x904 * 0.00027750000000000013 + x875 * 0.018000000000000002;
-  w.x[64] = x994;
-  const Real x997 = x820 * 0.0014025 - x899 * 0.00027750000000000013 - x885 * 0.018000000000000002;
-  w.x[65] = x997;
-  const Real x1000 = x885 * 0.9 + (x899 - x820) * 0.018000000000000002;
-  w.x[66] = x1000;
-  const Real x1001 = (sine[13] * x877 + cosine[13] * x880) * 0.9;
-  const Real x1005 = x1001 + (x859 * x859 + x864 * x864) * 0.018000000000000002;
-  w.x[67] = x1005;
-  const Real x1009 = x875 * 0.9 + (x870 + x904) * 0.018000000000000002;
-  w.x[68] = x1009;
+  const Real x657 = (x492 * sine[13] - v[19] * x531) * 0.001125;
+  w.x[15] = x657;
+  const Real x666 = x542 * 0.0014025 + x576 * 0.00027750000000000013 + x547 * 0.018000000000000002;
+  w.x[16] = x666;
+  const Real x669 = x491 * 0.0014025 - x571 * 0.00027750000000000013 - x557 * 0.018000000000000002;
+  w.x[17] = x669;
+  const Real x672 = x557 * 0.9 + (x571 - x491) * 0.018000000000000002;
+  w.x[18] = x672;
+  const Real x673 = (sine[13] * x549 + cosine[13] * x552) * 0.9;
+  const Real x677 = x673 + (x531 * x531 + x536 * x536) * 0.018000000000000002;
+  w.x[19] = x677;
+  const Real x681 = x547 * 0.9 + (x542 + x576) * 0.018000000000000002;
+  w.x[20] = x681;
   // joint 0 "__base__": its torque on the base
-  const Real x1598 = x79 * 0.12400000000000001 - tau[0];
-  w.x[69] = x1598;
-  const Real x1599 = x76 * 0.12400000000000001 - tau[1];
-  w.x[70] = x1599;
-  const Real x1600 = x77 * 0.12400000000000001 + tau[2];
-  w.x[71] = x1600;
-  const Real x1602 = x76 * 0.015086599999999999 - tau[3];
-  w.x[72] = x1602;
-  const Real x1603 = x79 * 0.00020659999999999716 + tau[4];
-  w.x[73] = x1603;
-  const Real x1605 = x73 * 0.01488 + tau[5];
-  w.x[74] = x1605;
-  // joint 12 "right_ankle_roll": articulated-body inertia and bias force through it
-  const Real x1610 = 828.7290528372782 * (tau[17] - (x1562 + x1569));
-  w.x[75] = x1610;
-  const Real x1623 = x1555 + x1569 + 0.0007199999999999999 * x1610;
-  // link 13 "right_foot": force that the reference field takes
-  const Real x1578 = x806 * 0.024 - x795 * 0.024 + x782 * 0.8;
-  // joint 12 "right_ankle_roll": articulated-body inertia and bias force through it
-  const Real x1625 = x1578 + 0.024 * x1610;
-  const Real x1626 = cosine[11] * 0.024;
-  const Real x1628 = sine[11] * 0.024;
-  const Real x1630 = sine[11] * 0.014320438033028168;
-  const Real x1632 = sine[11] * x1630;
-  const Real x1634 = -0.024 + x1632;
-  const Real x1635 = 0.009679561966971832 + x1632;
-  const Real x1636 = cosine[11] * x1630;
-  const Real x1639 = cosine[11] * 0.000782953140990845;
-  const Real x1644 = cosine[11] * x1639;
-  const Real x1647 = cosine[11] * 0.47734793443427226;
-  const Real x1649 = sine[11] * x1647;
-  const Real x1651 = cosine[11] * x1647;
-  const Real x1653 = 0.8 - x1651;
-  const Real x1657 = -0.016 - x1626;
-  const Real x1658 = 0.02 * x1653;
-  const Real x1664 = sine[11] * x1639 + 0.02 * x1628;
-  const Real x1667 = 0.02 * x1636;
-  const Real x1685 = cosine[11] * x1625 - sine[11] * x1584;
-  const Real x1674 = 0.003383716859009155 + x1644 + 0.02 * x1626 - 0.02 * x1657;
-  const Real x1697 = 7.2e-05 + x1674;
-  require_more(w, x1697, 0.0, kFactorization, 11);
-  const Real x1694 = cosine[11] * x1568 - sine[11] * x1623 - 0.02 * x1591;
-  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x1708 = 1 / x1697;
-  const Real x1710 = x1708 * (tau[16] - (x584 * 7.2e-05 + x1694));
-  w.x[76] = x1710;
-  const Real x1711 = x1664 * x1708;
-  w.x[77] = x1711;
-  const Real x1712 = x1667 * x1708;
-  w.x[78] = x1712;
-  const Real x1713 = x1634 * x1708;
-  w.x[79] = x1713;
-  const Real x1714 = x1657 * x1708;
-  w.x[80] = x1714;
-  const Real x1715 = x1636 * x1708;
-  w.x[81] = x1715;
-  const Real x1718 = 0.00416667 - x1644 + 7.2e-05 - x1664 * x1711;
-  w.x[82] = x1718;
-  const Real x1721 = 0.02 * x1635 - x1664 * x1712;
-  w.x[83] = x1721;
-  const Real x1724 = x1636 + x1664 * x1713;
-  const Real x1728 = x1628 + x1664 * x1714;
-  const Real x1732 = x1635 - x1664 * x1715;
-  const Real x1735 = 7.2e-05 + 0.02 * x1658 - x1667 * x1712;
-  w.x[84] = x1735;
-  const Real x1738 = 0.02 * x1649 + x1667 * x1713;
-  const Real x1740 = x1667 * x1714;
-  const Real x1744 = x1658 - x1667 * x1715;
-  const Real x1747 = 0.3226520655657278 + x1651 + 0.2 - x1634 * x1713;
-  w.x[85] = x1747;
-  const Real x1748 = x1634 * x1714;
-  w.x[86] = x1748;
-  const Real x1752 = x1649 + x1634 * x1715;
-  w.x[87] = x1752;
-  const Real x1756 = 1.0 - x1657 * x1714;
-  w.x[88] = x1756;
-  const Real x1757 = x1657 * x1715;
-  w.x[89] = x1757;
-  const Real x1761 = 0.2 + x1653 - x1636 * x1715;
-  w.x[90] = x1761;
-  // joint 12 "right_ankle_roll": articulated-body inertia and bias force through it
-  const Real x1701 = sine[11] * x1568 + cosine[11] * x1623 + x705 * 7.2e-05;
-  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x1763 = x1701 + x1664 * x1710;
-  w.x[91] = x1763;
-  // joint 12 "right_ankle_roll": articulated-body inertia and bias force through it
-  const Real x1702 = tau[17] + 0.02 * x1685 + x708 * 7.2e-05;
-  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x1765 = x1702 + x1667 * x1710;
-  w.x[92] = x1765;
-  // joint 12 "right_ankle_roll": articulated-body inertia and bias force through it
-  const Real x1704 = sine[11] * x1625 + cosine[11] * x1584 + x720 * 0.2;
-  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x1767 = x1704 + x1634 * x1710;
-  w.x[93] = x1767;
-  const Real x1769 = x724 * 0.2 + x1591 + x1657 * x1710;
-  w.x[94] = x1769;
-  const Real x1771 = x717 * 0.2 + x1685 + x1636 * x1710;
-  w.x[95] = x1771;
-  const Real x1775 = cosine[10] * x1732 - sine[10] * x1744;
-  w.x[96] = x1775;
-  const Real x1778 = sine[10] * x1732 + cosine[10] * x1744;
-  w.x[97] = x1778;
-  const Real x1785 = cosine[10] * (x1740 - x1724) + sine[10] * (x1728 + x1738);
-  const Real x1786 = sine[10] * x1785;
-  const Real x1788 = x1786 - x1728;
-  w.x[98] = x1788;
-  const Real x1789 = x1786 - x1738;
-  w.x[99] = x1789;
-  const Real x1790 = cosine[10] * x1785;
-  const Real x1791 = x1790 - x1740;
-  w.x[100] = x1791;
-  const Real x1792 = x1724 + x1790;
-  w.x[101] = x1792;
-  const Real x1794 = x1718 - x1735;
-  w.x[102] = x1794;
+  const Real x1046 = x109 * 0.12400000000000001 - tau[0];
+  w.x[21] = x1046;
+  const Real x1047 = x106 * 0.12400000000000001 - tau[1];
+  w.x[22] = x1047;
+  const Real x1048 = x107 * 0.12400000000000001 + tau[2];
+  w.x[23] = x1048;
+  const Real x1050 = x106 * 0.015086599999999999 - tau[3];
+  w.x[24] = x1050;
+  const Real x1051 = x109 * 0.00020659999999999716 + tau[4];
+  w.x[25] = x1051;
+  const Real x1053 = x103 * 0.01488 + tau[5];
+  w.x[26] = x1053;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": articulated-body inertia and bias force through them
+  const Two x1057 = Two{tau[11], tau[17]};
+  const Two x1060 = 828.7290528372782 * (x1057 - (x1010 + x1017));
+  put(x1060, w.x.data() + 28);
+  const Two x1073 = x1001 + x1017 + 0.0007199999999999999 * x1060;
+  // links 7 "left_foot", 13 "right_foot": force that the reference field takes
+  const Two x1026 = x477 * 0.024 - x466 * 0.024 + x453 * 0.8;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": articulated-body inertia and bias force through them
+  const Two x1075 = x1026 + 0.024 * x1060;
+  const Two x1076 = taken<Two>(cosine + 10) * 0.024;
+  const Two x1078 = taken<Two>(sine + 10) * 0.024;
+  const Two x1080 = taken<Two>(sine + 10) * 0.014320438033028168;
+  const Two x1082 = taken<Two>(sine + 10) * x1080;
+  const Two x1084 = -0.024 + x1082;
+  const Two x1085 = 0.009679561966971832 + x1082;
+  const Two x1086 = taken<Two>(cosine + 10) * x1080;
+  const Two x1089 = taken<Two>(cosine + 10) * 0.000782953140990845;
+  const Two x1094 = taken<Two>(cosine + 10) * x1089;
+  const Two x1097 = taken<Two>(cosine + 10) * 0.47734793443427226;
+  const Two x1099 = taken<Two>(sine + 10) * x1097;
+  const Two x1101 = taken<Two>(cosine + 10) * x1097;
+  const Two x1103 = 0.8 - x1101;
+  const Two x1107 = -0.016 - x1076;
+  const Two x1108 = 0.02 * x1103;
+  const Two x1114 = taken<Two>(sine + 10) * x1089 + 0.02 * x1078;
+  const Two x1117 = 0.02 * x1086;
+  const Two x1135 = taken<Two>(cosine + 10) * x1075 - taken<Two>(sine + 10) * x1032;
+  const Two x1124 = 0.003383716859009155 + x1094 + 0.02 * x1076 - 0.02 * x1107;
+  const Two x1147 = 7.2e-05 + x1124;
+  require_more(w, x1147, 0.0, kFactorization, {5, 11});
+  const Two x1144 = taken<Two>(cosine + 10) * x1016 - taken<Two>(sine + 10) * x1073 - 0.02 * x1039;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": articulated-body inertia and bias force through them
+  const Two x1159 = Two{tau[10], tau[16]};
+  const Two x1160 = 1 / x1147;
+  const Two x1162 = x1160 * (x1159 - (x253 * 7.2e-05 + x1144));
+  put(x1162, w.x.data() + 30);
+  const Two x1163 = x1114 * x1160;
+  put(x1163, w.x.data() + 32);
+  const Two x1164 = x1117 * x1160;
+  put(x1164, w.x.data() + 34);
+  const Two x1165 = x1084 * x1160;
+  put(x1165, w.x.data() + 36);
+  const Two x1166 = x1107 * x1160;
+  put(x1166, w.x.data() + 38);
+  const Two x1167 = x1086 * x1160;
+  put(x1167, w.x.data() + 40);
+  const Two x1170 = 0.00416667 - x1094 + 7.2e-05 - x1114 * x1163;
+  const Two x1173 = 0.02 * x1085 - x1114 * x1164;
+  const Two x1176 = x1086 + x1114 * x1165;
+  const Two x1180 = x1078 + x1114 * x1166;
+  const Two x1184 = x1085 - x1114 * x1167;
+  const Two x1187 = 7.2e-05 + 0.02 * x1108 - x1117 * x1164;
+  const Two x1190 = 0.02 * x1099 + x1117 * x1165;
+  const Two x1192 = x1117 * x1166;
+  const Two x1196 = x1108 - x1117 * x1167;
+  const Two x1199 = 0.3226520655657278 + x1101 + 0.2 - x1084 * x1165;
+  const Two x1200 = x1084 * x1166;
+  const Two x1204 = x1099 + x1084 * x1167;
+  const Two x1208 = 1.0 - x1107 * x1166;
+  const Two x1209 = x1107 * x1167;
+  const Two x1213 = 0.2 + x1103 - x1086 * x1167;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": articulated-body inertia and bias force through them
+  const Two x1151 = taken<Two>(sine + 10) * x1016 + taken<Two>(cosine + 10) * x1073 + x374 * 7.2e-05;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": articulated-body inertia and bias force through them
+  const Two x1215 = x1151 + x1114 * x1162;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": articulated-body inertia and bias force through them
+  const Two x1152 = x1057 + 0.02 * x1135 + x377 * 7.2e-05;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": articulated-body inertia and bias force through them
+  const Two x1217 = x1152 + x1117 * x1162;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": articulated-body inertia and bias force through them
+  const Two x1154 = taken<Two>(sine + 10) * x1075 + taken<Two>(cosine + 10) * x1032 + x390 * 0.2;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": articulated-body inertia and bias force through them
+  const Two x1219 = x1154 + x1084 * x1162;
+  const Two x1221 = x394 * 0.2 + x1039 + x1107 * x1162;
+  const Two x1223 = x387 * 0.2 + x1135 + x1086 * x1162;
+  const Two x1227 = taken<Two>(cosine + 8) * x1184 - taken<Two>(sine + 8) * x1196;
+  const Two x1230 = taken<Two>(sine + 8) * x1184 + taken<Two>(cosine + 8) * x1196;
+  const Two x1237 = taken<Two>(cosine + 8) * (x1192 - x1176) + taken<Two>(sine + 8) * (x1180 + x1190);
+  const Two x1238 = taken<Two>(sine + 8) * x1237;
+  const Two x1240 = x1238 - x1180;
+  const Two x1242 = taken<Two>(cosine + 8) * x1237;
+  const Two x1248 = taken<Two>(sine + 8) * 2.0;
+  const Two x1252 = taken<Two>(cosine + 8) * (x1170 - x1187) - x1173 * x1248;
+  const Two x1256 = taken<Two>(cosine + 8) * x1252;
+  const Two x1263 = taken<Two>(sine + 8) * x1209 - taken<Two>(cosine + 8) * x1204;
+  const Two x1268 = taken<Two>(sine + 8) * x1204 + taken<Two>(cosine + 8) * x1209;
+  const Two x1274 = taken<Two>(cosine + 8) * (x1199 - x1208) + x1200 * x1248;
+  const Two x1277 = taken<Two>(sine + 8) * x1274 - x1200;
+  const Two x1278 = taken<Two>(cosine + 8) * x1274;
+  const Two x1280 = x1199 - x1278;
+  const Two x1286 = 0.3 * x1268;
+  const Two x1288 = x1176 + x1242 + x1286;
+  const Two x1290 = 0.3 * x1280;
+  const Two x1294 = x1230 + 0.3 * x1213;
+  const Two x1298 = 0.3 * x1240;
+  const Two x1306 = 0.3 * x1288;
+  const Two x1323 = taken<Two>(sine + 8) * x1219 + taken<Two>(cosine + 8) * x1221;
+  const Two x1305 = x1170 - x1256 + (0.3 * x1230 + 0.3 * x1294);
+  const Two x1335 = 0.043271300000000006 + 0.3 * x1290;
+  require_more(w, x1335, 0.0, kFactorization, {4, 10});
+  const Two x1336 = -0.018000000000000002 - 0.3 * x1277;
+  const Two x1337 = -0.234 - x1290;
+  const Two x1313 = taken<Two>(cosine + 8) * x1215 - taken<Two>(sine + 8) * x1217;
+  const Two x1326 = taken<Two>(sine + 8) * x1215 + taken<Two>(cosine + 8) * x1217 + 0.3 * x1223;
+  const Two x1320 = taken<Two>(cosine + 8) * x1219 - taken<Two>(sine + 8) * x1221;
+  // links 5 "left_shank", 11 "right_shank": force that the reference field takes
+  const Two x956 = x332 * 1.8 - (x342 * 0.234 + x343 * 0.018000000000000002);
+  const Two x962 = x322 * 1.8 - x351 * 0.234 + x347 * 0.018000000000000002;
+  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
+  const Two x1349 = Two{tau[9], tau[15]};
+  const Two x1350 = 1 / x1335;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": articulated-body inertia and bias force through them
+  const Two x1343 = x941 - x328 * 0.018000000000000002 + (x1159 - 0.3 * x1323);
+  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
+  const Two x1352 = x1350 * (x1349 - x1343);
+  put(x1352, w.x.data() + 42);
+  const Two x1353 = x1298 * x1350;
+  put(x1353, w.x.data() + 44);
+  const Two x1355 = x1306 * x1350;
+  put(x1355, w.x.data() + 46);
+  const Two x1356 = x1336 * x1350;
+  put(x1356, w.x.data() + 48);
+  const Two x1357 = x1337 * x1350;
+  put(x1357, w.x.data() + 50);
+  const Two x1358 = x1286 * x1350;
+  put(x1358, w.x.data() + 52);
+  const Two x1361 = x1187 + x1256 + 0.0020025 - x1298 * x1353;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": articulated-body inertia and bias force through them
+  const Two x1331 = x1173 + taken<Two>(sine + 8) * x1252 + 0.3 * x1227 + 0.00234;
+  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
+  const Two x1364 = x1331 + x1298 * x1355;
+  const Two x1367 = x1242 - x1192 + x1298 * x1356;
+  const Two x1370 = x1240 + x1298 * x1357;
+  const Two x1373 = 0.018000000000000002 + x1227 + x1298 * x1358;
+  const Two x1376 = 0.043091300000000006 + x1305 - x1306 * x1355;
+  const Two x1379 = x1238 - x1190 + 0.3 * x1263 - x1306 * x1356;
+  const Two x1382 = x1288 + x1306 * x1357;
+  const Two x1386 = 0.234 + x1294 - x1306 * x1358;
+  const Two x1389 = x1208 + x1278 + 1.8 - x1336 * x1356;
+  const Two x1392 = x1277 - x1336 * x1357;
+  const Two x1395 = x1263 - x1336 * x1358;
+  const Two x1398 = 1.8 + x1280 - x1337 * x1357;
+  const Two x1401 = x1268 + x1337 * x1358;
+  const Two x1405 = 1.8 + x1213 - x1286 * x1358;
+  const Two x1408 = x915 + x322 * 0.018000000000000002 + x1313 - x1298 * x1352;
+  const Two x1410 = x924 + x322 * 0.234 + x1326 + x1306 * x1352;
+  const Two x1412 = x328 * 1.8 + x947 + x1320 + x1336 * x1352;
+  const Two x1414 = x956 + x1323 + x1337 * x1352;
+  const Two x1416 = x962 + x1223 + x1286 * x1352;
+  const Two x1420 = taken<Two>(cosine + 6) * x1373 - taken<Two>(sine + 6) * x1386;
+  const Two x1423 = taken<Two>(sine + 6) * x1373 + taken<Two>(cosine + 6) * x1386;
+  const Two x1429 = taken<Two>(cosine + 6) * (x1367 + x1382) - taken<Two>(sine + 6) * (x1370 + x1379);
+  const Two x1430 = taken<Two>(sine + 6) * x1429;
+  const Two x1432 = x1370 + x1430;
+  const Two x1434 = taken<Two>(cosine + 6) * x1429;
+  const Two x1435 = x1434 - x1382;
+  const Two x1439 = taken<Two>(sine + 6) * 2.0;
+  const Two x1443 = taken<Two>(cosine + 6) * (x1361 - x1376) - x1364 * x1439;
+  const Two x1447 = taken<Two>(cosine + 6) * x1443;
+  const Two x1453 = taken<Two>(cosine + 6) * x1395 + taken<Two>(sine + 6) * x1401;
+  const Two x1457 = taken<Two>(sine + 6) * x1395 - taken<Two>(cosine + 6) * x1401;
+  const Two x1462 = taken<Two>(cosine + 6) * (x1389 - x1398) - x1392 * x1439;
+  const Two x1465 = x1392 + taken<Two>(sine + 6) * x1462;
+  const Two x1466 = taken<Two>(cosine + 6) * x1462;
+  const Two x1468 = x1389 - x1466;
+  const Two x1469 = 0.24 * x1457;
+  const Two x1471 = x1367 - x1434 + x1469;
+  const Two x1472 = 0.24 * x1468;
+  const Two x1476 = x1423 + 0.24 * x1405;
+  const Two x1492 = x1364 + taken<Two>(sine + 6) * x1443 + 0.24 * x1420;
+  const Two x1495 = 0.24 * x1432;
+  const Two x1510 = taken<Two>(sine + 6) * x1412 + taken<Two>(cosine + 6) * x1414;
+  const Two x1487 = x1361 - x1447 + (0.24 * x1423 + 0.24 * x1476);
+  const Two x1521 = x1376 + x1447 + 0.00468;
+  require_more(w, x1521, 0.0, kFactorization, {3, 9});
+  // links 4 "left_thigh", 10 "right_thigh": force that the reference field takes
+  const Two x878 = x250 * 0.0429867 - x283 * 0.038306700000000006 + x270 * 0.26;
+  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
+  const Two x1513 = taken<Two>(sine + 6) * x1408 + taken<Two>(cosine + 6) * x1410 + 0.24 * x1416;
+  // links 4 "left_thigh", 10 "right_thigh": force that the reference field takes
+  const Two x881 = x253 * 0.0429867 + x288 * 0.038306700000000006 - x266 * 0.26;
+  const Two x893 = x260 * 2.6 + x286 * 0.26;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
+  const Two x1533 = Two{tau[8], tau[14]};
+  const Two x1534 = 1 / x1521;
+  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
+  const Two x1527 = taken<Two>(cosine + 6) * x1408 - taken<Two>(sine + 6) * x1410 + x191 * 0.00468;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
+  const Two x1536 = x1534 * (x1533 - x1527);
+  put(x1536, w.x.data() + 54);
+  const Two x1537 = x1492 * x1534;
+  put(x1537, w.x.data() + 56);
+  const Two x1538 = x1495 * x1534;
+  put(x1538, w.x.data() + 58);
+  const Two x1540 = x1432 * x1534;
+  put(x1540, w.x.data() + 60);
+  const Two x1541 = x1420 * x1534;
+  put(x1541, w.x.data() + 62);
+  const Two x1542 = x1435 * x1534;
+  put(x1542, w.x.data() + 64);
+  const Two x1545 = 0.0429867 + x1487 - x1492 * x1537;
+  const Two x1548 = x1492 * x1538 - 0.24 * x1471;
+  const Two x1551 = x1471 - x1492 * x1540;
+  const Two x1554 = 0.26 + x1476 - x1492 * x1541;
+  const Two x1557 = x1379 + x1430 + 0.24 * x1453 - x1492 * x1542;
+  const Two x1560 = 0.0429867 + 0.24 * x1472 - x1495 * x1538;
+  const Two x1563 = -0.26 - x1472 + x1495 * x1540;
+  const Two x1566 = x1495 * x1541 - x1469;
+  const Two x1569 = x1495 * x1542 - 0.24 * x1465;
+  const Two x1572 = 2.6 + x1468 - x1432 * x1540;
+  const Two x1575 = x1457 - x1432 * x1541;
+  const Two x1578 = x1465 - x1432 * x1542;
+  const Two x1581 = 2.6 + x1405 - x1420 * x1541;
+  const Two x1584 = x1453 - x1420 * x1542;
+  const Two x1589 = x878 + x1513 + x1492 * x1536;
+  const Two x1592 = x1349 - 0.24 * x1510 + x881 - x1495 * x1536;
+  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
+  const Two x1528 = x266 * 2.6 - x290 * 0.26 + x1510;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
+  const Two x1594 = x1528 + x1432 * x1536;
+  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
+  const Two x1529 = x270 * 2.6 - x284 * 0.26 + x1416;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
+  const Two x1596 = x1529 + x1420 * x1536;
+  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
+  const Two x1530 = taken<Two>(cosine + 6) * x1412 - taken<Two>(sine + 6) * x1414 + x893;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
+  const Two x1611 = taken<Two>(cosine + 4) * (x1551 - x1566) - taken<Two>(sine + 4) * (x1554 + x1563);
+  const Two x1612 = taken<Two>(sine + 4) * x1611;
+  const Two x1614 = x1554 + x1612;
+  const Two x1615 = x1563 + x1612;
+  const Two x1616 = taken<Two>(cosine + 4) * x1611;
+  const Two x1617 = x1566 + x1616;
+  const Two x1621 = taken<Two>(sine + 4) * 2.0;
+  const Two x1625 = taken<Two>(cosine + 4) * (x1545 - x1560) - x1548 * x1621;
+  const Two x1629 = taken<Two>(cosine + 4) * x1625;
+  const Two x1635 = taken<Two>(cosine + 4) * x1578 - taken<Two>(sine + 4) * x1584;
+  put(x1635, w.x.data() + 66);
+  const Two x1638 = taken<Two>(sine + 4) * x1578 + taken<Two>(cosine + 4) * x1584;
+  put(x1638, w.x.data() + 68);
+  const Two x1643 = taken<Two>(cosine + 4) * (x1572 - x1581) - x1575 * x1621;
+  const Two x1646 = x1575 + taken<Two>(sine + 4) * x1643;
+  put(x1646, w.x.data() + 70);
+  const Two x1647 = taken<Two>(cosine + 4) * x1643;
+  const Two x1648 = x1581 + x1647;
+  const Two x1649 = x1572 - x1647;
+  const Two x1650 = 0.12 * x1646;
+  const Two x1652 = x1551 - x1616 - x1650;
+  put(x1652, w.x.data() + 72);
+  const Two x1655 = x1614 + 0.12 * x1649;
+  const Two x1661 = taken<Two>(cosine + 4) * x1557 - taken<Two>(sine + 4) * x1569 + 0.12 * x1638;
+  put(x1661, w.x.data() + 74);
+  const Two x1664 = x1615 - 0.12 * x1648;
+  const Two x1665 = x1617 + x1650;
+  put(x1665, w.x.data() + 76);
+  const Two x1676 = x1548 + taken<Two>(sine + 4) * x1625 - 0.12 * x1617;
+  const Two x1677 = 0.12 * x1652 + x1676;
+  put(x1677, w.x.data() + 78);
+  const Two x1694 = taken<Two>(cosine + 4) * x1594 - taken<Two>(sine + 4) * x1596;
+  const Two x1697 = taken<Two>(sine + 4) * x1594 + taken<Two>(cosine + 4) * x1596;
+  const Two x1671 = x1545 - x1629 - 0.12 * x1615 - 0.12 * x1664;
+  const Two x1658 = taken<Two>(sine + 4) * x1557 + taken<Two>(cosine + 4) * x1569 - 0.12 * x1635;
+  const Two x1705 = -0.024 + x1658;
+  put(x1705, w.x.data() + 80);
+  const Two x1706 = -0.048 + x1664;
+  put(x1706, w.x.data() + 82);
+  const Two x1683 = x1560 + x1629 + 0.12 * x1614 + 0.12 * x1655;
+  const Two x1707 = 0.00342 + x1683;
+  require_more(w, x1707, 0.0, kFactorization, {2, 8});
+  const Two x1708 = 0.048 + x1655;
+  put(x1708, w.x.data() + 84);
+  const Two x1709 = 1.2 + x1649;
+  put(x1709, w.x.data() + 86);
+  const Two x1710 = x1398 + x1466 + 2.6 - x1435 * x1542 + 1.2;
+  put(x1710, w.x.data() + 88);
+  const Two x1711 = 1.2 + x1648;
+  put(x1711, w.x.data() + 90);
+  const Two x1700 = taken<Two>(sine + 4) * x1589 + taken<Two>(cosine + 4) * x1592 - 0.12 * x1694;
+  const Two x1712 = x829 - x207 * 0.024 + x1700;
+  put(x1712, w.x.data() + 92);
+  const Two x1713 = x814 + x203 * 0.024 + x1533;
+  put(x1713, w.x.data() + 94);
+  const Two x1703 = taken<Two>(cosine + 4) * x1589 - taken<Two>(sine + 4) * x1592 + 0.12 * x1697;
+  // links 3 "left_groin", 9 "right_groin": force that the reference field takes
+  const Two x841 = x227 * 0.024 - x216 * 0.048 + x203 * 1.2;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
+  const Two x1715 = x841 + x1697;
+  put(x1715, w.x.data() + 96);
+  const Two x1716 = x207 * 1.2 + x846 + (x1530 + x1435 * x1536);
+  put(x1716, w.x.data() + 98);
+  // links 3 "left_groin", 9 "right_groin": force that the reference field takes
+  const Two x854 = x195 * 1.2 - x223 * 0.024 - x222 * 0.048;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
+  const Two x1717 = x854 + x1694;
+  put(x1717, w.x.data() + 100);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll": articulated-body inertia and bias force through them
+  const Two x1720 = Two{tau[7], tau[13]};
+  put(x1720, w.x.data() + 102);
+  const Two x1721 = 1 / x1707;
+  const Two x1723 = x1721 * (x1720 - (x824 + x203 * 0.048 + x1703));
+  put(x1723, w.x.data() + 104);
+  const Two x1724 = x1677 * x1721;
+  put(x1724, w.x.data() + 106);
+  const Two x1725 = 0.00096 * x1721;
+  put(x1725, w.x.data() + 108);
+  const Two x1726 = x1708 * x1721;
+  put(x1726, w.x.data() + 110);
+  const Two x1727 = x1661 * x1721;
+  put(x1727, w.x.data() + 112);
+  const Two x1728 = x1665 * x1721;
+  put(x1728, w.x.data() + 114);
+  const Two x1731 = 0.00379 + x1671 - x1677 * x1724;
+  put(x1731, w.x.data() + 116);
+  const Two x1732 = x1677 * x1725;
+  put(x1732, w.x.data() + 118);
 }
 
-ADAGEN_NOINLINE void part_0_1(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   ADAGEN_INPUTS
-  const Real x1200 = w.x[11];
-  const Real x1204 = w.x[12];
-  const Real x1207 = w.x[13];
-  const Real x1211 = w.x[14];
-  const Real x1215 = w.x[15];
-  const Real x1219 = w.x[16];
-  const Real x1259 = w.x[17];
-  const Real x1262 = w.x[18];
-  const Real x1268 = w.x[19];
-  const Real x1274 = w.x[20];
-  const Real x1282 = w.x[21];
-  const Real x1288 = w.x[22];
-  const Real x1291 = w.x[23];
-  const Real x1293 = w.x[24];
-  const Real x1295 = w.x[25];
-  const Real x1297 = w.x[26];
-  const Real x1298 = w.x[27];
-  const Real x1299 = w.x[28];
-  const Real x1343 = w.x[29];
-  const Real x1345 = w.x[30];
-  const Real x1347 = w.x[31];
-  const Real x1353 = w.x[32];
-  const Real x1359 = w.x[33];
-  const Real x1366 = w.x[34];
-  const Real x1380 = w.x[35];
-  const Real x1383 = w.x[36];
-  const Real x1387 = w.x[37];
-  const Real x1392 = w.x[38];
-  const Real x1397 = w.x[39];
-  const Real x1425 = w.x[40];
-  const Real x1427 = w.x[41];
-  const Real x1430 = w.x[42];
-  const Real x1436 = w.x[43];
-  const Real x1442 = w.x[44];
-  const Real x1451 = w.x[45];
-  const Real x1462 = w.x[46];
-  const Real x1466 = w.x[47];
-  const Real x1469 = w.x[48];
-  const Real x1473 = w.x[49];
-  const Real x1477 = w.x[50];
-  const Real x1481 = w.x[51];
-  const Real x1503 = w.x[52];
-  const Real x1506 = w.x[53];
-  const Real x1512 = w.x[54];
-  const Real x1518 = w.x[55];
-  const Real x1526 = w.x[56];
-  const Real x1532 = w.x[57];
-  const Real x1598 = w.x[69];
-  const Real x1599 = w.x[70];
-  const Real x1600 = w.x[71];
-  const Real x1602 = w.x[72];
-  const Real x1603 = w.x[73];
-  const Real x1605 = w.x[74];
-  const Real x1718 = w.x[82];
-  const Real x1721 = w.x[83];
-  const Real x1735 = w.x[84];
-  const Real x1747 = w.x[85];
-  const Real x1748 = w.x[86];
-  const Real x1752 = w.x[87];
-  const Real x1756 = w.x[88];
-  const Real x1757 = w.x[89];
-  const Real x1761 = w.x[90];
-  const Real x1763 = w.x[91];
-  const Real x1765 = w.x[92];
-  const Real x1767 = w.x[93];
-  const Real x1769 = w.x[94];
-  const Real x1771 = w.x[95];
-  const Real x1775 = w.x[96];
-  const Real x1778 = w.x[97];
-  const Real x1788 = w.x[98];
-  const Real x1789 = w.x[99];
-  const Real x1791 = w.x[100];
-  const Real x1792 = w.x[101];
-  const Real x1794 = w.x[102];
-  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x1796 = 2.0 * sine[10];
-  const Real x1800 = cosine[10] * x1794 - x1721 * x1796;
-  const Real x1804 = cosine[10] * x1800;
-  const Real x1811 = sine[10] * x1757 - cosine[10] * x1752;
-  const Real x1816 = sine[10] * x1752 + cosine[10] * x1757;
-  const Real x1822 = cosine[10] * (x1747 - x1756) + x1748 * x1796;
-  const Real x1825 = sine[10] * x1822 - x1748;
-  const Real x1826 = cosine[10] * x1822;
-  const Real x1828 = x1747 - x1826;
-  const Real x1834 = 0.3 * x1816;
-  const Real x1836 = x1792 + x1834;
-  const Real x1838 = 0.3 * x1828;
-  const Real x1842 = x1778 + 0.3 * x1761;
-  const Real x1846 = 0.3 * x1788;
-  const Real x1854 = 0.3 * x1836;
-  const Real x1871 = sine[10] * x1767 + cosine[10] * x1769;
-  const Real x1853 = x1718 - x1804 + (0.3 * x1778 + 0.3 * x1842);
-  const Real x1883 = 0.043271300000000006 + 0.3 * x1838;
-  require_more(w, x1883, 0.0, kFactorization, 10);
-  const Real x1884 = -0.018000000000000002 - 0.3 * x1825;
-  const Real x1885 = -0.234 - x1838;
-  const Real x1874 = sine[10] * x1763 + cosine[10] * x1765 + 0.3 * x1771;
-  // joint 10 "right_knee": articulated-body inertia and bias force through it
-  const Real x1896 = 1 / x1883;
-  const Real x1898 = x1896 * (tau[15] - (tau[16] - 0.3 * x1871 + x1512));
-  w.x[103] = x1898;
-  const Real x1899 = x1846 * x1896;
-  w.x[104] = x1899;
-  const Real x1901 = x1854 * x1896;
-  w.x[105] = x1901;
-  const Real x1902 = x1884 * x1896;
-  w.x[106] = x1902;
-  const Real x1903 = x1885 * x1896;
-  w.x[107] = x1903;
-  const Real x1904 = x1834 * x1896;
-  w.x[108] = x1904;
-  const Real x1907 = x1735 + x1804 + 0.0020025 - x1846 * x1899;
-  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x1879 = x1721 + sine[10] * x1800 + 0.3 * x1775 + 0.00234;
-  // joint 10 "right_knee": articulated-body inertia and bias force through it
-  const Real x1910 = x1879 + x1846 * x1901;
-  const Real x1913 = x1791 + x1846 * x1902;
-  const Real x1916 = x1788 + x1846 * x1903;
-  const Real x1919 = 0.018000000000000002 + x1775 + x1846 * x1904;
-  const Real x1922 = 0.043091300000000006 + x1853 - x1854 * x1901;
-  const Real x1925 = x1789 + 0.3 * x1811 - x1854 * x1902;
-  const Real x1928 = x1836 + x1854 * x1903;
-  const Real x1932 = 0.234 + x1842 - x1854 * x1904;
-  const Real x1935 = x1756 + x1826 + 1.8 - x1884 * x1902;
-  const Real x1938 = x1825 - x1884 * x1903;
-  const Real x1941 = x1811 - x1884 * x1904;
-  const Real x1944 = 1.8 + x1828 - x1885 * x1903;
-  const Real x1947 = x1816 + x1885 * x1904;
-  const Real x1951 = 1.8 + x1761 - x1834 * x1904;
-  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x1889 = cosine[10] * x1763 - sine[10] * x1765 + x1503;
-  // joint 10 "right_knee": articulated-body inertia and bias force through it
-  const Real x1954 = x1889 - x1846 * x1898;
-  const Real x1956 = x1506 + x1874 + x1854 * x1898;
-  // joint 11 "right_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x1892 = cosine[10] * x1767 - sine[10] * x1769 + x1518;
-  // joint 10 "right_knee": articulated-body inertia and bias force through it
-  const Real x1958 = x1892 + x1884 * x1898;
-  const Real x1960 = x1526 + x1871 + x1885 * x1898;
-  const Real x1962 = x1532 + x1771 + x1834 * x1898;
-  const Real x1966 = cosine[9] * x1919 - sine[9] * x1932;
-  const Real x1969 = sine[9] * x1919 + cosine[9] * x1932;
-  const Real x1975 = cosine[9] * (x1913 + x1928) - sine[9] * (x1916 + x1925);
-  const Real x1976 = sine[9] * x1975;
-  const Real x1978 = x1916 + x1976;
-  const Real x1980 = cosine[9] * x1975;
-  const Real x1981 = x1980 - x1928;
-  const Real x1985 = 2.0 * sine[9];
-  const Real x1989 = cosine[9] * (x1907 - x1922) - x1910 * x1985;
-  const Real x1993 = cosine[9] * x1989;
-  const Real x1999 = cosine[9] * x1941 + sine[9] * x1947;
-  const Real x2003 = sine[9] * x1941 - cosine[9] * x1947;
-  const Real x2008 = cosine[9] * (x1935 - x1944) - x1938 * x1985;
-  const Real x2011 = x1938 + sine[9] * x2008;
-  const Real x2012 = cosine[9] * x2008;
-  const Real x2014 = x1935 - x2012;
-  const Real x2015 = 0.24 * x2003;
-  const Real x2017 = x1913 - x1980 + x2015;
-  const Real x2018 = 0.24 * x2014;
-  const Real x2022 = x1969 + 0.24 * x1951;
-  const Real x2038 = x1910 + sine[9] * x1989 + 0.24 * x1966;
-  const Real x2041 = 0.24 * x1978;
-  const Real x2056 = sine[9] * x1958 + cosine[9] * x1960;
-  const Real x2033 = x1907 - x1993 + (0.24 * x1969 + 0.24 * x2022);
-  const Real x2067 = x1922 + x1993 + 0.00468;
-  require_more(w, x2067, 0.0, kFactorization, 9);
-  const Real x2059 = sine[9] * x1954 + cosine[9] * x1956 + 0.24 * x1962;
-  // joint 9 "right_hip_yaw": articulated-body inertia and bias force through it
-  const Real x2078 = 1 / x2067;
-  const Real x2079 = tau[14] - (cosine[9] * x1954 - sine[9] * x1956 + x1462);
-  const Real x2080 = x2078 * x2079;
-  w.x[109] = x2080;
-  const Real x2081 = x2038 * x2078;
-  w.x[110] = x2081;
-  const Real x2082 = x2041 * x2078;
-  w.x[111] = x2082;
-  const Real x2084 = x1978 * x2078;
-  w.x[112] = x2084;
-  const Real x2085 = x1966 * x2078;
-  w.x[113] = x2085;
-  const Real x2086 = x1981 * x2078;
-  w.x[114] = x2086;
-  const Real x2089 = 0.0429867 + x2033 - x2038 * x2081;
-  const Real x2092 = x2038 * x2082 - 0.24 * x2017;
-  const Real x2095 = x2017 - x2038 * x2084;
-  const Real x2098 = 0.26 + x2022 - x2038 * x2085;
-  const Real x2101 = x1925 + x1976 + 0.24 * x1999 - x2038 * x2086;
-  const Real x2104 = 0.0429867 + 0.24 * x2018 - x2041 * x2082;
-  const Real x2107 = -0.26 - x2018 + x2041 * x2084;
-  const Real x2110 = x2041 * x2085 - x2015;
-  const Real x2113 = x2041 * x2086 - 0.24 * x2011;
-  const Real x2116 = 2.6 + x2014 - x1978 * x2084;
-  const Real x2119 = x2003 - x1978 * x2085;
-  const Real x2122 = x2011 - x1978 * x2086;
-  const Real x2125 = 2.6 + x1951 - x1966 * x2085;
-  const Real x2128 = x1999 - x1966 * x2086;
-  const Real x2133 = x1466 + x2059 + x2038 * x2080;
-  const Real x2136 = tau[15] - 0.24 * x2056 + x1469 - x2041 * x2080;
-  const Real x2138 = x1473 + x2056 + x1978 * x2080;
-  const Real x2140 = x1477 + x1962 + x1966 * x2080;
-  // joint 10 "right_knee": articulated-body inertia and bias force through it
-  const Real x2076 = cosine[9] * x1958 - sine[9] * x1960 + x1481;
-  // joint 9 "right_hip_yaw": articulated-body inertia and bias force through it
-  const Real x2155 = cosine[8] * (x2095 - x2110) - sine[8] * (x2098 + x2107);
-  const Real x2156 = sine[8] * x2155;
-  const Real x2158 = x2098 + x2156;
-  const Real x2159 = x2107 + x2156;
-  const Real x2160 = cosine[8] * x2155;
-  const Real x2161 = x2110 + x2160;
-  const Real x2165 = 2.0 * sine[8];
-  const Real x2169 = cosine[8] * (x2089 - x2104) - x2092 * x2165;
-  const Real x2173 = cosine[8] * x2169;
-  const Real x2179 = cosine[8] * x2122 - sine[8] * x2128;
-  const Real x2182 = sine[8] * x2122 + cosine[8] * x2128;
-  const Real x2187 = cosine[8] * (x2116 - x2125) - x2119 * x2165;
-  const Real x2190 = x2119 + sine[8] * x2187;
-  const Real x2191 = cosine[8] * x2187;
-  const Real x2192 = x2125 + x2191;
-  const Real x2193 = x2116 - x2191;
-  const Real x2194 = 0.12 * x2190;
-  const Real x2196 = x2095 - x2160 - x2194;
-  const Real x2199 = x2158 + 0.12 * x2193;
-  const Real x2205 = cosine[8] * x2101 - sine[8] * x2113 + 0.12 * x2182;
-  const Real x2208 = x2159 - 0.12 * x2192;
-  const Real x2209 = x2161 + x2194;
-  const Real x2220 = x2092 + sine[8] * x2169 - 0.12 * x2161;
-  const Real x2221 = 0.12 * x2196 + x2220;
-  const Real x2238 = cosine[8] * x2138 - sine[8] * x2140;
-  const Real x2241 = sine[8] * x2138 + cosine[8] * x2140;
-  const Real x2215 = x2089 - x2173 - 0.12 * x2159 - 0.12 * x2208;
-  const Real x2202 = sine[8] * x2101 + cosine[8] * x2113 - 0.12 * x2179;
-  const Real x2227 = x2104 + x2173 + 0.12 * x2158 + 0.12 * x2199;
-  const Real x2251 = 0.00342 + x2227;
-  require_more(w, x2251, 0.0, kFactorization, 8);
-  const Real x2252 = 0.048 + x2199;
-  const Real x2244 = sine[8] * x2133 + cosine[8] * x2136 - 0.12 * x2238;
-  const Real x2247 = cosine[8] * x2133 - sine[8] * x2136 + 0.12 * x2241;
-  // joint 8 "right_hip_roll": articulated-body inertia and bias force through it
-  const Real x2263 = 1 / x2251;
-  const Real x2265 = x2263 * (tau[13] - (x1430 + x2247));
-  w.x[115] = x2265;
-  const Real x2266 = x2221 * x2263;
-  w.x[116] = x2266;
-  const Real x2267 = 0.00096 * x2263;
-  w.x[117] = x2267;
-  const Real x2268 = x2252 * x2263;
-  w.x[118] = x2268;
-  const Real x2269 = x2205 * x2263;
-  w.x[119] = x2269;
-  const Real x2270 = x2209 * x2263;
-  w.x[120] = x2270;
-  const Real x2273 = 0.00379 + x2215 - x2221 * x2266;
-  const Real x2274 = x2221 * x2267;
-  const Real x2278 = x2196 - x2221 * x2268;
-  const Real x2281 = -0.024 + x2202 - x2221 * x2269;
-  const Real x2284 = -0.048 + x2208 - x2221 * x2270;
-  const Real x2287 = 0.00187 - 0.00096 * x2267;
-  const Real x2290 = 0.024 - 0.00096 * x2268;
-  const Real x2291 = 0.00096 * x2269;
-  const Real x2293 = 0.00096 * x2270;
-  const Real x2297 = 1.2 + x2193 - x2252 * x2268;
-  const Real x2300 = x2182 - x2252 * x2269;
-  const Real x2303 = x2190 - x2252 * x2270;
-  // joint 9 "right_hip_yaw": articulated-body inertia and bias force through it
-  const Real x2254 = x1944 + x2012 + 2.6 - x1981 * x2086 + 1.2;
-  // joint 8 "right_hip_roll": articulated-body inertia and bias force through it
-  const Real x2306 = x2254 - x2205 * x2269;
-  const Real x2309 = x2179 - x2205 * x2270;
-  const Real x2312 = 1.2 + x2192 - x2209 * x2270;
-  const Real x2314 = x1425 + x2244 + x2221 * x2265;
-  const Real x2316 = x1427 + tau[14] + 0.00096 * x2265;
-  const Real x2318 = x1436 + x2241 + x2252 * x2265;
-  const Real x2320 = x2076 + x1981 * x2080 + x1442 + x2205 * x2265;
-  const Real x2322 = x2238 - x1451 + x2209 * x2265;
-  const Real x2326 = cosine[7] * x2284 + sine[7] * x2293;
-  const Real x2330 = sine[7] * x2284 - cosine[7] * x2293;
-  const Real x2336 = cosine[7] * (x2278 + x2291) - sine[7] * (x2281 + x2290);
-  const Real x2337 = sine[7] * x2336;
-  const Real x2339 = x2281 + x2337;
-  const Real x2341 = cosine[7] * x2336;
-  const Real x2342 = x2341 - x2291;
-  const Real x2346 = 2.0 * sine[7];
-  const Real x2350 = cosine[7] * (x2273 - x2287) + x2274 * x2346;
-  const Real x2354 = cosine[7] * x2350;
-  const Real x2360 = cosine[7] * x2303 - sine[7] * x2309;
-  const Real x2363 = sine[7] * x2303 + cosine[7] * x2309;
-  const Real x2368 = cosine[7] * (x2297 - x2306) - x2300 * x2346;
-  const Real x2371 = x2300 + sine[7] * x2368;
-  const Real x2372 = cosine[7] * x2368;
-  const Real x2374 = x2297 - x2372;
-  const Real x2375 = 0.04 * x2363;
-  const Real x2377 = x2278 - x2341 + x2375;
-  const Real x2378 = 0.04 * x2374;
-  const Real x2382 = x2330 + 0.04 * x2312;
-  const Real x2398 = sine[7] * x2350 - x2274 + 0.04 * x2326;
-  const Real x2401 = 0.04 * x2339;
-  const Real x2416 = sine[7] * x2318 + cosine[7] * x2320;
-  const Real x2393 = x2273 - x2354 + (0.04 * x2330 + 0.04 * x2382);
-  const Real x2427 = x2287 + x2354 + 0.00175;
-  require_more(w, x2427, 0.0, kFactorization, 7);
-  const Real x2419 = sine[7] * x2314 + cosine[7] * x2316 + 0.04 * x2322;
-  // joint 7 "right_hip_pitch": articulated-body inertia and bias force through it
-  const Real x2437 = 1 / x2427;
-  const Real x2439 = x2437 * (tau[12] - (cosine[7] * x2314 - sine[7] * x2316));
-  w.x[121] = x2439;
-  const Real x2440 = x2398 * x2437;
-  w.x[122] = x2440;
-  const Real x2441 = x2401 * x2437;
-  w.x[123] = x2441;
-  const Real x2443 = x2339 * x2437;
-  w.x[124] = x2443;
-  const Real x2444 = x2326 * x2437;
-  w.x[125] = x2444;
-  const Real x2445 = x2342 * x2437;
-  w.x[126] = x2445;
-  const Real x2448 = 0.00308 + x2393 - x2398 * x2440;
-  const Real x2451 = x2398 * x2441 - 0.04 * x2377;
-  const Real x2454 = x2377 - x2398 * x2443;
-  const Real x2457 = 0.041999999999999996 + x2382 - x2398 * x2444;
-  const Real x2460 = x2290 + x2337 + 0.04 * x2360 - x2398 * x2445;
-  const Real x2463 = 0.00308 + 0.04 * x2378 - x2401 * x2441;
-  const Real x2466 = -0.041999999999999996 - x2378 + x2401 * x2443;
-  const Real x2469 = x2401 * x2444 - x2375;
-  const Real x2472 = x2401 * x2445 - 0.04 * x2371;
-  const Real x2475 = 1.4 + x2374 - x2339 * x2443;
-  const Real x2478 = x2363 - x2339 * x2444;
-  const Real x2481 = x2371 - x2339 * x2445;
-  const Real x2484 = 1.4 + x2312 - x2326 * x2444;
-  const Real x2487 = x2360 - x2326 * x2445;
-  const Real x2490 = x2306 + x2372 + 1.4 - x2342 * x2445;
-  const Real x2492 = x1380 + x2419 + x2398 * x2439;
-  const Real x2495 = tau[13] - 0.04 * x2416 + x1383 - x2401 * x2439;
-  const Real x2497 = x1387 + x2416 + x2339 * x2439;
-  const Real x2499 = x2322 - x1392 + x2326 * x2439;
-  // joint 8 "right_hip_roll": articulated-body inertia and bias force through it
-  const Real x2435 = cosine[7] * x2318 - sine[7] * x2320 + x1397;
-  // joint 7 "right_hip_pitch": articulated-body inertia and bias force through it
-  const Real x2501 = x2435 + x2342 * x2439;
-  const Real x2505 = cosine[6] * x2460 - sine[6] * x2472;
-  const Real x2508 = sine[6] * x2460 + cosine[6] * x2472;
-  const Real x2514 = cosine[6] * (x2454 - x2469) - sine[6] * (x2457 + x2466);
-  const Real x2515 = sine[6] * x2514;
-  const Real x2517 = x2457 + x2515;
-  const Real x2518 = x2466 + x2515;
-  const Real x2519 = cosine[6] * x2514;
-  const Real x2520 = x2469 + x2519;
-  const Real x2524 = 2.0 * sine[6];
-  const Real x2528 = cosine[6] * (x2448 - x2463) - x2451 * x2524;
-  const Real x2532 = cosine[6] * x2528;
-  const Real x2538 = cosine[6] * x2481 - sine[6] * x2487;
-  w.x[127] = x2538;
-  const Real x2541 = sine[6] * x2481 + cosine[6] * x2487;
-  w.x[128] = x2541;
-  const Real x2546 = cosine[6] * (x2475 - x2484) - x2478 * x2524;
-  const Real x2549 = x2478 + sine[6] * x2546;
-  w.x[129] = x2549;
-  const Real x2550 = cosine[6] * x2546;
-  const Real x2551 = x2484 + x2550;
-  const Real x2552 = x2475 - x2550;
-  const Real x2553 = 0.09 * x2549;
-  const Real x2555 = 0.05 * x2541;
-  w.x[130] = x2555;
-  const Real x2558 = x2454 - x2519 + x2555 - x2553;
-  w.x[131] = x2558;
-  const Real x2559 = 0.05 * x2552;
-  const Real x2563 = x2517 + 0.09 * x2552;
-  w.x[132] = x2563;
-  const Real x2569 = x2508 + 0.05 * x2490 - 0.09 * x2538;
-  const Real x2572 = x2505 + 0.09 * x2541;
-  w.x[133] = x2572;
-  const Real x2578 = x2518 + 0.05 * x2538 - 0.09 * x2551;
-  w.x[134] = x2578;
-  const Real x2579 = 0.05 * x2549;
-  w.x[135] = x2579;
-  const Real x2581 = x2520 + x2553;
-  w.x[136] = x2581;
-  const Real x2591 = x2448 - x2532 + 0.05 * x2508 + 0.05 * x2569;
-  const Real x2594 = 0.05 * x2558;
-  w.x[137] = x2594;
-  const Real x2602 = x2451 + sine[6] * x2528 + 0.05 * x2505;
-  const Real x2604 = x2602 - 0.09 * x2520 + 0.09 * x2558;
-  w.x[138] = x2604;
-  const Real x2611 = 0.05 * x2517 + 0.09 * x2559;
-  w.x[139] = x2611;
-  const Real x2629 = cosine[6] * x2497 - sine[6] * x2499;
-  const Real x2632 = sine[6] * x2497 + cosine[6] * x2499;
-  const Real x2637 = sine[6] * x2492 + cosine[6] * x2495 + 0.05 * x2501;
-  const Real x2645 = x2591 - 0.09 * x2518 - 0.09 * x2578 + 0.034926700000000005;
-  w.x[140] = x2645;
-  const Real x2646 = -0.12400000000000001 + x2569;
-  w.x[141] = x2646;
-  const Real x2647 = 0.0200467 + 0.05 * x2559;
-  w.x[142] = x2647;
-  const Real x2648 = 0.12400000000000001 - x2559;
-  w.x[143] = x2648;
-  const Real x2618 = x2463 + x2532 + 0.09 * x2517 + 0.09 * x2563;
-  const Real x2649 = 0.0351333 + x2618;
-  w.x[144] = x2649;
-  const Real x2650 = 6.2 + x2552;
-  w.x[145] = x2650;
-  const Real x2651 = 6.2 + x2490;
-  w.x[146] = x2651;
-  const Real x2652 = 6.2 + x2551;
-  w.x[147] = x2652;
-  const Real x2653 = x2637 - 0.09 * x2629 + x1602;
-  w.x[148] = x2653;
-  const Real x2654 = tau[12] - 0.05 * x2632 - x1603;
-  w.x[149] = x2654;
-  const Real x2644 = cosine[6] * x2492 - sine[6] * x2495 + 0.09 * x2632;
-  const Real x2655 = x2644 - x1605;
-  w.x[150] = x2655;
-  const Real x2656 = x1598 + x2632;
-  w.x[151] = x2656;
-  const Real x2657 = x1599 + x2501;
-  w.x[152] = x2657;
-  const Real x2658 = x2629 - x1600;
-  w.x[153] = x2658;
-  // joint 6 "left_ankle_roll": articulated-body inertia and bias force through it
-  const Real x2661 = 828.7290528372782 * (tau[11] - x1347);
-  w.x[154] = x2661;
-  const Real x2663 = x1345 + 0.0007199999999999999 * x2661;
-  const Real x2665 = x1353 + 0.024 * x2661;
-  const Real x2666 = cosine[5] * 0.024;
-  const Real x2668 = sine[5] * 0.024;
-  const Real x2670 = sine[5] * 0.014320438033028168;
-  const Real x2672 = sine[5] * x2670;
-  const Real x2674 = -0.024 + x2672;
-  const Real x2675 = 0.009679561966971832 + x2672;
-  const Real x2676 = cosine[5] * x2670;
-  const Real x2678 = cosine[5] * 0.000782953140990845;
-  const Real x2683 = cosine[5] * x2678;
-  const Real x2686 = cosine[5] * 0.47734793443427226;
-  const Real x2688 = sine[5] * x2686;
-  const Real x2690 = cosine[5] * x2686;
-  const Real x2692 = 0.8 - x2690;
-  const Real x2696 = -0.016 - x2666;
-  const Real x2697 = 0.02 * x2692;
-  const Real x2703 = sine[5] * x2678 + 0.02 * x2668;
-  const Real x2706 = 0.02 * x2676;
-  const Real x2724 = cosine[5] * x2665 - sine[5] * x1359;
-  const Real x2713 = 0.003383716859009155 + x2683 + 0.02 * x2666 - 0.02 * x2696;
-  const Real x2736 = 7.2e-05 + x2713;
-  require_more(w, x2736, 0.0, kFactorization, 5);
-  const Real x2733 = cosine[5] * x1343 - sine[5] * x2663 - 0.02 * x1366;
-  // joint 5 "left_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x2746 = 1 / x2736;
-  const Real x2748 = x2746 * (tau[10] - (x1295 + x2733));
-  w.x[155] = x2748;
-  const Real x2749 = x2703 * x2746;
-  w.x[156] = x2749;
-  const Real x2750 = x2706 * x2746;
-  w.x[157] = x2750;
-  const Real x2751 = x2674 * x2746;
-  w.x[158] = x2751;
-  const Real x2752 = x2696 * x2746;
-  w.x[159] = x2752;
-  const Real x2753 = x2676 * x2746;
-  w.x[160] = x2753;
-  const Real x2756 = 0.00416667 - x2683 + 7.2e-05 - x2703 * x2749;
-  const Real x2759 = 0.02 * x2675 - x2703 * x2750;
-  const Real x2762 = x2676 + x2703 * x2751;
-  const Real x2766 = x2668 + x2703 * x2752;
-  const Real x2770 = x2675 - x2703 * x2753;
-  const Real x2773 = 7.2e-05 + 0.02 * x2697 - x2706 * x2750;
-  const Real x2776 = 0.02 * x2688 + x2706 * x2751;
-  const Real x2778 = x2706 * x2752;
-  const Real x2782 = x2697 - x2706 * x2753;
-  const Real x2785 = 0.3226520655657278 + x2690 + 0.2 - x2674 * x2751;
-  const Real x2786 = x2674 * x2752;
-  const Real x2790 = x2688 + x2674 * x2753;
-  const Real x2794 = 1.0 - x2696 * x2752;
-  const Real x2795 = x2696 * x2753;
-  const Real x2799 = 0.2 + x2692 - x2676 * x2753;
-  // joint 6 "left_ankle_roll": articulated-body inertia and bias force through it
-  const Real x2739 = sine[5] * x1343 + cosine[5] * x2663 + x1291;
-  // joint 5 "left_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x2801 = x2739 + x2703 * x2748;
-  const Real x2803 = tau[11] + 0.02 * x2724 + x1293 + x2706 * x2748;
-  // joint 6 "left_ankle_roll": articulated-body inertia and bias force through it
-  const Real x2742 = sine[5] * x2665 + cosine[5] * x1359 + x1297;
-  // joint 5 "left_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x2805 = x2742 + x2674 * x2748;
-  const Real x2807 = x1298 + x1366 + x2696 * x2748;
-  const Real x2809 = x1299 + x2724 + x2676 * x2748;
-  const Real x2813 = cosine[4] * x2770 - sine[4] * x2782;
-  const Real x2816 = sine[4] * x2770 + cosine[4] * x2782;
-  const Real x2823 = cosine[4] * (x2778 - x2762) + sine[4] * (x2766 + x2776);
-  const Real x2824 = sine[4] * x2823;
-  const Real x2826 = x2824 - x2766;
-  const Real x2828 = cosine[4] * x2823;
-  const Real x2834 = 2.0 * sine[4];
-  const Real x2838 = cosine[4] * (x2756 - x2773) - x2759 * x2834;
-  const Real x2842 = cosine[4] * x2838;
-  const Real x2849 = sine[4] * x2795 - cosine[4] * x2790;
-  const Real x2854 = sine[4] * x2790 + cosine[4] * x2795;
-  const Real x2860 = cosine[4] * (x2785 - x2794) + x2786 * x2834;
-  const Real x2863 = sine[4] * x2860 - x2786;
-  const Real x2864 = cosine[4] * x2860;
-  const Real x2866 = x2785 - x2864;
-  const Real x2872 = 0.3 * x2854;
-  const Real x2874 = x2762 + x2828 + x2872;
-  const Real x2876 = 0.3 * x2866;
-  const Real x2880 = x2816 + 0.3 * x2799;
-  const Real x2884 = 0.3 * x2826;
-  const Real x2892 = 0.3 * x2874;
-  const Real x2909 = sine[4] * x2805 + cosine[4] * x2807;
-  const Real x2891 = x2756 - x2842 + (0.3 * x2816 + 0.3 * x2880);
-  const Real x2921 = 0.043271300000000006 + 0.3 * x2876;
-  require_more(w, x2921, 0.0, kFactorization, 4);
-  const Real x2922 = -0.018000000000000002 - 0.3 * x2863;
-  const Real x2923 = -0.234 - x2876;
-  const Real x2912 = sine[4] * x2801 + cosine[4] * x2803 + 0.3 * x2809;
-  // joint 4 "left_knee": articulated-body inertia and bias force through it
-  const Real x2934 = 1 / x2921;
-  const Real x2936 = x2934 * (tau[9] - (tau[10] - 0.3 * x2909 + x1268));
-  w.x[161] = x2936;
-  const Real x2937 = x2884 * x2934;
-  w.x[162] = x2937;
-  const Real x2939 = x2892 * x2934;
-  w.x[163] = x2939;
-  const Real x2940 = x2922 * x2934;
-  w.x[164] = x2940;
-  const Real x2941 = x2923 * x2934;
-  w.x[165] = x2941;
-  const Real x2942 = x2872 * x2934;
-  w.x[166] = x2942;
-  const Real x2945 = x2773 + x2842 + 0.0020025 - x2884 * x2937;
-  // joint 5 "left_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x2917 = x2759 + sine[4] * x2838 + 0.3 * x2813 + 0.00234;
-  // joint 4 "left_knee": articulated-body inertia and bias force through it
-  const Real x2948 = x2917 + x2884 * x2939;
-  const Real x2951 = x2828 - x2778 + x2884 * x2940;
-  const Real x2954 = x2826 + x2884 * x2941;
-  const Real x2957 = 0.018000000000000002 + x2813 + x2884 * x2942;
-  const Real x2960 = 0.043091300000000006 + x2891 - x2892 * x2939;
-  const Real x2963 = x2824 - x2776 + 0.3 * x2849 - x2892 * x2940;
-  const Real x2966 = x2874 + x2892 * x2941;
-  const Real x2970 = 0.234 + x2880 - x2892 * x2942;
-  const Real x2973 = x2794 + x2864 + 1.8 - x2922 * x2940;
-  const Real x2976 = x2863 - x2922 * x2941;
-  const Real x2979 = x2849 - x2922 * x2942;
-  const Real x2982 = 1.8 + x2866 - x2923 * x2941;
-  const Real x2985 = x2854 + x2923 * x2942;
-  const Real x2989 = 1.8 + x2799 - x2872 * x2942;
-  // joint 5 "left_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x2927 = cosine[4] * x2801 - sine[4] * x2803 + x1259;
-  // joint 4 "left_knee": articulated-body inertia and bias force through it
-  const Real x2992 = x2927 - x2884 * x2936;
-  const Real x2994 = x1262 + x2912 + x2892 * x2936;
-  // joint 5 "left_ankle_pitch": articulated-body inertia and bias force through it
-  const Real x2930 = cosine[4] * x2805 - sine[4] * x2807 + x1274;
-  // joint 4 "left_knee": articulated-body inertia and bias force through it
-  const Real x2996 = x2930 + x2922 * x2936;
-  const Real x2998 = x1282 + x2909 + x2923 * x2936;
-  const Real x3000 = x1288 + x2809 + x2872 * x2936;
-  const Real x3004 = cosine[3] * x2957 - sine[3] * x2970;
-  w.x[167] = x3004;
-  const Real x3007 = sine[3] * x2957 + cosine[3] * x2970;
-  const Real x3013 = cosine[3] * (x2951 + x2966) - sine[3] * (x2954 + x2963);
-  const Real x3014 = sine[3] * x3013;
-  const Real x3016 = x2954 + x3014;
-  w.x[168] = x3016;
-  const Real x3018 = cosine[3] * x3013;
-  const Real x3019 = x3018 - x2966;
-  w.x[169] = x3019;
-  const Real x3023 = 2.0 * sine[3];
-  const Real x3027 = cosine[3] * (x2945 - x2960) - x2948 * x3023;
-  const Real x3031 = cosine[3] * x3027;
-  const Real x3037 = cosine[3] * x2979 + sine[3] * x2985;
-  w.x[170] = x3037;
-  const Real x3041 = sine[3] * x2979 - cosine[3] * x2985;
-  w.x[171] = x3041;
-  const Real x3046 = cosine[3] * (x2973 - x2982) - x2976 * x3023;
-  const Real x3049 = x2976 + sine[3] * x3046;
-  w.x[172] = x3049;
-  const Real x3050 = cosine[3] * x3046;
-  const Real x3052 = x2973 - x3050;
-  const Real x3053 = 0.24 * x3041;
-  w.x[173] = x3053;
-  const Real x3055 = x2951 - x3018 + x3053;
-  w.x[174] = x3055;
-  const Real x3056 = 0.24 * x3052;
-  const Real x3060 = x3007 + 0.24 * x2989;
-  const Real x3063 = x2963 + x3014 + 0.24 * x3037;
-  w.x[175] = x3063;
-  const Real x3064 = 0.24 * x3049;
-  w.x[176] = x3064;
-  const Real x3072 = 0.24 * x3055;
-  w.x[177] = x3072;
-  const Real x3076 = x2948 + sine[3] * x3027 + 0.24 * x3004;
-  w.x[178] = x3076;
-  const Real x3079 = 0.24 * x3016;
-  w.x[179] = x3079;
-  const Real x3094 = sine[3] * x2996 + cosine[3] * x2998;
-  const Real x3071 = x2945 - x3031 + (0.24 * x3007 + 0.24 * x3060);
-  const Real x3102 = 0.26 + x3060;
-  w.x[180] = x3102;
-  const Real x3103 = 0.0429867 + 0.24 * x3056;
-  w.x[181] = x3103;
-  const Real x3104 = -0.26 - x3056;
-  w.x[182] = x3104;
-  const Real x3105 = x2960 + x3031 + 0.00468;
-  require_more(w, x3105, 0.0, kFactorization, 3);
-  const Real x3106 = 2.6 + x3052;
-  w.x[183] = x3106;
-  const Real x3107 = 2.6 + x2989;
-  w.x[184] = x3107;
-  const Real x3108 = x2982 + x3050 + 2.6;
-  w.x[185] = x3108;
-  const Real x3097 = sine[3] * x2992 + cosine[3] * x2994 + 0.24 * x3000;
-  const Real x3109 = x1204 + x3097;
-  w.x[186] = x3109;
-  const Real x3110 = tau[9] - 0.24 * x3094 + x1207;
-  w.x[187] = x3110;
-  const Real x3112 = x1211 + x3094;
-  w.x[188] = x3112;
-  const Real x3113 = x1215 + x3000;
-  w.x[189] = x3113;
-  const Real x3114 = cosine[3] * x2996 - sine[3] * x2998 + x1219;
-  w.x[190] = x3114;
-  // joint 3 "left_hip_yaw": articulated-body inertia and bias force through it
-  const Real x3116 = 1 / x3105;
-  const Real x3117 = tau[8] - (cosine[3] * x2992 - sine[3] * x2994 + x1200);
-  const Real x3118 = x3116 * x3117;
-  w.x[191] = x3118;
-  const Real x3119 = x3076 * x3116;
-  w.x[192] = x3119;
-  const Real x3120 = x3079 * x3116;
-  w.x[193] = x3120;
-  const Real x3122 = x3016 * x3116;
-  w.x[194] = x3122;
-  const Real x3123 = x3004 * x3116;
-  w.x[195] = x3123;
-  const Real x3124 = x3019 * x3116;
-  w.x[196] = x3124;
-  const Real x3127 = 0.0429867 + x3071 - x3076 * x3119;
-  w.x[197] = x3127;
-  const Real x3128 = x3076 * x3120;
-  w.x[198] = x3128;
+  const Real x657 = w.x[15];
+  const Real x666 = w.x[16];
+  const Real x669 = w.x[17];
+  const Real x672 = w.x[18];
+  const Real x677 = w.x[19];
+  const Real x681 = w.x[20];
+  const Real x704 = w.x[10];
+  const Real x706 = w.x[11];
+  const Real x709 = w.x[12];
+  const Real x712 = w.x[13];
+  const Real x717 = w.x[14];
+  const Two x770 = taken<Two>(w.x.data() + 0);
+  const Two x772 = taken<Two>(w.x.data() + 2);
+  const Two x775 = taken<Two>(w.x.data() + 4);
+  const Two x778 = taken<Two>(w.x.data() + 6);
+  const Two x783 = taken<Two>(w.x.data() + 8);
+  const Real x1046 = w.x[21];
+  const Real x1047 = w.x[22];
+  const Real x1048 = w.x[23];
+  const Real x1050 = w.x[24];
+  const Real x1051 = w.x[25];
+  const Real x1053 = w.x[26];
+  const Two x1635 = taken<Two>(w.x.data() + 66);
+  const Two x1638 = taken<Two>(w.x.data() + 68);
+  const Two x1646 = taken<Two>(w.x.data() + 70);
+  const Two x1652 = taken<Two>(w.x.data() + 72);
+  const Two x1661 = taken<Two>(w.x.data() + 74);
+  const Two x1665 = taken<Two>(w.x.data() + 76);
+  const Two x1677 = taken<Two>(w.x.data() + 78);
+  const Two x1705 = taken<Two>(w.x.data() + 80);
+  const Two x1706 = taken<Two>(w.x.data() + 82);
+  const Two x1708 = taken<Two>(w.x.data() + 84);
+  const Two x1709 = taken<Two>(w.x.data() + 86);
+  const Two x1710 = taken<Two>(w.x.data() + 88);
+  const Two x1711 = taken<Two>(w.x.data() + 90);
+  const Two x1712 = taken<Two>(w.x.data() + 92);
+  const Two x1713 = taken<Two>(w.x.data() + 94);
+  const Two x1715 = taken<Two>(w.x.data() + 96);
+  const Two x1716 = taken<Two>(w.x.data() + 98);
+  const Two x1717 = taken<Two>(w.x.data() + 100);
+  const Two x1720 = taken<Two>(w.x.data() + 102);
+  const Two x1723 = taken<Two>(w.x.data() + 104);
+  const Two x1725 = taken<Two>(w.x.data() + 108);
+  const Two x1726 = taken<Two>(w.x.data() + 110);
+  const Two x1727 = taken<Two>(w.x.data() + 112);
+  const Two x1728 = taken<Two>(w.x.data() + 114);
+  const Two x1731 = taken<Two>(w.x.data() + 116);
+  const Two x1732 = taken<Two>(w.x.data() + 118);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll": articulated-body inertia and bias force through them
+  const Two x1736 = x1652 - x1677 * x1726;
+  const Two x1739 = x1705 - x1677 * x1727;
+  const Two x1742 = x1706 - x1677 * x1728;
+  const Two x1745 = 0.00187 - 0.00096 * x1725;
+  const Two x1748 = 0.024 - 0.00096 * x1726;
+  const Two x1749 = 0.00096 * x1727;
+  const Two x1751 = 0.00096 * x1728;
+  const Two x1755 = x1709 - x1708 * x1726;
+  const Two x1758 = x1638 - x1708 * x1727;
+  const Two x1761 = x1646 - x1708 * x1728;
+  const Two x1764 = x1710 - x1661 * x1727;
+  const Two x1767 = x1635 - x1661 * x1728;
+  const Two x1770 = x1711 - x1665 * x1728;
+  const Two x1772 = x1712 + x1677 * x1723;
+  const Two x1774 = x1713 + 0.00096 * x1723;
+  const Two x1776 = x1715 + x1708 * x1723;
+  const Two x1778 = x1716 + x1661 * x1723;
+  const Two x1780 = x1717 + x1665 * x1723;
+  const Two x1784 = taken<Two>(cosine + 2) * x1742 + taken<Two>(sine + 2) * x1751;
+  const Two x1788 = taken<Two>(sine + 2) * x1742 - taken<Two>(cosine + 2) * x1751;
+  const Two x1794 = taken<Two>(cosine + 2) * (x1736 + x1749) - taken<Two>(sine + 2) * (x1739 + x1748);
+  const Two x1795 = taken<Two>(sine + 2) * x1794;
+  const Two x1797 = x1739 + x1795;
+  const Two x1799 = taken<Two>(cosine + 2) * x1794;
+  const Two x1800 = x1799 - x1749;
+  const Two x1804 = taken<Two>(sine + 2) * 2.0;
+  const Two x1808 = taken<Two>(cosine + 2) * (x1731 - x1745) + x1732 * x1804;
+  const Two x1812 = taken<Two>(cosine + 2) * x1808;
+  const Two x1818 = taken<Two>(cosine + 2) * x1761 - taken<Two>(sine + 2) * x1767;
+  const Two x1821 = taken<Two>(sine + 2) * x1761 + taken<Two>(cosine + 2) * x1767;
+  const Two x1826 = taken<Two>(cosine + 2) * (x1755 - x1764) - x1758 * x1804;
+  const Two x1829 = x1758 + taken<Two>(sine + 2) * x1826;
+  const Two x1830 = taken<Two>(cosine + 2) * x1826;
+  const Two x1832 = x1755 - x1830;
+  const Two x1833 = Two{0.04, -0.04} * x1821;
+  const Two x1835 = x1736 - x1799 - x1833;
+  const Two x1836 = Two{0.04, -0.04} * x1832;
+  const Two x1839 = x1788 - Two{0.04, -0.04} * x1770;
+  const Two x1854 = taken<Two>(sine + 2) * x1808 - x1732 - Two{0.04, -0.04} * x1784;
+  const Two x1856 = Two{0.04, -0.04} * x1797;
+  const Two x1870 = taken<Two>(sine + 2) * x1776 + taken<Two>(cosine + 2) * x1778;
+  const Two x1850 = x1731 - x1812 - (Two{0.04, -0.04} * x1788 + Two{0.04, -0.04} * x1839);
+  const Two x1880 = x1745 + x1812 + 0.00175;
+  require_more(w, x1880, 0.0, kFactorization, {1, 7});
+  const Two x1873 = taken<Two>(sine + 2) * x1772 + taken<Two>(cosine + 2) * x1774 - Two{0.04, -0.04} * x1780;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch": articulated-body inertia and bias force through them
+  const Two x1891 = Two{tau[6], tau[12]};
+  const Two x1892 = 1 / x1880;
+  const Two x1894 = x1892 * (x1891 - (taken<Two>(cosine + 2) * x1772 - taken<Two>(sine + 2) * x1774));
+  put(x1894, w.x.data() + 120);
+  const Two x1895 = x1854 * x1892;
+  put(x1895, w.x.data() + 122);
+  const Two x1896 = x1856 * x1892;
+  put(x1896, w.x.data() + 124);
+  const Two x1897 = x1797 * x1892;
+  put(x1897, w.x.data() + 126);
+  const Two x1898 = x1784 * x1892;
+  put(x1898, w.x.data() + 128);
+  const Two x1899 = x1800 * x1892;
+  put(x1899, w.x.data() + 130);
+  const Two x1902 = 0.00308 + x1850 - x1854 * x1895;
+  const Two x1905 = Two{0.04, -0.04} * x1835 - x1854 * x1896;
+  const Two x1908 = x1835 - x1854 * x1897;
+  const Two x1911 = Two{-0.041999999999999996, 0.041999999999999996} + x1839 - x1854 * x1898;
+  const Two x1914 = x1748 + x1795 - Two{0.04, -0.04} * x1818 - x1854 * x1899;
+  const Two x1917 = 0.00308 + Two{0.04, -0.04} * x1836 - x1856 * x1896;
+  const Two x1920 = Two{0.041999999999999996, -0.041999999999999996} + x1836 - x1856 * x1897;
+  const Two x1923 = x1833 - x1856 * x1898;
+  const Two x1926 = Two{0.04, -0.04} * x1829 - x1856 * x1899;
+  const Two x1929 = 1.4 + x1832 - x1797 * x1897;
+  const Two x1932 = x1821 - x1797 * x1898;
+  const Two x1935 = x1829 - x1797 * x1899;
+  const Two x1938 = 1.4 + x1770 - x1784 * x1898;
+  const Two x1941 = x1818 - x1784 * x1899;
+  const Two x1944 = x1764 + x1830 + 1.4 - x1800 * x1899;
+  const Two x1946 = x770 + x1873 + x1854 * x1894;
+  const Two x1948 = x1720 + Two{0.04, -0.04} * x1870 + x772 + x1856 * x1894;
+  const Two x1950 = x775 + x1870 + x1797 * x1894;
+  const Two x1952 = x778 + x1780 + x1784 * x1894;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll": articulated-body inertia and bias force through them
+  const Two x1888 = taken<Two>(cosine + 2) * x1776 - taken<Two>(sine + 2) * x1778 - x783;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch": articulated-body inertia and bias force through them
+  const Two x1954 = x1888 + x1800 * x1894;
+  const Two x1958 = taken<Two>(cosine + 0) * x1914 - taken<Two>(sine + 0) * x1926;
+  const Two x1961 = taken<Two>(sine + 0) * x1914 + taken<Two>(cosine + 0) * x1926;
+  const Two x1967 = taken<Two>(cosine + 0) * (x1908 - x1923) - taken<Two>(sine + 0) * (x1911 + x1920);
+  const Two x1968 = taken<Two>(sine + 0) * x1967;
+  const Two x1970 = x1911 + x1968;
+  const Two x1971 = x1920 + x1968;
+  const Two x1972 = taken<Two>(cosine + 0) * x1967;
+  const Two x1973 = x1923 + x1972;
+  const Two x1977 = taken<Two>(sine + 0) * 2.0;
+  const Two x1981 = taken<Two>(cosine + 0) * (x1902 - x1917) - x1905 * x1977;
+  const Two x1985 = taken<Two>(cosine + 0) * x1981;
+  const Two x1991 = taken<Two>(cosine + 0) * x1935 - taken<Two>(sine + 0) * x1941;
+  const Two x1994 = taken<Two>(sine + 0) * x1935 + taken<Two>(cosine + 0) * x1941;
+  const Two x1999 = taken<Two>(cosine + 0) * (x1929 - x1938) - x1932 * x1977;
+  const Two x2002 = x1932 + taken<Two>(sine + 0) * x1999;
+  const Two x2003 = taken<Two>(cosine + 0) * x1999;
+  const Two x2004 = x1938 + x2003;
+  const Two x2005 = x1929 - x2003;
+  const Two x2006 = Two{0.09, -0.09} * x2002;
+  const Two x2007 = 0.05 * x1994;
+  const Two x2010 = x1908 - x1972 + x2007 + x2006;
+  const Two x2011 = 0.05 * x2005;
+  const Two x2015 = x1970 - Two{0.09, -0.09} * x2005;
+  const Two x2020 = x1961 + 0.05 * x1944 + Two{0.09, -0.09} * x1991;
+  const Two x2023 = x1958 - Two{0.09, -0.09} * x1994;
+  const Two x2028 = x1971 + 0.05 * x1991 + Two{0.09, -0.09} * x2004;
+  const Two x2029 = 0.05 * x2002;
+  const Two x2032 = x1973 - x2006;
+  const Two x2040 = x1902 - x1985 + 0.05 * x1961 + 0.05 * x2020;
+  const Two x2042 = Two{0.09, -0.09} * x1971 + x2040 + Two{0.09, -0.09} * x2028;
+  const Two x2043 = 0.05 * x2010;
+  const Two x2050 = x1905 + taken<Two>(sine + 0) * x1981 + 0.05 * x1958;
+  const Two x2052 = Two{0.09, -0.09} * x1973 + x2050 - Two{0.09, -0.09} * x2010;
+  const Two x2053 = 0.05 * x2011;
+  const Two x2059 = Two{0.09, -0.09} * x2011 - 0.05 * x1970;
+  const Two x2065 = x1917 + x1985 - Two{0.09, -0.09} * x1970 - Two{0.09, -0.09} * x2015;
+  const Two x2076 = taken<Two>(cosine + 0) * x1950 - taken<Two>(sine + 0) * x1952;
+  const Two x2079 = taken<Two>(sine + 0) * x1950 + taken<Two>(cosine + 0) * x1952;
+  const Two x2083 = taken<Two>(sine + 0) * x1946 + taken<Two>(cosine + 0) * x1948 + 0.05 * x1954;
+  const Two x2084 = Two{0.09, -0.09} * x2076 + x2083;
+  const Two x2087 = x1891 - 0.05 * x2079;
+  const Two x2090 = taken<Two>(cosine + 0) * x1946 - taken<Two>(sine + 0) * x1948 - Two{0.09, -0.09} * x2079;
+  const Real x2102 = across<2>(x2007);
+  const Real x2107 = across<2>(x2015);
+  const Real x2108 = across<2>(x2023);
+  const Real x2109 = across<2>(x2032);
+  const Real x2111 = across<2>(x1994);
+  const Real x2112 = across<2>(x2002);
+  const Real x2114 = across<2>(x1991);
+  const Real x2117 = -0.12400000000000001 + across<2>(x2020);
+  const Real x2119 = 0.12400000000000001 - across<2>(x2011);
+  const Real x2120 = 0.0351333 + across<2>(x2065);
+  require_more(w, x2120, 0.0, kFactorization, 13);
+  const Real x2121 = 6.2 + across<2>(x2005);
+  const Real x2122 = 6.2 + across<2>(x1944);
+  const Real x2133 = x1046 + across<2>(x2079);
+  const Real x2134 = x1047 + across<2>(x1954);
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x2136 = 0.09 * x2111;
+  const Real x2138 = across<2>(x2010) + x2136;
+  const Real x2141 = x2119 - 0.09 * x2121;
+  const Real x2144 = x2117 + 0.09 * x2122;
+  const Real x2145 = x2102 + x2136;
+  const Real x2149 = across<2>(x2028) + 0.09 * x2114;
+  const Real x2152 = across<2>(x2029) + 0.09 * x2112;
+  const Real x2159 = 0.034926700000000005 + across<2>(x2042) + (0.09 * x2117 + 0.09 * x2144);
+  const Real x2166 = across<2>(x2043) + 0.09 * x2102 + 0.09 * x2138;
+  const Real x2170 = across<2>(x2052) + 0.09 * x2108;
+  const Real x2176 = 0.0200467 + across<2>(x2053) - 0.09 * x2119 - 0.09 * x2141;
+  const Real x2179 = across<2>(x2059) - 0.09 * x2107;
+  const Real x2192 = cosine[12] * x2107 + sine[12] * x2108;
+  const Real x2196 = cosine[12] * x2108 - sine[12] * x2107;
+  const Real x2201 = cosine[12] * (x2138 + x2145) + sine[12] * (x2141 + x2144);
+  const Real x2202 = sine[12] * x2201;
+  const Real x2205 = cosine[12] * x2201;
+  const Real x2210 = cosine[12] * x2170 + sine[12] * x2179;
+  const Real x2214 = cosine[12] * x2179 - sine[12] * x2170;
+  const Real x2217 = 2.0 * sine[12];
+  const Real x2220 = cosine[12] * (x2159 - x2176) - x2166 * x2217;
+  const Real x2224 = cosine[12] * x2220;
+  const Real x2237 = cosine[12] * (x2121 - x2122) + x2111 * x2217;
+  const Real x2240 = cosine[12] * x2237;
+  const Real x2245 = x1050 + across<2>(x2084) + 0.09 * x2134;
+  const Real x2248 = across<2>(x2087) - x1051 - 0.09 * x2133;
+  const Real x2266 = 1 / x2120;
+  const Real x2269 = x2266 * (across<2>(x2090) - x1053 + tau[18]);
+  w.x[132] = x2269;
+  const Real x2271 = x2210 * x2266;
+  w.x[133] = x2271;
+  const Real x2272 = x2214 * x2266;
+  w.x[134] = x2272;
+  const Real x2273 = x2192 * x2266;
+  w.x[135] = x2273;
+  const Real x2274 = x2196 * x2266;
+  w.x[136] = x2274;
+  const Real x2275 = x2109 * x2266;
+  w.x[137] = x2275;
+  const Real x2300 = x2138 - x2205 - x2214 * x2274;
+  const Real x2310 = x2111 - sine[12] * x2237 - x2192 * x2274;
+  const Real x2313 = cosine[12] * x2112 + sine[12] * x2114 - x2192 * x2275;
+  const Real x2319 = cosine[12] * x2114 - sine[12] * x2112 - x2196 * x2275;
+  const Real x2339 = x2144 - x2202 - x2210 * x2274 + -0.016;
+  const Real x2341 = x2141 - x2202 - x2214 * x2273 + 0.016;
+  const Real x2342 = x2122 + x2240 - x2192 * x2273 + 0.8;
+  const Real x2343 = x2121 - x2240 - x2196 * x2274 + 0.8;
+  const Real x2344 = 6.2 + across<2>(x2004) - x2109 * x2275 + 0.8;
+  const Real x2325 = cosine[12] * x2245 + sine[12] * x2248 - x2210 * x2269;
+  const Real x2328 = cosine[12] * x2248 - sine[12] * x2245 - x2214 * x2269;
+  const Real x2331 = cosine[12] * x2133 + sine[12] * x2134 - x2192 * x2269;
+  const Real x2347 = x709 + x2331;
+  const Real x2334 = cosine[12] * x2134 - sine[12] * x2133 - x2196 * x2269;
+  const Real x2348 = x712 + x2334;
+  const Real x2349 = across<2>(x2076) - x1048 - x2109 * x2269 - x717;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x2350 = 0.05 * x2310;
+  const Real x2352 = x2205 - x2145 - x2210 * x2273 + x2350;
+  const Real x2355 = x2341 - 0.05 * x2342;
+  const Real x2358 = x2339 + 0.05 * x2343;
+  const Real x2359 = x2300 - x2350;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x2291 = cosine[12] * x2149 - sine[12] * x2152 - x2210 * x2275;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x2362 = x2291 + 0.05 * x2319;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x2303 = sine[12] * x2149 + cosine[12] * x2152 + x2214 * x2275;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x2365 = x2303 + 0.05 * x2313;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x2338 = x2176 + x2224 - x2210 * x2271 + 0.00106;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x2372 = x2338 + 0.05 * x2339 + 0.05 * x2358;
+  require_more(w, x2372, 0.0, kFactorization, 14);
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x2281 = x2166 + sine[12] * x2220 + x2210 * x2272;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x2378 = 0.05 * x2300 - x2281 - 0.05 * x2352;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x2340 = x2159 - x2224 - x2214 * x2272 + 0.00106;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x2384 = x2340 - 0.05 * x2341 - 0.05 * x2355;
+  const Real x2390 = cosine[13] * x2358 + sine[13] * x2362;
+  const Real x2394 = cosine[13] * x2362 - sine[13] * x2358;
+  const Real x2398 = cosine[13] * x2359 - sine[13] * x2365;
+  const Real x2399 = sine[13] * x2398;
+  const Real x2403 = cosine[13] * x2398;
+  const Real x2405 = cosine[13] * x2378;
+  const Real x2406 = sine[13] * x2378;
+  const Real x2409 = cosine[13] * (x2384 - 0.001);
+  const Real x2413 = cosine[13] * x2409;
+  const Real x2426 = cosine[13] * (x2343 - x2344) + x2319 * (2.0 * sine[13]);
+  const Real x2429 = cosine[13] * x2426;
+  const Real x2437 = x706 + x2328 - 0.05 * x2347;
+  const Real x2457 = 1 / x2372;
+  const Real x2460 = x2457 * (x704 + x2325 + 0.05 * x2348 + tau[19]);
+  w.x[138] = x2460;
+  const Real x2462 = x2405 * x2457;
+  w.x[139] = x2462;
+  const Real x2463 = x2406 * x2457;
+  w.x[140] = x2463;
+  const Real x2465 = x2390 * x2457;
+  w.x[141] = x2465;
+  const Real x2466 = x2394 * x2457;
+  w.x[142] = x2466;
+  const Real x2467 = x2352 * x2457;
+  w.x[143] = x2467;
+  const Real x2489 = x2406 * x2465 - x2399;
+  const Real x2492 = x2359 - x2403 + x2406 * x2466;
+  const Real x2495 = x2406 * x2467 - sine[13] * x2355;
+  const Real x2501 = x2319 - sine[13] * x2426 - x2390 * x2466;
+  const Real x2504 = cosine[13] * x2310 + sine[13] * x2313 - x2390 * x2467;
+  const Real x2510 = cosine[13] * x2313 - sine[13] * x2310 - x2394 * x2467;
+  const Real x2530 = cosine[13] * x2355 - x2405 * x2467 + 0.018000000000000002;
+  const Real x2531 = x2384 - x2413 - x2406 * x2463 + 0.001125;
+  const Real x2532 = x2344 + x2429 - x2390 * x2465 + 0.9;
+  const Real x2533 = x2343 - x2429 - x2394 * x2466 + 0.9;
+  const Real x2534 = x2342 - x2352 * x2467 + 0.9;
+  const Real x2516 = cosine[13] * x2437 - sine[13] * tau[18] - x2405 * x2460;
+  const Real x2519 = x2406 * x2460 - (sine[13] * x2437 + cosine[13] * tau[18]);
+  const Real x2536 = x657 + x2519;
+  const Real x2522 = cosine[13] * x2348 + sine[13] * x2349 - x2390 * x2460;
+  const Real x2538 = x672 + x2522;
+  const Real x2525 = cosine[13] * x2349 - sine[13] * x2348 - x2394 * x2460;
+  const Real x2539 = x2525 - x677;
+  const Real x2540 = x2347 - x2352 * x2460 + x681;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x2541 = 0.04 * x2504;
+  const Real x2543 = x2403 - x2405 * x2465 - x2541;
+  const Real x2546 = -0.018000000000000002 + 0.04 * x2532;
+  const Real x2549 = x2365 + x2399 + x2405 * x2466 + 0.04 * x2510;
+  const Real x2551 = 0.04 * x2501;
+  const Real x2555 = x2530 - 0.04 * x2534;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x2529 = 0.001 + x2413 - x2405 * x2462 + 0.0014025;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x2561 = x2529 - 0.04 * x2530 - 0.04 * x2555;
+  require_more(w, x2561, 0.0, kFactorization, 15);
+  const Real x2564 = x2405 * x2463 - sine[13] * x2409 - 0.04 * x2495;
+  const Real x2565 = 0.04 * x2543;
+  const Real x2567 = 0.04 * x2489;
+  const Real x2574 = 0.04 * x2546 + 0.0006825;
+  const Real x2585 = sine[14] * x2555 - cosine[14] * x2549;
+  const Real x2589 = sine[14] * x2549 + cosine[14] * x2555;
+  const Real x2594 = cosine[14] * (x2492 - x2541) + sine[14] * (x2495 + x2551);
+  const Real x2595 = sine[14] * x2594;
+  const Real x2598 = cosine[14] * x2594;
+  const Real x2603 = cosine[14] * x2564 + sine[14] * x2565;
+  const Real x2607 = cosine[14] * x2565 - sine[14] * x2564;
+  const Real x2610 = 2.0 * sine[14];
+  const Real x2612 = cosine[14] * (x2531 - x2574) + x2567 * x2610;
+  const Real x2615 = cosine[14] * x2612;
+  const Real x2628 = cosine[14] * (x2533 - x2534) + x2510 * x2610;
+  const Real x2631 = cosine[14] * x2628;
+  const Real x2639 = x669 - tau[19] + 0.04 * x2538;
+  const Real x2655 = -tau[20];
+  w.to[0][17] = x2655;
+  const Real x2656 = 1 / x2561;
+  const Real x2659 = x2656 * (x666 + x2516 - 0.04 * x2540 + tau[20]);
+  w.x[144] = x2659;
+  const Real x2661 = x2603 * x2656;
+  w.x[145] = x2661;
+  const Real x2662 = x2607 * x2656;
+  w.x[146] = x2662;
+  const Real x2663 = x2585 * x2656;
+  w.x[147] = x2663;
+  const Real x2664 = x2589 * x2656;
+  w.x[148] = x2664;
+  const Real x2665 = x2543 * x2656;
+  w.x[149] = x2665;
+  const Real x2668 = x2574 + x2615 - x2603 * x2661;
+  w.x[150] = x2668;
+  w.to[0][0] = x2668;
+  const Real x2671 = x2567 - sine[14] * x2612 - x2603 * x2662;
+  w.x[151] = x2671;
+  w.to[0][1] = x2671;
+  const Real x2674 = x2541 + x2598 - x2603 * x2663;
+  w.x[152] = x2674;
+  w.to[0][2] = x2674;
+  const Real x2677 = x2495 - x2595 - x2603 * x2664;
+  w.x[153] = x2677;
+  w.to[0][3] = x2677;
+  const Real x2680 = cosine[14] * x2489 + sine[14] * x2546 - x2603 * x2665;
+  w.x[154] = x2680;
+  w.to[0][4] = x2680;
+  const Real x2683 = x2531 - x2615 - x2607 * x2662;
+  w.x[155] = x2683;
+  w.to[0][5] = x2683;
+  const Real x2686 = x2551 - x2595 - x2607 * x2663;
+  w.x[156] = x2686;
+  w.to[0][6] = x2686;
+  const Real x2689 = x2492 - x2598 - x2607 * x2664;
+  w.x[157] = x2689;
+  w.to[0][7] = x2689;
+  const Real x2692 = cosine[14] * x2546 - sine[14] * x2489 - x2607 * x2665;
+  w.x[158] = x2692;
+  w.to[0][8] = x2692;
+  const Real x2695 = x2534 + x2631 - x2585 * x2663;
+  w.x[159] = x2695;
+  w.to[0][9] = x2695;
+  const Real x2698 = x2510 - sine[14] * x2628 - x2585 * x2664;
+  w.x[160] = x2698;
+  w.to[0][10] = x2698;
+  const Real x2701 = cosine[14] * x2501 + sine[14] * x2504 - x2585 * x2665;
+  w.x[161] = x2701;
+  w.to[0][11] = x2701;
+  const Real x2704 = x2533 - x2631 - x2589 * x2664;
+  w.x[162] = x2704;
+  w.to[0][12] = x2704;
+  const Real x2707 = cosine[14] * x2504 - sine[14] * x2501 - x2589 * x2665;
+  w.x[163] = x2707;
+  w.to[0][13] = x2707;
+  const Real x2710 = x2532 - x2543 * x2665;
+  w.x[164] = x2710;
+  w.to[0][14] = x2710;
+  const Real x2713 = cosine[14] * x2536 + sine[14] * x2639 - x2603 * x2659;
+  w.x[165] = x2713;
+  w.to[0][15] = x2713;
+  const Real x2716 = cosine[14] * x2639 - sine[14] * x2536 - x2607 * x2659;
+  w.x[166] = x2716;
+  w.to[0][16] = x2716;
+  const Real x2719 = cosine[14] * x2539 + sine[14] * x2540 - x2585 * x2659;
+  w.x[167] = x2719;
+  w.to[0][18] = x2719;
+  const Real x2722 = cosine[14] * x2540 - sine[14] * x2539 - x2589 * x2659;
+  w.x[168] = x2722;
+  w.to[0][19] = x2722;
+  const Real x2725 = x2538 - x2543 * x2659;
+  w.x[169] = x2725;
+  w.to[0][20] = x2725;
 }
 
-ADAGEN_NOINLINE void part_0_2(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x985 = w.x[63];
-  const Real x994 = w.x[64];
-  const Real x997 = w.x[65];
-  const Real x1000 = w.x[66];
-  const Real x1005 = w.x[67];
-  const Real x1009 = w.x[68];
-  const Real x1032 = w.x[58];
-  const Real x1034 = w.x[59];
-  const Real x1037 = w.x[60];
-  const Real x1040 = w.x[61];
-  const Real x1045 = w.x[62];
-  const Real x1096 = w.x[0];
-  const Real x1098 = w.x[1];
-  const Real x1101 = w.x[2];
-  const Real x1104 = w.x[3];
-  const Real x1109 = w.x[4];
-  const Real x1156 = w.x[5];
-  const Real x1158 = w.x[6];
-  const Real x1161 = w.x[7];
-  const Real x1167 = w.x[8];
-  const Real x1173 = w.x[9];
-  const Real x1180 = w.x[10];
-  const Real x2538 = w.x[127];
-  const Real x2541 = w.x[128];
-  const Real x2549 = w.x[129];
-  const Real x2555 = w.x[130];
-  const Real x2558 = w.x[131];
-  const Real x2563 = w.x[132];
-  const Real x2572 = w.x[133];
-  const Real x2578 = w.x[134];
-  const Real x2579 = w.x[135];
-  const Real x2581 = w.x[136];
-  const Real x2594 = w.x[137];
-  const Real x2604 = w.x[138];
-  const Real x2611 = w.x[139];
-  const Real x2645 = w.x[140];
-  const Real x2646 = w.x[141];
-  const Real x2647 = w.x[142];
-  const Real x2648 = w.x[143];
-  const Real x2649 = w.x[144];
-  const Real x2650 = w.x[145];
-  const Real x2651 = w.x[146];
-  const Real x2652 = w.x[147];
-  const Real x2653 = w.x[148];
-  const Real x2654 = w.x[149];
-  const Real x2655 = w.x[150];
-  const Real x2656 = w.x[151];
-  const Real x2657 = w.x[152];
-  const Real x2658 = w.x[153];
-  const Real x3004 = w.x[167];
-  const Real x3016 = w.x[168];
-  const Real x3019 = w.x[169];
-  const Real x3037 = w.x[170];
-  const Real x3041 = w.x[171];
-  const Real x3049 = w.x[172];
-  const Real x3053 = w.x[173];
-  const Real x3055 = w.x[174];
-  const Real x3063 = w.x[175];
-  const Real x3064 = w.x[176];
-  const Real x3072 = w.x[177];
-  const Real x3076 = w.x[178];
-  const Real x3079 = w.x[179];
-  const Real x3102 = w.x[180];
-  const Real x3103 = w.x[181];
-  const Real x3104 = w.x[182];
-  const Real x3106 = w.x[183];
-  const Real x3107 = w.x[184];
-  const Real x3108 = w.x[185];
-  const Real x3109 = w.x[186];
-  const Real x3110 = w.x[187];
-  const Real x3112 = w.x[188];
-  const Real x3113 = w.x[189];
-  const Real x3114 = w.x[190];
-  const Real x3118 = w.x[191];
-  const Real x3120 = w.x[193];
-  const Real x3122 = w.x[194];
-  const Real x3123 = w.x[195];
-  const Real x3124 = w.x[196];
-  const Real x3127 = w.x[197];
-  const Real x3128 = w.x[198];
-  // joint 3 "left_hip_yaw": articulated-body inertia and bias force through it
-  const Real x3130 = x3128 - x3072;
-  const Real x3133 = x3055 - x3076 * x3122;
-  const Real x3136 = x3102 - x3076 * x3123;
-  const Real x3139 = x3063 - x3076 * x3124;
-  const Real x3142 = x3103 - x3079 * x3120;
-  const Real x3145 = x3104 + x3079 * x3122;
-  const Real x3148 = x3079 * x3123 - x3053;
-  const Real x3151 = x3079 * x3124 - x3064;
-  const Real x3154 = x3106 - x3016 * x3122;
-  const Real x3157 = x3041 - x3016 * x3123;
-  const Real x3160 = x3049 - x3016 * x3124;
-  const Real x3163 = x3107 - x3004 * x3123;
-  const Real x3166 = x3037 - x3004 * x3124;
-  const Real x3171 = x3109 + x3076 * x3118;
-  const Real x3174 = x3110 - x3079 * x3118;
-  const Real x3176 = x3112 + x3016 * x3118;
-  const Real x3178 = x3113 + x3004 * x3118;
-  const Real x3193 = cosine[2] * (x3133 - x3148) - sine[2] * (x3136 + x3145);
-  const Real x3194 = sine[2] * x3193;
-  const Real x3196 = x3136 + x3194;
-  const Real x3197 = x3145 + x3194;
-  const Real x3198 = cosine[2] * x3193;
-  const Real x3199 = x3148 + x3198;
-  const Real x3203 = 2.0 * sine[2];
-  const Real x3207 = cosine[2] * (x3127 - x3142) - x3130 * x3203;
-  const Real x3211 = cosine[2] * x3207;
-  const Real x3217 = cosine[2] * x3160 - sine[2] * x3166;
-  const Real x3220 = sine[2] * x3160 + cosine[2] * x3166;
-  const Real x3225 = cosine[2] * (x3154 - x3163) - x3157 * x3203;
-  const Real x3228 = x3157 + sine[2] * x3225;
-  const Real x3229 = cosine[2] * x3225;
-  const Real x3230 = x3163 + x3229;
-  const Real x3231 = x3154 - x3229;
-  const Real x3232 = 0.12 * x3228;
-  const Real x3234 = x3133 - x3198 - x3232;
-  const Real x3237 = x3196 + 0.12 * x3231;
-  const Real x3243 = cosine[2] * x3139 - sine[2] * x3151 + 0.12 * x3220;
-  const Real x3246 = x3197 - 0.12 * x3230;
-  const Real x3247 = x3199 + x3232;
-  const Real x3258 = x3130 + sine[2] * x3207 - 0.12 * x3199;
-  const Real x3259 = 0.12 * x3234 + x3258;
-  const Real x3276 = cosine[2] * x3176 - sine[2] * x3178;
-  const Real x3279 = sine[2] * x3176 + cosine[2] * x3178;
-  const Real x3253 = x3127 - x3211 - 0.12 * x3197 - 0.12 * x3246;
-  const Real x3240 = sine[2] * x3139 + cosine[2] * x3151 - 0.12 * x3217;
-  const Real x3265 = x3142 + x3211 + 0.12 * x3196 + 0.12 * x3237;
-  const Real x3289 = 0.00342 + x3265;
-  require_more(w, x3289, 0.0, kFactorization, 2);
-  const Real x3290 = 0.048 + x3237;
-  const Real x3282 = sine[2] * x3171 + cosine[2] * x3174 - 0.12 * x3276;
-  const Real x3285 = cosine[2] * x3171 - sine[2] * x3174 + 0.12 * x3279;
-  // joint 2 "left_hip_roll": articulated-body inertia and bias force through it
-  const Real x3301 = 1 / x3289;
-  const Real x3303 = x3301 * (tau[7] - (x1161 + x3285));
-  w.x[102] = x3303;
-  const Real x3304 = x3259 * x3301;
-  w.x[101] = x3304;
-  const Real x3305 = 0.00096 * x3301;
-  w.x[100] = x3305;
-  const Real x3306 = x3290 * x3301;
-  w.x[99] = x3306;
-  const Real x3307 = x3243 * x3301;
-  w.x[98] = x3307;
-  const Real x3308 = x3247 * x3301;
-  w.x[97] = x3308;
-  const Real x3311 = 0.00379 + x3253 - x3259 * x3304;
-  const Real x3312 = x3259 * x3305;
-  const Real x3316 = x3234 - x3259 * x3306;
-  const Real x3319 = -0.024 + x3240 - x3259 * x3307;
-  const Real x3322 = -0.048 + x3246 - x3259 * x3308;
-  const Real x3325 = 0.00187 - 0.00096 * x3305;
-  const Real x3328 = 0.024 - 0.00096 * x3306;
-  const Real x3329 = 0.00096 * x3307;
-  const Real x3331 = 0.00096 * x3308;
-  const Real x3335 = 1.2 + x3231 - x3290 * x3306;
-  const Real x3338 = x3220 - x3290 * x3307;
-  const Real x3341 = x3228 - x3290 * x3308;
-  const Real x3344 = x3108 - x3019 * x3124 + 1.2 - x3243 * x3307;
-  const Real x3347 = x3217 - x3243 * x3308;
-  const Real x3350 = 1.2 + x3230 - x3247 * x3308;
-  const Real x3352 = x1156 + x3282 + x3259 * x3303;
-  const Real x3354 = x1158 + tau[8] + 0.00096 * x3303;
-  const Real x3356 = x1167 + x3279 + x3290 * x3303;
-  const Real x3358 = x3114 + x3019 * x3118 + x1173 + x3243 * x3303;
-  const Real x3360 = x1180 + x3276 + x3247 * x3303;
-  const Real x3364 = cosine[1] * x3322 + sine[1] * x3331;
-  const Real x3368 = sine[1] * x3322 - cosine[1] * x3331;
-  const Real x3374 = cosine[1] * (x3316 + x3329) - sine[1] * (x3319 + x3328);
-  const Real x3375 = sine[1] * x3374;
-  const Real x3377 = x3319 + x3375;
-  const Real x3379 = cosine[1] * x3374;
-  const Real x3380 = x3379 - x3329;
-  const Real x3384 = 2.0 * sine[1];
-  const Real x3388 = cosine[1] * (x3311 - x3325) + x3312 * x3384;
-  const Real x3392 = cosine[1] * x3388;
-  const Real x3398 = cosine[1] * x3341 - sine[1] * x3347;
-  const Real x3401 = sine[1] * x3341 + cosine[1] * x3347;
-  const Real x3406 = cosine[1] * (x3335 - x3344) - x3338 * x3384;
-  const Real x3409 = x3338 + sine[1] * x3406;
-  const Real x3410 = cosine[1] * x3406;
-  const Real x3412 = x3335 - x3410;
-  const Real x3413 = 0.04 * x3401;
-  const Real x3415 = x3316 - x3379 - x3413;
-  const Real x3416 = 0.04 * x3412;
-  const Real x3419 = x3368 - 0.04 * x3350;
-  const Real x3434 = sine[1] * x3388 - x3312 - 0.04 * x3364;
-  const Real x3436 = 0.04 * x3377;
-  const Real x3450 = sine[1] * x3356 + cosine[1] * x3358;
-  const Real x3430 = x3311 - x3392 - (0.04 * x3368 + 0.04 * x3419);
-  const Real x3460 = x3325 + x3392 + 0.00175;
-  require_more(w, x3460, 0.0, kFactorization, 1);
-  const Real x3453 = sine[1] * x3352 + cosine[1] * x3354 - 0.04 * x3360;
-  // joint 1 "left_hip_pitch": articulated-body inertia and bias force through it
-  const Real x3470 = 1 / x3460;
-  const Real x3472 = x3470 * (tau[6] - (cosine[1] * x3352 - sine[1] * x3354));
-  w.x[96] = x3472;
-  const Real x3473 = x3434 * x3470;
-  w.x[95] = x3473;
-  const Real x3474 = x3436 * x3470;
-  w.x[94] = x3474;
-  const Real x3475 = x3377 * x3470;
-  w.x[93] = x3475;
-  const Real x3476 = x3364 * x3470;
-  w.x[92] = x3476;
-  const Real x3477 = x3380 * x3470;
-  w.x[91] = x3477;
-  const Real x3480 = 0.00308 + x3430 - x3434 * x3473;
-  const Real x3483 = 0.04 * x3415 - x3434 * x3474;
-  const Real x3486 = x3415 - x3434 * x3475;
-  const Real x3489 = -0.041999999999999996 + x3419 - x3434 * x3476;
-  const Real x3492 = x3328 + x3375 - 0.04 * x3398 - x3434 * x3477;
-  const Real x3495 = 0.00308 + 0.04 * x3416 - x3436 * x3474;
-  const Real x3498 = 0.041999999999999996 + x3416 - x3436 * x3475;
-  const Real x3501 = x3413 - x3436 * x3476;
-  const Real x3504 = 0.04 * x3409 - x3436 * x3477;
-  const Real x3507 = 1.4 + x3412 - x3377 * x3475;
-  const Real x3510 = x3401 - x3377 * x3476;
-  const Real x3513 = x3409 - x3377 * x3477;
-  const Real x3516 = 1.4 + x3350 - x3364 * x3476;
-  const Real x3519 = x3398 - x3364 * x3477;
-  const Real x3522 = x3344 + x3410 + 1.4 - x3380 * x3477;
-  const Real x3524 = x1096 + x3453 + x3434 * x3472;
-  const Real x3526 = tau[7] + 0.04 * x3450 + x1098 + x3436 * x3472;
-  const Real x3528 = x1101 + x3450 + x3377 * x3472;
-  const Real x3530 = x1104 + x3360 + x3364 * x3472;
-  // joint 2 "left_hip_roll": articulated-body inertia and bias force through it
-  const Real x3468 = cosine[1] * x3356 - sine[1] * x3358 - x1109;
-  // joint 1 "left_hip_pitch": articulated-body inertia and bias force through it
-  const Real x3532 = x3468 + x3380 * x3472;
-  const Real x3536 = cosine[0] * x3492 - sine[0] * x3504;
-  const Real x3539 = sine[0] * x3492 + cosine[0] * x3504;
-  const Real x3545 = cosine[0] * (x3486 - x3501) - sine[0] * (x3489 + x3498);
-  const Real x3546 = sine[0] * x3545;
-  const Real x3548 = x3489 + x3546;
-  const Real x3549 = x3498 + x3546;
-  const Real x3550 = cosine[0] * x3545;
-  const Real x3551 = x3501 + x3550;
-  const Real x3555 = 2.0 * sine[0];
-  const Real x3559 = cosine[0] * (x3480 - x3495) - x3483 * x3555;
-  const Real x3563 = cosine[0] * x3559;
-  const Real x3569 = cosine[0] * x3513 - sine[0] * x3519;
-  const Real x3572 = sine[0] * x3513 + cosine[0] * x3519;
-  const Real x3577 = cosine[0] * (x3507 - x3516) - x3510 * x3555;
-  const Real x3580 = x3510 + sine[0] * x3577;
-  const Real x3581 = cosine[0] * x3577;
-  const Real x3582 = x3516 + x3581;
-  const Real x3583 = x3507 - x3581;
-  const Real x3584 = 0.09 * x3580;
-  const Real x3585 = 0.05 * x3572;
-  const Real x3588 = x3486 - x3550 + x3585 + x3584;
-  const Real x3589 = 0.05 * x3583;
-  const Real x3593 = x3548 - 0.09 * x3583;
-  const Real x3598 = x3539 + 0.05 * x3522 + 0.09 * x3569;
-  const Real x3606 = x3549 + 0.05 * x3569 + 0.09 * x3582;
-  const Real x3618 = x3480 - x3563 + 0.05 * x3539 + 0.05 * x3598;
-  const Real x3628 = x3483 + sine[0] * x3559 + 0.05 * x3536;
-  const Real x3654 = cosine[0] * x3528 - sine[0] * x3530;
-  const Real x3657 = sine[0] * x3528 + cosine[0] * x3530;
-  const Real x3661 = sine[0] * x3524 + cosine[0] * x3526 + 0.05 * x3532;
-  const Real x3674 = x2646 + x3598;
-  const Real x3678 = x2648 - x3589;
-  const Real x3679 = x2555 + x3585;
-  const Real x3643 = x3495 + x3563 - 0.09 * x3548 - 0.09 * x3593;
-  const Real x3683 = x2649 + x3643;
-  require_more(w, x3683, 0.0, kFactorization, 13);
-  const Real x3684 = x2563 + x3593;
-  const Real x3685 = x3536 - 0.09 * x3572 + x2572;
-  const Real x3686 = x3551 - x3584 + x2581;
-  const Real x3687 = x2650 + x3583;
-  const Real x3688 = x2541 + x3572;
-  const Real x3689 = x2549 + x3580;
-  const Real x3690 = x2651 + x3522;
-  const Real x3691 = x2538 + x3569;
-  const Real x3668 = cosine[0] * x3524 - sine[0] * x3526 - 0.09 * x3657;
-  const Real x3696 = x2656 + x3657;
-  const Real x3697 = x2657 + x3532;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x3699 = 0.09 * x3688;
-  const Real x3701 = x2558 + x3588 + x3699;
-  const Real x3704 = x3678 - 0.09 * x3687;
-  const Real x3707 = x3674 + 0.09 * x3690;
-  const Real x3708 = x3679 + x3699;
-  const Real x3712 = x2578 + x3606 + 0.09 * x3691;
-  const Real x3715 = x2579 + 0.05 * x3580 + 0.09 * x3689;
-  // joint 1 "left_hip_pitch": articulated-body inertia and bias force through it
-  const Real x3669 = 0.09 * x3549 + x3618 + 0.09 * x3606 + x2645;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x3722 = 0.09 * x3674 + 0.09 * x3707 + x3669;
-  const Real x3727 = x2594 + 0.05 * x3588 + 0.09 * x3679;
-  const Real x3729 = 0.09 * x3701 + x3727;
-  // joint 1 "left_hip_pitch": articulated-body inertia and bias force through it
-  const Real x3672 = 0.09 * x3551 + x3628 - 0.09 * x3588 + x2604;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x3733 = x3672 + 0.09 * x3685;
-  const Real x3738 = x2647 + 0.05 * x3589 - 0.09 * x3678;
-  const Real x3739 = x3738 - 0.09 * x3704;
-  // joint 1 "left_hip_pitch": articulated-body inertia and bias force through it
-  const Real x3677 = 0.09 * x3589 - 0.05 * x3548 - x2611;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x3742 = x3677 - 0.09 * x3684;
-  const Real x3755 = cosine[12] * x3684 + sine[12] * x3685;
-  const Real x3759 = cosine[12] * x3685 - sine[12] * x3684;
-  const Real x3764 = cosine[12] * (x3701 + x3708) + sine[12] * (x3704 + x3707);
-  const Real x3765 = sine[12] * x3764;
-  const Real x3768 = cosine[12] * x3764;
-  const Real x3773 = cosine[12] * x3733 + sine[12] * x3742;
-  const Real x3777 = cosine[12] * x3742 - sine[12] * x3733;
-  const Real x3780 = 2.0 * sine[12];
-  const Real x3783 = cosine[12] * (x3722 - x3739) - x3729 * x3780;
-  const Real x3787 = cosine[12] * x3783;
-  const Real x3800 = cosine[12] * (x3687 - x3690) + x3688 * x3780;
-  const Real x3803 = cosine[12] * x3800;
-  const Real x3808 = 0.09 * x3654 + x3661 + x2653 + 0.09 * x3697;
-  const Real x3811 = tau[6] - 0.05 * x3657 + x2654 - 0.09 * x3696;
-  const Real x3829 = 1 / x3683;
-  const Real x3832 = x3829 * (x2655 + x3668 + tau[18]);
-  w.x[90] = x3832;
-  const Real x3834 = x3773 * x3829;
-  w.x[89] = x3834;
-  const Real x3835 = x3777 * x3829;
-  w.x[88] = x3835;
-  const Real x3836 = x3755 * x3829;
-  w.x[87] = x3836;
-  const Real x3837 = x3759 * x3829;
-  w.x[86] = x3837;
-  const Real x3838 = x3686 * x3829;
-  w.x[85] = x3838;
-  const Real x3863 = x3701 - x3768 - x3777 * x3837;
-  const Real x3873 = x3688 - sine[12] * x3800 - x3755 * x3837;
-  const Real x3876 = cosine[12] * x3689 + sine[12] * x3691 - x3755 * x3838;
-  const Real x3882 = cosine[12] * x3691 - sine[12] * x3689 - x3759 * x3838;
-  const Real x3902 = x3707 - x3765 - x3773 * x3837 + -0.016;
-  const Real x3904 = x3704 - x3765 - x3777 * x3836 + 0.016;
-  const Real x3905 = x3690 + x3803 - x3755 * x3836 + 0.8;
-  const Real x3906 = x3687 - x3803 - x3759 * x3837 + 0.8;
-  const Real x3907 = x2652 + x3582 - x3686 * x3838 + 0.8;
-  const Real x3888 = cosine[12] * x3808 + sine[12] * x3811 - x3773 * x3832;
-  const Real x3891 = cosine[12] * x3811 - sine[12] * x3808 - x3777 * x3832;
-  const Real x3894 = cosine[12] * x3696 + sine[12] * x3697 - x3755 * x3832;
-  const Real x3910 = x1037 + x3894;
-  const Real x3897 = cosine[12] * x3697 - sine[12] * x3696 - x3759 * x3832;
-  const Real x3911 = x1040 + x3897;
-  const Real x3912 = x2658 + x3654 - x3686 * x3832 - x1045;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x3913 = 0.05 * x3873;
-  const Real x3915 = x3768 - x3708 - x3773 * x3836 + x3913;
-  const Real x3918 = x3904 - 0.05 * x3905;
-  const Real x3921 = x3902 + 0.05 * x3906;
-  const Real x3922 = x3863 - x3913;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x3854 = cosine[12] * x3712 - sine[12] * x3715 - x3773 * x3838;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x3925 = x3854 + 0.05 * x3882;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x3866 = sine[12] * x3712 + cosine[12] * x3715 + x3777 * x3838;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x3928 = x3866 + 0.05 * x3876;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x3901 = x3739 + x3787 - x3773 * x3834 + 0.00106;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x3935 = x3901 + 0.05 * x3902 + 0.05 * x3921;
-  require_more(w, x3935, 0.0, kFactorization, 14);
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x3844 = x3729 + sine[12] * x3783 + x3773 * x3835;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x3941 = 0.05 * x3863 - x3844 - 0.05 * x3915;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x3903 = x3722 - x3787 - x3777 * x3835 + 0.00106;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x3947 = x3903 - 0.05 * x3904 - 0.05 * x3918;
-  const Real x3953 = cosine[13] * x3921 + sine[13] * x3925;
-  const Real x3957 = cosine[13] * x3925 - sine[13] * x3921;
-  const Real x3961 = cosine[13] * x3922 - sine[13] * x3928;
-  const Real x3962 = sine[13] * x3961;
-  const Real x3966 = cosine[13] * x3961;
-  const Real x3968 = cosine[13] * x3941;
-  const Real x3969 = sine[13] * x3941;
-  const Real x3972 = cosine[13] * (x3947 - 0.001);
-  const Real x3976 = cosine[13] * x3972;
-  const Real x3989 = cosine[13] * (x3906 - x3907) + x3882 * (2.0 * sine[13]);
-  const Real x3992 = cosine[13] * x3989;
-  const Real x4000 = x1034 + x3891 - 0.05 * x3910;
-  const Real x4020 = 1 / x3935;
-  const Real x4023 = x4020 * (x1032 + x3888 + 0.05 * x3911 + tau[19]);
-  w.x[84] = x4023;
-  const Real x4025 = x3968 * x4020;
-  w.x[83] = x4025;
-  const Real x4026 = x3969 * x4020;
-  w.x[82] = x4026;
-  const Real x4028 = x3953 * x4020;
-  w.x[74] = x4028;
-  const Real x4029 = x3957 * x4020;
-  w.x[73] = x4029;
-  const Real x4030 = x3915 * x4020;
-  w.x[72] = x4030;
-  const Real x4052 = x3969 * x4028 - x3962;
-  const Real x4055 = x3922 - x3966 + x3969 * x4029;
-  const Real x4058 = x3969 * x4030 - sine[13] * x3918;
-  const Real x4064 = x3882 - sine[13] * x3989 - x3953 * x4029;
-  const Real x4067 = cosine[13] * x3873 + sine[13] * x3876 - x3953 * x4030;
-  const Real x4073 = cosine[13] * x3876 - sine[13] * x3873 - x3957 * x4030;
-  const Real x4093 = cosine[13] * x3918 - x3968 * x4030 + 0.018000000000000002;
-  const Real x4094 = x3947 - x3976 - x3969 * x4026 + 0.001125;
-  const Real x4095 = x3907 + x3992 - x3953 * x4028 + 0.9;
-  const Real x4096 = x3906 - x3992 - x3957 * x4029 + 0.9;
-  const Real x4097 = x3905 - x3915 * x4030 + 0.9;
-  const Real x4079 = cosine[13] * x4000 - sine[13] * tau[18] - x3968 * x4023;
-  const Real x4082 = x3969 * x4023 - (sine[13] * x4000 + cosine[13] * tau[18]);
-  const Real x4099 = x985 + x4082;
-  const Real x4085 = cosine[13] * x3911 + sine[13] * x3912 - x3953 * x4023;
-  const Real x4101 = x1000 + x4085;
-  const Real x4088 = cosine[13] * x3912 - sine[13] * x3911 - x3957 * x4023;
-  const Real x4102 = x4088 - x1005;
-  const Real x4103 = x3910 - x3915 * x4023 + x1009;
-  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x4104 = 0.04 * x4067;
-  const Real x4106 = x3966 - x3968 * x4028 - x4104;
-  const Real x4109 = -0.018000000000000002 + 0.04 * x4095;
-  const Real x4112 = x3928 + x3962 + x3968 * x4029 + 0.04 * x4073;
-  const Real x4114 = 0.04 * x4064;
-  const Real x4118 = x4093 - 0.04 * x4097;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x4092 = 0.001 + x3976 - x3968 * x4025 + 0.0014025;
-  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x4124 = x4092 - 0.04 * x4093 - 0.04 * x4118;
-  require_more(w, x4124, 0.0, kFactorization, 15);
-  const Real x4127 = x3968 * x4026 - sine[13] * x3972 - 0.04 * x4058;
-  const Real x4128 = 0.04 * x4106;
-  const Real x4130 = 0.04 * x4052;
-  const Real x4137 = 0.04 * x4109 + 0.0006825;
-  const Real x4148 = sine[14] * x4118 - cosine[14] * x4112;
-  const Real x4152 = sine[14] * x4112 + cosine[14] * x4118;
-  const Real x4157 = cosine[14] * (x4055 - x4104) + sine[14] * (x4058 + x4114);
-  const Real x4158 = sine[14] * x4157;
-  const Real x4161 = cosine[14] * x4157;
-  const Real x4166 = cosine[14] * x4127 + sine[14] * x4128;
-  const Real x4170 = cosine[14] * x4128 - sine[14] * x4127;
-  const Real x4173 = 2.0 * sine[14];
-  const Real x4175 = cosine[14] * (x4094 - x4137) + x4130 * x4173;
-  const Real x4178 = cosine[14] * x4175;
-  const Real x4191 = cosine[14] * (x4096 - x4097) + x4073 * x4173;
-  const Real x4194 = cosine[14] * x4191;
-  const Real x4202 = x997 - tau[19] + 0.04 * x4101;
-  const Real x4218 = -tau[20];
-  w.to[0][17] = x4218;
-  const Real x4219 = 1 / x4124;
-  const Real x4222 = x4219 * (x994 + x4079 - 0.04 * x4103 + tau[20]);
-  w.x[71] = x4222;
-  const Real x4224 = x4166 * x4219;
-  w.x[70] = x4224;
-  const Real x4225 = x4170 * x4219;
-  w.x[69] = x4225;
-  const Real x4226 = x4148 * x4219;
-  w.x[57] = x4226;
-  const Real x4227 = x4152 * x4219;
-  w.x[56] = x4227;
-  const Real x4228 = x4106 * x4219;
-  w.x[55] = x4228;
-  const Real x4231 = x4137 + x4178 - x4166 * x4224;
-  w.x[54] = x4231;
-  w.to[0][0] = x4231;
-  const Real x4234 = x4130 - sine[14] * x4175 - x4166 * x4225;
-  w.x[53] = x4234;
-  w.to[0][1] = x4234;
-  const Real x4237 = x4104 + x4161 - x4166 * x4226;
-  w.x[52] = x4237;
-  w.to[0][2] = x4237;
-  const Real x4240 = x4058 - x4158 - x4166 * x4227;
-  w.x[51] = x4240;
-  w.to[0][3] = x4240;
-  const Real x4243 = cosine[14] * x4052 + sine[14] * x4109 - x4166 * x4228;
-  w.x[50] = x4243;
-  w.to[0][4] = x4243;
-  const Real x4246 = x4094 - x4178 - x4170 * x4225;
-  w.x[49] = x4246;
-  w.to[0][5] = x4246;
-  const Real x4249 = x4114 - x4158 - x4170 * x4226;
-  w.x[48] = x4249;
-  w.to[0][6] = x4249;
-  const Real x4252 = x4055 - x4161 - x4170 * x4227;
-  w.x[47] = x4252;
-  w.to[0][7] = x4252;
-  const Real x4255 = cosine[14] * x4109 - sine[14] * x4052 - x4170 * x4228;
-  w.x[46] = x4255;
-  w.to[0][8] = x4255;
-  const Real x4258 = x4097 + x4194 - x4148 * x4226;
-  w.x[45] = x4258;
-  w.to[0][9] = x4258;
-  const Real x4261 = x4073 - sine[14] * x4191 - x4148 * x4227;
-  w.x[44] = x4261;
-  w.to[0][10] = x4261;
-  const Real x4264 = cosine[14] * x4064 + sine[14] * x4067 - x4148 * x4228;
-  w.x[43] = x4264;
-  w.to[0][11] = x4264;
-  const Real x4267 = x4096 - x4194 - x4152 * x4227;
-  w.x[42] = x4267;
-  w.to[0][12] = x4267;
-  const Real x4270 = cosine[14] * x4067 - sine[14] * x4064 - x4152 * x4228;
-  w.x[41] = x4270;
-  w.to[0][13] = x4270;
-  const Real x4273 = x4095 - x4106 * x4228;
-  w.x[40] = x4273;
-  w.to[0][14] = x4273;
-  const Real x4276 = cosine[14] * x4099 + sine[14] * x4202 - x4166 * x4222;
-  w.x[39] = x4276;
-  w.to[0][15] = x4276;
-  const Real x4279 = cosine[14] * x4202 - sine[14] * x4099 - x4170 * x4222;
-  w.x[38] = x4279;
-  w.to[0][16] = x4279;
-  const Real x4282 = cosine[14] * x4102 + sine[14] * x4103 - x4148 * x4222;
-  w.x[37] = x4282;
-  w.to[0][18] = x4282;
-  const Real x4285 = cosine[14] * x4103 - sine[14] * x4102 - x4152 * x4222;
-  w.x[36] = x4285;
-  w.to[0][19] = x4285;
-  const Real x4288 = x4101 - x4106 * x4222;
-  w.x[35] = x4288;
-  w.to[0][20] = x4288;
-}
-
-ADAGEN_NOINLINE void part_0_3(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   ADAGEN_INPUTS
   // joint 0 "__base__": placement, velocity and reference acceleration of its link
-  const Real x20 = q[3] * q[3] + q[4] * q[4] + q[5] * q[5];
-  const Real x21 = q[6] * q[6] + x20;
-  require_length(w, x21, 0);
-  const Real x24 = 1 / x21 * 2.0;
-  const Real x25 = q[3] * x24;
-  const Real x26 = q[4] * x24;
-  const Real x50 = (q[5] * x25 - q[6] * x26) * 9.81;
-  const Real x57 = v[2] * v[4] - v[1] * v[5] + x50;
-  w.x[198] = x57;
-  const Real x51 = (q[5] * x26 + q[6] * x25) * 9.81;
-  const Real x62 = v[0] * v[5] - v[2] * v[3] + x51;
-  w.x[197] = x62;
-  const Real x52 = (1.0 - (q[4] * x26 + q[3] * x25)) * 9.81;
-  const Real x67 = v[1] * v[3] - v[0] * v[4] + x52;
-  w.x[190] = x67;
+  const Real x50 = q[3] * q[3] + q[4] * q[4] + q[5] * q[5];
+  const Real x51 = q[6] * q[6] + x50;
+  require_length(w, x51, 0);
+  const Real x54 = 1 / x51 * 2.0;
+  const Real x55 = q[3] * x54;
+  const Real x56 = q[4] * x54;
+  const Real x80 = (q[5] * x55 - q[6] * x56) * 9.81;
+  const Real x87 = v[2] * v[4] - v[1] * v[5] + x80;
+  w.x[26] = x87;
+  const Real x81 = (q[5] * x56 + q[6] * x55) * 9.81;
+  const Real x92 = v[0] * v[5] - v[2] * v[3] + x81;
+  w.x[25] = x92;
+  const Real x82 = (1.0 - (q[4] * x56 + q[3] * x55)) * 9.81;
+  const Real x97 = v[1] * v[3] - v[0] * v[4] + x82;
+  w.x[24] = x97;
 }
 
-ADAGEN_NOINLINE void part_0_4(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_3(Workspace& w) {
   ADAGEN_INPUTS
-  const Real x57 = w.x[198];
-  const Real x62 = w.x[197];
-  const Real x67 = w.x[190];
-  const Real x1610 = w.x[75];
-  const Real x1710 = w.x[76];
-  const Real x1711 = w.x[77];
-  const Real x1712 = w.x[78];
-  const Real x1713 = w.x[79];
-  const Real x1714 = w.x[80];
-  const Real x1715 = w.x[81];
-  const Real x1898 = w.x[103];
-  const Real x1899 = w.x[104];
-  const Real x1901 = w.x[105];
-  const Real x1902 = w.x[106];
-  const Real x1903 = w.x[107];
-  const Real x1904 = w.x[108];
-  const Real x2080 = w.x[109];
-  const Real x2081 = w.x[110];
-  const Real x2082 = w.x[111];
-  const Real x2084 = w.x[112];
-  const Real x2085 = w.x[113];
-  const Real x2086 = w.x[114];
-  const Real x2265 = w.x[115];
-  const Real x2266 = w.x[116];
-  const Real x2267 = w.x[117];
-  const Real x2268 = w.x[118];
-  const Real x2269 = w.x[119];
-  const Real x2270 = w.x[120];
-  const Real x2439 = w.x[121];
-  const Real x2440 = w.x[122];
-  const Real x2441 = w.x[123];
-  const Real x2443 = w.x[124];
-  const Real x2444 = w.x[125];
-  const Real x2445 = w.x[126];
-  const Real x2661 = w.x[154];
-  const Real x2748 = w.x[155];
-  const Real x2749 = w.x[156];
-  const Real x2750 = w.x[157];
-  const Real x2751 = w.x[158];
-  const Real x2752 = w.x[159];
-  const Real x2753 = w.x[160];
-  const Real x2936 = w.x[161];
-  const Real x2937 = w.x[162];
-  const Real x2939 = w.x[163];
-  const Real x2940 = w.x[164];
-  const Real x2941 = w.x[165];
-  const Real x2942 = w.x[166];
-  const Real x3118 = w.x[191];
-  const Real x3119 = w.x[192];
-  const Real x3120 = w.x[193];
-  const Real x3122 = w.x[194];
-  const Real x3123 = w.x[195];
-  const Real x3124 = w.x[196];
-  const Real x3303 = w.x[102];
-  const Real x3304 = w.x[101];
-  const Real x3305 = w.x[100];
-  const Real x3306 = w.x[99];
-  const Real x3307 = w.x[98];
-  const Real x3308 = w.x[97];
-  const Real x3472 = w.x[96];
-  const Real x3473 = w.x[95];
-  const Real x3474 = w.x[94];
-  const Real x3475 = w.x[93];
-  const Real x3476 = w.x[92];
-  const Real x3477 = w.x[91];
-  const Real x3832 = w.x[90];
-  const Real x3834 = w.x[89];
-  const Real x3835 = w.x[88];
-  const Real x3836 = w.x[87];
-  const Real x3837 = w.x[86];
-  const Real x3838 = w.x[85];
-  const Real x4023 = w.x[84];
-  const Real x4025 = w.x[83];
-  const Real x4026 = w.x[82];
-  const Real x4028 = w.x[74];
-  const Real x4029 = w.x[73];
-  const Real x4030 = w.x[72];
-  const Real x4222 = w.x[71];
-  const Real x4224 = w.x[70];
-  const Real x4225 = w.x[69];
-  const Real x4226 = w.x[57];
-  const Real x4227 = w.x[56];
-  const Real x4228 = w.x[55];
-  const Real x4231 = w.x[54];
-  const Real x4234 = w.x[53];
-  const Real x4237 = w.x[52];
-  const Real x4240 = w.x[51];
-  const Real x4243 = w.x[50];
-  const Real x4246 = w.x[49];
-  const Real x4249 = w.x[48];
-  const Real x4252 = w.x[47];
-  const Real x4255 = w.x[46];
-  const Real x4258 = w.x[45];
-  const Real x4261 = w.x[44];
-  const Real x4264 = w.x[43];
-  const Real x4267 = w.x[42];
-  const Real x4270 = w.x[41];
-  const Real x4273 = w.x[40];
-  const Real x4276 = w.x[39];
-  const Real x4279 = w.x[38];
-  const Real x4282 = w.x[37];
-  const Real x4285 = w.x[36];
-  const Real x4288 = w.x[35];
+  const Real x87 = w.x[26];
+  const Real x92 = w.x[25];
+  const Real x97 = w.x[24];
+  const Two x1060 = taken<Two>(w.x.data() + 28);
+  const Two x1162 = taken<Two>(w.x.data() + 30);
+  const Two x1163 = taken<Two>(w.x.data() + 32);
+  const Two x1164 = taken<Two>(w.x.data() + 34);
+  const Two x1165 = taken<Two>(w.x.data() + 36);
+  const Two x1166 = taken<Two>(w.x.data() + 38);
+  const Two x1167 = taken<Two>(w.x.data() + 40);
+  const Two x1352 = taken<Two>(w.x.data() + 42);
+  const Two x1353 = taken<Two>(w.x.data() + 44);
+  const Two x1355 = taken<Two>(w.x.data() + 46);
+  const Two x1356 = taken<Two>(w.x.data() + 48);
+  const Two x1357 = taken<Two>(w.x.data() + 50);
+  const Two x1358 = taken<Two>(w.x.data() + 52);
+  const Two x1536 = taken<Two>(w.x.data() + 54);
+  const Two x1537 = taken<Two>(w.x.data() + 56);
+  const Two x1538 = taken<Two>(w.x.data() + 58);
+  const Two x1540 = taken<Two>(w.x.data() + 60);
+  const Two x1541 = taken<Two>(w.x.data() + 62);
+  const Two x1542 = taken<Two>(w.x.data() + 64);
+  const Two x1723 = taken<Two>(w.x.data() + 104);
+  const Two x1724 = taken<Two>(w.x.data() + 106);
+  const Two x1725 = taken<Two>(w.x.data() + 108);
+  const Two x1726 = taken<Two>(w.x.data() + 110);
+  const Two x1727 = taken<Two>(w.x.data() + 112);
+  const Two x1728 = taken<Two>(w.x.data() + 114);
+  const Two x1894 = taken<Two>(w.x.data() + 120);
+  const Two x1895 = taken<Two>(w.x.data() + 122);
+  const Two x1896 = taken<Two>(w.x.data() + 124);
+  const Two x1897 = taken<Two>(w.x.data() + 126);
+  const Two x1898 = taken<Two>(w.x.data() + 128);
+  const Two x1899 = taken<Two>(w.x.data() + 130);
+  const Real x2269 = w.x[132];
+  const Real x2271 = w.x[133];
+  const Real x2272 = w.x[134];
+  const Real x2273 = w.x[135];
+  const Real x2274 = w.x[136];
+  const Real x2275 = w.x[137];
+  const Real x2460 = w.x[138];
+  const Real x2462 = w.x[139];
+  const Real x2463 = w.x[140];
+  const Real x2465 = w.x[141];
+  const Real x2466 = w.x[142];
+  const Real x2467 = w.x[143];
+  const Real x2659 = w.x[144];
+  const Real x2661 = w.x[145];
+  const Real x2662 = w.x[146];
+  const Real x2663 = w.x[147];
+  const Real x2664 = w.x[148];
+  const Real x2665 = w.x[149];
+  const Real x2668 = w.x[150];
+  const Real x2671 = w.x[151];
+  const Real x2674 = w.x[152];
+  const Real x2677 = w.x[153];
+  const Real x2680 = w.x[154];
+  const Real x2683 = w.x[155];
+  const Real x2686 = w.x[156];
+  const Real x2689 = w.x[157];
+  const Real x2692 = w.x[158];
+  const Real x2695 = w.x[159];
+  const Real x2698 = w.x[160];
+  const Real x2701 = w.x[161];
+  const Real x2704 = w.x[162];
+  const Real x2707 = w.x[163];
+  const Real x2710 = w.x[164];
+  const Real x2713 = w.x[165];
+  const Real x2716 = w.x[166];
+  const Real x2719 = w.x[167];
+  const Real x2722 = w.x[168];
+  const Real x2725 = w.x[169];
   // message received
-  const Real x4289 = w.from[1][0];
-  const Real x4290 = w.from[1][1];
-  const Real x4295 = w.from[1][6];
-  const Real x4291 = w.from[1][2];
-  const Real x4296 = w.from[1][7];
-  const Real x4300 = w.from[1][11];
-  const Real x4292 = w.from[1][3];
-  const Real x4297 = w.from[1][8];
-  const Real x4301 = w.from[1][12];
-  const Real x4304 = w.from[1][15];
-  const Real x4293 = w.from[1][4];
-  const Real x4298 = w.from[1][9];
-  const Real x4302 = w.from[1][13];
-  const Real x4305 = w.from[1][16];
-  const Real x4294 = w.from[1][5];
-  const Real x4307 = w.from[1][18];
-  const Real x4299 = w.from[1][10];
-  const Real x4303 = w.from[1][14];
-  const Real x4306 = w.from[1][17];
-  const Real x4308 = w.from[1][19];
-  const Real x4325 = w.from[1][21];
-  const Real x4326 = w.from[1][22];
-  const Real x4309 = w.from[1][20];
-  const Real x4327 = w.from[1][23];
-  const Real x4328 = w.from[1][24];
-  const Real x4329 = w.from[1][25];
-  const Real x4330 = w.from[1][26];
-  const Real x4310 = x4231 + x4289;
-  require_more(w, x4310, 0.0, kFactorization, 15);
-  const Real x4311 = x4234 + x4290;
-  const Real x4315 = x4246 + x4295;
-  const Real x4312 = x4237 + x4292;
-  const Real x4319 = x4258 + x4304;
-  const Real x4313 = x4240 + x4293;
-  const Real x4314 = x4243 + x4294;
-  const Real x4322 = x4267 + x4307;
-  const Real x4331 = x4276 + x4325;
-  const Real x4324 = x4273 + x4309;
+  const Real x2726 = w.from[1][0];
+  const Real x2727 = w.from[1][1];
+  const Real x2732 = w.from[1][6];
+  const Real x2728 = w.from[1][2];
+  const Real x2733 = w.from[1][7];
+  const Real x2737 = w.from[1][11];
+  const Real x2729 = w.from[1][3];
+  const Real x2734 = w.from[1][8];
+  const Real x2738 = w.from[1][12];
+  const Real x2741 = w.from[1][15];
+  const Real x2730 = w.from[1][4];
+  const Real x2735 = w.from[1][9];
+  const Real x2739 = w.from[1][13];
+  const Real x2742 = w.from[1][16];
+  const Real x2731 = w.from[1][5];
+  const Real x2744 = w.from[1][18];
+  const Real x2736 = w.from[1][10];
+  const Real x2740 = w.from[1][14];
+  const Real x2743 = w.from[1][17];
+  const Real x2745 = w.from[1][19];
+  const Real x2762 = w.from[1][21];
+  const Real x2763 = w.from[1][22];
+  const Real x2746 = w.from[1][20];
+  const Real x2764 = w.from[1][23];
+  const Real x2765 = w.from[1][24];
+  const Real x2766 = w.from[1][25];
+  const Real x2767 = w.from[1][26];
+  const Real x2747 = x2668 + x2726;
+  require_more(w, x2747, 0.0, kFactorization, 15);
+  const Real x2748 = x2671 + x2727;
+  const Real x2752 = x2683 + x2732;
+  const Real x2749 = x2674 + x2729;
+  const Real x2756 = x2695 + x2741;
+  const Real x2750 = x2677 + x2730;
+  const Real x2751 = x2680 + x2731;
+  const Real x2759 = x2704 + x2744;
+  const Real x2768 = x2713 + x2762;
+  const Real x2761 = x2710 + x2746;
   // link 16 "torso": acceleration from its articulated-body inertia
-  const Real x4465 = x4300 * 1.7763568394002505e-15;
-  const Real x4337 = 1 / x4310;
-  const Real x4464 = x4315 * 1.7763568394002505e-15;
-  const Real x4466 = x4319 * 1.7763568394002505e-15;
-  const Real x4467 = x4322 * 1.7763568394002505e-15;
-  const Real x4468 = x4324 * 1.7763568394002505e-15;
-  const Real x4338 = x4311 * x4337;
-  const Real x4339 = x4291 * x4337;
-  const Real x4340 = x4312 * x4337;
-  const Real x4341 = x4313 * x4337;
-  const Real x4342 = x4314 * x4337;
-  const Real x4345 = x4315 - x4311 * x4338;
-  require_more(w, x4345, x4464, kFactorization, 15);
-  const Real x4348 = x4296 - x4291 * x4338;
-  const Real x4351 = x4249 + x4297 - x4312 * x4338;
-  const Real x4354 = x4252 + x4298 - x4313 * x4338;
-  const Real x4357 = x4255 + x4299 - x4314 * x4338;
-  const Real x4358 = 1 / x4345;
-  const Real x4477 = x4331 * x4338 - (x4279 + x4326);
-  const Real x4359 = x4348 * x4358;
-  const Real x4360 = x4351 * x4358;
-  const Real x4361 = x4354 * x4358;
-  const Real x4362 = x4357 * x4358;
-  const Real x4368 = x4300 - x4291 * x4339 - x4348 * x4359;
-  require_more(w, x4368, x4465, kFactorization, 15);
-  const Real x4374 = x4301 - x4312 * x4339 - x4351 * x4359;
-  const Real x4380 = x4302 - x4313 * x4339 - x4354 * x4359;
-  const Real x4386 = x4303 - x4314 * x4339 - x4357 * x4359;
-  const Real x4483 = x4331 * x4339 - (x4327 - tau[20]) - x4359 * x4477;
-  const Real x4387 = 1 / x4368;
-  const Real x4388 = x4374 * x4387;
-  const Real x4389 = x4380 * x4387;
-  const Real x4390 = x4386 * x4387;
-  const Real x4398 = x4319 - x4312 * x4340 - x4351 * x4360;
-  const Real x4399 = x4398 - x4374 * x4388;
-  require_more(w, x4399, x4466, kFactorization, 15);
-  const Real x4407 = x4261 + x4305 - x4313 * x4340 - x4354 * x4360;
-  const Real x4408 = x4407 - x4380 * x4388;
-  const Real x4430 = x4322 - x4313 * x4341 - x4354 * x4361;
-  const Real x4416 = x4264 + x4306 - x4314 * x4340 - x4357 * x4360;
-  const Real x4417 = x4416 - x4386 * x4388;
-  const Real x4442 = x4270 + x4308 - x4314 * x4341 - x4357 * x4361;
-  const Real x4458 = x4324 - x4314 * x4342 - x4357 * x4362;
-  const Real x4491 = x4331 * x4340 - (x4282 + x4328) - x4360 * x4477;
-  const Real x4492 = x4491 - x4388 * x4483;
-  const Real x4502 = x4331 * x4341 - (x4285 + x4329) - x4361 * x4477;
-  const Real x4516 = x4331 * x4342 - (x4288 + x4330) - x4362 * x4477;
-  const Real x4418 = 1 / x4399;
-  const Real x4419 = x4408 * x4418;
-  const Real x4420 = x4417 * x4418;
-  const Real x4432 = x4430 - x4380 * x4389 - x4408 * x4419;
-  require_more(w, x4432, x4467, kFactorization, 15);
-  const Real x4444 = x4442 - x4386 * x4389 - x4417 * x4419;
-  const Real x4504 = x4502 - x4389 * x4483 - x4419 * x4492;
-  const Real x4445 = 1 / x4432;
-  const Real x4446 = x4444 * x4445;
-  const Real x4460 = x4458 - x4386 * x4390 - x4417 * x4420;
-  const Real x4461 = x4460 - x4444 * x4446;
-  require_more(w, x4461, x4468, kFactorization, 15);
-  const Real x4518 = x4516 - x4390 * x4483 - x4420 * x4492;
-  const Real x4526 = 1 / x4461 * (x4518 - x4446 * x4504);
-  const Real x4529 = x4445 * x4504 - x4446 * x4526;
-  const Real x4535 = x4418 * x4492 - x4420 * x4526 - x4419 * x4529;
-  const Real x4543 = x4387 * x4483 - x4390 * x4526 - x4389 * x4529;
-  const Real x4544 = x4543 - x4388 * x4535;
-  const Real x4554 = x4358 * x4477 - x4362 * x4526 - x4361 * x4529;
-  const Real x4569 = x4331 * x4337 + x4342 * x4526 + x4341 * x4529;
-  const Real x4556 = x4554 - x4360 * x4535 - x4359 * x4544;
-  const Real x4573 = x4340 * x4535 + x4569 + x4339 * x4544;
-  const Real x4575 = x4338 * x4556 + x4573;
+  const Real x2902 = x2737 * 1.7763568394002505e-15;
+  const Real x2774 = 1 / x2747;
+  const Real x2901 = x2752 * 1.7763568394002505e-15;
+  const Real x2903 = x2756 * 1.7763568394002505e-15;
+  const Real x2904 = x2759 * 1.7763568394002505e-15;
+  const Real x2905 = x2761 * 1.7763568394002505e-15;
+  const Real x2775 = x2748 * x2774;
+  const Real x2776 = x2728 * x2774;
+  const Real x2777 = x2749 * x2774;
+  const Real x2778 = x2750 * x2774;
+  const Real x2779 = x2751 * x2774;
+  const Real x2782 = x2752 - x2748 * x2775;
+  require_more(w, x2782, x2901, kFactorization, 15);
+  const Real x2785 = x2733 - x2728 * x2775;
+  const Real x2788 = x2686 + x2734 - x2749 * x2775;
+  const Real x2791 = x2689 + x2735 - x2750 * x2775;
+  const Real x2794 = x2692 + x2736 - x2751 * x2775;
+  const Real x2795 = 1 / x2782;
+  const Real x2914 = x2768 * x2775 - (x2716 + x2763);
+  const Real x2796 = x2785 * x2795;
+  const Real x2797 = x2788 * x2795;
+  const Real x2798 = x2791 * x2795;
+  const Real x2799 = x2794 * x2795;
+  const Real x2805 = x2737 - x2728 * x2776 - x2785 * x2796;
+  require_more(w, x2805, x2902, kFactorization, 15);
+  const Real x2811 = x2738 - x2749 * x2776 - x2788 * x2796;
+  const Real x2817 = x2739 - x2750 * x2776 - x2791 * x2796;
+  const Real x2823 = x2740 - x2751 * x2776 - x2794 * x2796;
+  const Real x2920 = x2768 * x2776 - (x2764 - tau[20]) - x2796 * x2914;
+  const Real x2824 = 1 / x2805;
+  const Real x2825 = x2811 * x2824;
+  const Real x2826 = x2817 * x2824;
+  const Real x2827 = x2823 * x2824;
+  const Real x2835 = x2756 - x2749 * x2777 - x2788 * x2797;
+  const Real x2836 = x2835 - x2811 * x2825;
+  require_more(w, x2836, x2903, kFactorization, 15);
+  const Real x2844 = x2698 + x2742 - x2750 * x2777 - x2791 * x2797;
+  const Real x2845 = x2844 - x2817 * x2825;
+  const Real x2867 = x2759 - x2750 * x2778 - x2791 * x2798;
+  const Real x2853 = x2701 + x2743 - x2751 * x2777 - x2794 * x2797;
+  const Real x2854 = x2853 - x2823 * x2825;
+  const Real x2879 = x2707 + x2745 - x2751 * x2778 - x2794 * x2798;
+  const Real x2895 = x2761 - x2751 * x2779 - x2794 * x2799;
+  const Real x2928 = x2768 * x2777 - (x2719 + x2765) - x2797 * x2914;
+  const Real x2929 = x2928 - x2825 * x2920;
+  const Real x2939 = x2768 * x2778 - (x2722 + x2766) - x2798 * x2914;
+  const Real x2953 = x2768 * x2779 - (x2725 + x2767) - x2799 * x2914;
+  const Real x2855 = 1 / x2836;
+  const Real x2856 = x2845 * x2855;
+  const Real x2857 = x2854 * x2855;
+  const Real x2869 = x2867 - x2817 * x2826 - x2845 * x2856;
+  require_more(w, x2869, x2904, kFactorization, 15);
+  const Real x2881 = x2879 - x2823 * x2826 - x2854 * x2856;
+  const Real x2941 = x2939 - x2826 * x2920 - x2856 * x2929;
+  const Real x2882 = 1 / x2869;
+  const Real x2883 = x2881 * x2882;
+  const Real x2897 = x2895 - x2823 * x2827 - x2854 * x2857;
+  const Real x2898 = x2897 - x2881 * x2883;
+  require_more(w, x2898, x2905, kFactorization, 15);
+  const Real x2955 = x2953 - x2827 * x2920 - x2857 * x2929;
+  const Real x2963 = 1 / x2898 * (x2955 - x2883 * x2941);
+  const Real x2966 = x2882 * x2941 - x2883 * x2963;
+  const Real x2972 = x2855 * x2929 - x2857 * x2963 - x2856 * x2966;
+  const Real x2980 = x2824 * x2920 - x2827 * x2963 - x2826 * x2966;
+  const Real x2981 = x2980 - x2825 * x2972;
+  const Real x2991 = x2795 * x2914 - x2799 * x2963 - x2798 * x2966;
+  const Real x3006 = x2768 * x2774 + x2779 * x2963 + x2778 * x2966;
+  const Real x2993 = x2991 - x2797 * x2972 - x2796 * x2981;
+  const Real x3010 = x2777 * x2972 + x3006 + x2776 * x2981;
+  const Real x3012 = x2775 * x2993 + x3010;
   // joint 15 "waist_pitch": its acceleration, and that of the link beyond
-  const Real x4589 = x4222 + x4228 * x4526 + x4227 * x4529;
-  const Real x4610 = cosine[14] * x4535 - sine[14] * x4529;
-  const Real x4593 = x4226 * x4535 + x4589 + x4225 * x4556;
-  const Real x4595 = x4224 * x4575 - x4593;
-  const Real x4601 = cosine[14] * x4575 + sine[14] * x4556;
-  const Real x4606 = cosine[14] * x4556 - sine[14] * x4575;
-  const Real x4615 = x4526 + 0.04 * x4606;
-  const Real x4618 = sine[14] * x4535 + cosine[14] * x4529 - 0.04 * x4595;
-  const Real x4619 = -(x4595 - x4544);
-  w.result[20] = x4619;
+  const Real x3026 = x2659 + x2665 * x2963 + x2664 * x2966;
+  const Real x3047 = cosine[14] * x2972 - sine[14] * x2966;
+  const Real x3030 = x2663 * x2972 + x3026 + x2662 * x2993;
+  const Real x3032 = x2661 * x3012 - x3030;
+  const Real x3038 = cosine[14] * x3012 + sine[14] * x2993;
+  const Real x3043 = cosine[14] * x2993 - sine[14] * x3012;
+  const Real x3052 = x2963 + 0.04 * x3043;
+  const Real x3055 = sine[14] * x2972 + cosine[14] * x2966 - 0.04 * x3032;
+  const Real x3056 = -(x3032 - x2981);
+  w.result[20] = x3056;
   // joint 14 "waist_roll": its acceleration, and that of the link beyond
-  const Real x4645 = cosine[13] * x4595 + sine[13] * x4601;
-  const Real x4632 = x4023 + x4029 * x4610 + x4025 * x4595;
-  const Real x4659 = x4618 - 0.05 * x4645;
-  const Real x4656 = sine[13] * x4615 + cosine[13] * x4610;
-  const Real x4636 = x4026 * x4601 + x4632 + x4028 * x4615;
-  const Real x4638 = x4030 * x4618 + x4636;
-  const Real x4640 = x4606 + x4638;
-  w.result[19] = x4640;
-  const Real x4662 = cosine[13] * x4615 - sine[13] * x4610 - 0.05 * x4638;
+  const Real x3082 = cosine[13] * x3032 + sine[13] * x3038;
+  const Real x3069 = x2460 + x2466 * x3047 + x2462 * x3032;
+  const Real x3096 = x3055 - 0.05 * x3082;
+  const Real x3093 = sine[13] * x3052 + cosine[13] * x3047;
+  const Real x3073 = x2463 * x3038 + x3069 + x2465 * x3052;
+  const Real x3075 = x2467 * x3055 + x3073;
+  const Real x3077 = x3043 + x3075;
+  w.result[19] = x3077;
+  const Real x3099 = cosine[13] * x3052 - sine[13] * x3047 - 0.05 * x3075;
   // joint 13 "waist_yaw": its acceleration, and that of the link beyond
-  const Real x4675 = x3832 + x3835 * x4645 + x3836 * x4659;
-  const Real x4691 = cosine[12] * x4645 - sine[12] * x4638;
-  w.result[4] = x4691;
-  const Real x4686 = cosine[12] * x4638 + sine[12] * x4645;
-  const Real x4702 = 0.09 * x4686;
-  const Real x4679 = x3834 * x4638 - (x3838 * x4656 + x4675);
-  const Real x4680 = x4679 - x3837 * x4662;
-  w.result[5] = x4680;
-  const Real x4687 = -x4686;
-  w.result[3] = x4687;
-  // joint 1 "left_hip_pitch": its acceleration, and that of the link beyond
-  const Real x4715 = x4656 - x4702;
-  // joint 7 "right_hip_pitch": its acceleration, and that of the link beyond
-  const Real x4917 = x4656 + x4702;
+  const Real x3112 = x2269 + x2272 * x3082 + x2273 * x3096;
+  const Real x3128 = cosine[12] * x3082 - sine[12] * x3075;
+  w.result[4] = x3128;
+  const Real x3123 = cosine[12] * x3075 + sine[12] * x3082;
+  const Real x3124 = -x3123;
+  w.result[3] = x3124;
+  const Real x3116 = x2271 * x3075 - (x2275 * x3093 + x3112);
+  const Real x3117 = x3116 - x2274 * x3099;
+  w.result[5] = x3117;
+  const Real x3138 = cosine[12] * x3096 - sine[12] * x3099 - 0.09 * x3128;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch": their accelerations, and those of the links beyond
+  const Two x3155 = x3093 - Two{0.09, -0.09} * x3123;
   // joint 0 "__base__": acceleration of the base
-  const Real x5119 = x4656 - x67;
-  w.result[2] = x5119;
+  const Real x3371 = x3093 - x97;
+  w.result[2] = x3371;
   // joint 13 "waist_yaw": its acceleration, and that of the link beyond
-  const Real x4701 = cosine[12] * x4659 - sine[12] * x4662 - 0.09 * x4691;
-  const Real x4704 = sine[12] * x4659 + cosine[12] * x4662 - x4702;
-  const Real x4705 = -(x4680 - (sine[13] * x4595 - cosine[13] * x4601));
-  w.result[18] = x4705;
-  // joint 1 "left_hip_pitch": its acceleration, and that of the link beyond
-  const Real x4706 = 0.09 * x4680;
-  const Real x4719 = cosine[0] * x4680 - sine[0] * x4686;
-  const Real x4710 = x4701 - 0.05 * x4691;
-  const Real x4724 = sine[0] * x4680 + cosine[0] * x4686;
-  const Real x4714 = x4704 - 0.05 * x4686;
-  const Real x4711 = x4710 - x4706;
-  const Real x4728 = cosine[0] * x4715 + sine[0] * x4711;
-  const Real x4732 = cosine[0] * x4711 - sine[0] * x4715;
-  const Real x4744 = x3472 - x3473 * x4719 + x3474 * x4724;
-  const Real x4746 = x4744 - x3477 * x4714 - x3475 * x4728;
-  const Real x4747 = x4746 - x3476 * x4732;
-  // joint 2 "left_hip_roll": its acceleration, and that of the link beyond
-  const Real x4751 = x4728 - 0.04 * x4724;
-  const Real x4754 = x4732 - 0.04 * x4719;
-  const Real x4764 = cosine[1] * x4714 + sine[1] * x4751;
-  const Real x4768 = cosine[1] * x4751 - sine[1] * x4714;
-  const Real x4757 = cosine[1] * x4747 + sine[1] * x4719;
-  const Real x4761 = cosine[1] * x4719 - sine[1] * x4747;
-  // joint 7 "right_hip_pitch": its acceleration, and that of the link beyond
-  const Real x4921 = cosine[6] * x4680 - sine[6] * x4686;
-  const Real x4926 = sine[6] * x4680 + cosine[6] * x4686;
-  const Real x4916 = x4706 + x4710;
-  const Real x4930 = cosine[6] * x4917 + sine[6] * x4916;
-  const Real x4934 = cosine[6] * x4916 - sine[6] * x4917;
-  const Real x4946 = x2439 - x2440 * x4921 - x2441 * x4926;
-  const Real x4948 = x4946 - x2445 * x4714 - x2443 * x4930;
-  const Real x4949 = x4948 - x2444 * x4934;
-  // joint 8 "right_hip_roll": its acceleration, and that of the link beyond
-  const Real x4953 = x4930 + 0.04 * x4926;
-  const Real x4955 = x4934 + 0.04 * x4921;
-  const Real x4965 = cosine[7] * x4714 + sine[7] * x4953;
-  const Real x4969 = cosine[7] * x4953 - sine[7] * x4714;
-  const Real x4958 = cosine[7] * x4949 + sine[7] * x4921;
-  const Real x4962 = cosine[7] * x4921 - sine[7] * x4949;
+  const Real x3141 = sine[12] * x3096 + cosine[12] * x3099 - 0.09 * x3123;
+  const Real x3142 = -(x3117 - (sine[13] * x3032 - cosine[13] * x3038));
+  w.result[18] = x3142;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch": their accelerations, and those of the links beyond
+  const Two x3159 = taken<Two>(cosine + 0) * x3117 - taken<Two>(sine + 0) * x3123;
+  const Two x3164 = taken<Two>(sine + 0) * x3117 + taken<Two>(cosine + 0) * x3123;
+  const Real x3152 = x3141 - 0.05 * x3123;
+  const Two x3149 = x3138 - 0.05 * x3128 - Two{0.09, -0.09} * x3117;
+  const Two x3168 = taken<Two>(cosine + 0) * x3155 + taken<Two>(sine + 0) * x3149;
+  const Two x3172 = taken<Two>(cosine + 0) * x3149 - taken<Two>(sine + 0) * x3155;
+  const Two x3184 = x1894 - x1895 * x3159 + x1896 * x3164;
+  const Two x3186 = x3184 - x1899 * x3152 - x1897 * x3168;
+  const Two x3187 = x3186 - x1898 * x3172;
+  const Two x3188 = x3187 - x3128;
+  put(x3188, w.lanes.data() + 0);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll": their accelerations, and those of the links beyond
+  const Two x3194 = x3168 - Two{0.04, -0.04} * x3164;
+  const Two x3197 = x3172 - Two{0.04, -0.04} * x3159;
+  const Two x3207 = taken<Two>(cosine + 2) * x3152 + taken<Two>(sine + 2) * x3194;
+  const Two x3211 = taken<Two>(cosine + 2) * x3194 - taken<Two>(sine + 2) * x3152;
+  const Two x3200 = taken<Two>(cosine + 2) * x3187 + taken<Two>(sine + 2) * x3159;
+  const Two x3204 = taken<Two>(cosine + 2) * x3159 - taken<Two>(sine + 2) * x3187;
+  const Two x3223 = x1723 - x1728 * x3197 - x1726 * x3207;
+  const Two x3225 = x3223 - x1727 * x3211 - x1724 * x3200;
+  const Two x3226 = x3225 - x1725 * x3204;
+  const Two x3227 = x3164 + x3226;
+  put(x3227, w.lanes.data() + 2);
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": their accelerations, and those of the links beyond
+  const Two x3234 = x3197 - 0.12 * x3200;
+  const Two x3231 = x3207 + 0.12 * x3226;
+  const Two x3237 = taken<Two>(cosine + 4) * x3226 + taken<Two>(sine + 4) * x3200;
+  const Two x3241 = taken<Two>(cosine + 4) * x3200 - taken<Two>(sine + 4) * x3226;
+  const Two x3244 = taken<Two>(cosine + 4) * x3234 + taken<Two>(sine + 4) * x3231;
+  const Two x3248 = taken<Two>(cosine + 4) * x3231 - taken<Two>(sine + 4) * x3234;
+  const Two x3260 = x1536 - x1542 * x3211 - x1537 * x3237;
+  const Two x3262 = x1538 * x3241 + x3260 - x1540 * x3244;
+  const Two x3263 = x3262 - x1541 * x3248;
+  // joints 4 "left_knee", 10 "right_knee": their accelerations, and those of the links beyond
+  const Two x3269 = x3244 - 0.24 * x3241;
+  const Two x3271 = x3248 + 0.24 * x3237;
+  const Two x3281 = taken<Two>(cosine + 6) * x3211 + taken<Two>(sine + 6) * x3269;
+  const Two x3285 = taken<Two>(cosine + 6) * x3269 - taken<Two>(sine + 6) * x3211;
   // joint 0 "__base__": acceleration of the base
-  const Real x5117 = x4701 - x57;
-  w.result[0] = x5117;
-  const Real x5118 = x4704 - x62;
-  w.result[1] = x5118;
-  // joint 1 "left_hip_pitch": its acceleration, and that of the link beyond
-  const Real x4748 = x4747 - x4691;
-  w.result[6] = x4748;
-  // joint 2 "left_hip_roll": its acceleration, and that of the link beyond
-  const Real x4780 = x3303 - x3308 * x4754 - x3306 * x4764;
-  const Real x4782 = x4780 - x3307 * x4768 - x3304 * x4757;
-  const Real x4783 = x4782 - x3305 * x4761;
-  const Real x4784 = x4724 + x4783;
-  w.result[7] = x4784;
-  // joint 3 "left_hip_yaw": its acceleration, and that of the link beyond
-  const Real x4789 = x4754 - 0.12 * x4757;
-  const Real x4786 = x4764 + 0.12 * x4783;
-  const Real x4792 = cosine[2] * x4783 + sine[2] * x4757;
-  const Real x4796 = cosine[2] * x4757 - sine[2] * x4783;
-  const Real x4799 = cosine[2] * x4789 + sine[2] * x4786;
-  const Real x4803 = cosine[2] * x4786 - sine[2] * x4789;
-  const Real x4815 = x3118 - x3124 * x4768 - x3119 * x4792;
-  const Real x4817 = x3120 * x4796 + x4815 - x3122 * x4799;
-  const Real x4818 = x4817 - x3123 * x4803;
-  // joint 4 "left_knee": its acceleration, and that of the link beyond
-  const Real x4822 = x4799 - 0.24 * x4796;
-  const Real x4824 = x4803 + 0.24 * x4792;
-  const Real x4834 = cosine[3] * x4768 + sine[3] * x4822;
-  const Real x4838 = cosine[3] * x4822 - sine[3] * x4768;
-  const Real x4827 = cosine[3] * x4818 + sine[3] * x4792;
-  const Real x4831 = cosine[3] * x4792 - sine[3] * x4818;
-  // joint 7 "right_hip_pitch": its acceleration, and that of the link beyond
-  const Real x4950 = x4949 - x4691;
-  w.result[12] = x4950;
-  // joint 8 "right_hip_roll": its acceleration, and that of the link beyond
-  const Real x4981 = x2265 - x2270 * x4955 - x2268 * x4965;
-  const Real x4983 = x4981 - x2269 * x4969 - x2266 * x4958;
-  const Real x4984 = x4983 - x2267 * x4962;
-  const Real x4985 = x4926 + x4984;
-  w.result[13] = x4985;
-  // joint 9 "right_hip_yaw": its acceleration, and that of the link beyond
-  const Real x4990 = x4955 - 0.12 * x4958;
-  const Real x4987 = x4965 + 0.12 * x4984;
-  const Real x4993 = cosine[8] * x4984 + sine[8] * x4958;
-  const Real x4997 = cosine[8] * x4958 - sine[8] * x4984;
-  const Real x5000 = cosine[8] * x4990 + sine[8] * x4987;
-  const Real x5004 = cosine[8] * x4987 - sine[8] * x4990;
-  const Real x5016 = x2080 - x2086 * x4969 - x2081 * x4993;
-  const Real x5018 = x2082 * x4997 + x5016 - x2084 * x5000;
-  const Real x5019 = x5018 - x2085 * x5004;
-  // joint 10 "right_knee": its acceleration, and that of the link beyond
-  const Real x5023 = x5000 - 0.24 * x4997;
-  const Real x5025 = x5004 + 0.24 * x4993;
-  const Real x5035 = cosine[9] * x4969 + sine[9] * x5023;
-  const Real x5039 = cosine[9] * x5023 - sine[9] * x4969;
-  // joint 3 "left_hip_yaw": its acceleration, and that of the link beyond
-  const Real x4819 = x4818 - x4761;
-  w.result[8] = x4819;
-  // joint 4 "left_knee": its acceleration, and that of the link beyond
-  const Real x4850 = x2936 - x2942 * x4824 - x2940 * x4834;
-  const Real x4852 = x4850 - x2941 * x4838 + x2937 * x4827;
-  const Real x4853 = x4852 - x2939 * x4831;
-  const Real x4854 = x4853 - x4796;
-  w.result[9] = x4854;
-  // joint 5 "left_ankle_pitch": its acceleration, and that of the link beyond
-  const Real x4862 = cosine[4] * x4827 + sine[4] * x4831;
-  const Real x4866 = cosine[4] * x4831 - sine[4] * x4827;
-  const Real x4859 = x4824 + 0.3 * x4831;
-  const Real x4857 = x4838 - 0.3 * x4853;
-  const Real x4885 = x2748 - x2749 * x4862 - x2750 * x4866;
-  const Real x4869 = cosine[4] * x4834 + sine[4] * x4857;
-  const Real x4887 = x4885 - x2753 * x4859 - x2751 * x4869;
-  const Real x4888 = x4887 - x2752 * (cosine[4] * x4857 - sine[4] * x4834);
-  const Real x4889 = x4888 - x4853;
-  w.result[10] = x4889;
-  // joint 6 "left_ankle_roll": its acceleration, and that of the link beyond
-  const Real x4904 = cosine[5] * (x4859 + 0.02 * x4866) + sine[5] * x4869;
-  const Real x4909 = 0.5966849180428403 * (cosine[5] * x4862 - sine[5] * x4888);
-  const Real x4915 = x2661 - 19.88949726809468 * x4904 - x4909 - x4866;
-  w.result[11] = x4915;
-  // joint 9 "right_hip_yaw": its acceleration, and that of the link beyond
-  const Real x5020 = x5019 - x4962;
-  w.result[14] = x5020;
-  // joint 10 "right_knee": its acceleration, and that of the link beyond
-  const Real x5028 = cosine[9] * x5019 + sine[9] * x4993;
-  const Real x5032 = cosine[9] * x4993 - sine[9] * x5019;
-  const Real x5051 = x1898 - x1904 * x5025 - x1902 * x5035;
-  const Real x5053 = x5051 - x1903 * x5039 + x1899 * x5028;
-  const Real x5054 = x5053 - x1901 * x5032;
-  const Real x5055 = x5054 - x4997;
-  w.result[15] = x5055;
-  // joint 11 "right_ankle_pitch": its acceleration, and that of the link beyond
-  const Real x5063 = cosine[10] * x5028 + sine[10] * x5032;
-  const Real x5067 = cosine[10] * x5032 - sine[10] * x5028;
-  const Real x5060 = x5025 + 0.3 * x5032;
-  const Real x5058 = x5039 - 0.3 * x5054;
-  const Real x5086 = x1710 - x1711 * x5063 - x1712 * x5067;
-  const Real x5070 = cosine[10] * x5035 + sine[10] * x5058;
-  const Real x5088 = x5086 - x1715 * x5060 - x1713 * x5070;
-  const Real x5089 = x5088 - x1714 * (cosine[10] * x5058 - sine[10] * x5035);
-  const Real x5090 = x5089 - x5054;
-  w.result[16] = x5090;
-  // joint 12 "right_ankle_roll": its acceleration, and that of the link beyond
-  const Real x5105 = cosine[11] * (x5060 + 0.02 * x5067) + sine[11] * x5070;
-  const Real x5110 = 0.5966849180428403 * (cosine[11] * x5063 - sine[11] * x5089);
-  const Real x5116 = x1610 - 19.88949726809468 * x5105 - x5110 - x5067;
-  w.result[17] = x5116;
+  const Real x3369 = x3138 - x87;
+  w.result[0] = x3369;
+  const Real x3370 = x3141 - x92;
+  w.result[1] = x3370;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": their accelerations, and those of the links beyond
+  const Two x3264 = x3263 - x3204;
+  put(x3264, w.lanes.data() + 4);
+  // joints 4 "left_knee", 10 "right_knee": their accelerations, and those of the links beyond
+  const Two x3274 = taken<Two>(cosine + 6) * x3263 + taken<Two>(sine + 6) * x3237;
+  const Two x3278 = taken<Two>(cosine + 6) * x3237 - taken<Two>(sine + 6) * x3263;
+  const Two x3297 = x1352 - x1358 * x3271 - x1356 * x3281;
+  const Two x3299 = x3297 - x1357 * x3285 + x1353 * x3274;
+  const Two x3300 = x3299 - x1355 * x3278;
+  const Two x3301 = x3300 - x3241;
+  put(x3301, w.lanes.data() + 6);
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": their accelerations, and those of the links beyond
+  const Two x3311 = taken<Two>(cosine + 8) * x3274 + taken<Two>(sine + 8) * x3278;
+  const Two x3315 = taken<Two>(cosine + 8) * x3278 - taken<Two>(sine + 8) * x3274;
+  const Two x3308 = x3271 + 0.3 * x3278;
+  const Two x3306 = x3285 - 0.3 * x3300;
+  const Two x3334 = x1162 - x1163 * x3311 - x1164 * x3315;
+  const Two x3318 = taken<Two>(cosine + 8) * x3281 + taken<Two>(sine + 8) * x3306;
+  const Two x3336 = x3334 - x1167 * x3308 - x1165 * x3318;
+  const Two x3337 = x3336 - x1166 * (taken<Two>(cosine + 8) * x3306 - taken<Two>(sine + 8) * x3281);
+  const Two x3338 = x3337 - x3300;
+  put(x3338, w.lanes.data() + 8);
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": their accelerations, and those of the links beyond
+  const Two x3355 = taken<Two>(cosine + 10) * (x3308 + 0.02 * x3315) + taken<Two>(sine + 10) * x3318;
+  const Two x3360 = 0.5966849180428403 * (taken<Two>(cosine + 10) * x3311 - taken<Two>(sine + 10) * x3337);
+  const Two x3366 = x1060 - 19.88949726809468 * x3355 - x3360 - x3315;
+  put(x3366, w.lanes.data() + 10);
 }
 
 // =================================================================================================
-// Process 1: 1691 products, 1524 sums, 17 quotients
+// Process 1: 1027 products, 914 sums, 12 quotients, 1257 of them in lanes
 // =================================================================================================
 
-ADAGEN_NOINLINE void part_1_0(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   ADAGEN_INPUTS
   // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
-  const Real x88 = v[3] * cosine[0] + v[4] * sine[0];
-  const Real x92 = v[4] * cosine[0] - v[3] * sine[0];
-  const Real x93 = v[5] + v[18];
-  const Real x94 = v[18] * x92;
-  const Real x95 = v[18] * x88;
-  const Real x97 = v[3] * v[5] * 0.09;
-  const Real x98 = v[4] * v[5] * 0.09;
+  const Real x118 = v[3] * cosine[12] + v[4] * sine[12];
+  const Real x122 = v[4] * cosine[12] - v[3] * sine[12];
+  const Real x123 = v[5] + v[18];
+  const Real x124 = v[18] * x122;
+  const Real x125 = v[18] * x118;
+  const Real x127 = v[3] * v[5] * 0.09;
+  const Real x128 = v[4] * v[5] * 0.09;
   // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
-  const Real x135 = x92 * cosine[1] + x93 * sine[1];
-  const Real x139 = x93 * cosine[1] - x92 * sine[1];
-  const Real x140 = x88 + v[19];
-  const Real x146 = v[19] * x139 - x95 * cosine[1];
-  const Real x149 = x95 * sine[1] - v[19] * x135;
+  const Real x165 = x122 * cosine[13] + x123 * sine[13];
+  const Real x169 = x123 * cosine[13] - x122 * sine[13];
+  const Real x170 = x118 + v[19];
+  const Real x176 = v[19] * x169 - x125 * cosine[13];
+  const Real x179 = x125 * sine[13] - v[19] * x165;
   // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
-  const Real x103 = cosine[0] * x97 + sine[0] * x98;
-  const Real x107 = cosine[0] * x98 - sine[0] * x97;
+  const Real x133 = cosine[12] * x127 + sine[12] * x128;
+  const Real x137 = cosine[12] * x128 - sine[12] * x127;
   // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
-  const Real x153 = x107 + (x92 * x93 - x94) * 0.05;
+  const Real x183 = x137 + (x122 * x123 - x124) * 0.05;
   // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
-  const Real x99 = (v[3] * v[3] + v[4] * v[4]) * 0.09;
+  const Real x129 = (v[3] * v[3] + v[4] * v[4]) * 0.09;
   // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
-  const Real x156 = x99 + (x88 * x88 + x92 * x92) * 0.05;
+  const Real x186 = x129 + (x118 * x118 + x122 * x122) * 0.05;
   // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
-  const Real x196 = x139 * cosine[2] + x140 * sine[2];
-  const Real x200 = x140 * cosine[2] - x139 * sine[2];
-  const Real x201 = x135 + v[20];
-  const Real x210 = x149 * cosine[2] + x94 * sine[2] + v[20] * x200;
-  const Real x213 = x94 * cosine[2] - x149 * sine[2] - v[20] * x196;
+  const Real x226 = x169 * cosine[14] + x170 * sine[14];
+  const Real x230 = x170 * cosine[14] - x169 * sine[14];
+  const Real x231 = x165 + v[20];
+  const Real x240 = x179 * cosine[14] + x124 * sine[14] + v[20] * x230;
+  const Real x243 = x124 * cosine[14] - x179 * sine[14] - v[20] * x226;
   // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
-  const Real x161 = cosine[1] * x153 - sine[1] * x156;
+  const Real x191 = cosine[13] * x183 - sine[13] * x186;
   // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
-  const Real x215 = x161 + (x135 * x139 - x94) * 0.04;
-  const Real x216 = (x135 * x135 + x140 * x140) * 0.04;
-  const Real x218 = sine[1] * x153 + cosine[1] * x156 + x216;
+  const Real x245 = x191 + (x165 * x169 - x124) * 0.04;
+  const Real x246 = (x165 * x165 + x170 * x170) * 0.04;
+  const Real x248 = sine[13] * x183 + cosine[13] * x186 + x246;
   // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
-  const Real x151 = x103 + (x88 * x93 - x95) * 0.05;
+  const Real x181 = x133 + (x118 * x123 - x125) * 0.05;
   // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
-  const Real x221 = x151 + (x146 + x139 * x140) * 0.04;
-  const Real x225 = sine[2] * x221 - cosine[2] * x218;
-  const Real x229 = sine[2] * x218 + cosine[2] * x221;
-  const Real x232 = x196 * x196;
-  const Real x233 = x200 * x200;
-  const Real x234 = x201 * x201;
-  const Real x235 = x233 + x234;
-  const Real x237 = x196 * x200;
-  const Real x239 = x146 + x237;
-  const Real x240 = x232 + x234;
-  const Real x242 = x200 * x201;
-  const Real x244 = x210 + x242;
-  const Real x247 = x196 * x201;
-  const Real x248 = x247 - x213;
+  const Real x251 = x181 + (x176 + x169 * x170) * 0.04;
+  const Real x255 = sine[14] * x251 - cosine[14] * x248;
+  const Real x259 = sine[14] * x248 + cosine[14] * x251;
+  const Real x262 = x226 * x226;
+  const Real x263 = x230 * x230;
+  const Real x264 = x231 * x231;
+  const Real x265 = x263 + x264;
+  const Real x267 = x226 * x230;
+  const Real x269 = x176 + x267;
+  const Real x270 = x262 + x264;
+  const Real x272 = x230 * x231;
+  const Real x274 = x240 + x272;
+  const Real x277 = x226 * x231;
+  const Real x278 = x277 - x243;
   // link 16 "torso": force that the reference field takes
-  const Real x1794 = x146 * 0.38728300000000004 + x237 * 0.34484970000000004;
-  const Real x1777 = x210 * 0.0832833 - x242 * 0.040850000000000004 + x248 * 0.01615;
-  const Real x1797 = x1777 + x215 * 0.095;
-  w.x[0] = x1797;
-  const Real x1787 = x213 * 0.42813300000000004 - x247 * 0.30399970000000004 - x244 * 0.01615;
-  const Real x1800 = x1787 - x215 * 1.6150000000000002;
-  w.x[1] = x1800;
-  const Real x1804 = x1794 - 0.01615 * (x240 - x235) + x229 * 1.6150000000000002;
-  const Real x1805 = x1804 - x225 * 0.095;
-  w.x[2] = x1805;
-  const Real x1810 = (x237 - x146) * 0.095 - x235 * 1.6150000000000002;
-  const Real x1811 = x225 * 9.5 + x1810;
-  w.x[3] = x1811;
-  const Real x1817 = x239 * 1.6150000000000002 - x240 * 0.095 + x229 * 9.5;
-  w.x[4] = x1817;
-  const Real x1822 = x215 * 9.5 + x248 * 1.6150000000000002 + x244 * 0.095;
-  w.x[5] = x1822;
-  // joint 16 "left_shoulder_pitch": placement, velocity and reference acceleration of its link
-  const Real x259 = x196 * cosine[3] + x200 * sine[3];
-  const Real x263 = x200 * cosine[3] - x196 * sine[3];
-  const Real x264 = x201 + v[21];
-  const Real x273 = x210 * cosine[3] + x213 * sine[3] + v[21] * x263;
-  const Real x276 = x213 * cosine[3] - x210 * sine[3] - v[21] * x259;
-  const Real x279 = (x213 + x247) * 0.15;
-  const Real x280 = x225 - x235 * 0.29;
-  const Real x281 = x279 + x280;
-  const Real x283 = (x242 - x210) * 0.15;
-  const Real x284 = x229 + x239 * 0.29;
-  const Real x285 = x283 + x284;
-  const Real x286 = x248 * 0.29;
-  const Real x287 = (x232 + x233) * 0.15;
-  const Real x290 = x215 - x287 + x286;
-  const Real x293 = cosine[3] * x281 + sine[3] * x285;
-  const Real x297 = cosine[3] * x285 - sine[3] * x281;
-  const Real x311 = x263 * x264;
-  const Real x312 = x311 - x273;
-  const Real x314 = x259 * x259 + x263 * x263;
-  const Real x316 = x259 * x264;
-  const Real x318 = x276 + x316;
-  // link 17 "left_shoulder": force that the reference field takes
-  const Real x1150 = x146 * 0.00064;
-  w.x[6] = x1150;
-  const Real x1154 = x273 * 0.001366667 - x311 * 0.0007266669999999999 - x297 * 0.024;
-  w.x[7] = x1154;
-  const Real x1156 = x276 * 0.001366667 + x316 * 0.0007266669999999999 + x293 * 0.024;
-  w.x[8] = x1156;
-  const Real x1159 = x293 * 0.8 + x318 * 0.024;
-  w.x[9] = x1159;
-  const Real x1162 = x297 * 0.8 + x312 * 0.024;
-  w.x[10] = x1162;
-  const Real x1166 = x290 * 0.8 - x314 * 0.024;
-  w.x[11] = x1166;
-  // joint 17 "left_shoulder_roll": placement, velocity and reference acceleration of its link
-  const Real x326 = x264 * cosine[4] + x259 * sine[4];
-  const Real x330 = x259 * cosine[4] - x264 * sine[4];
-  const Real x331 = x263 + v[22];
-  const Real x340 = x146 * cosine[4] + x273 * sine[4] + v[22] * x330;
-  const Real x343 = x273 * cosine[4] - x146 * sine[4] - v[22] * x326;
-  const Real x345 = x293 + 0.05 * x318;
-  const Real x347 = x297 + 0.05 * x312;
-  const Real x350 = x290 - 0.05 * x314;
-  const Real x353 = cosine[4] * x350 + sine[4] * x345;
-  const Real x357 = cosine[4] * x345 - sine[4] * x350;
-  const Real x362 = x331 * x331;
-  const Real x363 = x330 * x330 + x362;
-  const Real x365 = x326 * x330;
-  const Real x366 = x365 - x276;
-  const Real x368 = x326 * x326 + x362;
-  const Real x370 = x330 * x331;
-  const Real x372 = x340 + x370;
-  const Real x375 = x326 * x331;
-  const Real x376 = x375 - x343;
-  // link 18 "left_shoulder_cap": force that the reference field takes
-  const Real x1204 = x276 * 0.0014 - x365 * 0.00056;
-  const Real x1188 = x340 * 0.0013299999999999998 + x370 * 0.0006299999999999999 - x376 * 0.00020999999999999998;
-  const Real x1208 = x1188 - x347 * 0.020999999999999998;
-  w.x[12] = x1208;
-  const Real x1196 = x343 * 0.00077 - x375 * 7e-05 + x372 * 0.00020999999999999998;
-  const Real x1211 = x1196 - x347 * 0.006999999999999999;
-  w.x[13] = x1211;
-  const Real x1215 = 0.00020999999999999998 * (x368 - x363) + x1204 + x357 * 0.006999999999999999;
-  const Real x1216 = x353 * 0.020999999999999998 + x1215;
-  w.x[14] = x1216;
-  const Real x1224 = x353 * 0.7 - (x363 * 0.006999999999999999 + x366 * 0.020999999999999998);
-  w.x[15] = x1224;
-  const Real x1229 = (x276 + x365) * 0.006999999999999999 + x368 * 0.020999999999999998;
-  const Real x1230 = x357 * 0.7 + x1229;
-  w.x[16] = x1230;
-  const Real x1236 = x347 * 0.7 + x376 * 0.006999999999999999 - x372 * 0.020999999999999998;
-  w.x[17] = x1236;
-  // joint 18 "left_shoulder_yaw": placement, velocity and reference acceleration of its link
-  const Real x386 = x331 * cosine[5] + x326 * sine[5];
-  const Real x390 = x326 * cosine[5] - x331 * sine[5];
-  const Real x391 = x330 + v[23];
-  const Real x400 = x276 * cosine[5] + x340 * sine[5] + v[23] * x390;
-  const Real x403 = x340 * cosine[5] - x276 * sine[5] - v[23] * x386;
-  const Real x407 = x353 - x366 * 0.1;
-  const Real x410 = x357 + x368 * 0.1;
-  const Real x413 = x347 - x372 * 0.1;
-  const Real x416 = cosine[5] * x413 + sine[5] * x407;
-  const Real x420 = cosine[5] * x407 - sine[5] * x413;
-  const Real x433 = x390 * x391;
-  const Real x434 = x433 - x400;
-  const Real x436 = x386 * x386 + x390 * x390;
-  const Real x438 = x386 * x391;
-  const Real x440 = x403 + x438;
-  // link 19 "left_upper_arm": force that the reference field takes
-  const Real x1253 = x343 * 0.00064;
-  w.x[18] = x1253;
-  const Real x1257 = x400 * 0.0036266700000000002 - x433 * 0.0029866700000000003 + x420 * 0.04000000000000001;
-  w.x[19] = x1257;
-  const Real x1260 = x403 * 0.0036266700000000002 + x438 * 0.0029866700000000003 - x416 * 0.04000000000000001;
-  w.x[20] = x1260;
-  const Real x1264 = x416 * 0.8 - x440 * 0.04000000000000001;
-  w.x[21] = x1264;
-  const Real x1268 = x420 * 0.8 - x434 * 0.04000000000000001;
-  w.x[22] = x1268;
-  const Real x1272 = x410 * 0.8 + x436 * 0.04000000000000001;
-  w.x[23] = x1272;
-  // joint 19 "left_elbow": placement, velocity and reference acceleration of its link
-  const Real x449 = x391 * cosine[6] + x386 * sine[6];
-  const Real x453 = x386 * cosine[6] - x391 * sine[6];
-  const Real x454 = x390 + v[24];
-  const Real x463 = x343 * cosine[6] + x400 * sine[6] + v[24] * x453;
-  const Real x466 = x400 * cosine[6] - x343 * sine[6] - v[24] * x449;
-  const Real x470 = x416 - x440 * 0.11;
-  const Real x473 = x420 - x434 * 0.11;
-  const Real x476 = x410 + x436 * 0.11;
-  const Real x479 = cosine[6] * x476 + sine[6] * x470;
-  const Real x483 = cosine[6] * x470 - sine[6] * x476;
-  const Real x488 = x454 * x454;
-  const Real x489 = x453 * x453 + x488;
-  const Real x491 = x449 * x453;
-  const Real x492 = x491 - x403;
-  const Real x493 = x403 + x491;
-  const Real x494 = x449 * x449 + x488;
-  const Real x496 = x453 * x454;
-  const Real x498 = x463 + x496;
-  const Real x501 = x449 * x454;
-  const Real x502 = x501 - x466;
-  // link 20 "left_forearm": force that the reference field takes
-  const Real x1310 = x491 * 0.004428960000000001 + 0.00098 * (x494 - x489);
-  const Real x1295 = x463 * 0.00070875 + x496 * 0.00028 - x502 * 0.00098;
-  const Real x1313 = x1295 + x473 * 0.013999999999999999;
-  w.x[24] = x1313;
-  const Real x1304 = x466 * 0.00513771 - x501 * 0.004708960000000001 + x498 * 0.00098;
-  const Real x1316 = x1304 + x473 * 0.049;
-  w.x[25] = x1316;
-  const Real x1321 = x403 * 0.005417710000000001 + x1310 - x483 * 0.049;
-  const Real x1322 = x1321 - x479 * 0.013999999999999999;
-  w.x[26] = x1322;
-  const Real x1328 = x489 * 0.049 + x492 * 0.013999999999999999 + x479 * 0.7;
-  w.x[27] = x1328;
-  const Real x1336 = x483 * 0.7 - (x493 * 0.049 + x494 * 0.013999999999999999);
-  w.x[28] = x1336;
-  const Real x1342 = x473 * 0.7 - x502 * 0.049 + x498 * 0.013999999999999999;
-  w.x[29] = x1342;
-  // joint 20 "left_wrist_roll": placement, velocity and reference acceleration of its link
-  const Real x513 = x453 * cosine[7] + x454 * sine[7];
-  const Real x517 = x454 * cosine[7] - x453 * sine[7];
-  const Real x518 = x449 + v[25];
-  const Real x527 = x466 * cosine[7] + x403 * sine[7] + v[25] * x517;
-  const Real x530 = x403 * cosine[7] - x466 * sine[7] - v[25] * x513;
-  const Real x536 = x489 * 0.16 + x492 * 0.01 + x479;
-  const Real x543 = x483 - (x493 * 0.16 + x494 * 0.01);
-  const Real x548 = x473 - x502 * 0.16 + x498 * 0.01;
-  const Real x551 = cosine[7] * x543 + sine[7] * x548;
-  const Real x555 = cosine[7] * x548 - sine[7] * x543;
-  const Real x568 = x517 * x518;
-  const Real x569 = x568 - x527;
-  const Real x571 = x513 * x513 + x517 * x517;
-  const Real x573 = x513 * x518;
-  const Real x575 = x530 + x573;
-  // link 21 "left_wrist": force that the reference field takes
-  const Real x1362 = x463 * 9e-05;
-  w.x[30] = x1362;
-  const Real x1366 = x527 * 0.00010666669999999999 - x568 * 1.666669999999999e-05 + x555 * 0.002;
-  w.x[31] = x1366;
-  const Real x1369 = x530 * 0.00010666669999999999 + x573 * 1.666669999999999e-05 - x551 * 0.002;
-  w.x[32] = x1369;
-  const Real x1373 = x551 * 0.2 - x575 * 0.002;
-  w.x[33] = x1373;
-  const Real x1377 = x555 * 0.2 - x569 * 0.002;
-  w.x[34] = x1377;
-  const Real x1381 = x536 * 0.2 + x571 * 0.002;
-  w.x[35] = x1381;
-  // joint 21 "left_wrist_pitch": placement, velocity and reference acceleration of its link
-  const Real x584 = x518 * cosine[8] + x513 * sine[8];
-  const Real x588 = x513 * cosine[8] - x518 * sine[8];
-  const Real x589 = x517 + v[26];
-  const Real x601 = x527 * cosine[8] - x463 * sine[8] - v[26] * x584;
-  const Real x604 = x551 - 0.04 * x575;
-  const Real x607 = x555 - 0.04 * x569;
-  const Real x610 = x536 + 0.04 * x571;
-  const Real x617 = cosine[8] * x604 - sine[8] * x610;
-  const Real x625 = x584 * x588;
-  const Real x635 = x584 * x589;
-  const Real x598 = x463 * cosine[8] + x527 * sine[8] + v[26] * x588;
-  // link 22 "left_hand": force that the reference field takes
-  const Real x1396 = x598 * 0.000296667 - x588 * x589 * 0.00013000000000000002;
-  w.x[36] = x1396;
-  const Real x1411 = x601 * 0.002133333 - x635 * 0.001706666 + x607 * 0.024;
-  w.x[37] = x1411;
-  const Real x1414 = x530 * 0.002003333 + x625 * 0.0018366659999999998 - x617 * 0.024;
-  w.x[38] = x1414;
-  const Real x1415 = (cosine[8] * x610 + sine[8] * x604) * 0.4;
-  const Real x1418 = x1415 + (x588 * x588 + x589 * x589) * 0.024;
-  w.x[39] = x1418;
-  const Real x1422 = x617 * 0.4 - (x530 + x625) * 0.024;
-  w.x[40] = x1422;
-  const Real x1426 = x607 * 0.4 - (x635 - x601) * 0.024;
-  w.x[41] = x1426;
+  const Real x1228 = x176 * 0.38728300000000004 + x267 * 0.34484970000000004;
+  const Real x1211 = x240 * 0.0832833 - x272 * 0.040850000000000004 + x278 * 0.01615;
+  const Real x1231 = x1211 + x245 * 0.095;
+  w.x[0] = x1231;
+  const Real x1221 = x243 * 0.42813300000000004 - x277 * 0.30399970000000004 - x274 * 0.01615;
+  const Real x1234 = x1221 - x245 * 1.6150000000000002;
+  w.x[1] = x1234;
+  const Real x1238 = x1228 - 0.01615 * (x270 - x265) + x259 * 1.6150000000000002;
+  const Real x1239 = x1238 - x255 * 0.095;
+  w.x[2] = x1239;
+  const Real x1244 = (x267 - x176) * 0.095 - x265 * 1.6150000000000002;
+  const Real x1245 = x255 * 9.5 + x1244;
+  w.x[3] = x1245;
+  const Real x1251 = x269 * 1.6150000000000002 - x270 * 0.095 + x259 * 9.5;
+  w.x[4] = x1251;
+  const Real x1256 = x245 * 9.5 + x278 * 1.6150000000000002 + x274 * 0.095;
+  w.x[5] = x1256;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
+  const Two x282 = Two{v[21], v[29]};
+  const Two x290 = taken<Two>(cosine + 0) * x226 + taken<Two>(sine + 0) * x230;
+  const Two x294 = taken<Two>(cosine + 0) * x230 - taken<Two>(sine + 0) * x226;
+  const Two x295 = x231 + x282;
+  const Two x304 = taken<Two>(cosine + 0) * x240 + taken<Two>(sine + 0) * x243 + x282 * x294;
+  const Two x307 = taken<Two>(cosine + 0) * x243 - taken<Two>(sine + 0) * x240 - x282 * x290;
+  const Two x312 = x255 - x265 * 0.29 + (x243 + x277) * Two{0.15, -0.15};
+  const Two x316 = x259 + x269 * 0.29 + (x272 - x240) * Two{0.15, -0.15};
+  const Two x321 = x245 - (x262 + x263) * Two{0.15, -0.15} + x278 * 0.29;
+  const Two x324 = taken<Two>(cosine + 0) * x312 + taken<Two>(sine + 0) * x316;
+  const Two x328 = taken<Two>(cosine + 0) * x316 - taken<Two>(sine + 0) * x312;
+  const Two x342 = x294 * x295;
+  const Two x343 = x342 - x304;
+  const Two x345 = x290 * x290 + x294 * x294;
+  const Two x347 = x290 * x295;
+  const Two x349 = x307 + x347;
+  // links 17 "left_shoulder", 25 "right_shoulder": force that the reference field takes
+  const Real x807 = x176 * 0.00064;
+  w.x[6] = x807;
+  const Two x811 = x304 * 0.001366667 - x342 * 0.0007266669999999999 - x328 * Two{0.024, -0.024};
+  put(x811, w.x.data() + 8);
+  const Two x813 = x307 * 0.001366667 + x347 * 0.0007266669999999999 + x324 * Two{0.024, -0.024};
+  put(x813, w.x.data() + 10);
+  const Two x816 = x324 * 0.8 + x349 * Two{0.024, -0.024};
+  put(x816, w.x.data() + 12);
+  const Two x819 = x328 * 0.8 + x343 * Two{0.024, -0.024};
+  put(x819, w.x.data() + 14);
+  const Two x823 = x321 * 0.8 - x345 * Two{0.024, -0.024};
+  put(x823, w.x.data() + 16);
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": placement, velocity and reference acceleration of their links
+  const Two x352 = Two{v[22], v[30]};
+  const Two x358 = taken<Two>(cosine + 2) * x295 + taken<Two>(sine + 2) * x290;
+  const Two x362 = taken<Two>(cosine + 2) * x290 - taken<Two>(sine + 2) * x295;
+  const Two x363 = x294 + x352;
+  const Two x372 = taken<Two>(cosine + 2) * x176 + taken<Two>(sine + 2) * x304 + x352 * x362;
+  const Two x375 = taken<Two>(cosine + 2) * x304 - taken<Two>(sine + 2) * x176 - x352 * x358;
+  const Two x377 = x324 + x349 * Two{0.05, -0.05};
+  const Two x379 = x328 + x343 * Two{0.05, -0.05};
+  const Two x382 = x321 - x345 * Two{0.05, -0.05};
+  const Two x385 = taken<Two>(cosine + 2) * x382 + taken<Two>(sine + 2) * x377;
+  const Two x389 = taken<Two>(cosine + 2) * x377 - taken<Two>(sine + 2) * x382;
+  const Two x394 = x363 * x363;
+  const Two x395 = x362 * x362 + x394;
+  const Two x397 = x358 * x362;
+  const Two x398 = x397 - x307;
+  const Two x400 = x358 * x358 + x394;
+  const Two x402 = x362 * x363;
+  const Two x404 = x372 + x402;
+  const Two x407 = x358 * x363;
+  const Two x408 = x407 - x375;
+  // links 18 "left_shoulder_cap", 26 "right_shoulder_cap": force that the reference field takes
+  const Two x862 = x307 * 0.0014 - x397 * 0.00056;
+  const Two x846 = x372 * 0.0013299999999999998 + x402 * 0.0006299999999999999 - x408 * Two{0.00020999999999999998, -0.00020999999999999998};
+  const Two x866 = x846 - x379 * 0.020999999999999998;
+  put(x866, w.x.data() + 18);
+  const Two x854 = x375 * 0.00077 - x407 * 7e-05 + x404 * Two{0.00020999999999999998, -0.00020999999999999998};
+  const Two x869 = x854 - x379 * Two{0.006999999999999999, -0.006999999999999999};
+  put(x869, w.x.data() + 20);
+  const Two x873 = Two{0.00020999999999999998, -0.00020999999999999998} * (x400 - x395) + x862 + x389 * Two{0.006999999999999999, -0.006999999999999999};
+  const Two x874 = x385 * 0.020999999999999998 + x873;
+  put(x874, w.x.data() + 22);
+  const Two x882 = x385 * 0.7 - (x395 * Two{0.006999999999999999, -0.006999999999999999} + x398 * 0.020999999999999998);
+  put(x882, w.x.data() + 24);
+  const Two x887 = (x307 + x397) * Two{0.006999999999999999, -0.006999999999999999} + x400 * 0.020999999999999998;
+  const Two x888 = x389 * 0.7 + x887;
+  put(x888, w.x.data() + 26);
+  const Two x894 = x379 * 0.7 + x408 * Two{0.006999999999999999, -0.006999999999999999} - x404 * 0.020999999999999998;
+  put(x894, w.x.data() + 28);
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": placement, velocity and reference acceleration of their links
+  const Two x412 = Two{v[23], v[31]};
+  const Two x417 = taken<Two>(cosine + 4) * x363 + taken<Two>(sine + 4) * x358;
+  const Two x421 = taken<Two>(cosine + 4) * x358 - taken<Two>(sine + 4) * x363;
+  const Two x422 = x362 + x412;
+  const Two x431 = taken<Two>(cosine + 4) * x307 + taken<Two>(sine + 4) * x372 + x412 * x421;
+  const Two x434 = taken<Two>(cosine + 4) * x372 - taken<Two>(sine + 4) * x307 - x412 * x417;
+  const Two x438 = x385 - x398 * 0.1;
+  const Two x441 = x389 + x400 * 0.1;
+  const Two x444 = x379 - x404 * 0.1;
+  const Two x447 = taken<Two>(cosine + 4) * x444 + taken<Two>(sine + 4) * x438;
+  const Two x451 = taken<Two>(cosine + 4) * x438 - taken<Two>(sine + 4) * x444;
+  const Two x464 = x421 * x422;
+  const Two x465 = x464 - x431;
+  const Two x467 = x417 * x417 + x421 * x421;
+  const Two x469 = x417 * x422;
+  const Two x471 = x434 + x469;
+  // links 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
+  const Two x911 = x375 * 0.00064;
+  put(x911, w.x.data() + 30);
+  const Two x915 = x431 * 0.0036266700000000002 - x464 * 0.0029866700000000003 + x451 * 0.04000000000000001;
+  put(x915, w.x.data() + 32);
+  const Two x918 = x434 * 0.0036266700000000002 + x469 * 0.0029866700000000003 - x447 * 0.04000000000000001;
+  put(x918, w.x.data() + 34);
+  const Two x922 = x447 * 0.8 - x471 * 0.04000000000000001;
+  put(x922, w.x.data() + 36);
+  const Two x926 = x451 * 0.8 - x465 * 0.04000000000000001;
+  put(x926, w.x.data() + 38);
+  const Two x930 = x441 * 0.8 + x467 * 0.04000000000000001;
+  put(x930, w.x.data() + 40);
+  // joints 19 "left_elbow", 27 "right_elbow": placement, velocity and reference acceleration of their links
+  const Two x474 = Two{v[24], v[32]};
+  const Two x479 = taken<Two>(cosine + 6) * x422 + taken<Two>(sine + 6) * x417;
+  const Two x483 = taken<Two>(cosine + 6) * x417 - taken<Two>(sine + 6) * x422;
+  const Two x484 = x421 + x474;
+  const Two x493 = taken<Two>(cosine + 6) * x375 + taken<Two>(sine + 6) * x431 + x474 * x483;
+  const Two x496 = taken<Two>(cosine + 6) * x431 - taken<Two>(sine + 6) * x375 - x474 * x479;
+  const Two x500 = x447 - x471 * 0.11;
+  const Two x503 = x451 - x465 * 0.11;
+  const Two x506 = x441 + x467 * 0.11;
+  const Two x509 = taken<Two>(cosine + 6) * x506 + taken<Two>(sine + 6) * x500;
+  const Two x513 = taken<Two>(cosine + 6) * x500 - taken<Two>(sine + 6) * x506;
+  const Two x518 = x484 * x484;
+  const Two x519 = x483 * x483 + x518;
+  const Two x521 = x479 * x483;
+  const Two x522 = x521 - x434;
+  const Two x523 = x434 + x521;
+  const Two x524 = x479 * x479 + x518;
+  const Two x526 = x483 * x484;
+  const Two x528 = x493 + x526;
+  const Two x531 = x479 * x484;
+  const Two x532 = x531 - x496;
+  // links 20 "left_forearm", 28 "right_forearm": force that the reference field takes
+  const Two x968 = x521 * 0.004428960000000001 + 0.00098 * (x524 - x519);
+  const Two x953 = x493 * 0.00070875 + x526 * 0.00028 - x532 * 0.00098;
+  const Two x971 = x953 + x503 * 0.013999999999999999;
+  put(x971, w.x.data() + 42);
+  const Two x962 = x496 * 0.00513771 - x531 * 0.004708960000000001 + x528 * 0.00098;
+  const Two x974 = x962 + x503 * 0.049;
+  put(x974, w.x.data() + 44);
+  const Two x979 = x434 * 0.005417710000000001 + x968 - x513 * 0.049;
+  const Two x980 = x979 - x509 * 0.013999999999999999;
+  put(x980, w.x.data() + 46);
+  const Two x986 = x519 * 0.049 + x522 * 0.013999999999999999 + x509 * 0.7;
+  put(x986, w.x.data() + 48);
+  const Two x994 = x513 * 0.7 - (x523 * 0.049 + x524 * 0.013999999999999999);
+  put(x994, w.x.data() + 50);
+  const Two x1000 = x503 * 0.7 - x532 * 0.049 + x528 * 0.013999999999999999;
+  put(x1000, w.x.data() + 52);
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": placement, velocity and reference acceleration of their links
+  const Two x536 = Two{v[25], v[33]};
+  const Two x542 = taken<Two>(cosine + 8) * x483 + taken<Two>(sine + 8) * x484;
+  const Two x546 = taken<Two>(cosine + 8) * x484 - taken<Two>(sine + 8) * x483;
+  const Two x547 = x479 + x536;
+  const Two x556 = taken<Two>(cosine + 8) * x496 + taken<Two>(sine + 8) * x434 + x536 * x546;
+  const Two x559 = taken<Two>(cosine + 8) * x434 - taken<Two>(sine + 8) * x496 - x536 * x542;
+  const Two x565 = x519 * 0.16 + x522 * 0.01 + x509;
+  const Two x572 = x513 - (x523 * 0.16 + x524 * 0.01);
+  const Two x577 = x503 - x532 * 0.16 + x528 * 0.01;
+  const Two x580 = taken<Two>(cosine + 8) * x572 + taken<Two>(sine + 8) * x577;
+  const Two x584 = taken<Two>(cosine + 8) * x577 - taken<Two>(sine + 8) * x572;
+  const Two x597 = x546 * x547;
+  const Two x598 = x597 - x556;
+  const Two x600 = x542 * x542 + x546 * x546;
+  const Two x602 = x542 * x547;
+  const Two x604 = x559 + x602;
+  // links 21 "left_wrist", 29 "right_wrist": force that the reference field takes
+  const Two x1019 = x493 * 9e-05;
+  put(x1019, w.x.data() + 54);
+  const Two x1023 = x556 * 0.00010666669999999999 - x597 * 1.666669999999999e-05 + x584 * 0.002;
+  put(x1023, w.x.data() + 56);
+  const Two x1026 = x559 * 0.00010666669999999999 + x602 * 1.666669999999999e-05 - x580 * 0.002;
+  put(x1026, w.x.data() + 58);
+  const Two x1030 = x580 * 0.2 - x604 * 0.002;
+  put(x1030, w.x.data() + 60);
+  const Two x1034 = x584 * 0.2 - x598 * 0.002;
+  put(x1034, w.x.data() + 62);
+  const Two x1038 = x565 * 0.2 + x600 * 0.002;
+  put(x1038, w.x.data() + 64);
+  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": placement, velocity and reference acceleration of their links
+  const Two x607 = Two{v[26], v[34]};
+  const Two x612 = taken<Two>(cosine + 10) * x547 + taken<Two>(sine + 10) * x542;
+  const Two x616 = taken<Two>(cosine + 10) * x542 - taken<Two>(sine + 10) * x547;
+  const Two x617 = x546 + x607;
+  const Two x629 = taken<Two>(cosine + 10) * x556 - taken<Two>(sine + 10) * x493 - x607 * x612;
+  const Two x632 = x580 - 0.04 * x604;
+  const Two x635 = x584 - 0.04 * x598;
+  const Two x638 = x565 + 0.04 * x600;
+  const Two x645 = taken<Two>(cosine + 10) * x632 - taken<Two>(sine + 10) * x638;
+  const Two x653 = x612 * x616;
+  const Two x663 = x612 * x617;
+  const Two x626 = taken<Two>(cosine + 10) * x493 + taken<Two>(sine + 10) * x556 + x607 * x616;
+  // links 22 "left_hand", 30 "right_hand": force that the reference field takes
+  const Two x1055 = x626 * 0.000296667 - x616 * x617 * 0.00013000000000000002;
+  put(x1055, w.x.data() + 66);
+  const Two x1070 = x629 * 0.002133333 - x663 * 0.001706666 + x635 * 0.024;
+  put(x1070, w.x.data() + 68);
+  const Two x1073 = x559 * 0.002003333 + x653 * 0.0018366659999999998 - x645 * 0.024;
+  put(x1073, w.x.data() + 70);
+  const Two x1074 = (taken<Two>(cosine + 10) * x638 + taken<Two>(sine + 10) * x632) * 0.4;
+  const Two x1077 = x1074 + (x616 * x616 + x617 * x617) * 0.024;
+  put(x1077, w.x.data() + 72);
+  const Two x1081 = x645 * 0.4 - (x559 + x653) * 0.024;
+  put(x1081, w.x.data() + 74);
+  const Two x1085 = x635 * 0.4 - (x663 - x629) * 0.024;
+  put(x1085, w.x.data() + 76);
   // joint 22 "neck_yaw": placement, velocity and reference acceleration of its link
-  const Real x646 = x200 * cosine[9] + x201 * sine[9];
-  const Real x650 = x201 * cosine[9] - x200 * sine[9];
-  const Real x651 = x196 + v[27];
-  const Real x660 = x213 * cosine[9] + x146 * sine[9] + v[27] * x650;
-  const Real x663 = x146 * cosine[9] - x213 * sine[9] - v[27] * x646;
-  const Real x666 = x225 - x235 * 0.38;
-  const Real x668 = x229 + x239 * 0.38;
-  const Real x670 = x215 + x248 * 0.38;
-  const Real x673 = cosine[9] * x668 + sine[9] * x670;
-  const Real x677 = cosine[9] * x670 - sine[9] * x668;
-  const Real x690 = x650 * x651;
-  const Real x691 = x690 - x660;
-  const Real x693 = x646 * x646 + x650 * x650;
-  const Real x695 = x646 * x651;
-  const Real x697 = x663 + x695;
-  // link 23 "neck": force that the reference field takes
-  const Real x1444 = x210 * 0.00018;
-  w.x[42] = x1444;
-  const Real x1448 = x660 * 0.00037000000000000005 - x690 * 0.00019 - x677 * 0.008;
-  w.x[43] = x1448;
-  const Real x1450 = x663 * 0.00037000000000000005 + x695 * 0.00019 + x673 * 0.008;
-  w.x[44] = x1450;
-  const Real x1453 = x673 * 0.4 + x697 * 0.008;
-  w.x[45] = x1453;
-  const Real x1456 = x677 * 0.4 + x691 * 0.008;
-  w.x[46] = x1456;
-  const Real x1460 = x666 * 0.4 - x693 * 0.008;
-  w.x[47] = x1460;
+  const Real x674 = x230 * cosine[15] + x231 * sine[15];
+  const Real x678 = x231 * cosine[15] - x230 * sine[15];
+  const Real x679 = x226 + v[27];
+  const Real x688 = x243 * cosine[15] + x176 * sine[15] + v[27] * x678;
+  const Real x691 = x176 * cosine[15] - x243 * sine[15] - v[27] * x674;
+  const Real x694 = x255 - x265 * 0.38;
+  const Real x696 = x259 + x269 * 0.38;
+  const Real x698 = x245 + x278 * 0.38;
+  const Real x701 = cosine[15] * x696 + sine[15] * x698;
+  const Real x705 = cosine[15] * x698 - sine[15] * x696;
+  const Real x718 = x678 * x679;
+  const Real x719 = x718 - x688;
+  const Real x721 = x674 * x674 + x678 * x678;
+  const Real x723 = x674 * x679;
+  const Real x725 = x691 + x723;
   // joint 23 "neck_pitch": placement, velocity and reference acceleration of its link
-  const Real x706 = x651 * cosine[10] + x646 * sine[10];
-  const Real x710 = x646 * cosine[10] - x651 * sine[10];
-  const Real x711 = x650 + v[28];
-  const Real x720 = x210 * cosine[10] + x660 * sine[10] + v[28] * x710;
-  const Real x723 = x660 * cosine[10] - x210 * sine[10] - v[28] * x706;
-  const Real x725 = x673 + x697 * 0.06;
-  const Real x727 = x677 + x691 * 0.06;
-  const Real x730 = x666 - x693 * 0.06;
-  const Real x733 = cosine[10] * x730 + sine[10] * x725;
-  const Real x737 = cosine[10] * x725 - sine[10] * x730;
-  const Real x742 = x711 * x711;
-  const Real x743 = x710 * x710 + x742;
-  const Real x745 = x706 * x710;
-  const Real x748 = x706 * x706 + x742;
-  const Real x750 = x710 * x711;
-  const Real x752 = x720 + x750;
-  const Real x755 = x706 * x711;
-  const Real x756 = x755 - x723;
+  const Real x734 = x679 * cosine[16] + x674 * sine[16];
+  const Real x738 = x674 * cosine[16] - x679 * sine[16];
+  const Real x739 = x678 + v[28];
+  const Real x748 = x240 * cosine[16] + x688 * sine[16] + v[28] * x738;
+  const Real x751 = x688 * cosine[16] - x240 * sine[16] - v[28] * x734;
+  const Real x753 = x701 + x725 * 0.06;
+  const Real x755 = x705 + x719 * 0.06;
+  const Real x758 = x694 - x721 * 0.06;
+  const Real x761 = cosine[16] * x758 + sine[16] * x753;
+  const Real x765 = cosine[16] * x753 - sine[16] * x758;
+  const Real x770 = x739 * x739;
+  const Real x771 = x738 * x738 + x770;
+  const Real x773 = x734 * x738;
+  const Real x776 = x734 * x734 + x770;
+  const Real x778 = x738 * x739;
+  const Real x780 = x748 + x778;
+  const Real x783 = x734 * x739;
+  const Real x784 = x783 - x751;
   // link 24 "head": force that the reference field takes
-  const Real x1497 = x663 * 0.028175999999999996 + x745 * 0.018479999999999996;
-  const Real x1481 = x720 * 0.008736 + x750 * 0.00096 + x756 * 0.00432;
-  const Real x1500 = x1481 + x727 * 0.048;
-  w.x[48] = x1500;
-  const Real x1490 = x723 * 0.027215999999999997 - x755 * 0.01944 - x752 * 0.00432;
-  const Real x1503 = x1490 - x727 * 0.216;
-  w.x[49] = x1503;
-  const Real x1507 = x1497 - 0.00432 * (x748 - x743) + x737 * 0.216;
-  const Real x1508 = x1507 - x733 * 0.048;
-  w.x[50] = x1508;
-  const Real x1513 = (x745 - x663) * 0.048 - x743 * 0.216;
-  const Real x1514 = x733 * 2.4 + x1513;
-  w.x[51] = x1514;
-  const Real x1519 = (x663 + x745) * 0.216 - x748 * 0.048;
-  const Real x1520 = x737 * 2.4 + x1519;
-  w.x[52] = x1520;
-  const Real x1525 = x727 * 2.4 + x756 * 0.216 + x752 * 0.048;
-  w.x[53] = x1525;
-  // joint 24 "right_shoulder_pitch": placement, velocity and reference acceleration of its link
-  const Real x766 = x196 * cosine[11] + x200 * sine[11];
-  const Real x770 = x200 * cosine[11] - x196 * sine[11];
-  const Real x771 = x201 + v[29];
-  const Real x780 = x210 * cosine[11] + x213 * sine[11] + v[29] * x770;
-  const Real x783 = x213 * cosine[11] - x210 * sine[11] - v[29] * x766;
-  const Real x785 = x280 - x279;
-  const Real x787 = x284 - x283;
-  const Real x789 = x215 + x287 + x286;
-  const Real x792 = cosine[11] * x785 + sine[11] * x787;
-  const Real x796 = cosine[11] * x787 - sine[11] * x785;
-  const Real x809 = x770 * x771;
-  const Real x810 = x809 - x780;
-  const Real x812 = x766 * x766 + x770 * x770;
-  const Real x814 = x766 * x771;
-  const Real x816 = x783 + x814;
-  // link 25 "right_shoulder": force that the reference field takes
-  const Real x1538 = x780 * 0.001366667 - x809 * 0.0007266669999999999 + x796 * 0.024;
-  w.x[54] = x1538;
-  const Real x1541 = x783 * 0.001366667 + x814 * 0.0007266669999999999 - x792 * 0.024;
-  w.x[55] = x1541;
-  const Real x1545 = x792 * 0.8 - x816 * 0.024;
-  w.x[56] = x1545;
-  const Real x1549 = x796 * 0.8 - x810 * 0.024;
-  w.x[57] = x1549;
-  const Real x1553 = x789 * 0.8 + x812 * 0.024;
-  w.x[58] = x1553;
-  // joint 25 "right_shoulder_roll": placement, velocity and reference acceleration of its link
-  const Real x825 = x771 * cosine[12] + x766 * sine[12];
-  const Real x829 = x766 * cosine[12] - x771 * sine[12];
-  const Real x830 = x770 + v[30];
-  const Real x839 = x146 * cosine[12] + x780 * sine[12] + v[30] * x829;
-  const Real x842 = x780 * cosine[12] - x146 * sine[12] - v[30] * x825;
-  const Real x845 = x792 - 0.05 * x816;
-  const Real x848 = x796 - 0.05 * x810;
-  const Real x851 = x789 + 0.05 * x812;
-  const Real x854 = cosine[12] * x851 + sine[12] * x845;
-  const Real x858 = cosine[12] * x845 - sine[12] * x851;
-  const Real x863 = x830 * x830;
-  const Real x864 = x829 * x829 + x863;
-  const Real x866 = x825 * x829;
-  const Real x867 = x866 - x783;
-  const Real x869 = x825 * x825 + x863;
-  const Real x871 = x829 * x830;
-  const Real x873 = x839 + x871;
-  const Real x876 = x825 * x830;
-  const Real x877 = x876 - x842;
-  // link 26 "right_shoulder_cap": force that the reference field takes
-  const Real x1575 = x783 * 0.0014 - x866 * 0.00056;
-  const Real x1560 = x839 * 0.0013299999999999998 + x871 * 0.0006299999999999999 + x877 * 0.00020999999999999998;
-  const Real x1579 = x1560 - x848 * 0.020999999999999998;
-  w.x[59] = x1579;
-  const Real x1568 = x842 * 0.00077 - x876 * 7e-05 - x873 * 0.00020999999999999998;
-  const Real x1582 = x1568 + x848 * 0.006999999999999999;
-  w.x[60] = x1582;
-  const Real x1587 = x1575 - 0.00020999999999999998 * (x869 - x864) - x858 * 0.006999999999999999;
-  const Real x1588 = x854 * 0.020999999999999998 + x1587;
-  w.x[61] = x1588;
-  const Real x1595 = x864 * 0.006999999999999999 - x867 * 0.020999999999999998 + x854 * 0.7;
-  w.x[62] = x1595;
-  const Real x1601 = x869 * 0.020999999999999998 - (x783 + x866) * 0.006999999999999999;
-  const Real x1602 = x858 * 0.7 + x1601;
-  w.x[63] = x1602;
-  const Real x1609 = x848 * 0.7 - x877 * 0.006999999999999999 - x873 * 0.020999999999999998;
-  w.x[64] = x1609;
-  // joint 26 "right_shoulder_yaw": placement, velocity and reference acceleration of its link
-  const Real x886 = x830 * cosine[13] + x825 * sine[13];
-  const Real x890 = x825 * cosine[13] - x830 * sine[13];
-  const Real x891 = x829 + v[31];
-  const Real x900 = x783 * cosine[13] + x839 * sine[13] + v[31] * x890;
-  const Real x903 = x839 * cosine[13] - x783 * sine[13] - v[31] * x886;
-  const Real x906 = x854 - 0.1 * x867;
-  const Real x909 = x858 + 0.1 * x869;
-  const Real x912 = x848 - 0.1 * x873;
-  const Real x915 = cosine[13] * x912 + sine[13] * x906;
-  const Real x919 = cosine[13] * x906 - sine[13] * x912;
-  const Real x932 = x890 * x891;
-  const Real x933 = x932 - x900;
-  const Real x935 = x886 * x886 + x890 * x890;
-  const Real x937 = x886 * x891;
-  const Real x939 = x903 + x937;
-  // link 27 "right_upper_arm": force that the reference field takes
-  const Real x1619 = x842 * 0.00064;
-  w.x[65] = x1619;
-  const Real x1623 = x900 * 0.0036266700000000002 - x932 * 0.0029866700000000003 + x919 * 0.04000000000000001;
-  w.x[66] = x1623;
-  const Real x1626 = x903 * 0.0036266700000000002 + x937 * 0.0029866700000000003 - x915 * 0.04000000000000001;
-  w.x[67] = x1626;
-  const Real x1630 = x915 * 0.8 - x939 * 0.04000000000000001;
-  w.x[68] = x1630;
-  const Real x1634 = x919 * 0.8 - x933 * 0.04000000000000001;
-  w.x[69] = x1634;
-  const Real x1638 = x909 * 0.8 + x935 * 0.04000000000000001;
-  w.x[70] = x1638;
-  // joint 27 "right_elbow": placement, velocity and reference acceleration of its link
-  const Real x947 = x891 * cosine[14] + x886 * sine[14];
-  const Real x951 = x886 * cosine[14] - x891 * sine[14];
-  const Real x952 = x890 + v[32];
-  const Real x961 = x842 * cosine[14] + x900 * sine[14] + v[32] * x951;
-  w.x[71] = x961;
-  const Real x964 = x900 * cosine[14] - x842 * sine[14] - v[32] * x947;
-  const Real x967 = x915 - 0.11 * x939;
-  const Real x970 = x919 - 0.11 * x933;
-  const Real x973 = x909 + 0.11 * x935;
-  const Real x976 = cosine[14] * x973 + sine[14] * x967;
-  const Real x980 = cosine[14] * x967 - sine[14] * x973;
-  const Real x985 = x952 * x952;
-  const Real x986 = x951 * x951 + x985;
-  const Real x988 = x947 * x951;
-  const Real x989 = x988 - x903;
-  const Real x990 = x903 + x988;
-  const Real x991 = x947 * x947 + x985;
-  const Real x993 = x951 * x952;
-  const Real x995 = x961 + x993;
-  const Real x998 = x947 * x952;
-  const Real x999 = x998 - x964;
-  // link 28 "right_forearm": force that the reference field takes
-  const Real x1657 = x988 * 0.004428960000000001 + 0.00098 * (x991 - x986);
-  const Real x1645 = x961 * 0.00070875 + x993 * 0.00028 - x999 * 0.00098;
-  const Real x1660 = x1645 + x970 * 0.013999999999999999;
-  w.x[72] = x1660;
-  const Real x1652 = x964 * 0.00513771 - x998 * 0.004708960000000001 + x995 * 0.00098;
-  const Real x1663 = x1652 + x970 * 0.049;
-  w.x[73] = x1663;
-  const Real x1668 = x903 * 0.005417710000000001 + x1657 - x980 * 0.049;
-  const Real x1669 = x1668 - x976 * 0.013999999999999999;
-  w.x[74] = x1669;
-  const Real x1675 = x986 * 0.049 + x989 * 0.013999999999999999 + x976 * 0.7;
-  w.x[75] = x1675;
-  const Real x1683 = x980 * 0.7 - (x990 * 0.049 + x991 * 0.013999999999999999);
-  w.x[76] = x1683;
-  const Real x1689 = x970 * 0.7 - x999 * 0.049 + x995 * 0.013999999999999999;
-  w.x[77] = x1689;
-  // joint 28 "right_wrist_roll": placement, velocity and reference acceleration of its link
-  const Real x1008 = x951 * cosine[15] + x952 * sine[15];
-  w.x[78] = x1008;
-  const Real x1012 = x952 * cosine[15] - x951 * sine[15];
-  w.x[79] = x1012;
-  const Real x1013 = x947 + v[33];
-  w.x[80] = x1013;
-  const Real x1022 = x964 * cosine[15] + x903 * sine[15] + v[33] * x1012;
-  w.x[81] = x1022;
-  const Real x1025 = x903 * cosine[15] - x964 * sine[15] - v[33] * x1008;
-  w.x[82] = x1025;
-  const Real x1030 = 0.16 * x986 + 0.01 * x989 + x976;
-  w.x[83] = x1030;
-  const Real x1037 = x980 - (0.16 * x990 + 0.01 * x991);
-  const Real x1042 = x970 - 0.16 * x999 + 0.01 * x995;
-  const Real x1045 = cosine[15] * x1037 + sine[15] * x1042;
-  w.x[84] = x1045;
-  const Real x1049 = cosine[15] * x1042 - sine[15] * x1037;
-  w.x[85] = x1049;
-  const Real x1062 = x1012 * x1013;
-  const Real x1063 = x1062 - x1022;
-  w.x[86] = x1063;
-  const Real x1065 = x1008 * x1008 + x1012 * x1012;
-  w.x[87] = x1065;
-  const Real x1067 = x1008 * x1013;
-  const Real x1069 = x1025 + x1067;
-  w.x[88] = x1069;
-  // link 29 "right_wrist": force that the reference field takes
-  const Real x1698 = x1025 * 0.00010666669999999999 + x1067 * 1.666669999999999e-05;
-  w.x[89] = x1698;
-  const Real x1699 = x961 * 9e-05;
-  w.x[90] = x1699;
-  const Real x1703 = x1022 * 0.00010666669999999999 - x1062 * 1.666669999999999e-05 + x1049 * 0.002;
-  w.x[91] = x1703;
-}
-
-ADAGEN_NOINLINE void part_1_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x961 = w.x[71];
-  const Real x1008 = w.x[78];
-  const Real x1012 = w.x[79];
-  const Real x1013 = w.x[80];
-  const Real x1022 = w.x[81];
-  const Real x1025 = w.x[82];
-  const Real x1030 = w.x[83];
-  const Real x1045 = w.x[84];
-  const Real x1049 = w.x[85];
-  const Real x1063 = w.x[86];
-  const Real x1065 = w.x[87];
-  const Real x1069 = w.x[88];
-  const Real x1150 = w.x[6];
-  const Real x1414 = w.x[38];
-  const Real x1422 = w.x[40];
-  const Real x1444 = w.x[42];
-  const Real x1448 = w.x[43];
-  const Real x1450 = w.x[44];
-  const Real x1453 = w.x[45];
-  const Real x1456 = w.x[46];
-  const Real x1460 = w.x[47];
-  const Real x1500 = w.x[48];
-  const Real x1503 = w.x[49];
-  const Real x1508 = w.x[50];
-  const Real x1514 = w.x[51];
-  const Real x1520 = w.x[52];
-  const Real x1525 = w.x[53];
-  const Real x1538 = w.x[54];
-  const Real x1541 = w.x[55];
-  const Real x1545 = w.x[56];
-  const Real x1549 = w.x[57];
-  const Real x1553 = w.x[58];
-  const Real x1579 = w.x[59];
-  const Real x1582 = w.x[60];
-  const Real x1588 = w.x[61];
-  const Real x1595 = w.x[62];
-  const Real x1602 = w.x[63];
-  const Real x1609 = w.x[64];
-  const Real x1619 = w.x[65];
-  const Real x1623 = w.x[66];
-  const Real x1626 = w.x[67];
-  const Real x1630 = w.x[68];
-  const Real x1634 = w.x[69];
-  const Real x1638 = w.x[70];
-  const Real x1660 = w.x[72];
-  const Real x1663 = w.x[73];
-  const Real x1669 = w.x[74];
-  const Real x1675 = w.x[75];
-  const Real x1683 = w.x[76];
-  const Real x1689 = w.x[77];
-  const Real x1698 = w.x[89];
-  const Real x1699 = w.x[90];
-  const Real x1703 = w.x[91];
-  const Real x1797 = w.x[0];
-  const Real x1800 = w.x[1];
-  const Real x1805 = w.x[2];
-  const Real x1811 = w.x[3];
-  const Real x1817 = w.x[4];
-  const Real x1822 = w.x[5];
-  // joint 29 "right_wrist_pitch": placement, velocity and reference acceleration of its link
-  const Real x1077 = x1013 * cosine[16] + x1008 * sine[16];
-  const Real x1081 = x1008 * cosine[16] - x1013 * sine[16];
-  const Real x1082 = x1012 + v[34];
-  const Real x1094 = x1022 * cosine[16] - x961 * sine[16] - v[34] * x1077;
-  const Real x1097 = x1045 - 0.04 * x1069;
-  const Real x1100 = x1049 - 0.04 * x1063;
-  const Real x1103 = x1030 + 0.04 * x1065;
-  const Real x1110 = cosine[16] * x1097 - sine[16] * x1103;
-  const Real x1118 = x1077 * x1081;
-  const Real x1128 = x1077 * x1082;
-  const Real x1091 = x961 * cosine[16] + x1022 * sine[16] + v[34] * x1081;
-  // link 30 "right_hand": force that the reference field takes
-  const Real x1723 = x1091 * 0.000296667 - x1081 * x1082 * 0.00013000000000000002;
-  const Real x1735 = x1094 * 0.002133333 - x1128 * 0.001706666 + x1100 * 0.024;
-  const Real x1739 = (cosine[16] * x1103 + sine[16] * x1097) * 0.4;
-  const Real x1742 = x1739 + (x1081 * x1081 + x1082 * x1082) * 0.024;
-  const Real x1750 = x1100 * 0.4 - (x1128 - x1094) * 0.024;
-  const Real x1738 = x1025 * 0.002003333 + x1118 * 0.0018366659999999998 - x1110 * 0.024;
-  // joint 29 "right_wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1826 = 499.16813630085466 * (tau[34] - x1738);
-  w.x[92] = x1826;
-  // link 30 "right_hand": force that the reference field takes
-  const Real x1746 = x1110 * 0.4 - (x1025 + x1118) * 0.024;
-  // joint 29 "right_wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1833 = x1746 - 0.024 * x1826;
-  const Real x1834 = sine[16] * 0.024;
-  const Real x1836 = cosine[16] * 0.024;
-  const Real x1840 = cosine[16] * 0.0018366659999999998;
-  const Real x1844 = cosine[16] * x1840;
-  const Real x1848 = cosine[16] * 0.28752084650929227;
-  const Real x1849 = sine[16] * x1848;
-  const Real x1851 = cosine[16] * x1848;
-  const Real x1853 = 0.4 - x1851;
-  const Real x1854 = 0.04 * x1853;
-  const Real x1858 = x1836 + 0.016;
-  const Real x1859 = 0.04 * x1849;
-  const Real x1869 = sine[16] * x1840 + 0.04 * x1834;
-  const Real x1886 = sine[16] * x1742 + cosine[16] * x1833;
-  const Real x1866 = 0.000296667 + x1844 + 0.04 * x1836 + 0.04 * x1858;
-  const Real x1895 = 0.00010666669999999999 + 0.04 * x1854;
-  const Real x1896 = -0.002 - x1854;
-  const Real x1897 = 0.002133333 - x1844 + 9e-05;
-  require_more(w, x1897, 0.0, kFactorization, 28);
-  const Real x1898 = 0.2 + x1853;
-  const Real x1900 = 0.11247915349070774 + x1851 + 0.2;
-  const Real x1889 = sine[16] * x1723 + cosine[16] * x1735 + 0.04 * x1750;
-  const Real x1902 = x1698 - x1045 * 0.002 + (tau[34] - 0.04 * x1886);
-  const Real x1904 = x1045 * 0.2 - x1069 * 0.002 + x1886;
-  // link 29 "right_wrist": force that the reference field takes
-  const Real x1718 = x1030 * 0.2 + x1065 * 0.002;
-  // joint 29 "right_wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1906 = cosine[16] * x1742 - sine[16] * x1833 + x1718;
-  // joint 28 "right_wrist_roll": articulated-body inertia and bias force through it
-  const Real x1908 = 1 / x1897;
-  const Real x1909 = tau[33] - (cosine[16] * x1723 - sine[16] * x1735 + x1699);
-  const Real x1910 = x1908 * x1909;
-  w.x[93] = x1910;
-  const Real x1911 = x1869 * x1908;
-  w.x[94] = x1911;
-  const Real x1913 = x1834 * x1908;
-  w.x[95] = x1913;
-  const Real x1917 = 0.00010666669999999999 + x1866 - x1869 * x1911;
-  const Real x1920 = 0.002 + x1858 - x1869 * x1913;
-  const Real x1923 = 0.6000000000000001 - x1834 * x1913;
-  const Real x1926 = x1703 + x1889 - x1869 * x1910;
-  // joint 29 "right_wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1905 = x1049 * 0.2 - x1063 * 0.002 + x1750;
-  // joint 28 "right_wrist_roll": articulated-body inertia and bias force through it
-  const Real x1929 = x1905 - x1834 * x1910;
-  const Real x1932 = cosine[15] * x1859;
-  const Real x1935 = sine[15] * (x1896 + x1920);
-  const Real x1937 = sine[15] * x1935;
-  const Real x1939 = x1920 - x1937;
-  const Real x1940 = x1896 - x1937;
-  const Real x1941 = cosine[15] * x1935;
-  const Real x1944 = cosine[15] * (x1917 - x1895);
-  const Real x1949 = cosine[15] * x1944;
-  const Real x1952 = cosine[15] * x1849;
-  const Real x1953 = sine[15] * x1849;
-  const Real x1955 = cosine[15] * (x1898 - x1923);
-  const Real x1956 = sine[15] * x1955;
-  const Real x1958 = cosine[15] * x1955;
-  const Real x1959 = x1923 + x1958;
-  const Real x1960 = x1898 - x1958;
-  const Real x1961 = 0.01 * x1953;
-  const Real x1964 = sine[15] * x1859 + 0.16 * x1953;
-  const Real x1971 = x1932 + 0.16 * x1952 + 0.01 * x1900;
-  const Real x1973 = 0.01 * x1956;
-  const Real x1974 = 0.16 * x1956;
-  const Real x1976 = x1974 - x1941;
-  const Real x1982 = x1940 - 0.01 * x1952 - 0.16 * x1959;
-  const Real x1983 = 0.01 * x1960;
-  const Real x1986 = x1939 + 0.16 * x1960;
-  const Real x1989 = x1941 - x1961 - x1974;
-  const Real x2001 = 0.01 * x1941 - 0.01 * x1961 - 0.16 * x1973;
-  const Real x2015 = sine[15] * x1944 - 0.01 * x1964 + 0.16 * x1941;
-  const Real x2016 = x2015 - 0.16 * x1976;
-  const Real x2026 = x1917 - x1949 + (0.01 * x1932 + 0.01 * x1971);
-  const Real x2039 = cosine[15] * x1904 - sine[15] * x1929;
-  const Real x2042 = sine[15] * x1904 + cosine[15] * x1929;
-  const Real x2035 = sine[15] * x1926 + cosine[15] * x1902;
-  const Real x2007 = x1895 + x1949 + 0.16 * x1939 + 0.16 * x1986;
-  const Real x2060 = x2026 - 0.16 * x1940 - 0.16 * x1982 + 0.005417710000000001;
-  require_more(w, x2060, 0.0, kFactorization, 27);
-  const Real x2061 = -0.013999999999999999 - x1971;
-  const Real x2062 = -0.049 + x1982;
-  const Real x2047 = cosine[15] * x1926 - sine[15] * x1902 + 0.16 * x2042;
-  // joint 27 "right_elbow": articulated-body inertia and bias force through it
-  const Real x2073 = 1 / x2060;
-  // joint 28 "right_wrist_roll": articulated-body inertia and bias force through it
-  const Real x2068 = x2035 - (0.16 * x2039 + 0.01 * x1906) + x1669;
-  // joint 27 "right_elbow": articulated-body inertia and bias force through it
-  const Real x2075 = x2073 * (tau[32] - x2068);
-  w.x[96] = x2075;
-  const Real x2076 = x2001 * x2073;
-  w.x[97] = x2076;
-  const Real x2077 = x2016 * x2073;
-  w.x[98] = x2077;
-  const Real x2078 = x2061 * x2073;
-  w.x[99] = x2078;
-  const Real x2079 = x2062 * x2073;
-  w.x[100] = x2079;
-  const Real x2080 = x1989 * x2073;
-  w.x[101] = x2080;
-  const Real x2083 = 0.00070875 + 0.01 * x1983 - x2001 * x2076;
-  // joint 28 "right_wrist_roll": articulated-body inertia and bias force through it
-  const Real x2056 = 0.01 * x1939 + 0.16 * x1983 + 0.00098;
-  // joint 27 "right_elbow": articulated-body inertia and bias force through it
-  const Real x2086 = x2056 - x2001 * x2077;
-  const Real x2089 = x1961 - x2001 * x2078;
-  const Real x2092 = x1973 - x2001 * x2079;
-  const Real x2095 = 0.013999999999999999 + x1983 - x2001 * x2080;
-  const Real x2098 = 0.00513771 + x2007 - x2016 * x2077;
-  const Real x2101 = x1964 - x2016 * x2078;
-  const Real x2104 = x1976 - x2016 * x2079;
-  const Real x2107 = 0.049 + x1986 - x2016 * x2080;
-  const Real x2110 = 0.7 + x1900 - x2061 * x2078;
-  const Real x2113 = x1952 - x2061 * x2079;
-  const Real x2116 = x1953 - x2061 * x2080;
-  const Real x2119 = 0.7 + x1959 - x2062 * x2079;
-  const Real x2122 = x1956 - x2062 * x2080;
-  const Real x2125 = 0.7 + x1960 - x1989 * x2080;
-  const Real x2127 = tau[33] + 0.01 * x2042 + x1660 + x2001 * x2075;
-  const Real x2129 = x1663 + x2047 + x2016 * x2075;
-  const Real x2131 = x1675 + x1906 + x2061 * x2075;
-  const Real x2133 = x1683 + x2039 + x2062 * x2075;
-  const Real x2135 = x1689 + x2042 + x1989 * x2075;
-  const Real x2139 = cosine[14] * x2095 - sine[14] * x2107;
-  const Real x2142 = sine[14] * x2095 + cosine[14] * x2107;
-  const Real x2148 = cosine[14] * (x2089 - x2104) - sine[14] * (x2092 + x2101);
-  const Real x2149 = sine[14] * x2148;
-  const Real x2151 = x2092 + x2149;
-  const Real x2153 = cosine[14] * x2148;
-  const Real x2154 = x2104 + x2153;
-  const Real x2158 = 2.0 * sine[14];
-  const Real x2162 = cosine[14] * (x2083 - x2098) - x2086 * x2158;
-  const Real x2166 = cosine[14] * x2162;
-  const Real x2172 = cosine[14] * x2116 - sine[14] * x2122;
-  const Real x2175 = sine[14] * x2116 + cosine[14] * x2122;
-  const Real x2180 = cosine[14] * (x2110 - x2119) - x2113 * x2158;
-  const Real x2183 = x2113 + sine[14] * x2180;
-  const Real x2184 = cosine[14] * x2180;
-  const Real x2186 = x2110 - x2184;
-  const Real x2187 = 0.11 * x2175;
-  const Real x2189 = x2089 - x2153 + x2187;
-  const Real x2190 = 0.11 * x2186;
-  const Real x2194 = x2142 + 0.11 * x2125;
-  const Real x2210 = x2086 + sine[14] * x2162 + 0.11 * x2139;
-  const Real x2213 = 0.11 * x2151;
-  const Real x2228 = sine[14] * x2131 + cosine[14] * x2133;
-  const Real x2205 = x2083 - x2166 + (0.11 * x2142 + 0.11 * x2194);
-  const Real x2239 = x2098 + x2166 + 0.00064;
-  require_more(w, x2239, 0.0, kFactorization, 26);
-  const Real x2231 = sine[14] * x2127 + cosine[14] * x2129 + 0.11 * x2135;
-  // joint 26 "right_shoulder_yaw": articulated-body inertia and bias force through it
-  const Real x2250 = 1 / x2239;
-  const Real x2251 = tau[31] - (cosine[14] * x2127 - sine[14] * x2129 + x1619);
-  const Real x2252 = x2250 * x2251;
-  w.x[102] = x2252;
-  const Real x2253 = x2210 * x2250;
-  w.x[103] = x2253;
-  const Real x2254 = x2213 * x2250;
-  w.x[104] = x2254;
-  const Real x2256 = x2151 * x2250;
-  w.x[105] = x2256;
-  const Real x2257 = x2139 * x2250;
-  w.x[106] = x2257;
-  const Real x2258 = x2154 * x2250;
-  w.x[107] = x2258;
-  const Real x2261 = 0.0036266700000000002 + x2205 - x2210 * x2253;
-  const Real x2264 = x2210 * x2254 - 0.11 * x2189;
-  const Real x2267 = x2189 - x2210 * x2256;
-  const Real x2270 = 0.04000000000000001 + x2194 - x2210 * x2257;
-  const Real x2273 = x2101 + x2149 + 0.11 * x2172 - x2210 * x2258;
-  const Real x2276 = 0.0036266700000000002 + 0.11 * x2190 - x2213 * x2254;
-  const Real x2279 = -0.04000000000000001 - x2190 + x2213 * x2256;
-  const Real x2282 = x2213 * x2257 - x2187;
-  const Real x2285 = x2213 * x2258 - 0.11 * x2183;
-  const Real x2288 = 0.8 + x2186 - x2151 * x2256;
-  const Real x2291 = x2175 - x2151 * x2257;
-  const Real x2294 = x2183 - x2151 * x2258;
-  const Real x2297 = 0.8 + x2125 - x2139 * x2257;
-  const Real x2300 = x2172 - x2139 * x2258;
-  const Real x2305 = x1623 + x2231 + x2210 * x2252;
-  const Real x2308 = tau[32] - 0.11 * x2228 + x1626 - x2213 * x2252;
-  const Real x2310 = x1630 + x2228 + x2151 * x2252;
-  const Real x2312 = x1634 + x2135 + x2139 * x2252;
-  // joint 27 "right_elbow": articulated-body inertia and bias force through it
-  const Real x2248 = cosine[14] * x2131 - sine[14] * x2133 + x1638;
-  // joint 26 "right_shoulder_yaw": articulated-body inertia and bias force through it
-  const Real x2327 = cosine[13] * (x2267 - x2282) - sine[13] * (x2270 + x2279);
-  const Real x2328 = sine[13] * x2327;
-  const Real x2330 = x2270 + x2328;
-  const Real x2331 = x2279 + x2328;
-  const Real x2332 = cosine[13] * x2327;
-  const Real x2333 = x2282 + x2332;
-  const Real x2337 = 2.0 * sine[13];
-  const Real x2341 = cosine[13] * (x2261 - x2276) - x2264 * x2337;
-  const Real x2345 = cosine[13] * x2341;
-  const Real x2351 = cosine[13] * x2294 - sine[13] * x2300;
-  const Real x2354 = sine[13] * x2294 + cosine[13] * x2300;
-  const Real x2359 = cosine[13] * (x2288 - x2297) - x2291 * x2337;
-  const Real x2362 = x2291 + sine[13] * x2359;
-  const Real x2363 = cosine[13] * x2359;
-  const Real x2364 = x2297 + x2363;
-  const Real x2365 = x2288 - x2363;
-  const Real x2366 = 0.1 * x2362;
-  const Real x2368 = x2267 - x2332 - x2366;
-  const Real x2371 = x2330 + 0.1 * x2365;
-  const Real x2380 = x2331 - 0.1 * x2364;
-  const Real x2381 = x2333 + x2366;
-  const Real x2392 = x2264 + sine[13] * x2341 - 0.1 * x2333;
-  const Real x2393 = 0.1 * x2368 + x2392;
-  const Real x2410 = cosine[13] * x2310 - sine[13] * x2312;
-  const Real x2413 = sine[13] * x2310 + cosine[13] * x2312;
-  const Real x2387 = x2261 - x2345 - 0.1 * x2331 - 0.1 * x2380;
-  const Real x2399 = x2276 + x2345 + 0.1 * x2330 + 0.1 * x2371;
-  const Real x2422 = 0.0014 + x2399;
-  require_more(w, x2422, 0.0, kFactorization, 25);
-  const Real x2423 = 0.020999999999999998 + x2371;
-  const Real x2377 = cosine[13] * x2273 - sine[13] * x2285 + 0.1 * x2354;
-  const Real x2424 = -0.006999999999999999 + x2377;
-  const Real x2416 = sine[13] * x2305 + cosine[13] * x2308 - 0.1 * x2410;
-  const Real x2429 = x1582 + tau[31];
-  const Real x2419 = cosine[13] * x2305 - sine[13] * x2308 + 0.1 * x2413;
-  // joint 25 "right_shoulder_roll": articulated-body inertia and bias force through it
-  const Real x2435 = 1 / x2422;
-  const Real x2437 = x2435 * (tau[30] - (x1588 + x2419));
-  w.x[108] = x2437;
-  const Real x2438 = x2393 * x2435;
-  w.x[109] = x2438;
-  const Real x2439 = x2423 * x2435;
-  w.x[110] = x2439;
-  const Real x2440 = x2424 * x2435;
-  w.x[111] = x2440;
-  const Real x2441 = x2381 * x2435;
-  w.x[112] = x2441;
-  const Real x2444 = 0.0013299999999999998 + x2387 - x2393 * x2438;
-  const Real x2447 = x2368 - x2393 * x2439;
-  // joint 26 "right_shoulder_yaw": articulated-body inertia and bias force through it
-  const Real x2374 = sine[13] * x2273 + cosine[13] * x2285 - 0.1 * x2351;
-  // joint 25 "right_shoulder_roll": articulated-body inertia and bias force through it
-  const Real x2450 = x2374 - x2393 * x2440;
-  const Real x2453 = -0.020999999999999998 + x2380 - x2393 * x2441;
-  const Real x2456 = 0.7 + x2365 - x2423 * x2439;
-  const Real x2459 = x2354 - x2423 * x2440;
-  const Real x2462 = x2362 - x2423 * x2441;
-  // joint 26 "right_shoulder_yaw": articulated-body inertia and bias force through it
-  const Real x2426 = x2119 + x2184 + 0.8 - x2154 * x2258 + 0.7;
-  // joint 25 "right_shoulder_roll": articulated-body inertia and bias force through it
-  const Real x2465 = x2426 - x2424 * x2440;
-  const Real x2468 = x2351 - x2424 * x2441;
-  const Real x2471 = 0.7 + x2364 - x2381 * x2441;
-  const Real x2473 = x1579 + x2416 + x2393 * x2437;
-  const Real x2475 = x1595 + x2413 + x2423 * x2437;
-  const Real x2477 = x2248 + x2154 * x2252 + x1602 + x2424 * x2437;
-  const Real x2479 = x1609 + x2410 + x2381 * x2437;
-  const Real x2483 = cosine[12] * x2453 - sine[12] * 0.006999999999999999;
-  const Real x2486 = sine[12] * x2453 + cosine[12] * 0.006999999999999999;
-  const Real x2490 = cosine[12] * x2447 - sine[12] * x2450;
-  const Real x2491 = sine[12] * x2490;
-  const Real x2493 = x2450 + x2491;
-  const Real x2494 = cosine[12] * x2490;
-  const Real x2498 = 2.0 * sine[12];
-  const Real x2502 = cosine[12] * (x2444 - 0.00077) + 0.00020999999999999998 * x2498;
-  const Real x2506 = cosine[12] * x2502;
-  const Real x2512 = cosine[12] * x2462 - sine[12] * x2468;
-  const Real x2515 = sine[12] * x2462 + cosine[12] * x2468;
-  const Real x2520 = cosine[12] * (x2456 - x2465) - x2459 * x2498;
-  const Real x2523 = x2459 + sine[12] * x2520;
-  const Real x2524 = cosine[12] * x2520;
-  const Real x2526 = x2456 - x2524;
-  const Real x2527 = 0.05 * x2515;
-  const Real x2529 = x2447 - x2494 + x2527;
-  const Real x2530 = 0.05 * x2526;
-  const Real x2534 = x2486 + 0.05 * x2471;
-  const Real x2550 = -0.00020999999999999998 + sine[12] * x2502 + 0.05 * x2483;
-  const Real x2553 = 0.05 * x2493;
-  const Real x2568 = sine[12] * x2475 + cosine[12] * x2477;
-  const Real x2545 = x2444 - x2506 + (0.05 * x2486 + 0.05 * x2534);
-  const Real x2579 = 0.00077 + x2506 + 0.00064;
-  require_more(w, x2579, 0.0, kFactorization, 24);
-  const Real x2571 = sine[12] * x2473 + cosine[12] * x2429 + 0.05 * x2479;
-  // joint 24 "right_shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x2590 = 1 / x2579;
-  const Real x2591 = tau[29] - (cosine[12] * x2473 - sine[12] * x2429 + x1150);
-  const Real x2592 = x2590 * x2591;
-  w.x[113] = x2592;
-  const Real x2593 = x2550 * x2590;
-  w.x[114] = x2593;
-  const Real x2594 = x2553 * x2590;
-  w.x[115] = x2594;
-  const Real x2596 = x2493 * x2590;
-  w.x[116] = x2596;
-  const Real x2597 = x2483 * x2590;
-  w.x[117] = x2597;
-  const Real x2598 = x2494 * x2590;
-  w.x[118] = x2598;
-  const Real x2601 = 0.001366667 + x2545 - x2550 * x2593;
-  const Real x2604 = x2550 * x2594 - 0.05 * x2529;
-  const Real x2607 = x2529 - x2550 * x2596;
-  const Real x2610 = 0.024 + x2534 - x2550 * x2597;
-  const Real x2613 = x2491 + 0.05 * x2512 - x2550 * x2598;
-  const Real x2616 = 0.001366667 + 0.05 * x2530 - x2553 * x2594;
-  const Real x2619 = -0.024 - x2530 + x2553 * x2596;
-  const Real x2622 = x2553 * x2597 - x2527;
-  const Real x2625 = x2553 * x2598 - 0.05 * x2523;
-  const Real x2628 = 0.8 + x2526 - x2493 * x2596;
-  const Real x2631 = x2515 - x2493 * x2597;
-  const Real x2634 = x2523 - x2493 * x2598;
-  const Real x2637 = 0.8 + x2471 - x2483 * x2597;
-  const Real x2640 = x2512 - x2483 * x2598;
-  const Real x2643 = x2465 + x2524 + 0.8 - x2494 * x2598;
-  const Real x2645 = x1538 + x2571 + x2550 * x2592;
-  const Real x2648 = tau[30] - 0.05 * x2568 + x1541 - x2553 * x2592;
-  const Real x2650 = x1545 + x2568 + x2493 * x2592;
-  const Real x2652 = x1549 + x2479 + x2483 * x2592;
-  // joint 25 "right_shoulder_roll": articulated-body inertia and bias force through it
-  const Real x2588 = cosine[12] * x2475 - sine[12] * x2477 + x1553;
-  // joint 24 "right_shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x2654 = x2588 + x2494 * x2592;
-  const Real x2661 = sine[11] * x2613 + cosine[11] * x2625;
-  const Real x2667 = cosine[11] * (x2607 - x2622) - sine[11] * (x2610 + x2619);
-  const Real x2668 = sine[11] * x2667;
-  const Real x2670 = x2610 + x2668;
-  const Real x2671 = x2619 + x2668;
-  const Real x2672 = cosine[11] * x2667;
-  const Real x2674 = x2607 - x2672;
-  const Real x2677 = 2.0 * sine[11];
-  const Real x2681 = cosine[11] * (x2601 - x2616) - x2604 * x2677;
-  const Real x2685 = cosine[11] * x2681;
-  const Real x2691 = cosine[11] * x2634 - sine[11] * x2640;
-  const Real x2694 = sine[11] * x2634 + cosine[11] * x2640;
-  const Real x2699 = cosine[11] * (x2628 - x2637) - x2631 * x2677;
-  const Real x2702 = x2631 + sine[11] * x2699;
-  const Real x2703 = cosine[11] * x2699;
-  const Real x2704 = x2637 + x2703;
-  const Real x2705 = x2628 - x2703;
-  const Real x2706 = 0.15 * x2702;
-  const Real x2708 = x2622 + x2672 + x2706;
-  w.x[119] = x2708;
-  const Real x2714 = x2671 - 0.29 * x2691 - 0.15 * x2704;
-  const Real x2718 = x2670 + 0.15 * x2705;
-  w.x[120] = x2718;
-  const Real x2719 = 0.29 * x2694;
-  const Real x2722 = x2674 - x2719 - x2706;
-  const Real x2723 = 0.29 * x2705;
-  const Real x2726 = cosine[11] * x2613 - sine[11] * x2625 + 0.15 * x2694;
-  const Real x2732 = x2661 - 0.29 * x2643 - 0.15 * x2691;
-  const Real x2745 = x2604 + sine[11] * x2681 - 0.29 * x2726;
-  const Real x2748 = 0.29 * x2718;
-  w.x[121] = x2748;
-  const Real x2758 = x2601 - x2685 - 0.29 * x2661 - 0.29 * x2732;
-  const Real x2773 = cosine[11] * x2650 - sine[11] * x2652;
-  const Real x2776 = sine[11] * x2650 + cosine[11] * x2652;
-  const Real x2784 = sine[11] * x2645 + cosine[11] * x2648 - 0.29 * x2654;
-  const Real x2738 = x2616 + x2685 + 0.15 * x2670 + 0.15 * x2718;
-  const Real x2788 = 0.0832833 + x2738;
-  w.x[122] = x2788;
-  const Real x2789 = 0.15 * x2674 + x2745 - 0.15 * x2708 + -0.01615;
-  w.x[123] = x2789;
-  const Real x2790 = 0.095 + x2726;
-  w.x[124] = x2790;
-  const Real x2779 = cosine[11] * x2645 - sine[11] * x2648 + 0.15 * x2776;
+  const Real x1156 = x691 * 0.028175999999999996 + x773 * 0.018479999999999996;
+  const Real x1140 = x748 * 0.008736 + x778 * 0.00096 + x784 * 0.00432;
+  const Real x1159 = x1140 + x755 * 0.048;
+  const Real x1149 = x751 * 0.027215999999999997 - x783 * 0.01944 - x780 * 0.00432;
+  const Real x1162 = x1149 - x755 * 0.216;
+  const Real x1166 = x1156 - 0.00432 * (x776 - x771) + x765 * 0.216;
+  const Real x1172 = (x773 - x691) * 0.048 - x771 * 0.216;
+  const Real x1178 = (x691 + x773) * 0.216 - x776 * 0.048;
+  const Real x1184 = x755 * 2.4 + x784 * 0.216 + x780 * 0.048;
   // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x2808 = 35.49119818285065 * (tau[28] - x1508);
-  w.x[125] = x2808;
-  const Real x2821 = x1514 - 0.048 * x2808;
-  const Real x2823 = x1520 + 0.216 * x2808;
-  const Real x2827 = cosine[10] * 0.048 + sine[10] * 0.216;
-  const Real x2831 = sine[10] * 0.048 - cosine[10] * 0.216;
-  const Real x2832 = 2.0 * sine[10];
-  const Real x2839 = 0.00432 * x2832 - cosine[10] * 0.018479999999999996;
-  const Real x2843 = cosine[10] * x2839;
-  const Real x2850 = cosine[10] * 1.574105621805792 - 0.3679727427597956 * x2832;
-  const Real x2853 = 0.3679727427597956 + sine[10] * x2850;
-  const Real x2854 = cosine[10] * x2850;
-  const Real x2856 = 2.318228279386712 - x2854;
-  const Real x2857 = 0.06 * x2856;
-  const Real x2860 = x2831 + -0.144;
-  const Real x2861 = 0.06 * x2853;
-  const Real x2871 = -0.00432 + sine[10] * x2839 - 0.06 * x2827;
-  const Real x2886 = sine[10] * x2821 + cosine[10] * x2823;
-  const Real x2868 = 0.008736 - x2843 - (0.06 * x2831 + 0.06 * x2860);
-  const Real x2894 = 0.00037000000000000005 + 0.06 * x2857;
-  const Real x2895 = 0.008 + x2857;
-  const Real x2896 = 0.027215999999999997 + x2843 + 0.00018;
-  require_more(w, x2896, 0.0, kFactorization, 22);
-  const Real x2897 = 0.4 + x2856;
-  const Real x2889 = sine[10] * x1500 + cosine[10] * x1503 - 0.06 * x1525;
-  const Real x2901 = tau[28] + 0.06 * x2886 + x1450;
-  const Real x2903 = x1453 + x2886;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x2907 = 1 / x2896;
-  const Real x2908 = tau[27] - (cosine[10] * x1500 - sine[10] * x1503 + x1444);
-  const Real x2909 = x2907 * x2908;
-  w.x[126] = x2909;
-  const Real x2910 = x2871 * x2907;
-  w.x[127] = x2910;
-  const Real x2911 = x2827 * x2907;
-  w.x[128] = x2911;
-  const Real x2914 = 0.00037000000000000005 + x2868 - x2871 * x2910;
-  const Real x2917 = -0.008 + x2860 - x2871 * x2911;
-  const Real x2920 = 2.8 - x2827 * x2911;
-  const Real x2922 = x1448 + x2889 + x2871 * x2909;
-  const Real x2924 = x1456 + x1525 + x2827 * x2909;
-  const Real x2929 = sine[9] * (x2895 + x2917);
-  const Real x2931 = sine[9] * x2929;
-  const Real x2933 = x2917 - x2931;
-  const Real x2934 = x2895 - x2931;
-  const Real x2935 = cosine[9] * x2929;
-  const Real x2938 = cosine[9] * (x2914 - x2894);
-  const Real x2943 = cosine[9] * x2938;
-  const Real x2946 = cosine[9] * x2853;
-  const Real x2947 = sine[9] * x2853;
-  const Real x2949 = cosine[9] * (x2897 - x2920);
-  const Real x2950 = sine[9] * x2949;
-  const Real x2952 = cosine[9] * x2949;
-  const Real x2953 = x2920 + x2952;
-  const Real x2954 = x2897 - x2952;
-  const Real x2963 = x2935 + 0.38 * x2950;
-  const Real x2966 = x2934 + 0.38 * x2953;
-  const Real x2969 = x2933 - 0.38 * x2954;
-  const Real x2996 = cosine[9] * x2903 - sine[9] * x2924;
-  const Real x2999 = sine[9] * x2903 + cosine[9] * x2924;
-  // joint 24 "right_shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x2791 = x2758 - 0.15 * x2671 - 0.15 * x2714 + 0.42813300000000004;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x2975 = x2894 + x2943 - 0.38 * x2933 - 0.38 * x2969;
-  const Real x3005 = x2791 + x2975;
-  w.x[129] = x3005;
-  const Real x2981 = sine[9] * x2938 - 0.38 * x2935 - 0.38 * x2963;
-  const Real x3006 = 0.29 * x2722 + x2981;
-  w.x[130] = x3006;
-  const Real x3007 = x2714 - (sine[9] * x2861 + 0.38 * x2947);
-  w.x[131] = x3007;
-  const Real x3008 = x2722 - x2963;
-  w.x[132] = x3008;
-  const Real x3009 = -1.6150000000000002 + x2732 + x2969;
-  w.x[133] = x3009;
-  const Real x2985 = x2914 - x2943 + 0.38 * x2934 + 0.38 * x2966;
-  const Real x3010 = 0.38728300000000004 + 0.29 * x2723 + x2985;
-  w.x[134] = x3010;
-  const Real x2960 = cosine[9] * x2861 + 0.38 * x2946;
-  const Real x3011 = -0.095 + 0.29 * x2702 + x2960;
-  w.x[135] = x3011;
-  const Real x3012 = 1.6150000000000002 + x2723 + x2966;
-  w.x[136] = x3012;
-  const Real x3013 = x2719 + x2963;
-  w.x[137] = x3013;
-  const Real x3014 = 9.5 + x2704 + (0.74412265758092 + x2854 + 0.4);
-  w.x[138] = x3014;
-  const Real x3015 = x2702 + x2946;
-  w.x[139] = x3015;
-  const Real x3016 = x2691 + x2947;
-  w.x[140] = x3016;
-  const Real x3017 = 9.5 + x2705 + x2953;
-  w.x[141] = x3017;
-  const Real x3018 = x2694 + x2950;
-  w.x[142] = x3018;
-  const Real x3019 = 9.5 + x2643 + x2954;
-  w.x[143] = x3019;
-  const Real x3020 = x1797 + x2779 + tau[27];
-  w.x[144] = x3020;
-  const Real x3002 = cosine[9] * x2922 - sine[9] * x2901 - 0.38 * x2999;
-  const Real x3021 = x2784 - 0.15 * x2773 + x1800 + x3002;
-  w.x[145] = x3021;
-  const Real x3004 = sine[9] * x2922 + cosine[9] * x2901 + 0.38 * x2996;
-  const Real x3022 = tau[29] + 0.29 * x2776 + x1805 + x3004;
-  w.x[146] = x3022;
+  const Real x2269 = 35.49119818285065 * (tau[28] - (x1166 - x761 * 0.048));
+  w.x[78] = x2269;
+  const Real x2282 = x761 * 2.4 + x1172 - 0.048 * x2269;
+  const Real x2284 = x765 * 2.4 + x1178 + 0.216 * x2269;
+  const Real x2288 = cosine[16] * 0.048 + sine[16] * 0.216;
+  const Real x2292 = sine[16] * 0.048 - cosine[16] * 0.216;
+  const Real x2293 = 2.0 * sine[16];
+  const Real x2300 = 0.00432 * x2293 - cosine[16] * 0.018479999999999996;
+  const Real x2304 = cosine[16] * x2300;
+  const Real x2311 = cosine[16] * 1.574105621805792 - 0.3679727427597956 * x2293;
+  const Real x2314 = 0.3679727427597956 + sine[16] * x2311;
+  const Real x2315 = cosine[16] * x2311;
+  const Real x2317 = 2.318228279386712 - x2315;
+  const Real x2318 = 0.06 * x2317;
+  const Real x2321 = x2292 + -0.144;
+  const Real x2322 = 0.06 * x2314;
+  const Real x2332 = -0.00432 + sine[16] * x2300 - 0.06 * x2288;
+  const Real x2347 = sine[16] * x2282 + cosine[16] * x2284;
+  const Real x2329 = 0.008736 - x2304 - (0.06 * x2292 + 0.06 * x2321);
+  const Real x2355 = 0.00037000000000000005 + 0.06 * x2318;
+  const Real x2356 = 0.008 + x2318;
+  const Real x2357 = 0.027215999999999997 + x2304 + 0.00018;
+  require_more(w, x2357, 0.0, kFactorization, 22);
+  const Real x2358 = 0.4 + x2317;
+  const Real x2360 = 0.74412265758092 + x2315 + 0.4;
+  w.x[79] = x2360;
+  // link 23 "neck": force that the reference field takes
+  const Real x1107 = x688 * 0.00037000000000000005 - x718 * 0.00019 - x705 * 0.008;
   // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x2905 = cosine[10] * x2821 - sine[10] * x2823 + x1460;
+  const Real x2350 = sine[16] * x1159 + cosine[16] * x1162 - 0.06 * x1184;
+  // link 23 "neck": force that the reference field takes
+  const Real x1109 = x691 * 0.00037000000000000005 + x723 * 0.00019 + x701 * 0.008;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x2362 = tau[28] + 0.06 * x2347 + x1109;
+  const Real x2364 = x701 * 0.4 + x725 * 0.008 + x2347;
+  // link 23 "neck": force that the reference field takes
+  const Real x1119 = x694 * 0.4 - x721 * 0.008;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x2366 = cosine[16] * x2282 - sine[16] * x2284 + x1119;
+  w.x[80] = x2366;
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x3023 = x1811 + x2773 + x2905;
-  w.x[147] = x3023;
-  const Real x3024 = x1817 + x2776 + x2996;
-  w.x[148] = x3024;
-  const Real x3025 = x1822 + x2654 + x2999;
-  w.x[149] = x3025;
-  // joint 21 "left_wrist_pitch": articulated-body inertia and bias force through it
-  const Real x3028 = 499.16813630085466 * (tau[26] - x1414);
-  w.x[150] = x3028;
-  const Real x3031 = x1422 - 0.024 * x3028;
-  w.x[151] = x3031;
-  const Real x3032 = sine[8] * 0.024;
-  w.x[152] = x3032;
-  const Real x3034 = cosine[8] * 0.024;
-  const Real x3037 = cosine[8] * 0.0018366659999999998;
-  const Real x3039 = sine[8] * x3037;
-  w.x[153] = x3039;
-  const Real x3041 = cosine[8] * x3037;
-  const Real x3043 = 0.002133333 - x3041;
-  w.x[154] = x3043;
-  const Real x3045 = cosine[8] * 0.28752084650929227;
-  const Real x3046 = sine[8] * x3045;
-  w.x[155] = x3046;
-  const Real x3048 = cosine[8] * x3045;
-  const Real x3049 = 0.11247915349070774 + x3048;
-  w.x[156] = x3049;
-  const Real x3050 = 0.4 - x3048;
-  w.x[157] = x3050;
-  const Real x3051 = 0.04 * x3050;
-  w.x[158] = x3051;
-  const Real x3053 = 0.016 + x3034;
-  w.x[159] = x3053;
-  const Real x3054 = 0.04 * x3046;
-  w.x[160] = x3054;
-  const Real x3061 = 0.000296667 + x3041 + 0.04 * x3034 + 0.04 * x3053;
-  w.x[161] = x3061;
-  const Real x3062 = 0.04 * x3032;
-  w.x[162] = x3062;
+  const Real x2368 = 1 / x2357;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x2363 = cosine[16] * x1159 - sine[16] * x1162 + x240 * 0.00018;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x2370 = x2368 * (tau[27] - x2363);
+  w.x[81] = x2370;
+  const Real x2371 = x2332 * x2368;
+  w.x[82] = x2371;
+  const Real x2372 = x2288 * x2368;
+  w.x[83] = x2372;
+  const Real x2375 = 0.00037000000000000005 + x2329 - x2332 * x2371;
+  const Real x2378 = -0.008 + x2321 - x2332 * x2372;
+  const Real x2381 = 2.8 - x2288 * x2372;
+  const Real x2383 = x1107 + x2350 + x2332 * x2370;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x2365 = x705 * 0.4 + x719 * 0.008 + x1184;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x2385 = x2365 + x2288 * x2370;
+  const Real x2390 = sine[15] * (x2356 + x2378);
+  const Real x2392 = sine[15] * x2390;
+  const Real x2394 = x2378 - x2392;
+  const Real x2395 = x2356 - x2392;
+  const Real x2396 = cosine[15] * x2390;
+  const Real x2399 = cosine[15] * (x2375 - x2355);
+  const Real x2404 = cosine[15] * x2399;
+  const Real x2407 = cosine[15] * x2314;
+  w.x[84] = x2407;
+  const Real x2408 = sine[15] * x2314;
+  w.x[85] = x2408;
+  const Real x2410 = cosine[15] * (x2358 - x2381);
+  const Real x2411 = sine[15] * x2410;
+  w.x[86] = x2411;
+  const Real x2413 = cosine[15] * x2410;
+  const Real x2414 = x2381 + x2413;
+  w.x[87] = x2414;
+  const Real x2415 = x2358 - x2413;
+  w.x[88] = x2415;
+  const Real x2418 = sine[15] * x2322 + 0.38 * x2408;
+  w.x[89] = x2418;
+  const Real x2421 = cosine[15] * x2322 + 0.38 * x2407;
+  w.x[90] = x2421;
+  const Real x2424 = x2396 + 0.38 * x2411;
+  w.x[91] = x2424;
+  const Real x2427 = x2395 + 0.38 * x2414;
+  w.x[92] = x2427;
+  const Real x2430 = x2394 - 0.38 * x2415;
+  w.x[93] = x2430;
+  const Real x2436 = x2355 + x2404 - 0.38 * x2394 - 0.38 * x2430;
+  w.x[94] = x2436;
+  const Real x2442 = sine[15] * x2399 - 0.38 * x2396 - 0.38 * x2424;
+  w.x[95] = x2442;
+  const Real x2446 = x2375 - x2404 + 0.38 * x2395 + 0.38 * x2427;
+  w.x[96] = x2446;
+  const Real x2457 = cosine[15] * x2364 - sine[15] * x2385;
+  w.x[97] = x2457;
+  const Real x2460 = sine[15] * x2364 + cosine[15] * x2385;
+  w.x[98] = x2460;
+  const Real x2463 = cosine[15] * x2383 - sine[15] * x2362 - 0.38 * x2460;
+  w.x[99] = x2463;
+  const Real x2465 = sine[15] * x2383 + cosine[15] * x2362 + 0.38 * x2457;
+  w.x[100] = x2465;
+  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Two x1284 = taken<Two>(cosine + 10) * 0.28752084650929227;
+  const Two x1287 = taken<Two>(cosine + 10) * x1284;
+  const Two x1289 = 0.4 - x1287;
+  const Two x1334 = 0.2 + x1289;
+  const Two x1270 = taken<Two>(sine + 10) * 0.024;
+  put(x1270, w.x.data() + 102);
+  const Two x1276 = taken<Two>(cosine + 10) * 0.0018366659999999998;
+  const Two x1280 = taken<Two>(cosine + 10) * x1276;
+  const Two x1333 = 0.002133333 - x1280 + 9e-05;
+  require_more(w, x1333, 0.0, kFactorization, {20, 28});
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1346 = 1 / x1333;
+  put(x1346, w.x.data() + 104);
+  const Two x1351 = x1270 * x1346;
+  put(x1351, w.x.data() + 106);
+  const Two x1361 = 0.6000000000000001 - x1270 * x1351;
+  const Two x1393 = taken<Two>(cosine + 8) * (x1334 - x1361);
+  const Two x1396 = taken<Two>(cosine + 8) * x1393;
+  const Two x1398 = x1334 - x1396;
+  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Two x1290 = 0.04 * x1289;
+  const Two x1332 = -0.002 - x1290;
+  const Two x1272 = taken<Two>(cosine + 10) * 0.024;
+  const Two x1294 = x1272 + 0.016;
+  const Two x1305 = taken<Two>(sine + 10) * x1276 + 0.04 * x1270;
+  put(x1305, w.x.data() + 108);
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1358 = 0.002 + x1294 - x1305 * x1351;
+  const Two x1373 = taken<Two>(sine + 8) * (x1332 + x1358);
+  const Two x1379 = taken<Two>(cosine + 8) * x1373;
+  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Two x1285 = taken<Two>(sine + 10) * x1284;
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1391 = taken<Two>(sine + 8) * x1285;
+  put(x1391, w.x.data() + 110);
+  const Two x1399 = 0.01 * x1391;
+  const Two x1394 = taken<Two>(sine + 8) * x1393;
+  put(x1394, w.x.data() + 112);
+  const Two x1412 = 0.16 * x1394;
+  const Two x1427 = x1379 - x1399 - x1412;
+  put(x1427, w.x.data() + 114);
+  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Two x1302 = 0.000296667 + x1280 + 0.04 * x1272 + 0.04 * x1294;
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1349 = x1305 * x1346;
+  put(x1349, w.x.data() + 116);
+  const Two x1355 = 0.00010666669999999999 + x1302 - x1305 * x1349;
+  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Two x1331 = 0.00010666669999999999 + 0.04 * x1290;
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1382 = taken<Two>(cosine + 8) * (x1355 - x1331);
+  const Two x1387 = taken<Two>(cosine + 8) * x1382;
+  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Two x1295 = 0.04 * x1285;
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1370 = taken<Two>(cosine + 8) * x1295;
+  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Two x1336 = 0.11247915349070774 + x1287 + 0.2;
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1390 = taken<Two>(cosine + 8) * x1285;
+  const Two x1409 = x1370 + 0.16 * x1390 + 0.01 * x1336;
+  const Two x1375 = taken<Two>(sine + 8) * x1373;
+  const Two x1378 = x1332 - x1375;
+  const Two x1464 = x1355 - x1387 + (0.01 * x1370 + 0.01 * x1409);
+  const Two x1397 = x1361 + x1396;
+  const Two x1420 = x1378 - 0.01 * x1390 - 0.16 * x1397;
+  const Two x1498 = x1464 - 0.16 * x1378 - 0.16 * x1420 + 0.005417710000000001;
+  require_more(w, x1498, 0.0, kFactorization, {19, 27});
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1513 = 1 / x1498;
+  put(x1513, w.x.data() + 118);
+  const Two x1520 = x1427 * x1513;
+  put(x1520, w.x.data() + 120);
+  const Two x1565 = 0.7 + x1398 - x1427 * x1520;
+  put(x1565, w.x.data() + 122);
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1421 = 0.01 * x1398;
+  const Two x1411 = 0.01 * x1394;
+  const Two x1439 = 0.01 * x1379 - 0.01 * x1399 - 0.16 * x1411;
+  put(x1439, w.x.data() + 124);
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1535 = 0.013999999999999999 + x1421 - x1439 * x1520;
+  put(x1535, w.x.data() + 126);
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1377 = x1358 - x1375;
+  const Two x1424 = x1377 + 0.16 * x1398;
+  const Two x1402 = taken<Two>(sine + 8) * x1295 + 0.16 * x1391;
+  put(x1402, w.x.data() + 128);
+  const Two x1414 = x1412 - x1379;
+  const Two x1453 = taken<Two>(sine + 8) * x1382 - 0.01 * x1402 + 0.16 * x1379;
+  const Two x1454 = x1453 - 0.16 * x1414;
+  put(x1454, w.x.data() + 130);
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1547 = 0.049 + x1424 - x1454 * x1520;
+  put(x1547, w.x.data() + 132);
+  const Two x1579 = taken<Two>(cosine + 6) * x1535 - taken<Two>(sine + 6) * x1547;
+  put(x1579, w.x.data() + 134);
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1445 = x1331 + x1387 + 0.16 * x1377 + 0.16 * x1424;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1517 = x1454 * x1513;
+  put(x1517, w.x.data() + 136);
+  const Two x1538 = 0.00513771 + x1445 - x1454 * x1517;
+  const Two x1516 = x1439 * x1513;
+  put(x1516, w.x.data() + 138);
+  const Two x1523 = 0.00070875 + 0.01 * x1421 - x1439 * x1516;
+  put(x1523, w.x.data() + 140);
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1494 = 0.01 * x1377 + 0.16 * x1421 + 0.00098;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1526 = x1494 - x1439 * x1517;
+  put(x1526, w.x.data() + 142);
+  const Two x1598 = taken<Two>(sine + 6) * 2.0;
+  const Two x1602 = taken<Two>(cosine + 6) * (x1523 - x1538) - x1526 * x1598;
+  put(x1602, w.x.data() + 144);
+  const Two x1606 = taken<Two>(cosine + 6) * x1602;
+  put(x1606, w.x.data() + 146);
+  const Two x1679 = x1538 + x1606 + 0.00064;
+  require_more(w, x1679, 0.0, kFactorization, {18, 26});
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1692 = 1 / x1679;
+  put(x1692, w.x.data() + 148);
+  const Two x1699 = x1579 * x1692;
+  put(x1699, w.x.data() + 150);
+  const Two x1739 = 0.8 + x1565 - x1579 * x1699;
+  put(x1739, w.x.data() + 152);
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1499 = -0.013999999999999999 - x1409;
+  put(x1499, w.x.data() + 154);
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1518 = x1499 * x1513;
+  put(x1518, w.x.data() + 156);
+  const Two x1550 = 0.7 + x1336 - x1499 * x1518;
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1500 = -0.049 + x1420;
+  put(x1500, w.x.data() + 158);
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1519 = x1500 * x1513;
+  put(x1519, w.x.data() + 160);
+  const Two x1559 = 0.7 + x1397 - x1500 * x1519;
+  put(x1559, w.x.data() + 162);
+  const Two x1553 = x1390 - x1499 * x1519;
+  put(x1553, w.x.data() + 164);
+  const Two x1620 = taken<Two>(cosine + 6) * (x1550 - x1559) - x1553 * x1598;
+  put(x1620, w.x.data() + 166);
+  const Two x1624 = taken<Two>(cosine + 6) * x1620;
+  put(x1624, w.x.data() + 168);
+  const Two x1626 = x1550 - x1624;
+  put(x1626, w.x.data() + 170);
+  const Two x1680 = 0.8 + x1626;
+  put(x1680, w.x.data() + 172);
+  const Two x1532 = x1411 - x1439 * x1519;
+  put(x1532, w.x.data() + 174);
+  const Two x1529 = x1399 - x1439 * x1518;
+  put(x1529, w.x.data() + 176);
+  const Two x1544 = x1414 - x1454 * x1519;
+  put(x1544, w.x.data() + 178);
+  const Two x1583 = x1529 - x1544;
+  put(x1583, w.x.data() + 180);
 }
 
-ADAGEN_NOINLINE void part_1_2(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_1(Workspace& w) {
   ADAGEN_INPUTS
-  const Real x1150 = w.x[6];
-  const Real x1154 = w.x[7];
-  const Real x1156 = w.x[8];
-  const Real x1159 = w.x[9];
-  const Real x1162 = w.x[10];
-  const Real x1166 = w.x[11];
-  const Real x1208 = w.x[12];
-  const Real x1211 = w.x[13];
-  const Real x1216 = w.x[14];
-  const Real x1224 = w.x[15];
-  const Real x1230 = w.x[16];
-  const Real x1236 = w.x[17];
-  const Real x1253 = w.x[18];
-  const Real x1257 = w.x[19];
-  const Real x1260 = w.x[20];
-  const Real x1264 = w.x[21];
-  const Real x1268 = w.x[22];
-  const Real x1272 = w.x[23];
-  const Real x1313 = w.x[24];
-  const Real x1316 = w.x[25];
-  const Real x1322 = w.x[26];
-  const Real x1328 = w.x[27];
-  const Real x1336 = w.x[28];
-  const Real x1342 = w.x[29];
-  const Real x1362 = w.x[30];
-  const Real x1366 = w.x[31];
-  const Real x1369 = w.x[32];
-  const Real x1373 = w.x[33];
-  const Real x1377 = w.x[34];
-  const Real x1381 = w.x[35];
-  const Real x1396 = w.x[36];
-  const Real x1411 = w.x[37];
-  const Real x1418 = w.x[39];
-  const Real x1426 = w.x[41];
-  const Real x2708 = w.x[119];
-  const Real x2718 = w.x[120];
-  const Real x2748 = w.x[121];
-  const Real x2788 = w.x[122];
-  const Real x2789 = w.x[123];
-  const Real x2790 = w.x[124];
-  const Real x3005 = w.x[129];
-  const Real x3006 = w.x[130];
-  const Real x3007 = w.x[131];
-  const Real x3008 = w.x[132];
-  const Real x3009 = w.x[133];
-  const Real x3010 = w.x[134];
-  const Real x3011 = w.x[135];
-  const Real x3012 = w.x[136];
-  const Real x3013 = w.x[137];
-  const Real x3014 = w.x[138];
-  const Real x3015 = w.x[139];
-  const Real x3016 = w.x[140];
-  const Real x3017 = w.x[141];
-  const Real x3018 = w.x[142];
-  const Real x3019 = w.x[143];
-  const Real x3020 = w.x[144];
-  const Real x3021 = w.x[145];
-  const Real x3022 = w.x[146];
-  const Real x3023 = w.x[147];
-  const Real x3024 = w.x[148];
-  const Real x3025 = w.x[149];
-  const Real x3031 = w.x[151];
-  const Real x3032 = w.x[152];
-  const Real x3039 = w.x[153];
-  const Real x3043 = w.x[154];
-  const Real x3046 = w.x[155];
-  const Real x3049 = w.x[156];
-  const Real x3050 = w.x[157];
-  const Real x3051 = w.x[158];
-  const Real x3053 = w.x[159];
-  const Real x3054 = w.x[160];
-  const Real x3061 = w.x[161];
-  const Real x3062 = w.x[162];
-  // joint 21 "left_wrist_pitch": articulated-body inertia and bias force through it
-  const Real x3064 = x3039 + x3062;
-  const Real x3081 = sine[8] * x1418 + cosine[8] * x3031;
-  const Real x3090 = 0.00010666669999999999 + 0.04 * x3051;
-  const Real x3091 = -0.002 - x3051;
-  const Real x3092 = 9e-05 + x3043;
-  require_more(w, x3092, 0.0, kFactorization, 20);
-  const Real x3093 = 0.2 + x3050;
-  const Real x3094 = 0.2 + x3049;
-  const Real x3084 = sine[8] * x1396 + cosine[8] * x1411 + 0.04 * x1426;
-  const Real x3096 = tau[26] - 0.04 * x3081 + x1369;
-  const Real x3098 = x1373 + x3081;
-  const Real x3100 = cosine[8] * x1418 - sine[8] * x3031 + x1381;
-  // joint 20 "left_wrist_roll": articulated-body inertia and bias force through it
-  const Real x3102 = 1 / x3092;
-  const Real x3103 = tau[25] - (cosine[8] * x1396 - sine[8] * x1411 + x1362);
-  const Real x3104 = x3102 * x3103;
-  w.x[5] = x3104;
-  const Real x3105 = x3064 * x3102;
-  w.x[4] = x3105;
-  const Real x3107 = x3032 * x3102;
-  w.x[3] = x3107;
-  const Real x3111 = 0.00010666669999999999 + x3061 - x3064 * x3105;
-  const Real x3114 = 0.002 + x3053 - x3064 * x3107;
-  const Real x3117 = 0.6000000000000001 - x3032 * x3107;
-  const Real x3120 = x1366 + x3084 - x3064 * x3104;
-  const Real x3123 = x1377 + x1426 - x3032 * x3104;
-  const Real x3126 = cosine[7] * x3054;
-  const Real x3129 = sine[7] * (x3091 + x3114);
-  const Real x3131 = sine[7] * x3129;
-  const Real x3133 = x3114 - x3131;
-  const Real x3134 = x3091 - x3131;
-  const Real x3135 = cosine[7] * x3129;
-  const Real x3138 = cosine[7] * (x3111 - x3090);
-  const Real x3143 = cosine[7] * x3138;
-  const Real x3146 = cosine[7] * x3046;
-  const Real x3147 = sine[7] * x3046;
-  const Real x3149 = cosine[7] * (x3093 - x3117);
-  const Real x3150 = sine[7] * x3149;
-  const Real x3152 = cosine[7] * x3149;
-  const Real x3153 = x3117 + x3152;
-  const Real x3154 = x3093 - x3152;
-  const Real x3155 = 0.01 * x3147;
-  const Real x3158 = sine[7] * x3054 + 0.16 * x3147;
-  const Real x3165 = x3126 + 0.16 * x3146 + 0.01 * x3094;
-  const Real x3167 = 0.01 * x3150;
-  const Real x3168 = 0.16 * x3150;
-  const Real x3170 = x3168 - x3135;
-  const Real x3176 = x3134 - 0.01 * x3146 - 0.16 * x3153;
-  const Real x3177 = 0.01 * x3154;
-  const Real x3180 = x3133 + 0.16 * x3154;
-  const Real x3183 = x3135 - x3155 - x3168;
-  const Real x3195 = 0.01 * x3135 - 0.01 * x3155 - 0.16 * x3167;
-  const Real x3209 = sine[7] * x3138 - 0.01 * x3158 + 0.16 * x3135;
-  const Real x3210 = x3209 - 0.16 * x3170;
-  const Real x3220 = x3111 - x3143 + (0.01 * x3126 + 0.01 * x3165);
-  const Real x3233 = cosine[7] * x3098 - sine[7] * x3123;
-  const Real x3236 = sine[7] * x3098 + cosine[7] * x3123;
-  const Real x3229 = sine[7] * x3120 + cosine[7] * x3096;
-  const Real x3201 = x3090 + x3143 + 0.16 * x3133 + 0.16 * x3180;
-  const Real x3254 = x3220 - 0.16 * x3134 - 0.16 * x3176 + 0.005417710000000001;
-  require_more(w, x3254, 0.0, kFactorization, 19);
-  const Real x3255 = -0.013999999999999999 - x3165;
-  const Real x3256 = -0.049 + x3176;
-  const Real x3241 = cosine[7] * x3120 - sine[7] * x3096 + 0.16 * x3236;
-  // joint 19 "left_elbow": articulated-body inertia and bias force through it
-  const Real x3267 = 1 / x3254;
-  // joint 20 "left_wrist_roll": articulated-body inertia and bias force through it
-  const Real x3262 = x3229 - (0.16 * x3233 + 0.01 * x3100) + x1322;
-  // joint 19 "left_elbow": articulated-body inertia and bias force through it
-  const Real x3269 = x3267 * (tau[24] - x3262);
-  w.x[2] = x3269;
-  const Real x3270 = x3195 * x3267;
-  w.x[1] = x3270;
-  const Real x3271 = x3210 * x3267;
-  w.x[0] = x3271;
-  const Real x3272 = x3255 * x3267;
-  w.x[91] = x3272;
-  const Real x3273 = x3256 * x3267;
-  w.x[90] = x3273;
-  const Real x3274 = x3183 * x3267;
-  w.x[89] = x3274;
-  const Real x3277 = 0.00070875 + 0.01 * x3177 - x3195 * x3270;
-  // joint 20 "left_wrist_roll": articulated-body inertia and bias force through it
-  const Real x3250 = 0.01 * x3133 + 0.16 * x3177 + 0.00098;
-  // joint 19 "left_elbow": articulated-body inertia and bias force through it
-  const Real x3280 = x3250 - x3195 * x3271;
-  const Real x3283 = x3155 - x3195 * x3272;
-  const Real x3286 = x3167 - x3195 * x3273;
-  const Real x3289 = 0.013999999999999999 + x3177 - x3195 * x3274;
-  const Real x3292 = 0.00513771 + x3201 - x3210 * x3271;
-  const Real x3295 = x3158 - x3210 * x3272;
-  const Real x3298 = x3170 - x3210 * x3273;
-  const Real x3301 = 0.049 + x3180 - x3210 * x3274;
-  const Real x3304 = 0.7 + x3094 - x3255 * x3272;
-  const Real x3307 = x3146 - x3255 * x3273;
-  const Real x3310 = x3147 - x3255 * x3274;
-  const Real x3313 = 0.7 + x3153 - x3256 * x3273;
-  const Real x3316 = x3150 - x3256 * x3274;
-  const Real x3319 = 0.7 + x3154 - x3183 * x3274;
-  const Real x3321 = tau[25] + 0.01 * x3236 + x1313 + x3195 * x3269;
-  const Real x3323 = x1316 + x3241 + x3210 * x3269;
-  const Real x3325 = x1328 + x3100 + x3255 * x3269;
-  const Real x3327 = x1336 + x3233 + x3256 * x3269;
-  const Real x3329 = x1342 + x3236 + x3183 * x3269;
-  const Real x3333 = cosine[6] * x3289 - sine[6] * x3301;
-  const Real x3336 = sine[6] * x3289 + cosine[6] * x3301;
-  const Real x3342 = cosine[6] * (x3283 - x3298) - sine[6] * (x3286 + x3295);
-  const Real x3343 = sine[6] * x3342;
-  const Real x3345 = x3286 + x3343;
-  const Real x3347 = cosine[6] * x3342;
-  const Real x3348 = x3298 + x3347;
-  const Real x3352 = 2.0 * sine[6];
-  const Real x3356 = cosine[6] * (x3277 - x3292) - x3280 * x3352;
-  const Real x3360 = cosine[6] * x3356;
-  const Real x3366 = cosine[6] * x3310 - sine[6] * x3316;
-  const Real x3369 = sine[6] * x3310 + cosine[6] * x3316;
-  const Real x3374 = cosine[6] * (x3304 - x3313) - x3307 * x3352;
-  const Real x3377 = x3307 + sine[6] * x3374;
-  const Real x3378 = cosine[6] * x3374;
-  const Real x3380 = x3304 - x3378;
-  const Real x3381 = 0.11 * x3369;
-  const Real x3383 = x3283 - x3347 + x3381;
-  const Real x3384 = 0.11 * x3380;
-  const Real x3388 = x3336 + 0.11 * x3319;
-  const Real x3404 = x3280 + sine[6] * x3356 + 0.11 * x3333;
-  const Real x3407 = 0.11 * x3345;
-  const Real x3422 = sine[6] * x3325 + cosine[6] * x3327;
-  const Real x3399 = x3277 - x3360 + (0.11 * x3336 + 0.11 * x3388);
-  const Real x3433 = x3292 + x3360 + 0.00064;
-  require_more(w, x3433, 0.0, kFactorization, 18);
-  const Real x3425 = sine[6] * x3321 + cosine[6] * x3323 + 0.11 * x3329;
-  // joint 18 "left_shoulder_yaw": articulated-body inertia and bias force through it
-  const Real x3444 = 1 / x3433;
-  const Real x3445 = tau[23] - (cosine[6] * x3321 - sine[6] * x3323 + x1253);
-  const Real x3446 = x3444 * x3445;
-  w.x[77] = x3446;
-  const Real x3447 = x3404 * x3444;
-  w.x[76] = x3447;
-  const Real x3448 = x3407 * x3444;
-  w.x[75] = x3448;
-  const Real x3450 = x3345 * x3444;
-  w.x[74] = x3450;
-  const Real x3451 = x3333 * x3444;
-  w.x[73] = x3451;
-  const Real x3452 = x3348 * x3444;
-  w.x[72] = x3452;
-  const Real x3455 = 0.0036266700000000002 + x3399 - x3404 * x3447;
-  const Real x3458 = x3404 * x3448 - 0.11 * x3383;
-  const Real x3461 = x3383 - x3404 * x3450;
-  const Real x3464 = 0.04000000000000001 + x3388 - x3404 * x3451;
-  const Real x3467 = x3295 + x3343 + 0.11 * x3366 - x3404 * x3452;
-  const Real x3470 = 0.0036266700000000002 + 0.11 * x3384 - x3407 * x3448;
-  const Real x3473 = -0.04000000000000001 - x3384 + x3407 * x3450;
-  const Real x3476 = x3407 * x3451 - x3381;
-  const Real x3479 = x3407 * x3452 - 0.11 * x3377;
-  const Real x3482 = 0.8 + x3380 - x3345 * x3450;
-  const Real x3485 = x3369 - x3345 * x3451;
-  const Real x3488 = x3377 - x3345 * x3452;
-  const Real x3491 = 0.8 + x3319 - x3333 * x3451;
-  const Real x3494 = x3366 - x3333 * x3452;
-  const Real x3499 = x1257 + x3425 + x3404 * x3446;
-  const Real x3502 = tau[24] - 0.11 * x3422 + x1260 - x3407 * x3446;
-  const Real x3504 = x1264 + x3422 + x3345 * x3446;
-  const Real x3506 = x1268 + x3329 + x3333 * x3446;
-  // joint 19 "left_elbow": articulated-body inertia and bias force through it
-  const Real x3442 = cosine[6] * x3325 - sine[6] * x3327 + x1272;
-  // joint 18 "left_shoulder_yaw": articulated-body inertia and bias force through it
-  const Real x3521 = cosine[5] * (x3461 - x3476) - sine[5] * (x3464 + x3473);
-  const Real x3522 = sine[5] * x3521;
-  const Real x3524 = x3464 + x3522;
-  const Real x3525 = x3473 + x3522;
-  const Real x3526 = cosine[5] * x3521;
-  const Real x3527 = x3476 + x3526;
-  const Real x3531 = 2.0 * sine[5];
-  const Real x3535 = cosine[5] * (x3455 - x3470) - x3458 * x3531;
-  const Real x3539 = cosine[5] * x3535;
-  const Real x3545 = cosine[5] * x3488 - sine[5] * x3494;
-  const Real x3548 = sine[5] * x3488 + cosine[5] * x3494;
-  const Real x3553 = cosine[5] * (x3482 - x3491) - x3485 * x3531;
-  const Real x3556 = x3485 + sine[5] * x3553;
-  const Real x3557 = cosine[5] * x3553;
-  const Real x3558 = x3491 + x3557;
-  const Real x3559 = x3482 - x3557;
-  const Real x3560 = 0.1 * x3556;
-  const Real x3562 = x3461 - x3526 - x3560;
-  const Real x3565 = x3524 + 0.1 * x3559;
-  const Real x3574 = x3525 - 0.1 * x3558;
-  const Real x3575 = x3527 + x3560;
-  const Real x3586 = x3458 + sine[5] * x3535 - 0.1 * x3527;
-  const Real x3587 = 0.1 * x3562 + x3586;
-  const Real x3604 = cosine[5] * x3504 - sine[5] * x3506;
-  const Real x3607 = sine[5] * x3504 + cosine[5] * x3506;
-  const Real x3581 = x3455 - x3539 - 0.1 * x3525 - 0.1 * x3574;
-  const Real x3593 = x3470 + x3539 + 0.1 * x3524 + 0.1 * x3565;
-  const Real x3616 = 0.0014 + x3593;
-  require_more(w, x3616, 0.0, kFactorization, 17);
-  const Real x3617 = 0.020999999999999998 + x3565;
-  const Real x3571 = cosine[5] * x3467 - sine[5] * x3479 + 0.1 * x3548;
-  const Real x3618 = 0.006999999999999999 + x3571;
-  const Real x3610 = sine[5] * x3499 + cosine[5] * x3502 - 0.1 * x3604;
-  const Real x3623 = x1211 + tau[23];
-  const Real x3613 = cosine[5] * x3499 - sine[5] * x3502 + 0.1 * x3607;
-  // joint 17 "left_shoulder_roll": articulated-body inertia and bias force through it
-  const Real x3629 = 1 / x3616;
-  const Real x3631 = x3629 * (tau[22] - (x1216 + x3613));
-  w.x[70] = x3631;
-  const Real x3632 = x3587 * x3629;
-  w.x[69] = x3632;
-  const Real x3633 = x3617 * x3629;
-  w.x[68] = x3633;
-  const Real x3634 = x3618 * x3629;
-  w.x[67] = x3634;
-  const Real x3635 = x3575 * x3629;
-  w.x[66] = x3635;
-  const Real x3638 = 0.0013299999999999998 + x3581 - x3587 * x3632;
-  const Real x3641 = x3562 - x3587 * x3633;
-  // joint 18 "left_shoulder_yaw": articulated-body inertia and bias force through it
-  const Real x3568 = sine[5] * x3467 + cosine[5] * x3479 - 0.1 * x3545;
-  // joint 17 "left_shoulder_roll": articulated-body inertia and bias force through it
-  const Real x3644 = x3568 - x3587 * x3634;
-  const Real x3647 = -0.020999999999999998 + x3574 - x3587 * x3635;
-  const Real x3650 = 0.7 + x3559 - x3617 * x3633;
-  const Real x3653 = x3548 - x3617 * x3634;
-  const Real x3656 = x3556 - x3617 * x3635;
-  // joint 18 "left_shoulder_yaw": articulated-body inertia and bias force through it
-  const Real x3620 = x3313 + x3378 + 0.8 - x3348 * x3452 + 0.7;
-  // joint 17 "left_shoulder_roll": articulated-body inertia and bias force through it
-  const Real x3659 = x3620 - x3618 * x3634;
-  const Real x3662 = x3545 - x3618 * x3635;
-  const Real x3665 = 0.7 + x3558 - x3575 * x3635;
-  const Real x3667 = x1208 + x3610 + x3587 * x3631;
-  const Real x3669 = x1224 + x3607 + x3617 * x3631;
-  const Real x3671 = x3442 + x3348 * x3446 + x1230 + x3618 * x3631;
-  const Real x3673 = x1236 + x3604 + x3575 * x3631;
-  const Real x3677 = cosine[4] * x3647 + sine[4] * 0.006999999999999999;
-  const Real x3681 = sine[4] * x3647 - cosine[4] * 0.006999999999999999;
-  const Real x3685 = cosine[4] * x3641 - sine[4] * x3644;
-  const Real x3686 = sine[4] * x3685;
-  const Real x3688 = x3644 + x3686;
-  const Real x3689 = cosine[4] * x3685;
-  const Real x3693 = 2.0 * sine[4];
-  const Real x3697 = cosine[4] * (x3638 - 0.00077) - 0.00020999999999999998 * x3693;
-  const Real x3701 = cosine[4] * x3697;
-  const Real x3707 = cosine[4] * x3656 - sine[4] * x3662;
-  const Real x3710 = sine[4] * x3656 + cosine[4] * x3662;
-  const Real x3715 = cosine[4] * (x3650 - x3659) - x3653 * x3693;
-  const Real x3718 = x3653 + sine[4] * x3715;
-  const Real x3719 = cosine[4] * x3715;
-  const Real x3721 = x3650 - x3719;
-  const Real x3722 = 0.05 * x3710;
-  const Real x3724 = x3641 - x3689 - x3722;
-  const Real x3725 = 0.05 * x3721;
-  const Real x3728 = x3681 - 0.05 * x3665;
-  const Real x3743 = 0.00020999999999999998 + sine[4] * x3697 - 0.05 * x3677;
-  const Real x3745 = 0.05 * x3688;
-  const Real x3759 = sine[4] * x3669 + cosine[4] * x3671;
-  const Real x3739 = x3638 - x3701 - (0.05 * x3681 + 0.05 * x3728);
-  const Real x3769 = 0.00077 + x3701 + 0.00064;
-  require_more(w, x3769, 0.0, kFactorization, 16);
-  const Real x3762 = sine[4] * x3667 + cosine[4] * x3623 - 0.05 * x3673;
-  // joint 16 "left_shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x3780 = 1 / x3769;
-  const Real x3781 = tau[21] - (cosine[4] * x3667 - sine[4] * x3623 + x1150);
-  const Real x3782 = x3780 * x3781;
-  w.x[65] = x3782;
-  const Real x3783 = x3743 * x3780;
-  w.x[64] = x3783;
-  const Real x3784 = x3745 * x3780;
-  w.x[63] = x3784;
-  const Real x3785 = x3688 * x3780;
-  w.x[62] = x3785;
-  const Real x3786 = x3677 * x3780;
-  w.x[61] = x3786;
-  const Real x3787 = x3689 * x3780;
-  w.x[60] = x3787;
-  const Real x3790 = 0.001366667 + x3739 - x3743 * x3783;
-  const Real x3793 = 0.05 * x3724 - x3743 * x3784;
-  const Real x3796 = x3724 - x3743 * x3785;
-  const Real x3799 = -0.024 + x3728 - x3743 * x3786;
-  const Real x3802 = x3686 - 0.05 * x3707 - x3743 * x3787;
-  const Real x3805 = 0.001366667 + 0.05 * x3725 - x3745 * x3784;
-  const Real x3808 = 0.024 + x3725 - x3745 * x3785;
-  const Real x3811 = x3722 - x3745 * x3786;
-  const Real x3814 = 0.05 * x3718 - x3745 * x3787;
-  const Real x3817 = 0.8 + x3721 - x3688 * x3785;
-  const Real x3820 = x3710 - x3688 * x3786;
-  const Real x3823 = x3718 - x3688 * x3787;
-  const Real x3826 = 0.8 + x3665 - x3677 * x3786;
-  const Real x3829 = x3707 - x3677 * x3787;
-  const Real x3832 = x3659 + x3719 + 0.8 - x3689 * x3787;
-  const Real x3834 = x1154 + x3762 + x3743 * x3782;
-  const Real x3836 = tau[22] + 0.05 * x3759 + x1156 + x3745 * x3782;
-  const Real x3838 = x1159 + x3759 + x3688 * x3782;
-  const Real x3840 = x1162 + x3673 + x3677 * x3782;
-  // joint 17 "left_shoulder_roll": articulated-body inertia and bias force through it
-  const Real x3778 = cosine[4] * x3669 - sine[4] * x3671 + x1166;
-  // joint 16 "left_shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x3842 = x3778 + x3689 * x3782;
-  const Real x3849 = sine[3] * x3802 + cosine[3] * x3814;
-  const Real x3855 = cosine[3] * (x3796 - x3811) - sine[3] * (x3799 + x3808);
-  const Real x3856 = sine[3] * x3855;
-  const Real x3858 = x3799 + x3856;
-  const Real x3859 = x3808 + x3856;
-  const Real x3860 = cosine[3] * x3855;
-  const Real x3862 = x3796 - x3860;
-  const Real x3865 = 2.0 * sine[3];
-  const Real x3869 = cosine[3] * (x3790 - x3805) - x3793 * x3865;
-  const Real x3873 = cosine[3] * x3869;
-  const Real x3879 = cosine[3] * x3823 - sine[3] * x3829;
-  const Real x3882 = sine[3] * x3823 + cosine[3] * x3829;
-  const Real x3887 = cosine[3] * (x3817 - x3826) - x3820 * x3865;
-  const Real x3890 = x3820 + sine[3] * x3887;
-  const Real x3891 = cosine[3] * x3887;
-  const Real x3892 = x3826 + x3891;
-  const Real x3893 = x3817 - x3891;
-  const Real x3894 = 0.15 * x3890;
-  const Real x3896 = x3811 + x3860 - x3894;
-  const Real x3901 = x3859 - 0.29 * x3879 + 0.15 * x3892;
-  const Real x3905 = x3858 - 0.15 * x3893;
-  const Real x3906 = 0.29 * x3882;
-  const Real x3909 = x3862 - x3906 + x3894;
-  const Real x3910 = 0.29 * x3893;
-  const Real x3913 = cosine[3] * x3802 - sine[3] * x3814 - 0.15 * x3882;
-  const Real x3918 = x3849 - 0.29 * x3832 + 0.15 * x3879;
-  const Real x3930 = x3793 + sine[3] * x3869 - 0.29 * x3913;
-  const Real x3941 = x3790 - x3873 - 0.29 * x3849 - 0.29 * x3918;
-  const Real x3956 = cosine[3] * x3838 - sine[3] * x3840;
-  const Real x3959 = sine[3] * x3838 + cosine[3] * x3840;
-  const Real x3966 = sine[3] * x3834 + cosine[3] * x3836 - 0.29 * x3842;
-  const Real x3924 = x3805 + x3873 - 0.15 * x3858 - 0.15 * x3905;
-  const Real x3970 = x2788 + x3924;
-  w.x[59] = x3970;
-  w.to[1][0] = x3970;
-  const Real x3971 = x3930 - 0.15 * x3862 + 0.15 * x3896 + x2789;
-  w.x[58] = x3971;
-  w.to[1][1] = x3971;
-  const Real x3972 = x2748 + 0.29 * x3905;
-  w.x[57] = x3972;
-  w.to[1][2] = x3972;
-  const Real x3973 = x2708 + x3896;
-  w.x[56] = x3973;
-  w.to[1][3] = x3973;
-  const Real x3974 = x2718 + x3905;
-  w.x[55] = x3974;
-  w.to[1][4] = x3974;
-  const Real x3975 = x2790 + x3913;
-  w.x[54] = x3975;
-  w.to[1][5] = x3975;
-  const Real x3976 = 0.15 * x3859 + x3941 + 0.15 * x3901 + x3005;
-  w.x[53] = x3976;
-  w.to[1][6] = x3976;
-  const Real x3977 = x3006 + 0.29 * x3909;
-  w.x[52] = x3977;
-  w.to[1][7] = x3977;
-  const Real x3978 = x3007 + x3901;
-  w.x[51] = x3978;
-  w.to[1][8] = x3978;
-  const Real x3979 = x3008 + x3909;
-  w.x[50] = x3979;
-  w.to[1][9] = x3979;
-  const Real x3980 = x3009 + x3918;
-  w.x[49] = x3980;
-  w.to[1][10] = x3980;
-  const Real x3981 = x3010 + 0.29 * x3910;
-  w.x[48] = x3981;
-  w.to[1][11] = x3981;
-  const Real x3982 = x3011 + 0.29 * x3890;
-  w.x[47] = x3982;
-  w.to[1][12] = x3982;
-  const Real x3983 = x3012 + x3910;
-  w.x[46] = x3983;
-  w.to[1][13] = x3983;
-  const Real x3984 = x3013 + x3906;
-  w.x[45] = x3984;
-  w.to[1][14] = x3984;
-  const Real x3985 = x3014 + x3892;
-  w.x[44] = x3985;
-  w.to[1][15] = x3985;
-  const Real x3986 = x3015 + x3890;
-  w.x[43] = x3986;
-  w.to[1][16] = x3986;
-  const Real x3987 = x3016 + x3879;
-  w.x[42] = x3987;
-  w.to[1][17] = x3987;
-  const Real x3988 = x3017 + x3893;
-  w.x[40] = x3988;
-  w.to[1][18] = x3988;
-  const Real x3989 = x3018 + x3882;
-  w.x[38] = x3989;
-  w.to[1][19] = x3989;
-  const Real x3990 = x3019 + x3832;
-  w.x[88] = x3990;
-  w.to[1][20] = x3990;
-  const Real x3962 = cosine[3] * x3834 - sine[3] * x3836 - 0.15 * x3959;
-  const Real x3991 = x3020 + x3962;
-  w.x[87] = x3991;
-  w.to[1][21] = x3991;
-  const Real x3992 = 0.15 * x3956 + x3966 + x3021;
-  w.x[86] = x3992;
-  w.to[1][22] = x3992;
-  const Real x3993 = tau[21] + 0.29 * x3959 + x3022;
-  w.x[85] = x3993;
-  w.to[1][23] = x3993;
-  const Real x3994 = x3023 + x3956;
-  w.x[84] = x3994;
-  w.to[1][24] = x3994;
-  const Real x3995 = x3024 + x3959;
-  w.x[83] = x3995;
-  w.to[1][25] = x3995;
-  const Real x3996 = x3025 + x3842;
-  w.x[82] = x3996;
-  w.to[1][26] = x3996;
+  const Real x807 = w.x[6];
+  const Two x811 = taken<Two>(w.x.data() + 8);
+  const Two x813 = taken<Two>(w.x.data() + 10);
+  const Two x816 = taken<Two>(w.x.data() + 12);
+  const Two x819 = taken<Two>(w.x.data() + 14);
+  const Two x823 = taken<Two>(w.x.data() + 16);
+  const Two x866 = taken<Two>(w.x.data() + 18);
+  const Two x869 = taken<Two>(w.x.data() + 20);
+  const Two x874 = taken<Two>(w.x.data() + 22);
+  const Two x882 = taken<Two>(w.x.data() + 24);
+  const Two x888 = taken<Two>(w.x.data() + 26);
+  const Two x894 = taken<Two>(w.x.data() + 28);
+  const Two x911 = taken<Two>(w.x.data() + 30);
+  const Two x915 = taken<Two>(w.x.data() + 32);
+  const Two x918 = taken<Two>(w.x.data() + 34);
+  const Two x922 = taken<Two>(w.x.data() + 36);
+  const Two x926 = taken<Two>(w.x.data() + 38);
+  const Two x930 = taken<Two>(w.x.data() + 40);
+  const Two x971 = taken<Two>(w.x.data() + 42);
+  const Two x974 = taken<Two>(w.x.data() + 44);
+  const Two x980 = taken<Two>(w.x.data() + 46);
+  const Two x986 = taken<Two>(w.x.data() + 48);
+  const Two x994 = taken<Two>(w.x.data() + 50);
+  const Two x1000 = taken<Two>(w.x.data() + 52);
+  const Two x1019 = taken<Two>(w.x.data() + 54);
+  const Two x1023 = taken<Two>(w.x.data() + 56);
+  const Two x1026 = taken<Two>(w.x.data() + 58);
+  const Two x1030 = taken<Two>(w.x.data() + 60);
+  const Two x1034 = taken<Two>(w.x.data() + 62);
+  const Two x1038 = taken<Two>(w.x.data() + 64);
+  const Two x1055 = taken<Two>(w.x.data() + 66);
+  const Two x1070 = taken<Two>(w.x.data() + 68);
+  const Two x1073 = taken<Two>(w.x.data() + 70);
+  const Two x1077 = taken<Two>(w.x.data() + 72);
+  const Two x1081 = taken<Two>(w.x.data() + 74);
+  const Two x1085 = taken<Two>(w.x.data() + 76);
+  const Real x1231 = w.x[0];
+  const Real x1234 = w.x[1];
+  const Real x1239 = w.x[2];
+  const Real x1245 = w.x[3];
+  const Real x1251 = w.x[4];
+  const Real x1256 = w.x[5];
+  const Two x1270 = taken<Two>(w.x.data() + 102);
+  const Two x1305 = taken<Two>(w.x.data() + 108);
+  const Two x1346 = taken<Two>(w.x.data() + 104);
+  const Two x1391 = taken<Two>(w.x.data() + 110);
+  const Two x1394 = taken<Two>(w.x.data() + 112);
+  const Two x1402 = taken<Two>(w.x.data() + 128);
+  const Two x1427 = taken<Two>(w.x.data() + 114);
+  const Two x1439 = taken<Two>(w.x.data() + 124);
+  const Two x1454 = taken<Two>(w.x.data() + 130);
+  const Two x1499 = taken<Two>(w.x.data() + 154);
+  const Two x1500 = taken<Two>(w.x.data() + 158);
+  const Two x1513 = taken<Two>(w.x.data() + 118);
+  const Two x1518 = taken<Two>(w.x.data() + 156);
+  const Two x1520 = taken<Two>(w.x.data() + 120);
+  const Two x1523 = taken<Two>(w.x.data() + 140);
+  const Two x1526 = taken<Two>(w.x.data() + 142);
+  const Two x1529 = taken<Two>(w.x.data() + 176);
+  const Two x1532 = taken<Two>(w.x.data() + 174);
+  const Two x1535 = taken<Two>(w.x.data() + 126);
+  const Two x1544 = taken<Two>(w.x.data() + 178);
+  const Two x1547 = taken<Two>(w.x.data() + 132);
+  const Two x1553 = taken<Two>(w.x.data() + 164);
+  const Two x1559 = taken<Two>(w.x.data() + 162);
+  const Two x1565 = taken<Two>(w.x.data() + 122);
+  const Two x1579 = taken<Two>(w.x.data() + 134);
+  const Two x1583 = taken<Two>(w.x.data() + 180);
+  const Two x1602 = taken<Two>(w.x.data() + 144);
+  const Two x1606 = taken<Two>(w.x.data() + 146);
+  const Two x1620 = taken<Two>(w.x.data() + 166);
+  const Two x1624 = taken<Two>(w.x.data() + 168);
+  const Two x1626 = taken<Two>(w.x.data() + 170);
+  const Two x1680 = taken<Two>(w.x.data() + 172);
+  const Two x1692 = taken<Two>(w.x.data() + 148);
+  const Two x1699 = taken<Two>(w.x.data() + 150);
+  const Two x1739 = taken<Two>(w.x.data() + 152);
+  const Real x2360 = w.x[79];
+  const Real x2366 = w.x[80];
+  const Real x2407 = w.x[84];
+  const Real x2408 = w.x[85];
+  const Real x2411 = w.x[86];
+  const Real x2414 = w.x[87];
+  const Real x2415 = w.x[88];
+  const Real x2418 = w.x[89];
+  const Real x2421 = w.x[90];
+  const Real x2424 = w.x[91];
+  const Real x2427 = w.x[92];
+  const Real x2430 = w.x[93];
+  const Real x2436 = w.x[94];
+  const Real x2442 = w.x[95];
+  const Real x2446 = w.x[96];
+  const Real x2457 = w.x[97];
+  const Real x2460 = w.x[98];
+  const Real x2463 = w.x[99];
+  const Real x2465 = w.x[100];
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1541 = x1402 - x1454 * x1518;
+  const Two x1588 = taken<Two>(cosine + 6) * x1583 - taken<Two>(sine + 6) * (x1532 + x1541);
+  const Two x1589 = taken<Two>(sine + 6) * x1588;
+  const Two x1591 = x1532 + x1589;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1698 = x1591 * x1692;
+  put(x1698, w.x.data() + 182);
+  const Two x1730 = x1680 - x1591 * x1698;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1556 = x1391 - x1499 * x1520;
+  const Two x1562 = x1394 - x1500 * x1520;
+  const Two x1615 = taken<Two>(sine + 6) * x1556 + taken<Two>(cosine + 6) * x1562;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1733 = x1615 - x1591 * x1699;
+  const Two x1779 = taken<Two>(sine + 4) * 2.0;
+  const Two x1801 = taken<Two>(cosine + 4) * (x1730 - x1739) - x1733 * x1779;
+  const Two x1805 = taken<Two>(cosine + 4) * x1801;
+  const Two x1806 = x1739 + x1805;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1653 = 0.11 * x1591;
+  const Two x1627 = 0.11 * x1615;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1724 = x1653 * x1699 - x1627;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1593 = taken<Two>(cosine + 6) * x1588;
+  const Two x1629 = x1529 - x1593 + x1627;
+  const Two x1650 = x1526 + taken<Two>(sine + 6) * x1602 + 0.11 * x1579;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1709 = x1629 - x1650 * x1698;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1582 = taken<Two>(sine + 6) * x1535 + taken<Two>(cosine + 6) * x1547;
+  const Two x1634 = x1582 + 0.11 * x1565;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1712 = 0.04000000000000001 + x1634 - x1650 * x1699;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1630 = 0.11 * x1626;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1721 = -0.04000000000000001 - x1630 + x1653 * x1698;
+  const Two x1769 = taken<Two>(cosine + 4) * (x1709 - x1724) - taken<Two>(sine + 4) * (x1712 + x1721);
+  const Two x1774 = taken<Two>(cosine + 4) * x1769;
+  const Two x1775 = x1724 + x1774;
+  const Two x1804 = x1733 + taken<Two>(sine + 4) * x1801;
+  const Two x1808 = 0.1 * x1804;
+  const Two x1823 = x1775 + x1808;
+  const Two x1770 = taken<Two>(sine + 4) * x1769;
+  const Two x1772 = x1712 + x1770;
+  const Two x1807 = x1730 - x1805;
+  const Two x1813 = x1772 + 0.1 * x1807;
+  const Two x1696 = x1653 * x1692;
+  put(x1696, w.x.data() + 184);
+  const Two x1718 = 0.0036266700000000002 + 0.11 * x1630 - x1653 * x1696;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1645 = x1523 - x1606 + (0.11 * x1582 + 0.11 * x1634);
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1695 = x1650 * x1692;
+  put(x1695, w.x.data() + 186);
+  const Two x1703 = 0.0036266700000000002 + x1645 - x1650 * x1695;
+  const Two x1706 = x1650 * x1696 - 0.11 * x1629;
+  const Two x1783 = taken<Two>(cosine + 4) * (x1703 - x1718) - x1706 * x1779;
+  const Two x1787 = taken<Two>(cosine + 4) * x1783;
+  const Two x1841 = x1718 + x1787 + 0.1 * x1772 + 0.1 * x1813;
+  const Two x1864 = 0.0014 + x1841;
+  require_more(w, x1864, 0.0, kFactorization, {17, 25});
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1879 = 1 / x1864;
+  const Two x1885 = x1823 * x1879;
+  put(x1885, w.x.data() + 188);
+  const Two x1915 = 0.7 + x1806 - x1823 * x1885;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1773 = x1721 + x1770;
+  const Two x1822 = x1773 - 0.1 * x1806;
+  const Two x1810 = x1709 - x1774 - x1808;
+  const Two x1834 = x1706 + taken<Two>(sine + 4) * x1783 - 0.1 * x1775;
+  const Two x1835 = 0.1 * x1810 + x1834;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1897 = -0.020999999999999998 + x1822 - x1835 * x1885;
+  const Two x1927 = taken<Two>(cosine + 2) * x1897 + taken<Two>(sine + 2) * Two{0.006999999999999999, -0.006999999999999999};
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1829 = x1703 - x1787 - 0.1 * x1773 - 0.1 * x1822;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1882 = x1835 * x1879;
+  put(x1882, w.x.data() + 190);
+  const Two x1888 = 0.0013299999999999998 + x1829 - x1835 * x1882;
+  const Two x1943 = taken<Two>(sine + 2) * 2.0;
+  const Two x1947 = taken<Two>(cosine + 2) * (x1888 - 0.00077) - Two{0.00020999999999999998, -0.00020999999999999998} * x1943;
+  const Two x1951 = taken<Two>(cosine + 2) * x1947;
+  const Two x2019 = 0.00077 + x1951 + 0.00064;
+  require_more(w, x2019, 0.0, kFactorization, {16, 24});
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2032 = 1 / x2019;
+  const Two x2038 = x1927 * x2032;
+  put(x2038, w.x.data() + 192);
+  const Two x2078 = 0.8 + x1915 - x1927 * x2038;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1865 = 0.020999999999999998 + x1813;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1883 = x1865 * x1879;
+  put(x1883, w.x.data() + 194);
+  const Two x1900 = 0.7 + x1807 - x1865 * x1883;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1594 = x1544 + x1593;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1700 = x1594 * x1692;
+  put(x1700, w.x.data() + 196);
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1612 = taken<Two>(cosine + 6) * x1556 - taken<Two>(sine + 6) * x1562;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1715 = x1541 + x1589 + 0.11 * x1612 - x1650 * x1700;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1623 = x1553 + taken<Two>(sine + 6) * x1620;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1727 = x1653 * x1700 - 0.11 * x1623;
+  const Two x1736 = x1623 - x1591 * x1700;
+  const Two x1742 = x1612 - x1579 * x1700;
+  const Two x1796 = taken<Two>(sine + 4) * x1736 + taken<Two>(cosine + 4) * x1742;
+  const Two x1819 = taken<Two>(cosine + 4) * x1715 - taken<Two>(sine + 4) * x1727 + 0.1 * x1796;
+  const Two x1866 = Two{0.006999999999999999, -0.006999999999999999} + x1819;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1884 = x1866 * x1879;
+  put(x1884, w.x.data() + 198);
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1868 = x1559 + x1624 + 0.8 - x1594 * x1700 + 0.7;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1909 = x1868 - x1866 * x1884;
+  const Two x1903 = x1796 - x1865 * x1884;
+  const Two x1965 = taken<Two>(cosine + 2) * (x1900 - x1909) - x1903 * x1943;
+  const Two x1969 = taken<Two>(cosine + 2) * x1965;
+  const Two x1971 = x1900 - x1969;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1793 = taken<Two>(cosine + 4) * x1736 - taken<Two>(sine + 4) * x1742;
+  const Two x1816 = taken<Two>(sine + 4) * x1715 + taken<Two>(cosine + 4) * x1727 - 0.1 * x1793;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1894 = x1816 - x1835 * x1884;
+  const Two x1891 = x1810 - x1835 * x1883;
+  const Two x1935 = taken<Two>(cosine + 2) * x1891 - taken<Two>(sine + 2) * x1894;
+  const Two x1936 = taken<Two>(sine + 2) * x1935;
+  const Two x1938 = x1894 + x1936;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2037 = x1938 * x2032;
+  put(x2037, w.x.data() + 200);
+  const Two x2069 = 0.8 + x1971 - x1938 * x2037;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1906 = x1804 - x1865 * x1885;
+  const Two x1912 = x1793 - x1866 * x1885;
+  const Two x1960 = taken<Two>(sine + 2) * x1906 + taken<Two>(cosine + 2) * x1912;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2072 = x1960 - x1938 * x2038;
+  const Two x2117 = taken<Two>(sine + 0) * 2.0;
+  const Two x2139 = taken<Two>(cosine + 0) * (x2069 - x2078) - x2072 * x2117;
+  const Two x2143 = taken<Two>(cosine + 0) * x2139;
+  const Two x2144 = x2078 + x2143;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1975 = Two{0.05, -0.05} * x1971;
+  const Two x1995 = Two{0.05, -0.05} * x1938;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2060 = Two{0.024, -0.024} + x1975 - x1995 * x2037;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1939 = taken<Two>(cosine + 2) * x1935;
+  const Two x1972 = Two{0.05, -0.05} * x1960;
+  const Two x1974 = x1891 - x1939 - x1972;
+  const Two x1993 = Two{0.00020999999999999998, -0.00020999999999999998} + taken<Two>(sine + 2) * x1947 - Two{0.05, -0.05} * x1927;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2048 = x1974 - x1993 * x2037;
+  const Two x2063 = x1972 - x1995 * x2038;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1931 = taken<Two>(sine + 2) * x1897 - taken<Two>(cosine + 2) * Two{0.006999999999999999, -0.006999999999999999};
+  const Two x1978 = x1931 - Two{0.05, -0.05} * x1915;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2051 = Two{-0.024, 0.024} + x1978 - x1993 * x2038;
+  const Two x2107 = taken<Two>(cosine + 0) * (x2048 - x2063) - taken<Two>(sine + 0) * (x2051 + x2060);
+  const Two x2108 = taken<Two>(sine + 0) * x2107;
+  const Two x2111 = x2060 + x2108;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1968 = x1903 + taken<Two>(sine + 2) * x1965;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2039 = x1939 * x2032;
+  put(x2039, w.x.data() + 202);
+  const Two x2075 = x1968 - x1938 * x2039;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1957 = taken<Two>(cosine + 2) * x1906 - taken<Two>(sine + 2) * x1912;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2081 = x1957 - x1927 * x2039;
+  const Two x2131 = taken<Two>(cosine + 0) * x2075 - taken<Two>(sine + 0) * x2081;
+  const Two x2153 = x2111 - 0.29 * x2131 + Two{0.15, -0.15} * x2144;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1989 = x1888 - x1951 - (Two{0.05, -0.05} * x1931 + Two{0.05, -0.05} * x1978);
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2035 = x1993 * x2032;
+  put(x2035, w.x.data() + 204);
+  const Two x2042 = 0.001366667 + x1989 - x1993 * x2035;
+  const Two x2036 = x1995 * x2032;
+  put(x2036, w.x.data() + 206);
+  const Two x2057 = 0.001366667 + Two{0.05, -0.05} * x1975 - x1995 * x2036;
+  const Two x2045 = Two{0.05, -0.05} * x1974 - x1993 * x2036;
+  const Two x2121 = taken<Two>(cosine + 0) * (x2042 - x2057) - x2045 * x2117;
+  const Two x2125 = taken<Two>(cosine + 0) * x2121;
+  const Two x2054 = x1936 - Two{0.05, -0.05} * x1957 - x1993 * x2039;
+  const Two x2066 = Two{0.05, -0.05} * x1968 - x1995 * x2039;
+  const Two x2101 = taken<Two>(sine + 0) * x2054 + taken<Two>(cosine + 0) * x2066;
+  const Two x2084 = x1909 + x1969 + 0.8 - x1939 * x2039;
+  const Two x2170 = x2101 - 0.29 * x2084 + Two{0.15, -0.15} * x2131;
+  const Two x2193 = x2042 - x2125 - 0.29 * x2101 - 0.29 * x2170;
+  const Two x2195 = Two{0.15, -0.15} * x2111 + x2193 + Two{0.15, -0.15} * x2153;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x2466 = 0.42813300000000004 + across<2>(x2195) + x2436;
+  w.x[208] = x2466;
+  w.to[1][6] = x2466;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2142 = x2072 + taken<Two>(sine + 0) * x2139;
+  const Two x2146 = Two{0.15, -0.15} * x2142;
+  const Two x2112 = taken<Two>(cosine + 0) * x2107;
+  const Two x2114 = x2048 - x2112;
+  const Two x2134 = taken<Two>(sine + 0) * x2075 + taken<Two>(cosine + 0) * x2081;
+  const Two x2158 = 0.29 * x2134;
+  const Two x2161 = x2114 - x2158 + x2146;
+  const Two x2196 = 0.29 * x2161;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x2467 = across<2>(x2196) + x2442;
+  w.x[209] = x2467;
+  w.to[1][7] = x2467;
+  const Real x2468 = across<2>(x2153) - x2418;
+  w.x[210] = x2468;
+  w.to[1][8] = x2468;
+  const Real x2469 = across<2>(x2161) - x2424;
+  w.x[211] = x2469;
+  w.to[1][9] = x2469;
+  const Real x2470 = -1.6150000000000002 + across<2>(x2170) + x2430;
+  w.x[212] = x2470;
+  w.to[1][10] = x2470;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2145 = x2069 - x2143;
+  const Two x2162 = 0.29 * x2145;
+  const Two x2197 = 0.29 * x2162;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x2471 = 0.38728300000000004 + across<2>(x2197) + x2446;
+  w.x[213] = x2471;
+  w.to[1][11] = x2471;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2154 = 0.29 * x2142;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x2472 = -0.095 + across<2>(x2154) + x2421;
+  w.x[214] = x2472;
+  w.to[1][12] = x2472;
+  const Real x2473 = 1.6150000000000002 + across<2>(x2162) + x2427;
+  w.x[215] = x2473;
+  w.to[1][13] = x2473;
+  const Real x2474 = across<2>(x2158) + x2424;
+  w.x[216] = x2474;
+  w.to[1][14] = x2474;
+  const Real x2475 = 9.5 + across<2>(x2144) + x2360;
+  w.x[217] = x2475;
+  w.to[1][15] = x2475;
+  const Real x2476 = across<2>(x2142) + x2407;
+  w.x[218] = x2476;
+  w.to[1][16] = x2476;
+  const Real x2477 = across<2>(x2131) + x2408;
+  w.x[219] = x2477;
+  w.to[1][17] = x2477;
+  const Real x2478 = 9.5 + across<2>(x2145) + x2414;
+  w.x[220] = x2478;
+  w.to[1][18] = x2478;
+  const Real x2479 = across<2>(x2134) + x2411;
+  w.x[221] = x2479;
+  w.to[1][19] = x2479;
+  const Real x2480 = 9.5 + across<2>(x2084) + x2415;
+  w.x[222] = x2480;
+  w.to[1][20] = x2480;
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1345 = Two{tau[25], tau[33]};
+  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Two x1259 = Two{tau[26], tau[34]};
+  const Two x1262 = 499.16813630085466 * (x1259 - x1073);
+  put(x1262, w.x.data() + 224);
+  const Two x1269 = x1081 - 0.024 * x1262;
+  const Two x1322 = taken<Two>(sine + 10) * x1077 + taken<Two>(cosine + 10) * x1269;
+  const Two x1340 = x1030 + x1322;
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1347 = x1345 - (taken<Two>(cosine + 10) * x1055 - taken<Two>(sine + 10) * x1070 + x1019);
+  const Two x1348 = x1346 * x1347;
+  put(x1348, w.x.data() + 226);
+  const Two x1367 = x1034 + x1085 - x1270 * x1348;
+  const Two x1480 = taken<Two>(sine + 8) * x1340 + taken<Two>(cosine + 8) * x1367;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1512 = Two{tau[24], tau[32]};
+  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Two x1325 = taken<Two>(sine + 10) * x1055 + taken<Two>(cosine + 10) * x1070 + 0.04 * x1085;
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1364 = x1023 + x1325 - x1305 * x1348;
+  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Two x1338 = x1259 - 0.04 * x1322 + x1026;
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1477 = taken<Two>(cosine + 8) * x1340 - taken<Two>(sine + 8) * x1367;
+  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Two x1342 = taken<Two>(cosine + 10) * x1077 - taken<Two>(sine + 10) * x1269 + x1038;
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1473 = taken<Two>(sine + 8) * x1364 + taken<Two>(cosine + 8) * x1338;
+  const Two x1506 = x1473 - (0.16 * x1477 + 0.01 * x1342) + x980;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1515 = x1513 * (x1512 - x1506);
+  put(x1515, w.x.data() + 228);
+  const Two x1567 = x1345 + 0.01 * x1480 + x971 + x1439 * x1515;
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Two x1485 = taken<Two>(cosine + 8) * x1364 - taken<Two>(sine + 8) * x1338 + 0.16 * x1480;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1569 = x974 + x1485 + x1454 * x1515;
+  const Two x1575 = x1000 + x1480 + x1427 * x1515;
+  const Two x1671 = taken<Two>(sine + 6) * x1567 + taken<Two>(cosine + 6) * x1569 + 0.11 * x1575;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1691 = Two{tau[23], tau[31]};
+  const Two x1693 = x1691 - (taken<Two>(cosine + 6) * x1567 - taken<Two>(sine + 6) * x1569 + x911);
+  const Two x1694 = x1692 * x1693;
+  put(x1694, w.x.data() + 230);
+  const Two x1747 = x915 + x1671 + x1650 * x1694;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1571 = x986 + x1342 + x1499 * x1515;
+  const Two x1573 = x994 + x1477 + x1500 * x1515;
+  const Two x1668 = taken<Two>(sine + 6) * x1571 + taken<Two>(cosine + 6) * x1573;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1750 = x1512 - 0.11 * x1668 + x918 - x1653 * x1694;
+  const Two x1752 = x922 + x1668 + x1591 * x1694;
+  const Two x1754 = x926 + x1575 + x1579 * x1694;
+  const Two x1852 = taken<Two>(cosine + 4) * x1752 - taken<Two>(sine + 4) * x1754;
+  const Two x1858 = taken<Two>(sine + 4) * x1747 + taken<Two>(cosine + 4) * x1750 - 0.1 * x1852;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1878 = Two{tau[22], tau[30]};
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1855 = taken<Two>(sine + 4) * x1752 + taken<Two>(cosine + 4) * x1754;
+  const Two x1861 = taken<Two>(cosine + 4) * x1747 - taken<Two>(sine + 4) * x1750 + 0.1 * x1855;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1881 = x1879 * (x1878 - (x874 + x1861));
+  put(x1881, w.x.data() + 232);
+  const Two x1917 = x866 + x1858 + x1835 * x1881;
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Two x1871 = x869 + x1691;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1923 = x894 + x1852 + x1823 * x1881;
+  const Two x2012 = taken<Two>(sine + 2) * x1917 + taken<Two>(cosine + 2) * x1871 - Two{0.05, -0.05} * x1923;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2031 = Two{tau[21], tau[29]};
+  const Two x2033 = x2031 - (taken<Two>(cosine + 2) * x1917 - taken<Two>(sine + 2) * x1871 + x807);
+  const Two x2034 = x2032 * x2033;
+  put(x2034, w.x.data() + 234);
+  const Two x2086 = x811 + x2012 + x1993 * x2034;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1919 = x882 + x1855 + x1865 * x1881;
+  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Two x1688 = taken<Two>(cosine + 6) * x1571 - taken<Two>(sine + 6) * x1573 + x930;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x1921 = x1688 + x1594 * x1694 + x888 + x1866 * x1881;
+  const Two x2009 = taken<Two>(sine + 2) * x1919 + taken<Two>(cosine + 2) * x1921;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2088 = x1878 + Two{0.05, -0.05} * x2009 + x813 + x1995 * x2034;
+  const Two x2090 = x816 + x2009 + x1938 * x2034;
+  const Two x2092 = x819 + x1923 + x1927 * x2034;
+  const Two x2211 = taken<Two>(sine + 0) * x2090 + taken<Two>(cosine + 0) * x2092;
+  const Two x2214 = taken<Two>(cosine + 0) * x2086 - taken<Two>(sine + 0) * x2088 - Two{0.15, -0.15} * x2211;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x2481 = x1231 + across<2>(x2214) + tau[27];
+  w.x[236] = x2481;
+  w.to[1][21] = x2481;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2208 = taken<Two>(cosine + 0) * x2090 - taken<Two>(sine + 0) * x2092;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Two x2028 = taken<Two>(cosine + 2) * x1919 - taken<Two>(sine + 2) * x1921 + x823;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2094 = x2028 + x1939 * x2034;
+  const Two x2218 = taken<Two>(sine + 0) * x2086 + taken<Two>(cosine + 0) * x2088 - 0.29 * x2094;
+  const Two x2219 = Two{0.15, -0.15} * x2208 + x2218;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x2482 = x1234 + across<2>(x2219) + x2463;
+  w.x[237] = x2482;
+  w.to[1][22] = x2482;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2221 = x2031 + 0.29 * x2211;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x2483 = x1239 + across<2>(x2221) + x2465;
+  w.x[238] = x2483;
+  w.to[1][23] = x2483;
+  const Real x2484 = x1245 + across<2>(x2208) + x2366;
+  w.x[239] = x2484;
+  w.to[1][24] = x2484;
+  const Real x2485 = x1251 + across<2>(x2211) + x2457;
+  w.x[240] = x2485;
+  w.to[1][25] = x2485;
+  const Real x2486 = x1256 + across<2>(x2094) + x2460;
+  w.x[241] = x2486;
+  w.to[1][26] = x2486;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Two x2110 = x2051 + x2108;
+  const Two x2148 = x2063 + x2112 - x2146;
+  const Two x2157 = x2110 - Two{0.15, -0.15} * x2145;
+  const Two x2165 = taken<Two>(cosine + 0) * x2054 - taken<Two>(sine + 0) * x2066 - Two{0.15, -0.15} * x2134;
+  const Two x2176 = x2057 + x2125 - Two{0.15, -0.15} * x2110 - Two{0.15, -0.15} * x2157;
+  const Two x2182 = x2045 + taken<Two>(sine + 0) * x2121 - 0.29 * x2165;
+  const Two x2184 = x2182 - Two{0.15, -0.15} * x2114 + Two{0.15, -0.15} * x2148;
+  const Two x2185 = 0.29 * x2157;
+  const Real x2224 = across<2>(x2185);
+  w.x[242] = x2224;
+  w.to[1][2] = x2224;
+  const Real x2225 = across<2>(x2148);
+  w.x[243] = x2225;
+  w.to[1][3] = x2225;
+  const Real x2226 = across<2>(x2157);
+  w.x[244] = x2226;
+  w.to[1][4] = x2226;
+  const Real x2243 = 0.0832833 + across<2>(x2176);
+  w.x[245] = x2243;
+  w.to[1][0] = x2243;
+  const Real x2244 = -0.01615 + across<2>(x2184);
+  w.x[246] = x2244;
+  w.to[1][1] = x2244;
+  const Real x2245 = 0.095 + across<2>(x2165);
+  w.x[247] = x2245;
+  w.to[1][5] = x2245;
 }
 
-ADAGEN_NOINLINE void part_1_3(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_2(Workspace& w) {
   ADAGEN_INPUTS
   // joint 0 "__base__": placement, velocity and reference acceleration of its link
-  const Real x20 = q[3] * q[3] + q[4] * q[4] + q[5] * q[5];
-  const Real x21 = q[6] * q[6] + x20;
-  require_length(w, x21, 0);
+  const Real x50 = q[3] * q[3] + q[4] * q[4] + q[5] * q[5];
+  const Real x51 = q[6] * q[6] + x50;
+  require_length(w, x51, 0);
 }
 
-ADAGEN_NOINLINE void part_1_4(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_3(Workspace& w) {
   ADAGEN_INPUTS
-  const Real x1826 = w.x[92];
-  const Real x1910 = w.x[93];
-  const Real x1911 = w.x[94];
-  const Real x1913 = w.x[95];
-  const Real x2075 = w.x[96];
-  const Real x2076 = w.x[97];
-  const Real x2077 = w.x[98];
-  const Real x2078 = w.x[99];
-  const Real x2079 = w.x[100];
-  const Real x2080 = w.x[101];
-  const Real x2252 = w.x[102];
-  const Real x2253 = w.x[103];
-  const Real x2254 = w.x[104];
-  const Real x2256 = w.x[105];
-  const Real x2257 = w.x[106];
-  const Real x2258 = w.x[107];
-  const Real x2437 = w.x[108];
-  const Real x2438 = w.x[109];
-  const Real x2439 = w.x[110];
-  const Real x2440 = w.x[111];
-  const Real x2441 = w.x[112];
-  const Real x2592 = w.x[113];
-  const Real x2593 = w.x[114];
-  const Real x2594 = w.x[115];
-  const Real x2596 = w.x[116];
-  const Real x2597 = w.x[117];
-  const Real x2598 = w.x[118];
-  const Real x2808 = w.x[125];
-  const Real x2909 = w.x[126];
-  const Real x2910 = w.x[127];
-  const Real x2911 = w.x[128];
-  const Real x3028 = w.x[150];
-  const Real x3104 = w.x[5];
-  const Real x3105 = w.x[4];
-  const Real x3107 = w.x[3];
-  const Real x3269 = w.x[2];
-  const Real x3270 = w.x[1];
-  const Real x3271 = w.x[0];
-  const Real x3272 = w.x[91];
-  const Real x3273 = w.x[90];
-  const Real x3274 = w.x[89];
-  const Real x3446 = w.x[77];
-  const Real x3447 = w.x[76];
-  const Real x3448 = w.x[75];
-  const Real x3450 = w.x[74];
-  const Real x3451 = w.x[73];
-  const Real x3452 = w.x[72];
-  const Real x3631 = w.x[70];
-  const Real x3632 = w.x[69];
-  const Real x3633 = w.x[68];
-  const Real x3634 = w.x[67];
-  const Real x3635 = w.x[66];
-  const Real x3782 = w.x[65];
-  const Real x3783 = w.x[64];
-  const Real x3784 = w.x[63];
-  const Real x3785 = w.x[62];
-  const Real x3786 = w.x[61];
-  const Real x3787 = w.x[60];
-  const Real x3970 = w.x[59];
-  const Real x3971 = w.x[58];
-  const Real x3972 = w.x[57];
-  const Real x3973 = w.x[56];
-  const Real x3974 = w.x[55];
-  const Real x3975 = w.x[54];
-  const Real x3976 = w.x[53];
-  const Real x3977 = w.x[52];
-  const Real x3978 = w.x[51];
-  const Real x3979 = w.x[50];
-  const Real x3980 = w.x[49];
-  const Real x3981 = w.x[48];
-  const Real x3982 = w.x[47];
-  const Real x3983 = w.x[46];
-  const Real x3984 = w.x[45];
-  const Real x3985 = w.x[44];
-  const Real x3986 = w.x[43];
-  const Real x3987 = w.x[42];
-  const Real x3988 = w.x[40];
-  const Real x3989 = w.x[38];
-  const Real x3990 = w.x[88];
-  const Real x3991 = w.x[87];
-  const Real x3992 = w.x[86];
-  const Real x3993 = w.x[85];
-  const Real x3994 = w.x[84];
-  const Real x3995 = w.x[83];
-  const Real x3996 = w.x[82];
+  const Two x1262 = taken<Two>(w.x.data() + 224);
+  const Two x1348 = taken<Two>(w.x.data() + 226);
+  const Two x1349 = taken<Two>(w.x.data() + 116);
+  const Two x1351 = taken<Two>(w.x.data() + 106);
+  const Two x1515 = taken<Two>(w.x.data() + 228);
+  const Two x1516 = taken<Two>(w.x.data() + 138);
+  const Two x1517 = taken<Two>(w.x.data() + 136);
+  const Two x1518 = taken<Two>(w.x.data() + 156);
+  const Two x1519 = taken<Two>(w.x.data() + 160);
+  const Two x1520 = taken<Two>(w.x.data() + 120);
+  const Two x1694 = taken<Two>(w.x.data() + 230);
+  const Two x1695 = taken<Two>(w.x.data() + 186);
+  const Two x1696 = taken<Two>(w.x.data() + 184);
+  const Two x1698 = taken<Two>(w.x.data() + 182);
+  const Two x1699 = taken<Two>(w.x.data() + 150);
+  const Two x1700 = taken<Two>(w.x.data() + 196);
+  const Two x1881 = taken<Two>(w.x.data() + 232);
+  const Two x1882 = taken<Two>(w.x.data() + 190);
+  const Two x1883 = taken<Two>(w.x.data() + 194);
+  const Two x1884 = taken<Two>(w.x.data() + 198);
+  const Two x1885 = taken<Two>(w.x.data() + 188);
+  const Two x2034 = taken<Two>(w.x.data() + 234);
+  const Two x2035 = taken<Two>(w.x.data() + 204);
+  const Two x2036 = taken<Two>(w.x.data() + 206);
+  const Two x2037 = taken<Two>(w.x.data() + 200);
+  const Two x2038 = taken<Two>(w.x.data() + 192);
+  const Two x2039 = taken<Two>(w.x.data() + 202);
+  const Real x2224 = w.x[242];
+  const Real x2225 = w.x[243];
+  const Real x2226 = w.x[244];
+  const Real x2243 = w.x[245];
+  const Real x2244 = w.x[246];
+  const Real x2245 = w.x[247];
+  const Real x2269 = w.x[78];
+  const Real x2370 = w.x[81];
+  const Real x2371 = w.x[82];
+  const Real x2372 = w.x[83];
+  const Real x2466 = w.x[208];
+  const Real x2467 = w.x[209];
+  const Real x2468 = w.x[210];
+  const Real x2469 = w.x[211];
+  const Real x2470 = w.x[212];
+  const Real x2471 = w.x[213];
+  const Real x2472 = w.x[214];
+  const Real x2473 = w.x[215];
+  const Real x2474 = w.x[216];
+  const Real x2475 = w.x[217];
+  const Real x2476 = w.x[218];
+  const Real x2477 = w.x[219];
+  const Real x2478 = w.x[220];
+  const Real x2479 = w.x[221];
+  const Real x2480 = w.x[222];
+  const Real x2481 = w.x[236];
+  const Real x2482 = w.x[237];
+  const Real x2483 = w.x[238];
+  const Real x2484 = w.x[239];
+  const Real x2485 = w.x[240];
+  const Real x2486 = w.x[241];
   // message received
-  const Real x3997 = w.from[0][0];
-  const Real x3998 = w.from[0][1];
-  const Real x4002 = w.from[0][5];
-  const Real x3999 = w.from[0][2];
-  const Real x4003 = w.from[0][6];
-  const Real x4006 = w.from[0][9];
-  const Real x4000 = w.from[0][3];
-  const Real x4004 = w.from[0][7];
-  const Real x4007 = w.from[0][10];
-  const Real x4001 = w.from[0][4];
-  const Real x4009 = w.from[0][12];
-  const Real x4005 = w.from[0][8];
-  const Real x4008 = w.from[0][11];
-  const Real x4010 = w.from[0][13];
-  const Real x4027 = w.from[0][15];
-  const Real x4028 = w.from[0][16];
-  const Real x4011 = w.from[0][14];
-  const Real x4029 = w.from[0][17];
-  const Real x4030 = w.from[0][18];
-  const Real x4031 = w.from[0][19];
-  const Real x4032 = w.from[0][20];
-  const Real x4026 = x3990 + x4011;
-  const Real x4016 = x3975 + x4001;
-  const Real x4014 = x3973 + x3999;
-  const Real x4021 = x3985 + x4006;
-  const Real x4015 = x3974 + x4000;
-  const Real x4024 = x3988 + x4009;
-  const Real x4012 = x3970 + x3997;
-  require_more(w, x4012, 0.0, kFactorization, 15);
-  const Real x4013 = x3971 + x3998;
-  const Real x4033 = x3991 + x4027;
-  const Real x4017 = x3976 + x4002;
+  const Real x2487 = w.from[0][0];
+  const Real x2488 = w.from[0][1];
+  const Real x2492 = w.from[0][5];
+  const Real x2489 = w.from[0][2];
+  const Real x2493 = w.from[0][6];
+  const Real x2496 = w.from[0][9];
+  const Real x2490 = w.from[0][3];
+  const Real x2494 = w.from[0][7];
+  const Real x2497 = w.from[0][10];
+  const Real x2491 = w.from[0][4];
+  const Real x2499 = w.from[0][12];
+  const Real x2495 = w.from[0][8];
+  const Real x2498 = w.from[0][11];
+  const Real x2500 = w.from[0][13];
+  const Real x2517 = w.from[0][15];
+  const Real x2518 = w.from[0][16];
+  const Real x2501 = w.from[0][14];
+  const Real x2519 = w.from[0][17];
+  const Real x2520 = w.from[0][18];
+  const Real x2521 = w.from[0][19];
+  const Real x2522 = w.from[0][20];
+  const Real x2516 = x2480 + x2501;
+  const Real x2506 = x2245 + x2491;
+  const Real x2504 = x2225 + x2489;
+  const Real x2511 = x2475 + x2496;
+  const Real x2505 = x2226 + x2490;
+  const Real x2514 = x2478 + x2499;
+  const Real x2502 = x2243 + x2487;
+  require_more(w, x2502, 0.0, kFactorization, 15);
+  const Real x2503 = x2244 + x2488;
+  const Real x2523 = x2481 + x2517;
+  const Real x2507 = x2466 + x2492;
   // link 16 "torso": acceleration from its articulated-body inertia
-  const Real x4170 = x4026 * 1.7763568394002505e-15;
-  const Real x4168 = x4021 * 1.7763568394002505e-15;
-  const Real x4169 = x4024 * 1.7763568394002505e-15;
-  const Real x4167 = x3981 * 1.7763568394002505e-15;
-  const Real x4039 = 1 / x4012;
-  const Real x4166 = x4017 * 1.7763568394002505e-15;
-  const Real x4040 = x4013 * x4039;
-  const Real x4041 = x3972 * x4039;
-  const Real x4042 = x4014 * x4039;
-  const Real x4043 = x4015 * x4039;
-  const Real x4044 = x4016 * x4039;
-  const Real x4047 = x4017 - x4013 * x4040;
-  require_more(w, x4047, x4166, kFactorization, 15);
-  const Real x4050 = x3977 - x3972 * x4040;
-  const Real x4053 = x3978 + x4003 - x4014 * x4040;
-  const Real x4056 = x3979 + x4004 - x4015 * x4040;
-  const Real x4059 = x3980 + x4005 - x4016 * x4040;
-  const Real x4060 = 1 / x4047;
-  const Real x4179 = x4033 * x4040 - (x3992 + x4028);
-  const Real x4061 = x4050 * x4060;
-  const Real x4062 = x4053 * x4060;
-  const Real x4063 = x4056 * x4060;
-  const Real x4064 = x4059 * x4060;
-  const Real x4070 = x3981 - x3972 * x4041 - x4050 * x4061;
-  require_more(w, x4070, x4167, kFactorization, 15);
-  const Real x4076 = x3982 - x4014 * x4041 - x4053 * x4061;
-  const Real x4082 = x3983 - x4015 * x4041 - x4056 * x4061;
-  const Real x4088 = x3984 - x4016 * x4041 - x4059 * x4061;
-  const Real x4185 = x4033 * x4041 - (x3993 + x4029) - x4061 * x4179;
-  const Real x4089 = 1 / x4070;
-  const Real x4090 = x4076 * x4089;
-  const Real x4091 = x4082 * x4089;
-  const Real x4092 = x4088 * x4089;
-  const Real x4100 = x4021 - x4014 * x4042 - x4053 * x4062;
-  const Real x4101 = x4100 - x4076 * x4090;
-  require_more(w, x4101, x4168, kFactorization, 15);
-  const Real x4109 = x3986 + x4007 - x4015 * x4042 - x4056 * x4062;
-  const Real x4110 = x4109 - x4082 * x4090;
-  const Real x4132 = x4024 - x4015 * x4043 - x4056 * x4063;
-  const Real x4118 = x3987 + x4008 - x4016 * x4042 - x4059 * x4062;
-  const Real x4119 = x4118 - x4088 * x4090;
-  const Real x4144 = x3989 + x4010 - x4016 * x4043 - x4059 * x4063;
-  const Real x4160 = x4026 - x4016 * x4044 - x4059 * x4064;
-  const Real x4193 = x4033 * x4042 - (x3994 + x4030) - x4062 * x4179;
-  const Real x4194 = x4193 - x4090 * x4185;
-  const Real x4204 = x4033 * x4043 - (x3995 + x4031) - x4063 * x4179;
-  const Real x4218 = x4033 * x4044 - (x3996 + x4032) - x4064 * x4179;
-  const Real x4120 = 1 / x4101;
-  const Real x4121 = x4110 * x4120;
-  const Real x4122 = x4119 * x4120;
-  const Real x4134 = x4132 - x4082 * x4091 - x4110 * x4121;
-  require_more(w, x4134, x4169, kFactorization, 15);
-  const Real x4146 = x4144 - x4088 * x4091 - x4119 * x4121;
-  const Real x4206 = x4204 - x4091 * x4185 - x4121 * x4194;
-  const Real x4147 = 1 / x4134;
-  const Real x4148 = x4146 * x4147;
-  const Real x4162 = x4160 - x4088 * x4092 - x4119 * x4122;
-  const Real x4163 = x4162 - x4146 * x4148;
-  require_more(w, x4163, x4170, kFactorization, 15);
-  const Real x4220 = x4218 - x4092 * x4185 - x4122 * x4194;
-  const Real x4228 = 1 / x4163 * (x4220 - x4148 * x4206);
-  const Real x4231 = x4147 * x4206 - x4148 * x4228;
-  const Real x4237 = x4120 * x4194 - x4122 * x4228 - x4121 * x4231;
-  const Real x4245 = x4089 * x4185 - x4092 * x4228 - x4091 * x4231;
-  const Real x4246 = x4245 - x4090 * x4237;
-  const Real x4256 = x4060 * x4179 - x4064 * x4228 - x4063 * x4231;
-  const Real x4271 = x4033 * x4039 + x4044 * x4228 + x4043 * x4231;
-  const Real x4258 = x4256 - x4062 * x4237 - x4061 * x4246;
-  const Real x4275 = x4042 * x4237 + x4271 + x4041 * x4246;
-  const Real x4277 = x4040 * x4258 + x4275;
-  // joint 16 "left_shoulder_pitch": its acceleration, and that of the link beyond
-  const Real x4287 = x4231 + 0.29 * x4246;
-  const Real x4280 = 0.15 * x4258;
-  const Real x4291 = x4228 - 0.29 * x4258;
-  const Real x4282 = x4237 + x4280;
-  const Real x4283 = 0.15 * x4277;
-  const Real x4288 = x4283 + x4287;
-  const Real x4295 = sine[3] * x4258 - cosine[3] * x4277;
-  const Real x4299 = sine[3] * x4277 + cosine[3] * x4258;
-  const Real x4302 = cosine[3] * x4282 + sine[3] * x4288;
-  const Real x4306 = cosine[3] * x4288 - sine[3] * x4282;
-  const Real x4318 = x3782 - x3787 * x4291 - x3783 * x4295;
-  const Real x4320 = x4318 - x3784 * x4299 - x3785 * x4302;
-  const Real x4321 = x4320 - x3786 * x4306;
-  // joint 17 "left_shoulder_roll": its acceleration, and that of the link beyond
-  const Real x4325 = x4302 + 0.05 * x4299;
-  const Real x4328 = x4306 - 0.05 * x4295;
-  const Real x4338 = cosine[4] * x4291 + sine[4] * x4325;
-  const Real x4342 = cosine[4] * x4325 - sine[4] * x4291;
+  const Real x2660 = x2516 * 1.7763568394002505e-15;
+  const Real x2658 = x2511 * 1.7763568394002505e-15;
+  const Real x2659 = x2514 * 1.7763568394002505e-15;
+  const Real x2657 = x2471 * 1.7763568394002505e-15;
+  const Real x2529 = 1 / x2502;
+  const Real x2656 = x2507 * 1.7763568394002505e-15;
+  const Real x2530 = x2503 * x2529;
+  const Real x2531 = x2224 * x2529;
+  const Real x2532 = x2504 * x2529;
+  const Real x2533 = x2505 * x2529;
+  const Real x2534 = x2506 * x2529;
+  const Real x2537 = x2507 - x2503 * x2530;
+  require_more(w, x2537, x2656, kFactorization, 15);
+  const Real x2540 = x2467 - x2224 * x2530;
+  const Real x2543 = x2468 + x2493 - x2504 * x2530;
+  const Real x2546 = x2469 + x2494 - x2505 * x2530;
+  const Real x2549 = x2470 + x2495 - x2506 * x2530;
+  const Real x2550 = 1 / x2537;
+  const Real x2669 = x2523 * x2530 - (x2482 + x2518);
+  const Real x2551 = x2540 * x2550;
+  const Real x2552 = x2543 * x2550;
+  const Real x2553 = x2546 * x2550;
+  const Real x2554 = x2549 * x2550;
+  const Real x2560 = x2471 - x2224 * x2531 - x2540 * x2551;
+  require_more(w, x2560, x2657, kFactorization, 15);
+  const Real x2566 = x2472 - x2504 * x2531 - x2543 * x2551;
+  const Real x2572 = x2473 - x2505 * x2531 - x2546 * x2551;
+  const Real x2578 = x2474 - x2506 * x2531 - x2549 * x2551;
+  const Real x2675 = x2523 * x2531 - (x2483 + x2519) - x2551 * x2669;
+  const Real x2579 = 1 / x2560;
+  const Real x2580 = x2566 * x2579;
+  const Real x2581 = x2572 * x2579;
+  const Real x2582 = x2578 * x2579;
+  const Real x2590 = x2511 - x2504 * x2532 - x2543 * x2552;
+  const Real x2591 = x2590 - x2566 * x2580;
+  require_more(w, x2591, x2658, kFactorization, 15);
+  const Real x2599 = x2476 + x2497 - x2505 * x2532 - x2546 * x2552;
+  const Real x2600 = x2599 - x2572 * x2580;
+  const Real x2622 = x2514 - x2505 * x2533 - x2546 * x2553;
+  const Real x2608 = x2477 + x2498 - x2506 * x2532 - x2549 * x2552;
+  const Real x2609 = x2608 - x2578 * x2580;
+  const Real x2634 = x2479 + x2500 - x2506 * x2533 - x2549 * x2553;
+  const Real x2650 = x2516 - x2506 * x2534 - x2549 * x2554;
+  const Real x2683 = x2523 * x2532 - (x2484 + x2520) - x2552 * x2669;
+  const Real x2684 = x2683 - x2580 * x2675;
+  const Real x2694 = x2523 * x2533 - (x2485 + x2521) - x2553 * x2669;
+  const Real x2708 = x2523 * x2534 - (x2486 + x2522) - x2554 * x2669;
+  const Real x2610 = 1 / x2591;
+  const Real x2611 = x2600 * x2610;
+  const Real x2612 = x2609 * x2610;
+  const Real x2624 = x2622 - x2572 * x2581 - x2600 * x2611;
+  require_more(w, x2624, x2659, kFactorization, 15);
+  const Real x2636 = x2634 - x2578 * x2581 - x2609 * x2611;
+  const Real x2696 = x2694 - x2581 * x2675 - x2611 * x2684;
+  const Real x2637 = 1 / x2624;
+  const Real x2638 = x2636 * x2637;
+  const Real x2652 = x2650 - x2578 * x2582 - x2609 * x2612;
+  const Real x2653 = x2652 - x2636 * x2638;
+  require_more(w, x2653, x2660, kFactorization, 15);
+  const Real x2710 = x2708 - x2582 * x2675 - x2612 * x2684;
+  const Real x2718 = 1 / x2653 * (x2710 - x2638 * x2696);
+  const Real x2721 = x2637 * x2696 - x2638 * x2718;
+  const Real x2727 = x2610 * x2684 - x2612 * x2718 - x2611 * x2721;
+  const Real x2735 = x2579 * x2675 - x2582 * x2718 - x2581 * x2721;
+  const Real x2736 = x2735 - x2580 * x2727;
+  const Real x2746 = x2550 * x2669 - x2554 * x2718 - x2553 * x2721;
+  const Real x2761 = x2523 * x2529 + x2534 * x2718 + x2533 * x2721;
+  const Real x2748 = x2746 - x2552 * x2727 - x2551 * x2736;
+  const Real x2765 = x2532 * x2727 + x2761 + x2531 * x2736;
+  const Real x2767 = x2530 * x2748 + x2765;
+  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": their accelerations, and those of the links beyond
+  const Real x2782 = x2718 - 0.29 * x2748;
+  const Two x2773 = x2727 + Two{0.15, -0.15} * x2748;
+  const Two x2779 = x2721 + 0.29 * x2736 + Two{0.15, -0.15} * x2767;
+  const Two x2786 = taken<Two>(sine + 0) * x2748 - taken<Two>(cosine + 0) * x2767;
+  const Two x2790 = taken<Two>(sine + 0) * x2767 + taken<Two>(cosine + 0) * x2748;
+  const Two x2793 = taken<Two>(cosine + 0) * x2773 + taken<Two>(sine + 0) * x2779;
+  const Two x2797 = taken<Two>(cosine + 0) * x2779 - taken<Two>(sine + 0) * x2773;
+  const Two x2809 = x2034 - x2039 * x2782 - x2035 * x2786;
+  const Two x2811 = x2809 - x2036 * x2790 - x2037 * x2793;
+  const Two x2812 = x2811 - x2038 * x2797;
+  const Two x2813 = x2812 - x2736;
+  put(x2813, w.lanes.data() + 0);
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": their accelerations, and those of the links beyond
+  const Two x2819 = x2793 + Two{0.05, -0.05} * x2790;
+  const Two x2822 = x2797 - Two{0.05, -0.05} * x2786;
+  const Two x2832 = taken<Two>(cosine + 2) * x2782 + taken<Two>(sine + 2) * x2819;
+  const Two x2836 = taken<Two>(cosine + 2) * x2819 - taken<Two>(sine + 2) * x2782;
+  const Two x2825 = taken<Two>(cosine + 2) * x2812 + taken<Two>(sine + 2) * x2786;
+  const Two x2846 = x1881 - x1885 * x2822 - x1883 * x2832;
+  const Two x2848 = x2846 - x1884 * x2836 - x1882 * x2825;
   // joint 22 "neck_yaw": its acceleration, and that of the link beyond
-  const Real x4485 = x4231 + 0.38 * x4246;
-  const Real x4488 = x4228 - 0.38 * x4258;
-  const Real x4495 = cosine[9] * x4246 - sine[9] * x4258;
+  const Real x2989 = x2721 + 0.38 * x2736;
+  const Real x2992 = x2718 - 0.38 * x2748;
+  const Real x2999 = cosine[15] * x2736 - sine[15] * x2748;
+  const Real x3011 = x2370 - x2371 * (cosine[15] * x2748 + sine[15] * x2736);
+  const Real x3012 = x3011 - x2372 * (cosine[15] * x2992 - sine[15] * x2989);
+  const Real x3013 = x2767 + x3012;
+  w.result[27] = x3013;
   // joint 23 "neck_pitch": its acceleration, and that of the link beyond
-  const Real x4512 = cosine[9] * x4485 + sine[9] * x4488 + 0.06 * x4495;
-  // joint 24 "right_shoulder_pitch": its acceleration, and that of the link beyond
-  const Real x4538 = x4237 - x4280;
-  const Real x4539 = x4287 - x4283;
-  const Real x4543 = sine[11] * x4258 - cosine[11] * x4277;
-  const Real x4547 = sine[11] * x4277 + cosine[11] * x4258;
-  const Real x4550 = cosine[11] * x4538 + sine[11] * x4539;
-  const Real x4554 = cosine[11] * x4539 - sine[11] * x4538;
-  const Real x4566 = x2592 - x2598 * x4291 - x2593 * x4543;
-  const Real x4568 = x2594 * x4547 + x4566 - x2596 * x4550;
-  const Real x4569 = x4568 - x2597 * x4554;
-  // joint 25 "right_shoulder_roll": its acceleration, and that of the link beyond
-  const Real x4573 = x4550 - 0.05 * x4547;
-  const Real x4575 = x4554 + 0.05 * x4543;
-  // joint 16 "left_shoulder_pitch": its acceleration, and that of the link beyond
-  const Real x4322 = x4321 - x4246;
-  w.result[21] = x4322;
-  // joint 17 "left_shoulder_roll": its acceleration, and that of the link beyond
-  const Real x4331 = cosine[4] * x4321 + sine[4] * x4295;
-  const Real x4352 = x3631 - x3635 * x4328 - x3633 * x4338;
-  const Real x4354 = x4352 - x3634 * x4342 - x3632 * x4331;
-  const Real x4355 = x4354 - x4299;
-  w.result[22] = x4355;
-  // joint 18 "left_shoulder_yaw": its acceleration, and that of the link beyond
-  const Real x4360 = x4328 - 0.1 * x4331;
-  const Real x4357 = x4338 + 0.1 * x4354;
-  const Real x4363 = cosine[5] * x4354 + sine[5] * x4331;
-  const Real x4367 = cosine[5] * x4331 - sine[5] * x4354;
-  const Real x4370 = cosine[5] * x4360 + sine[5] * x4357;
-  const Real x4374 = cosine[5] * x4357 - sine[5] * x4360;
-  const Real x4386 = x3446 - x3452 * x4342 - x3447 * x4363;
-  // joint 19 "left_elbow": its acceleration, and that of the link beyond
-  const Real x4393 = x4370 - 0.11 * x4367;
-  // joint 22 "neck_yaw": its acceleration, and that of the link beyond
-  const Real x4507 = x2909 - x2910 * (cosine[9] * x4258 + sine[9] * x4246);
-  const Real x4508 = x4507 - x2911 * (cosine[9] * x4488 - sine[9] * x4485);
-  const Real x4509 = x4277 + x4508;
-  w.result[27] = x4509;
-  // joint 23 "neck_pitch": its acceleration, and that of the link beyond
-  const Real x4535 = x2808 + (cosine[10] * x4237 + sine[10] * x4512) * 1.7035775127768316;
-  // joint 24 "right_shoulder_pitch": its acceleration, and that of the link beyond
-  const Real x4570 = x4569 - x4246;
-  w.result[29] = x4570;
-  // joint 25 "right_shoulder_roll": its acceleration, and that of the link beyond
-  const Real x4585 = cosine[12] * x4291 + sine[12] * x4573;
-  const Real x4589 = cosine[12] * x4573 - sine[12] * x4291;
-  const Real x4578 = cosine[12] * x4569 + sine[12] * x4543;
-  const Real x4599 = x2437 - x2441 * x4575 - x2439 * x4585;
-  const Real x4601 = x4599 - x2440 * x4589 - x2438 * x4578;
-  // joint 26 "right_shoulder_yaw": its acceleration, and that of the link beyond
-  const Real x4607 = x4575 - 0.1 * x4578;
-  const Real x4604 = x4585 + 0.1 * x4601;
-  const Real x4610 = cosine[13] * x4601 + sine[13] * x4578;
-  const Real x4614 = cosine[13] * x4578 - sine[13] * x4601;
-  const Real x4617 = cosine[13] * x4607 + sine[13] * x4604;
-  const Real x4621 = cosine[13] * x4604 - sine[13] * x4607;
-  // joint 18 "left_shoulder_yaw": its acceleration, and that of the link beyond
-  const Real x4388 = x3448 * x4367 + x4386 - x3450 * x4370;
-  const Real x4389 = x4388 - x3451 * x4374;
-  const Real x4390 = x4389 - (cosine[4] * x4295 - sine[4] * x4321);
-  w.result[23] = x4390;
-  // joint 19 "left_elbow": its acceleration, and that of the link beyond
-  const Real x4395 = x4374 + 0.11 * x4363;
-  const Real x4405 = cosine[6] * x4342 + sine[6] * x4393;
-  const Real x4409 = cosine[6] * x4393 - sine[6] * x4342;
-  const Real x4398 = cosine[6] * x4389 + sine[6] * x4363;
-  const Real x4402 = cosine[6] * x4363 - sine[6] * x4389;
-  const Real x4421 = x3269 - x3274 * x4395 - x3272 * x4405;
-  const Real x4423 = x4421 - x3273 * x4409 - x3270 * x4398;
-  const Real x4424 = x4423 - x3271 * x4402;
-  const Real x4425 = x4424 - x4367;
-  w.result[24] = x4425;
-  // joint 20 "left_wrist_roll": its acceleration, and that of the link beyond
-  const Real x4436 = x4395 + 0.16 * x4402 + 0.01 * x4398;
-  const Real x4431 = x4409 - 0.16 * x4424;
-  const Real x4443 = cosine[7] * x4424 - sine[7] * x4402;
-  // joint 23 "neck_pitch": its acceleration, and that of the link beyond
-  const Real x4536 = x4535 - 7.666098807495741 * (cosine[10] * x4512 - sine[10] * x4237);
-  const Real x4537 = x4536 - x4495;
-  w.result[28] = x4537;
-  // joint 25 "right_shoulder_roll": its acceleration, and that of the link beyond
-  const Real x4602 = x4601 - x4547;
-  w.result[30] = x4602;
-  // joint 26 "right_shoulder_yaw": its acceleration, and that of the link beyond
-  const Real x4633 = x2252 - x2258 * x4589 - x2253 * x4610;
-  const Real x4635 = x2254 * x4614 + x4633 - x2256 * x4617;
-  const Real x4636 = x4635 - x2257 * x4621;
-  const Real x4637 = x4636 - (cosine[12] * x4543 - sine[12] * x4569);
-  w.result[31] = x4637;
-  // joint 27 "right_elbow": its acceleration, and that of the link beyond
-  const Real x4640 = x4617 - 0.11 * x4614;
-  const Real x4642 = x4621 + 0.11 * x4610;
-  const Real x4652 = cosine[14] * x4589 + sine[14] * x4640;
-  const Real x4656 = cosine[14] * x4640 - sine[14] * x4589;
-  const Real x4645 = cosine[14] * x4636 + sine[14] * x4610;
-  const Real x4649 = cosine[14] * x4610 - sine[14] * x4636;
-  const Real x4668 = x2075 - x2080 * x4642 - x2078 * x4652;
-  const Real x4670 = x4668 - x2079 * x4656 - x2076 * x4645;
-  const Real x4671 = x4670 - x2077 * x4649;
-  const Real x4672 = x4671 - x4614;
-  w.result[32] = x4672;
-  // joint 28 "right_wrist_roll": its acceleration, and that of the link beyond
-  const Real x4683 = x4642 + 0.16 * x4649 + 0.01 * x4645;
-  const Real x4678 = x4656 - 0.16 * x4671;
-  const Real x4690 = cosine[15] * x4671 - sine[15] * x4649;
-  // joint 20 "left_wrist_roll": its acceleration, and that of the link beyond
-  const Real x4455 = x3104 + x3105 * (cosine[7] * x4402 + sine[7] * x4424);
-  const Real x4456 = x3107 * (cosine[7] * x4436 - sine[7] * x4431) + x4455;
-  const Real x4457 = x4456 - x4398;
-  w.result[25] = x4457;
-  // joint 21 "left_wrist_pitch": its acceleration, and that of the link beyond
-  const Real x4460 = cosine[7] * x4431 + sine[7] * x4436 - 0.04 * x4443;
-  const Real x4476 = cosine[8] * x4460 - sine[8] * (x4405 - 0.01 * x4424);
-  const Real x4481 = x3028 + x4476 * 11.980035271220512 - x4443;
-  w.result[26] = x4481;
-  // joint 28 "right_wrist_roll": its acceleration, and that of the link beyond
-  const Real x4702 = x1910 + x1911 * (cosine[15] * x4649 + sine[15] * x4671);
-  const Real x4703 = x1913 * (cosine[15] * x4683 - sine[15] * x4678) + x4702;
-  const Real x4704 = x4703 - x4645;
-  w.result[33] = x4704;
-  // joint 29 "right_wrist_pitch": its acceleration, and that of the link beyond
-  const Real x4707 = cosine[15] * x4678 + sine[15] * x4683 - 0.04 * x4690;
-  const Real x4723 = cosine[16] * x4707 - sine[16] * (x4652 - 0.01 * x4671);
-  const Real x4727 = x1826 + 11.980035271220512 * x4723 - x4690;
-  w.result[34] = x4727;
+  const Real x3016 = cosine[15] * x2989 + sine[15] * x2992 + 0.06 * x2999;
+  const Real x3039 = x2269 + (cosine[16] * x2727 + sine[16] * x3016) * 1.7035775127768316;
+  const Real x3040 = x3039 - 7.666098807495741 * (cosine[16] * x3016 - sine[16] * x2727);
+  const Real x3041 = x3040 - x2999;
+  w.result[28] = x3041;
+  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": their accelerations, and those of the links beyond
+  const Two x2849 = x2848 - x2790;
+  put(x2849, w.lanes.data() + 2);
+  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": their accelerations, and those of the links beyond
+  const Two x2856 = x2822 - 0.1 * x2825;
+  const Two x2853 = x2832 + 0.1 * x2848;
+  const Two x2859 = taken<Two>(cosine + 4) * x2848 + taken<Two>(sine + 4) * x2825;
+  const Two x2863 = taken<Two>(cosine + 4) * x2825 - taken<Two>(sine + 4) * x2848;
+  const Two x2866 = taken<Two>(cosine + 4) * x2856 + taken<Two>(sine + 4) * x2853;
+  const Two x2870 = taken<Two>(cosine + 4) * x2853 - taken<Two>(sine + 4) * x2856;
+  const Two x2882 = x1694 - x1700 * x2836 - x1695 * x2859;
+  const Two x2884 = x1696 * x2863 + x2882 - x1698 * x2866;
+  const Two x2885 = x2884 - x1699 * x2870;
+  const Two x2886 = x2885 - (taken<Two>(cosine + 2) * x2786 - taken<Two>(sine + 2) * x2812);
+  put(x2886, w.lanes.data() + 4);
+  // joints 19 "left_elbow", 27 "right_elbow": their accelerations, and those of the links beyond
+  const Two x2891 = x2866 - 0.11 * x2863;
+  const Two x2893 = x2870 + 0.11 * x2859;
+  const Two x2903 = taken<Two>(cosine + 6) * x2836 + taken<Two>(sine + 6) * x2891;
+  const Two x2907 = taken<Two>(cosine + 6) * x2891 - taken<Two>(sine + 6) * x2836;
+  const Two x2896 = taken<Two>(cosine + 6) * x2885 + taken<Two>(sine + 6) * x2859;
+  const Two x2900 = taken<Two>(cosine + 6) * x2859 - taken<Two>(sine + 6) * x2885;
+  const Two x2919 = x1515 - x1520 * x2893 - x1518 * x2903;
+  const Two x2921 = x2919 - x1519 * x2907 - x1516 * x2896;
+  const Two x2922 = x2921 - x1517 * x2900;
+  const Two x2923 = x2922 - x2863;
+  put(x2923, w.lanes.data() + 6);
+  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": their accelerations, and those of the links beyond
+  const Two x2936 = x2893 + 0.16 * x2900 + 0.01 * x2896;
+  const Two x2931 = x2907 - 0.16 * x2922;
+  const Two x2943 = taken<Two>(cosine + 8) * x2922 - taken<Two>(sine + 8) * x2900;
+  const Two x2955 = x1348 + x1349 * (taken<Two>(cosine + 8) * x2900 + taken<Two>(sine + 8) * x2922);
+  const Two x2956 = x1351 * (taken<Two>(cosine + 8) * x2936 - taken<Two>(sine + 8) * x2931) + x2955;
+  const Two x2957 = x2956 - x2896;
+  put(x2957, w.lanes.data() + 8);
+  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": their accelerations, and those of the links beyond
+  const Two x2962 = taken<Two>(cosine + 8) * x2931 + taken<Two>(sine + 8) * x2936 - 0.04 * x2943;
+  const Two x2978 = taken<Two>(cosine + 10) * x2962 - taken<Two>(sine + 10) * (x2903 - 0.01 * x2922);
+  const Two x2983 = x1262 + x2978 * 11.980035271220512 - x2943;
+  put(x2983, w.lanes.data() + 10);
 }
 
 // ---- 5. processes -------------------------------------------------------------------------------
@@ -5028,6 +3766,7 @@ ADAGEN_NOINLINE void part_1_4(Workspace& w) {
 // Process 0: 16 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 constexpr std::array<int, 16> kRead_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 constexpr std::array<int, 16> kOwned_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+constexpr std::array<int, 15> kAngles_0{7, 13, 8, 14, 9, 15, 10, 16, 11, 17, 12, 18, 19, 20, 21};
 
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
@@ -5035,28 +3774,55 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   if (!all(unlike_zero(q + 0, 22) + unlike_zero(v + 0, 21) + unlike_zero(tau + 0, 21) == 0))
     name_what_is_not_finite(w, kRead_0, kOwned_0);
   w.to[0] = channel.outgoing(0, w.status);
-  take_sines_and_cosines<15>(q + 7, w.sine.data(), w.cosine.data());
+  take_sines_and_cosines(q, kAngles_0, w.sine.data(), w.cosine.data());
   part_0_0(w);
   part_0_1(w);
-  part_0_2(w);
   stamp(1);
   stamp(2);
   channel.send(0, w.status);  // to process 1: what hangs on "torso"
   stamp(3);
-  part_0_3(w);
+  part_0_2(w);
   w.from[1] = channel.receive(1, w.status);  // from process 1: what hangs on "torso"
   stamp(4);
-  part_0_4(w);
+  part_0_3(w);
   stamp(5);
   stamp(6);
-  if (!all(unlike_zero(w.result.data() + 0, 21) == 0)) name_what_overflows(w, kOwned_0);
+  if (!all(unlike_zero(w.result.data() + 0, 6) + unlike_zero(w.result.data() + 18, 3) + unlike_zero<Two, 6>(w.lanes.data() + 0) == 0)) {
+    w.result[6] = w.lanes[0];
+    w.result[7] = w.lanes[2];
+    w.result[8] = w.lanes[4];
+    w.result[9] = w.lanes[6];
+    w.result[10] = w.lanes[8];
+    w.result[11] = w.lanes[10];
+    w.result[12] = w.lanes[1];
+    w.result[13] = w.lanes[3];
+    w.result[14] = w.lanes[5];
+    w.result[15] = w.lanes[7];
+    w.result[16] = w.lanes[9];
+    w.result[17] = w.lanes[11];
+    name_what_overflows(w, kOwned_0);
+  }
   if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 0, 21, w.qdd + 0);
+  std::copy_n(w.result.data() + 0, 6, w.qdd + 0);
+  std::copy_n(w.result.data() + 18, 3, w.qdd + 18);
+  w.qdd[6] = w.lanes[0];
+  w.qdd[7] = w.lanes[2];
+  w.qdd[8] = w.lanes[4];
+  w.qdd[9] = w.lanes[6];
+  w.qdd[10] = w.lanes[8];
+  w.qdd[11] = w.lanes[10];
+  w.qdd[12] = w.lanes[1];
+  w.qdd[13] = w.lanes[3];
+  w.qdd[14] = w.lanes[5];
+  w.qdd[15] = w.lanes[7];
+  w.qdd[16] = w.lanes[9];
+  w.qdd[17] = w.lanes[11];
 }
 
 // Process 1: 14 of 30 joints: "left_shoulder_pitch", "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", "left_wrist_pitch", ...; kinematics of 4 more on the way to the ground
 constexpr std::array<int, 18> kRead_1{0, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
 constexpr std::array<int, 14> kOwned_1{16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
+constexpr std::array<int, 17> kAngles_1{22, 30, 23, 31, 24, 32, 25, 33, 26, 34, 27, 35, 19, 20, 21, 28, 29};
 
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
@@ -5064,40 +3830,48 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   if (!all(unlike_zero(q + 0, 7) + unlike_zero(q + 19, 17) + unlike_zero(v + 0, 6) + unlike_zero(v + 18, 17) + unlike_zero(tau + 21, 14) == 0))
     name_what_is_not_finite(w, kRead_1, kOwned_1);
   w.to[1] = channel.outgoing(1, w.status);
-  w.angle[0] = q[19];
-  w.angle[1] = q[20];
-  w.angle[2] = q[21];
-  w.angle[3] = q[22];
-  w.angle[4] = q[23];
-  w.angle[5] = q[24];
-  w.angle[6] = q[25];
-  w.angle[7] = q[26];
-  w.angle[8] = q[27];
-  w.angle[9] = q[28];
-  w.angle[10] = q[29];
-  w.angle[11] = q[30];
-  w.angle[12] = q[31];
-  w.angle[13] = q[32];
-  w.angle[14] = q[33];
-  w.angle[15] = q[34];
-  w.angle[16] = q[35];
-  take_sines_and_cosines<17>(w.angle.data(), w.sine.data(), w.cosine.data());
+  take_sines_and_cosines(q, kAngles_1, w.sine.data(), w.cosine.data());
   part_1_0(w);
   part_1_1(w);
-  part_1_2(w);
   stamp(1);
   stamp(2);
   channel.send(1, w.status);  // to process 0: what hangs on "torso"
   stamp(3);
-  part_1_3(w);
+  part_1_2(w);
   w.from[0] = channel.receive(0, w.status);  // from process 0: what hangs on "torso"
   stamp(4);
-  part_1_4(w);
+  part_1_3(w);
   stamp(5);
   stamp(6);
-  if (!all(unlike_zero(w.result.data() + 21, 14) == 0)) name_what_overflows(w, kOwned_1);
+  if (!all(unlike_zero(w.result.data() + 27, 2) + unlike_zero<Two, 6>(w.lanes.data() + 0) == 0)) {
+    w.result[21] = w.lanes[0];
+    w.result[22] = w.lanes[2];
+    w.result[23] = w.lanes[4];
+    w.result[24] = w.lanes[6];
+    w.result[25] = w.lanes[8];
+    w.result[26] = w.lanes[10];
+    w.result[29] = w.lanes[1];
+    w.result[30] = w.lanes[3];
+    w.result[31] = w.lanes[5];
+    w.result[32] = w.lanes[7];
+    w.result[33] = w.lanes[9];
+    w.result[34] = w.lanes[11];
+    name_what_overflows(w, kOwned_1);
+  }
   if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 21, 14, w.qdd + 21);
+  std::copy_n(w.result.data() + 27, 2, w.qdd + 27);
+  w.qdd[21] = w.lanes[0];
+  w.qdd[22] = w.lanes[2];
+  w.qdd[23] = w.lanes[4];
+  w.qdd[24] = w.lanes[6];
+  w.qdd[25] = w.lanes[8];
+  w.qdd[26] = w.lanes[10];
+  w.qdd[29] = w.lanes[1];
+  w.qdd[30] = w.lanes[3];
+  w.qdd[31] = w.lanes[5];
+  w.qdd[32] = w.lanes[7];
+  w.qdd[33] = w.lanes[9];
+  w.qdd[34] = w.lanes[11];
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
