@@ -1,8 +1,8 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
-// options   form segment, shape unrolled, scalar float, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// program   2 processes, joined at cuts; 0.505 us predicted (default profile)
+// options   form segment, shape kernels, scalar float, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// program   2 processes, joined at cuts; 1.02 us predicted (default profile)
 //           process 0: base_yaw .. forearm_roll
 //           process 1: wrist_pitch .. right_finger_slide
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
@@ -13,7 +13,7 @@
 // accelerations come back. Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura
 // joins them: Phi = (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent
 // link's side) and chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
-// Spatial vectors are [angular; linear], in link frames turned so that every joint axis is z.
+// Spatial vectors are [angular; linear], in the axes of the base, about each link's origin.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls
@@ -91,6 +91,10 @@ void arm7_float_p2_close(arm7_float_p2_solver* solver);
 
 #include <csignal>
 #endif
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
 #define ADAGEN_HOT [[gnu::hot]] ADAGEN_NOINLINE  // called in each step of a simulation; main is cold
@@ -349,6 +353,638 @@ std::string describe(int status) {
   }
   return "unknown failure";
 }
+
+// Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
+constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
+typedef Real Lanes __attribute__((vector_size(64)));
+typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
+typedef Bits LaneBits __attribute__((vector_size(64)));
+
+// Where registers are narrower, gcc tells that vectors are passed in other ways; none is, all is
+// inlined.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+#define ADAGEN_ALWAYS __attribute__((always_inline))
+#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
+#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
+
+ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
+ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
+
+// Whether any bit is set. Half by half: compilers take lanes apart one by one if left to it.
+typedef std::int64_t FourWords __attribute__((vector_size(32)));
+typedef std::int64_t TwoWords __attribute__((vector_size(16)));
+template <class T>
+ADAGEN_INLINE bool any_of(const T& x) {
+  if constexpr (sizeof x > sizeof(TwoWords)) {
+    typedef std::conditional_t<sizeof x == sizeof(FourWords), TwoWords, FourWords> Half;
+    Half halves[2];
+    std::memcpy(halves, &x, sizeof x);
+    const Half either = halves[0] | halves[1];
+    return any_of(either);
+  } else {
+    std::int64_t words[2]{};
+    std::memcpy(words, &x, sizeof x);
+    return (words[0] | words[1]) != 0;
+  }
+}
+
+// Whether all numbers are positive: false for NaN.
+ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
+template <class T>
+ADAGEN_INLINE bool all_positive(const T& x) {
+  return !any_of(~(x > T{}));
+}
+
+// One number or the other, lane by lane.
+ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
+  const LaneBits bits =
+      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
+  return reinterpret_cast<Lanes>(bits);
+}
+
+ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
+ADAGEN_INLINE bool all_zero(const Lanes& x) { return !any_of(x != Lanes{}); }
+
+ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
+ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
+  Lanes result = x;
+  for (int k = 0; k < kLanes; ++k) result[k] = std::tanh(x[k]);
+  return result;
+}
+
+// Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
+// three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
+// kLargestAngle; beyond, each lane is left to the C library.
+template <class R>
+struct Trigonometry;
+
+template <>
+struct Trigonometry<double> {
+  [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
+  [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
+  [[maybe_unused]] static constexpr double kParts[3] = {
+      1.57079632673412561417e+00, 6.07710050630396597660e-11, 2.02226624871116645580e-21};
+  [[maybe_unused]] static constexpr double kSine[6] = {
+      1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
+      -1.98412698295895385996e-4, 8.33333333332211858878e-3,  -1.66666666666666307295e-1};
+  [[maybe_unused]] static constexpr double kCosine[6] = {
+      -1.13585365213876817300e-11, 2.08757008419747316778e-9,  -2.75573141792967388112e-7,
+      2.48015872888517045348e-5,   -1.38888888888730564116e-3, 4.16666666666665929218e-2};
+};
+
+template <>
+struct Trigonometry<float> {
+  [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
+  [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
+  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f,
+                                                       7.54978995489188216e-8f};
+  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f,
+                                                      -1.6666654611e-1f};
+  [[maybe_unused]] static constexpr float kCosine[3] = {
+      2.443315711809948e-5f, -1.388731625493765e-3f, 4.166664568298827e-2f};
+};
+
+template <std::size_t n>
+ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
+  Lanes result = Lanes{} + coefficients[0];
+  ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
+  return result;
+}
+
+ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
+                                         Lanes& cosine) {
+  for (int k = 0; k < kLanes; ++k)
+    if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
+// Of angles that are not too large.
+ADAGEN_INLINE void near_sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  using Table = Trigonometry<Real>;
+  const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
+  const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
+  const Lanes turns = shifted - Table::kRound;
+  const Lanes rest =
+      ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
+  const Lanes square = rest * rest;
+  const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
+  const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
+  const LaneBits swapped = -(quadrant & 1);
+  const LaneBits s_bits = reinterpret_cast<LaneBits>(s);
+  const LaneBits c_bits = reinterpret_cast<LaneBits>(c);
+  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
+  const LaneBits sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
+  const LaneBits cosine_bits =
+      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
+  sine = reinterpret_cast<Lanes>(sine_bits);
+  cosine = reinterpret_cast<Lanes>(cosine_bits);
+}
+
+ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
+  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
+  return (angle > kLargest) | (angle < -kLargest);
+}
+
+ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  near_sine_and_cosine(angle, sine, cosine);
+  const LaneBits beyond = too_large(angle);
+  if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
+}
+
+// Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
+// computed with: one number, or one for each of several states or links.
+template <class T>
+struct Vector {
+  T x, y, z;
+};
+
+template <class T>
+struct Matrix {
+  Vector<T> x, y, z;  // rows
+};
+
+template <class T>
+struct Symmetric {
+  T xx, xy, xz, yy, yz, zz;
+};
+
+template <class T>
+ADAGEN_INLINE Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Vector<T>& a, const S& s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Vector<T>& a, const Vector<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+template <class T, class S>
+ADAGEN_INLINE T dot(const Vector<T>& a, const Vector<S>& b) {
+  return a.x * b.x + (a.y * b.y + a.z * b.z);
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> cross(const Vector<T>& a, const Vector<S>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Matrix<T>& m, const Vector<S>& a) {
+  return {dot(m.x, a), dot(m.y, a), dot(m.z, a)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> transposed_times(const Matrix<T>& m, const Vector<T>& a) {
+  return {m.x.x * a.x + (m.y.x * a.y + m.z.x * a.z), m.x.y * a.x + (m.y.y * a.y + m.z.y * a.z),
+          m.x.z * a.x + (m.y.z * a.y + m.z.z * a.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> row_times(const Vector<T>& a, const Matrix<S>& m) {
+  return {a.x * m.x.x + (a.y * m.y.x + a.z * m.z.x), a.x * m.x.y + (a.y * m.y.y + a.z * m.z.y),
+          a.x * m.x.z + (a.y * m.y.z + a.z * m.z.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Matrix<T> operator*(const Matrix<T>& a, const Matrix<S>& b) {
+  return {row_times(a.x, b), row_times(a.y, b), row_times(a.z, b)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator*(const Symmetric<T>& m, const Vector<T>& a) {
+  return {m.xx * a.x + (m.xy * a.y + m.xz * a.z), m.xy * a.x + (m.yy * a.y + m.yz * a.z),
+          m.xz * a.x + (m.yz * a.y + m.zz * a.z)};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Symmetric<T>& a, const Symmetric<T>& b) {
+  a.xx += b.xx, a.xy += b.xy, a.xz += b.xz, a.yy += b.yy, a.yz += b.yz, a.zz += b.zz;
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Matrix<T>& a, const Matrix<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+
+// A body about a point: spatial inertia [[A, B], [B^T, C]] (A rotational, C of mass) and bias force
+// [n; f]. It is a link, or a link with all that hangs on it.
+template <class T>
+struct Body {
+  Symmetric<T> A;
+  Matrix<T> B;
+  Symmetric<T> C;
+  Vector<T> n, f;
+};
+
+template <class T>
+ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
+  a.A += b.A, a.B += b.B, a.C += b.C, a.n += b.n, a.f += b.f;
+}
+
+// The body told about the point at -r from the one that it is told about: B + rx C, and
+// A + rx B^T - (B + rx C) rx.
+template <class T>
+ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Matrix<T> B{{X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
+                     X.B.x.z + (r.y * C.zz - r.z * C.yz)},
+                    {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
+                     X.B.y.z + (r.z * C.xz - r.x * C.zz)},
+                    {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
+                     X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
+  X.A.xx += (r.y * X.B.x.z - r.z * X.B.x.y) - (B.x.y * r.z - B.x.z * r.y);
+  X.A.xy += (r.y * X.B.y.z - r.z * X.B.y.y) - (B.x.z * r.x - B.x.x * r.z);
+  X.A.xz += (r.y * X.B.z.z - r.z * X.B.z.y) - (B.x.x * r.y - B.x.y * r.x);
+  X.A.yy += (r.z * X.B.y.x - r.x * X.B.y.z) - (B.y.z * r.x - B.y.x * r.z);
+  X.A.yz += (r.z * X.B.z.x - r.x * X.B.z.z) - (B.y.x * r.y - B.y.y * r.x);
+  X.A.zz += (r.x * X.B.z.y - r.y * X.B.z.x) - (B.z.x * r.y - B.z.y * r.x);
+  X.B = B;
+  X.n += cross(r, X.f);
+}
+
+// The same for a body whose A and B are zero, as a point mass's: B = rx C, A = -B rx.
+template <class T>
+ADAGEN_INLINE void shift_mass(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Vector<T> Cx{C.xx, C.xy, C.xz}, Cy{C.xy, C.yy, C.yz}, Cz{C.xz, C.yz, C.zz};
+  X.B = {Cz * r.y - Cy * r.z, Cx * r.z - Cz * r.x, Cy * r.x - Cx * r.y};
+  const Vector<T> Ax = cross(r, X.B.x), Ay = cross(r, X.B.y), Az = cross(r, X.B.z);
+  X.A = {Ax.x, Ax.y, Ax.z, Ay.y, Ay.z, Az.z};
+  X.n += cross(r, X.f);
+}
+
+// The inertia less U U^T / D, U = [n; f] and e = U / D.
+template <class T>
+ADAGEN_INLINE void subtract(Body<T>& X, const Vector<T>& n, const Vector<T>& f,
+                            const Vector<T>& e_n, const Vector<T>& e_f) {
+  X.A.xx -= e_n.x * n.x, X.A.xy -= e_n.x * n.y, X.A.xz -= e_n.x * n.z;
+  X.A.yy -= e_n.y * n.y, X.A.yz -= e_n.y * n.z, X.A.zz -= e_n.z * n.z;
+  X.B.x.x -= e_n.x * f.x, X.B.x.y -= e_n.x * f.y, X.B.x.z -= e_n.x * f.z;
+  X.B.y.x -= e_n.y * f.x, X.B.y.y -= e_n.y * f.y, X.B.y.z -= e_n.y * f.z;
+  X.B.z.x -= e_n.z * f.x, X.B.z.y -= e_n.z * f.y, X.B.z.z -= e_n.z * f.z;
+  X.C.xx -= e_f.x * f.x, X.C.xy -= e_f.x * f.y, X.C.xz -= e_f.x * f.z;
+  X.C.yy -= e_f.y * f.y, X.C.yz -= e_f.y * f.z, X.C.zz -= e_f.z * f.z;
+}
+
+// Where a point moves that is at r from one that moves as [angular; linear].
+template <class T>
+struct Motion {
+  Vector<T> angular, linear;
+};
+
+template <class T, class S>
+ADAGEN_INLINE void carry(Motion<T>& a, const Vector<S>& r) {
+  a.linear += cross(a.angular, r);
+}
+
+// The rotation that a quaternion x y z w of any length stands for, and its squared length.
+template <class T>
+ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<T>& R) {
+  const T squared = (x * x + y * y) + (z * z + w * w);
+  const T s = 2 / squared;
+  const T xx = s * x * x, yy = s * y * y, zz = s * z * z, xy = s * x * y, xz = s * x * z,
+          yz = s * y * z, xw = s * x * w, yw = s * y * w, zw = s * z * w;
+  R = {{1 - (yy + zz), xy - zw, xz + yw},
+       {xy + zw, 1 - (xx + zz), yz - xw},
+       {xz - yw, yz + xw, 1 - (xx + yy)}};
+  return squared;
+}
+
+// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
+// the motion itself, and one for each slaved joint's coupling torque.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+using Mat3 = Eigen::Matrix<Real, 3, 3>;
+using Vec6 = Eigen::Matrix<Real, 6, 1>;
+using Mat6 = Eigen::Matrix<Real, 6, 6>;
+using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
+
+// Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
+struct Transform {
+  Mat3 E;  // rotates parent coordinates into child coordinates
+  Vec3 r;  // origin of the child frame in parent coordinates
+
+  template <class M>
+  void times(const M& m, M& result) const {
+    for (int k = 0; k < M::ColsAtCompileTime; ++k) {
+      const Vec3 angular = m.col(k).template head<3>();
+      const Vec3 linear = m.col(k).template tail<3>();
+      result.col(k).template head<3>().noalias() = E * angular;
+      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
+    }
+  }
+
+  // X^T m: takes a wrench on the child to the same wrench on the parent.
+  Columns6 transposed_times(const Columns6& m) const {
+    Columns6 result;
+    for (int k = 0; k < kColumns; ++k) {
+      const Vec3 force = E.transpose() * m.col(k).template tail<3>();
+      result.col(k).template head<3>() =
+          E.transpose() * m.col(k).template head<3>() + r.cross(force);
+      result.col(k).template tail<3>() = force;
+    }
+    return result;
+  }
+};
+
+ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
+  Mat6 result;
+  X.times(m, result);
+  return result;
+}
+
+ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
+  Mat6 transposed, result;
+  transposed.noalias() = m.transpose();
+  X.times(transposed, result);
+  return result;
+}
+
+// m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
+ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
+  Mat6 result = times_transposed(X, m);
+  result.transposeInPlace();
+  return result;
+}
+
+template <int columns>
+Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
+                                          const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
+  X.times(m, result);
+  return result;
+}
+
+// Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
+// quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
+[[maybe_unused]] Real conjugate_rotation(const Number* quaternion, Mat3& E) {
+  const Real x = Real(quaternion[0]), y = Real(quaternion[1]);
+  const Real z = Real(quaternion[2]), w = Real(quaternion[3]);
+  const Real squared = x * x + y * y + z * z + w * w;
+  const Real s = 2 / squared;
+  E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
+      s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w),   //
+      s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y);
+  return squared;
+}
+
+// b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
+ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
+  using Constant3 = Eigen::Map<const Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>>;
+  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 c(Real(link.com[0]), Real(link.com[1]), Real(link.com[2]));
+  const Vec3 momentum = Constant3(link.tensor).cast<Real>() * omega;
+  const Vec3 alpha = Constant3(link.tensor_inverse).cast<Real>() * momentum.cross(omega);
+  b.setZero();
+  b.col(0).template head<3>() = alpha;
+  b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
+}
+
+// Joint kinds in their canonical frames: the rows of a spatial vector that a joint frees (R, S) and
+// those it constrains (N). Both are selections, so N and R cost nothing and round nothing.
+template <int... Rows>
+struct Selection {
+  static constexpr int count = sizeof...(Rows);
+  static constexpr std::array<int, sizeof...(Rows)> row{Rows...};
+};
+
+struct Revolute {
+  using Free = Selection<2>;
+  using Constrained = Selection<0, 1, 3, 4, 5>;
+};
+struct Prismatic {
+  using Free = Selection<5>;
+  using Constrained = Selection<0, 1, 2, 3, 4>;
+};
+struct Spherical {
+  using Free = Selection<0, 1, 2>;
+  using Constrained = Selection<3, 4, 5>;
+};
+struct Planar {
+  using Free = Selection<3, 4, 2>;
+  using Constrained = Selection<0, 1, 5>;
+};
+struct Floating {
+  using Free = Selection<3, 4, 5, 0, 1, 2>;
+  using Constrained = Selection<>;
+};
+
+template <class Kind>
+[[maybe_unused]] constexpr int kFree = Kind::Free::count;
+template <class Kind>
+[[maybe_unused]] constexpr int kConstrained = Kind::Constrained::count;
+
+// S qd, the velocity across a joint.
+template <class Kind>
+Vec6 joint_velocity(const Number* qd) {
+  Vec6 result = Vec6::Zero();
+  for (int k = 0; k < kFree<Kind>; ++k) result[Kind::Free::row[k]] = Real(qd[k]);
+  return result;
+}
+
+// c_i = v_i x S qd, the part of the acceleration across a joint that qdd has no say in.
+template <class Kind>
+Columns6 velocity_product(const Vec6& velocity, const Number* qd) {
+  const Vec6 motion = joint_velocity<Kind>(qd);
+  Columns6 result = Columns6::Zero();
+  result.col(0).template head<3>() = velocity.head<3>().cross(motion.head<3>());
+  result.col(0).template tail<3>() =
+      velocity.head<3>().cross(motion.tail<3>()) + velocity.tail<3>().cross(motion.head<3>());
+  return result;
+}
+
+// What disassembly needs of a joint i that was assembled.
+template <class Kind>
+struct Joined {
+  static constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  std::array<std::array<Real, m>, m> L;         // Cholesky factor of V_i^-1; its diagonal inverted
+  std::array<std::array<Real, m>, n> RPN;       // R_i (Phi_Ai + Phi_Bi) N_i^T
+  std::array<std::array<Real, kColumns>, m> z;  // L^-1 N_i beta_i
+  std::array<std::array<Real, kColumns>, n> R_beta;  // R_i beta_i
+  std::array<std::array<Real, kColumns>, n> tau;
+};
+
+// How a joint i and a handle j of one chain feel each other: Z = L^-1 N_i Phi_ij, Y = R_i Phi_ij.
+template <class Kind>
+struct Coupled {
+  std::array<std::array<Real, 6>, kConstrained<Kind>> Z;
+  std::array<std::array<Real, 6>, kFree<Kind>> Y;
+};
+
+// x <- L^-1 x, row by row.
+template <std::size_t m, std::size_t k>
+void forward_substitute(const std::array<std::array<Real, m>, m>& L,
+                        std::array<std::array<Real, k>, m>& x) {
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t c = 0; c < k; ++c) x[i][c] -= L[i][j] * x[j][c];
+    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
+  }
+}
+
+// x <- L^-T x.
+template <std::size_t m, std::size_t k>
+void backward_substitute(const std::array<std::array<Real, m>, m>& L,
+                         std::array<std::array<Real, k>, m>& x) {
+  for (std::size_t i = m; i-- > 0;) {
+    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t c = 0; c < k; ++c) x[j][c] -= L[i][j] * x[i][c];
+  }
+}
+
+// Cholesky's factorization in place, the inverse of the diagonal in its place. False where a pivot
+// has lost every digit, or was none to begin with.
+template <std::size_t m>
+bool factorize(std::array<std::array<Real, m>, m>& L) {
+  bool good = true;
+  for (std::size_t j = 0; j < m; ++j) {
+    Real pivot = L[j][j];
+    const Real least = 8 * std::numeric_limits<Real>::epsilon() * pivot;
+    for (std::size_t k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
+    good = good && pivot > least && pivot <= std::numeric_limits<Real>::max();
+    const Real inverse = 1 / std::sqrt(pivot);
+    L[j][j] = inverse;
+    for (std::size_t i = j + 1; i < m; ++i) {
+      for (std::size_t k = 0; k < j; ++k) L[i][j] -= L[i][k] * L[j][k];
+      L[i][j] *= inverse;
+    }
+  }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
+  return good;
+}
+
+// V_i and beta_i of Eq. (3)-(7): Phi_A and Phi_B are those of the joint's two sides in its frame,
+// b_A, b_B and c the accelerations there. Returns false where the factorization fails.
+template <class Kind>
+ADAGEN_NOINLINE bool join(Joined<Kind>& i, const Mat6& Phi_A, const Mat6& Phi_B,
+                          const Columns6& b_A, const Columns6& b_B, const Columns6& c) {
+  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  constexpr auto& free = Kind::Free::row;
+  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
+  const Mat6 Phi = Phi_A + Phi_B;
+  Columns6 beta = b_A - b_B + c;
+  for (int k = 0; k < n; ++k)
+    for (int column = 0; column < kColumns; ++column)
+      beta.col(column) -= Phi.col(free[k]) * i.tau[k][column];
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column < kColumns; ++column)
+      i.R_beta[row][column] = beta(free[row], column);
+    for (int k = 0; k < m; ++k) i.RPN[row][k] = Phi(free[row], constrained[k]);
+  }
+  if constexpr (m > 0) {
+    for (int row = 0; row < m; ++row) {
+      for (int k = 0; k <= row; ++k) i.L[row][k] = Phi(constrained[row], constrained[k]);
+      for (int column = 0; column < kColumns; ++column)
+        i.z[row][column] = beta(constrained[row], column);
+    }
+    const bool good = factorize(i.L);
+    forward_substitute(i.L, i.z);
+    return good;
+  }
+  return true;
+}
+
+// Z and Y of a handle j, Phi_ij being given with the joint's frame on its left.
+template <class Kind>
+ADAGEN_NOINLINE void couple(const Joined<Kind>& i, const Mat6& Phi_ij, Coupled<Kind>& j) {
+  for (int row = 0; row < kFree<Kind>; ++row)
+    for (int k = 0; k < 6; ++k) j.Y[row][k] = Phi_ij(Kind::Free::row[row], k);
+  if constexpr (kConstrained<Kind> > 0) {
+    for (int row = 0; row < kConstrained<Kind>; ++row)
+      for (int k = 0; k < 6; ++k) j.Z[row][k] = Phi_ij(Kind::Constrained::row[row], k);
+    forward_substitute(i.L, j.Z);
+  }
+}
+
+// Phi_Aji W_i Phi_Aik = Z_j^T Z_k: what Eq. (3) and (4) subtract and Eq. (5) is.
+template <class Kind>
+ADAGEN_NOINLINE Mat6 product([[maybe_unused]] const Coupled<Kind>& j,
+                             [[maybe_unused]] const Coupled<Kind>& k) {
+  Mat6 result = Mat6::Zero();
+  if constexpr (kConstrained<Kind> > 0) {
+    for (int row = 0; row < kConstrained<Kind>; ++row) {
+      const Vec6 left = Eigen::Map<const Vec6>(j.Z[row].data());
+      const Vec6 right = Eigen::Map<const Vec6>(k.Z[row].data());
+      result.noalias() += left * right.transpose();
+    }
+  }
+  return result;
+}
+
+// Phi_ji gamma_i = Z^T z + Y^T tau: the change of b_j in Eq. (6) and (7).
+template <class Kind>
+Columns6 bias_change(const Joined<Kind>& i, const Coupled<Kind>& j) {
+  Columns6 result = Columns6::Zero();
+  for (int column = 0; column < kColumns; ++column) {
+    for (int row = 0; row < kConstrained<Kind>; ++row)
+      result.col(column) += Eigen::Map<const Vec6>(j.Z[row].data()) * i.z[row][column];
+    for (int row = 0; row < kFree<Kind>; ++row)
+      result.col(column) += Eigen::Map<const Vec6>(j.Y[row].data()) * i.tau[row][column];
+  }
+  return result;
+}
+
+// Disassembly of a joint: collects what the outer forces do to it, then gives its acceleration and
+// its force.
+template <class Kind>
+class Release {
+ public:
+  explicit Release(const Joined<Kind>& i) : i_(i), z_(i.z), qdd_(i.R_beta) {
+    for (auto& row : qdd_)
+      for (Real& x : row) x = -x;
+  }
+
+  void feel_A(const Coupled<Kind>& j, const Columns6& f) { feel(j, f, Real(1)); }
+  void feel_B(const Coupled<Kind>& k, const Columns6& f) { feel(k, f, Real(-1)); }
+
+  // f_i, Eq. (10); on the way n_i, Eq. (8), and qdd_i, Eq. (9).
+  Columns6 force() {
+    if constexpr (kConstrained<Kind> > 0) backward_substitute(i_.L, z_);
+    Columns6 f;
+    for (int column = 0; column < kColumns; ++column) {
+      for (int k = 0; k < kConstrained<Kind>; ++k)
+        f(Kind::Constrained::row[k], column) = z_[k][column];
+      for (int k = 0; k < kFree<Kind>; ++k) {
+        f(Kind::Free::row[k], column) = i_.tau[k][column];
+        for (int l = 0; l < kConstrained<Kind>; ++l)
+          qdd_[k][column] += i_.RPN[k][l] * z_[l][column];
+      }
+    }
+    return f;
+  }
+
+  const std::array<std::array<Real, kColumns>, kFree<Kind>>& qdd() const { return qdd_; }
+
+ private:
+  void feel(const Coupled<Kind>& j, const Columns6& f, Real sign) {
+    for (int column = 0; column < kColumns; ++column) {
+      const Vec6 signed_f = sign * f.col(column);
+      for (int row = 0; row < kConstrained<Kind>; ++row)
+        z_[row][column] += Eigen::Map<const Vec6>(j.Z[row].data()).dot(signed_f);
+      for (int row = 0; row < kFree<Kind>; ++row)
+        qdd_[row][column] -= Eigen::Map<const Vec6>(j.Y[row].data()).dot(signed_f);
+    }
+  }
+
+  const Joined<Kind>& i_;
+  std::array<std::array<Real, kColumns>, kConstrained<Kind>> z_;
+  std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
+};
 
 constexpr std::array<MessageInfo, 4> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "flange_roll"
@@ -689,1814 +1325,2035 @@ std::chrono::steady_clock::rep* trace_stamps =
   if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
 }
 
-// ---- 4. joints ----------------------------------------------------------------------------------
+// ---- 4. kernels ---------------------------------------------------------------------------------
+// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
+// base's link), about each link's own origin. Links move as they would were all joint accelerations
+// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
 
 // What is computed with.
 using Value = Real;
 
-// The memory of a process: the state, angles with sine and cosine, what messages hold, and values
-// that one function leaves to another.
-struct Workspace {
+// A link's mass, that times its centre of mass, and its pseudo-inertia, sum of m x x^T: xx xy xz yy
+// yz zz. About the link's origin.
+struct LinkInertia {
+  Real mass, moments[3], tensor[6];
+};
+constexpr std::array<LinkInertia, kJointCount> kInertias{ {
+    {3.6f, {0.0f, 0.0f, 0.36000000000000004f},
+     {0.00441f, 0.0f, 0.0f, 0.00441f, 0.0f, 0.04800000000000001f}},
+    {3.1f, {0.0f, -0.31000000000000005f, 0.0f},
+     {0.00279f, 0.0f, 0.0f, 0.045880000000000004f, 0.0f, 0.00279f}},
+    {2.6f, {0.0f, 0.0f, -0.078f},
+     {0.00196625f, 0.0f, 0.0f, 0.00196625f, 0.0f, 0.009359999999999999f}},
+    {2.2f, {-0.11000000000000001f, 0.22000000000000003f, 0.0f},
+     {0.006875000000000001f, -0.011000000000000003f, 0.0f, 0.030873300000000003f, 0.0f, 0.001375f}},
+    {1.7f, {0.0f, 0.017f, -0.136f},
+     {0.000860625f, 0.0f, 0.0f, 0.0010306249999999999f, -0.00136f, 0.014506665f}},
+    {1.3f, {0.052000000000000005f, 0.013000000000000001f, 0.0f},
+     {0.0027300000000000002f, 0.0005200000000000001f, 0.0f, 0.00078f, 0.0f, 0.00065f}},
+    {0.85f, {0.007199999999999999f, 0.0f, 0.0754f},
+     {0.0006599999999999998f, 0.0f, 0.00014399999999999992f, 0.0025143300000000004f, 0.0f, 0.007576f}},
+    {0.05f, {0.0015f, 0.0f, 0.0005f},
+     {6.0000035e-05f, 0.0f, 1.5e-05f, 1.666665e-06f, 0.0f, 6.666665e-06f}},
+    {0.05f, {0.0015f, 0.0f, 0.0005f},
+     {6.0000035e-05f, 0.0f, 1.5e-05f, 1.666665e-06f, 0.0f, 6.666665e-06f}},
+} };
+
+// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
+// segments of long runs.
+constexpr int kSlotCount = 9;
+constexpr bool kAbreast = false;  // whether there are such
+constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
+constexpr bool kReordered = false;  // whether joints lie in another order than they have
+constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8 };
+constexpr bool kByColumns = true;  // whether runs are taken by columns
+
+// What a process does at a link.
+struct LinkRole {
+  bool gathers;   // paths meet at it inwards
+  bool adds_own;  // its own inertia is this process's to add
+  bool parts;     // paths part at it outwards
+  bool oriented;  // the quaternion of the joint above it is this process's to take
+};
+constexpr LinkRole kRoles[2][kLinkCount]{
+    {{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
+};
+
+// What is kept where segments meet, with the joint that it belongs to.
+struct Joint_shoulder_pitch {
+  Mat6 Phi_turret;
+  Columns6 b_turret;
+  Mat6 Phi_upper_arm;
+  Columns6 b_upper_arm;
+  Mat6 Phi_elbow_housing;
+  Columns6 b_elbow_housing;
+  Mat6 Phi_forearm;
+  Columns6 b_forearm;
+  Columns6 F_on_forearm;
+};
+struct Joint_forearm_roll {
+  Transform X, Y;  // to the joint's frame, about its two links' origins
+  Joined<Revolute> joined;
+};
+struct Joint_flange_roll {
+  Mat6 Phi_wrist_housing;
+  Columns6 b_wrist_housing;
+  Columns6 F_on_wrist_housing;
+};
+struct Cuts {
+  Joint_shoulder_pitch j_shoulder_pitch;
+  Joint_forearm_roll j_forearm_roll;
+  Joint_flange_roll j_flange_roll;
+  std::array<Columns6, kLinkCount> loads;  // wrenches on links, from handle forces
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+// The memory of a process. What is set up for many links at once lies in blocks, side by side.
+constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
+constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
+
+// Joints that are treated together, one in each lane of T; their slots follow each other.
+template <class T>
+[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Value));
+template <class T>
+struct Joints {
+  int slot;  // of the first one
+  int joint[kWidth<T>];
+
+  constexpr const JointConstants& any() const {
+    return kJoints[static_cast<std::size_t>(joint[0])];
+  }
+};
+constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
+ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
+
+// The lanes of limbs side by side.
+typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+
+// A number of each of the joints.
+template <class T, class Number, std::size_t... lane>
+ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
+                        std::index_sequence<lane...>) {
+  return T{number(kJoints[static_cast<std::size_t>(joints.joint[lane])])...};
+}
+template <class T, class Number>
+ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
+  if constexpr (kWidth<T> == 1) {
+    const auto one = number(kJoints[static_cast<std::size_t>(joints.joint[0])]);
+    if constexpr (std::is_same_v<decltype(one), const T>)
+      return one;
+    else
+      return T{} + one;
+  } else {
+    return each_of(joints, number, std::make_index_sequence<kWidth<T>>{});
+  }
+}
+
+// What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
+enum Entry : int {
+  kTurn = 0,           // rotation from the child's to the parent link's axes, row by row
+  kAxes = 9,           // the link's orientation R, row by row: its z is the joint's axis
+  kOmega = 18,         // angular velocity
+  kAlpha = 21,         // angular acceleration and
+  kAcceleration = 24,  // acceleration of its origin less gravity, were all joint accelerations zero
+  kRotational = 27,    // A of the bare link
+  kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
+  kTorque = 36,        // bias force n
+  kForce = 39,         // and f of the bare link
+  kEntries = 42
+};
+
+struct alignas(64) Block {
+  Value entries[kEntries][kPerBlock];
+};
+
+// Three numbers of each of the joints, that follow each other in x.
+template <class T>
+ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
+                                    int JointConstants::* place) {
+  const auto number = [&](int k) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
+  };
+  return {number(0), number(1), number(2)};
+}
+
+// Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
+[[maybe_unused]] constexpr bool any_of(JointKind kind) {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
+[[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
+[[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
+[[maybe_unused]] constexpr bool any_passive() {
+  for (const JointConstants& joint : kJoints) {
+    const Passive& own = joint.passive;
+    if (own.damping != 0 || own.friction != 0 || own.stiffness != 0 || own.rotor != 0) return true;
+  }
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnyPassive = any_passive();
+
+// Whether a joint's axis lies beside what it is treated with, and not with those of its block.
+template <class T>
+constexpr bool kWithAxis = kByColumns && kWidth<T> == 1;
+// Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
+constexpr int kMostFactors = kAnyPlanar ? 24 : kAnySpherical ? 18 : 8;
+
+// What is kept of a joint from the inward to the outward sweep.
+template <class T, bool with_axis = kWithAxis<T>>
+struct Eliminated {
+  Vector<T> r;  // from the parent link's origin to the child link's
+  T e[kMostFactors];
+};
+template <class T>
+struct alignas(64) Eliminated<T, true> {
+  Vector<T> axis;
+  T none;  // so that axis and r lie as the halves of a column
+  Vector<T> r;
+  T nothing;
+  T e[kMostFactors];
+};
+using Memory = Eliminated<Value>;
+
+// A bare link as it is added to columns (see inward_columns.hpp).
+struct alignas(64) LinkColumns {
+  Real tensor[8], moments[8], force[8];
+};
+
+// A link's orientation and how it moves, were all joint accelerations zero.
+template <class T>
+struct Frame {
+  Matrix<T> R;
+  Vector<T> omega, alpha, a;
+};
+
+struct Workspace : Cuts {
   const Value* q = nullptr;
   const Value* v = nullptr;
   const Value* tau = nullptr;
   Value* qdd = nullptr;
   int status = kFine;
-  alignas(kCacheLine) std::array<Value, 7> angle{}, sine{}, cosine{};
-  std::array<Value, kNv> result{};
-  std::array<Real*, kPlanMessages> to{};          // messages to be sent
-  std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Value, 86> x{};
+  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
+  std::array<Block, kBlockCount> blocks{};
+  std::array<Memory, kJointCount> joints{};
+  std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
+  std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
+  // Of the link beyond each joint, and one for slots that are not filled.
+  std::array<LinkColumns, kByColumns ? kJointCount + 1 : 0> columns{};
+  std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
+  std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
+  std::array<Value, kNv> answer{};
+
+  Workspace() {
+    for (Block& block : blocks)  // slots that are not filled do not turn
+      for (const int k : {0, 4, 8}) std::fill_n(block.entries[kTurn + k], kPerBlock, Value{} + 1);
+    for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
+      for (int k = 0; k < 9; ++k)
+        of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
+  }
+
+  Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
+  Value* at(int slot, Entry entry) {
+    return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
+  }
+
+  template <class T>
+  Eliminated<T>& memory(const Joints<T>& of) {
+    if constexpr (kWidth<T> == 1)
+      return joints[static_cast<std::size_t>(of.joint[0])];
+    else if constexpr (kWidth<T> == 2)
+      return twos[static_cast<std::size_t>(of.slot / 2)];
+    else
+      return fours[static_cast<std::size_t>(of.slot / 4)];
+  }
 };
 
-// What straight lines of numbers need.
-inline bool all(bool good, bool also = true) { return good && also; }
-
-// Zero for finite numbers only: x - x is.
-inline Real unlike_zero(const Real* x, int count) {
-  Real sum = 0;
-  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
-  return sum;
+template <class T = Value>
+ADAGEN_INLINE T number_at(const Value* x) {
+  T result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const T& number) {
+  std::memcpy(x, &number, sizeof number);
+}
+template <class T = Value>
+ADAGEN_INLINE Vector<T> vector_at(const Value* x, int stride = kPerBlock) {
+  return {number_at<T>(x), number_at<T>(x + stride), number_at<T>(x + 2 * stride)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Vector<T>& a) {
+  put_at(x, a.x), put_at(x + kPerBlock, a.y), put_at(x + 2 * kPerBlock, a.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Matrix<T> matrix_at(const Value* x) {
+  return {vector_at<T>(x), vector_at<T>(x + 3 * kPerBlock), vector_at<T>(x + 6 * kPerBlock)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Matrix<T>& m) {
+  put_at(x, m.x), put_at(x + 3 * kPerBlock, m.y), put_at(x + 6 * kPerBlock, m.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
+  return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
+}
+template <class T>
+ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
+  if constexpr (kWithAxis<T>)
+    return w.memory(joints).axis;
+  else
+    return axis_at<T>(w.at(joints.slot, kAxes));
 }
 
-// Sine and cosine by the polynomials of fdlibm on [-pi/4, pi/4], after taking multiples of pi/2
-// away in three parts. No branch: a loop over it is done in SIMD lanes.
-inline void sine_and_cosine(double angle, double& sine, double& cosine) {
-  constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
-  const double n = (angle * 0.63661977236758134308 + kRound) - kRound;
-  const double r = ((angle - n * 1.57079632673412561417e+00) - n * 6.07710050630396597660e-11) -
-                   n * 2.02226624871116645580e-21;
-  const double z = r * r, z2 = z * z, z4 = z2 * z2;
-  const double s = r + r * z *
-                           ((-1.66666666666666307295e-1 + z * 8.33333333332211858878e-3) +
-                            z2 * (-1.98412698295895385996e-4 + z * 2.75573136213857245213e-6) +
-                            z4 * (-2.50507477628578072866e-8 + z * 1.58962301576546568060e-10));
-  const double c =
-      (1 - 0.5 * z) + z2 * ((4.16666666666665929218e-2 - z * 1.38888888888730564116e-3) +
-                            z2 * (2.48015872888517045348e-5 - z * 2.75573141792967388112e-7) +
-                            z4 * (2.08757008419747316778e-9 - z * 1.13585365213876817300e-11));
-  const double half = std::floor(n * 0.5), odd = n - 2 * half;
-  const double sign = 1 - 2 * (half - 2 * std::floor(half * 0.5));
-  sine = sign * (odd != 0 ? c : s);
-  cosine = sign * (odd != 0 ? -s : c);
+// A body in a message.
+[[maybe_unused]] constexpr int kBodyNumbers = 27;
+template <class T>
+ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
+  static_assert(sizeof X == kBodyNumbers * sizeof(Real));
+  std::memcpy(to, &X, sizeof X);
+  return to + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* get(const Real* from, Body<T>& X) {
+  std::memcpy(&X, from, sizeof X);
+  return from + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* add(const Real* from, Body<T>& X) {
+  Body<T> other;
+  from = get(from, other);
+  X += other;
+  return from;
 }
 
-template <int count>
-inline void take_sines_and_cosines(const Real* angle, Real* sine, Real* cosine) {
-  constexpr double kFar = 1e5;  // beyond, the three parts of pi/2 would lose digits
-  Real farthest = 0;
-  for (int k = 0; k < count; ++k) {
-    double s, c;
-    sine_and_cosine(angle[k], s, c);
-    sine[k] = Real(s), cosine[k] = Real(c);
+ADAGEN_INLINE Lanes wide(const Value* x) {
+  Lanes result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+
+// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
+  Value tau = w.tau[joint.v];
+  if constexpr (kAnyPassive) {
+    const Passive& own = joint.passive;
+    const Value& qd = w.v[joint.v];
+    if (own.damping != 0) tau -= own.damping * qd;
+    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
   }
-  for (int k = 0; k < count; ++k) farthest = std::max(farthest, std::abs(angle[k]));
-  if (farthest <= kFar) return;
-  for (int k = 0; k < count; ++k) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+  return tau;
 }
 
-// What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
-// results.
-#define ADAGEN_INPUTS                                                              \
-  [[maybe_unused]] const Value *const q = w.q, *const v = w.v, *const tau = w.tau; \
-  [[maybe_unused]] const Value *const sine = w.sine.data(), *const cosine = w.cosine.data();
+// A joint of prescribed motion among limbs side by side gives way to nothing and moves as told.
+ADAGEN_INLINE Real immovable(const JointConstants& joint) {
+  return joint.passive.prescribed ? std::numeric_limits<Real>::infinity() : 0;
+}
+ADAGEN_INLINE Value prescribed(const Workspace& w, const JointConstants& joint) {
+  return joint.passive.prescribed ? w.tau[joint.v] : Value{};
+}
 
-[[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+// Accelerations are given only where all went well.
+inline void give(Workspace& w, int first, int count) {
+  if (w.status == kFine)
+    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
+}
 
-inline void fail(Workspace& w, Failure kind, int joint) {
+[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
+[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
+  for (int k = 0; k < 9; ++k)
+    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
+  return true;
+}
+
+// What cannot be solved is refused, with the joint at fault.
+
+ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
-// A state was found not to be finite: which joint's?
-template <std::size_t reads, std::size_t owns>
-[[gnu::cold]] ADAGEN_NOINLINE void name_what_is_not_finite(Workspace& w,
-                                                           const std::array<int, reads>& read,
-                                                           const std::array<int, owns>& owned) {
-  for (const int j : read) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!all(unlike_zero(w.q + joint.q, joint.nq) + unlike_zero(w.v + joint.v, joint.nv) == 0))
-      fail(w, kNotFinite, j);
-  }
-  for (const int j : owned) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!all(unlike_zero(w.tau + joint.v, joint.nv) == 0)) fail(w, kNotFinite, j);
-  }
+// x - x is zero, in all bits, for finite x only.
+ADAGEN_INLINE LaneBits unlike_zero(const Value* x) {
+  return reinterpret_cast<LaneBits>(wide(x) - wide(x));
+}
+ADAGEN_INLINE bool finite(const Value* x, int count) {
+  LaneBits found{};
+  int k = 0;
+  for (; k + kPerBlock <= count; k += kPerBlock) found |= unlike_zero(x + k);
+  if (k > 0 && k < count)
+    found |= unlike_zero(x + count - kPerBlock);  // some of them once more
+  else
+    for (; k < count; ++k)
+      if (!all_zero(x[k] - x[k])) return false;
+  return !any_of(found);
 }
 
-[[maybe_unused]] inline void require_length(Workspace& w, const Value& squared, int joint) {
-  if (!all(squared >= std::numeric_limits<Real>::min(),
-           squared <= std::numeric_limits<Real>::max()))
-    fail(w, kZeroQuaternion, joint);
+// Tells which of entries first .. is the first that is not finite; place says where a joint's
+// entries start.
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
+                               Failure kind) {
+  while (finite(x + first, 1)) ++first;
+  int joint = 0;
+  for (int j = 0; j < kJointCount; ++j)
+    if (kJoints[static_cast<std::size_t>(j)].*place <= first) joint = j;
+  fail(w, kind, joint);
 }
 
-// A pivot or a mobility has to be more than what rounding may have left of it.
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::* place, Failure kind) {
+  if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
+}
+
+// Whether nothing failed, and entries first .. first + count - 1 of the answer are finite.
+ADAGEN_INLINE bool went_well(const Workspace& w, int first, int count) {
+  return __builtin_expect(
+      w.status == kFine && finite(&w.answer[static_cast<std::size_t>(first)], count), 1);
+}
+
 template <class T>
-[[maybe_unused]] void require_more(Workspace& w, const Value& x, const T& least, Failure kind,
-                                   int joint) {
-  if (!all(x > least, x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
+ADAGEN_INLINE bool has_length(const T& squared) {
+  return all_positive(squared - std::numeric_limits<Real>::min()) &&
+         all_positive(std::numeric_limits<Real>::max() - squared);
+}
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!has_length(squared)) fail(w, kZeroQuaternion, joint);
 }
 
-// A result was found not to be finite: which joint's?
-template <std::size_t owns>
-[[gnu::cold]] ADAGEN_NOINLINE void name_what_overflows(Workspace& w,
-                                                       const std::array<int, owns>& owned) {
-  for (const int j : owned) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!all(unlike_zero(w.result.data() + joint.v, joint.nv) == 0)) fail(w, kOverflow, j);
+// An elimination failed for one of the joints: for that whose number is not positive.
+template <class T>
+ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]] const T& x) {
+  int lane = 0;
+  if constexpr (kWidth < T >> 1)
+    while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
+  fail(w, kFactorization, joints.joint[lane]);
+}
+
+// Loops over rows of joints: a run's joints, or those of limbs side by side, of one kind each.
+// Where few stretches of one kind follow each other, each is a loop of its own that knows its kind.
+template <int first, int last>
+struct RunRows {
+  static constexpr int kCount = last - first + 1;
+  static constexpr JointKind kind(int k) {
+    return kJoints[static_cast<std::size_t>(first + k)].kind;
+  }
+};
+
+constexpr int kMostStretches = 8;
+
+// Where the stretch ends that begins with the k-th row of an order.
+template <class Rows, bool backwards>
+constexpr int end_of_stretch(int k) {
+  const auto kind = [](int i) { return Rows::kind(backwards ? Rows::kCount - 1 - i : i); };
+  int end = k + 1;
+  while (end < Rows::kCount && kind(end) == kind(k)) ++end;
+  return end;
+}
+template <class Rows>
+constexpr bool few_stretches() {
+  int count = 0;
+  for (int k = 0; k < Rows::kCount; ++count) k = end_of_stretch<Rows, false>(k);
+  return count <= kMostStretches;
+}
+
+// Calls step(row, kind) for each row, the last one first if backwards.
+template <class Rows, bool backwards, int begin = 0, class Step>
+ADAGEN_INLINE void each_row(const Step& step) {
+  constexpr auto row = [](int k) { return backwards ? Rows::kCount - 1 - k : k; };
+  if constexpr (few_stretches<Rows>()) {
+    constexpr int end = end_of_stretch<Rows, backwards>(begin);
+    constexpr std::integral_constant<JointKind, Rows::kind(row(begin))> kind;
+    for (int k = begin; k < end; ++k) step(row(k), kind);
+    if constexpr (end < Rows::kCount) each_row<Rows, backwards, end>(step);
+  } else {
+    for (int k = 0; k < Rows::kCount; ++k) step(row(k), Rows::kind(row(k)));
   }
 }
 
-// Each function is a straight line. A value is called x and its number in the expression graph; zeros
-// and constants are folded in, nothing is computed twice, and what nobody needs is not there.
-// Frames are the links' own; accelerations are deviations from the field that the links would have
-// with all joint accelerations zero.
+// What needs no recursion, for as many links at once as a register holds.
 
-// =================================================================================================
-// Process 0: 768 products, 597 sums, 8 quotients
-// =================================================================================================
+// A number of each joint of a block, as constants of the model are kept.
+using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
 
-ADAGEN_NOINLINE void part_0_0(Workspace& w) {
-  ADAGEN_INPUTS
-  // joint 1 "shoulder_pitch": placement, velocity and reference acceleration of its link
-  const Real x20 = v[0] * 0.9999999999932537f;
-  const Real x29 = v[1] - v[0] * 3.673205103346574e-06f;
-  const Real x25 = sine[1] * x20;
-  const Real x27 = cosine[1] * x20;
-  const Real x37 = sine[1] * 9.809999999933819f;
-  const Real x30 = v[1] * x27;
-  const Real x59 = x27 * x29;
-  const Real x32 = v[1] * x25;
-  const Real x55 = x25 * x27;
-  // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
-  const Real x80 = 3.673205103346574e-06f * x27 + 0.9999999999932537f * x29;
-  const Real x95 = 3.673205103346574e-06f * x32;
-  const Real x89 = sine[2] * x80 - x25 * cosine[2];
-  const Real x120 = (x25 * x25 + x29 * x29) * 0.3f;
-  const Real x122 = x120 - cosine[1] * 9.809999999933819f;
-  const Real x125 = -3.603414206382989e-05f + (x30 + x59) * 0.3f;
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x578 = 2.0f * sine[3];
-  const Real x577 = sine[3] * 0.22000000000000003f + cosine[3] * 0.11000000000000001f;
-  const Real x574 = cosine[3] * 0.22000000000000003f - sine[3] * 0.11000000000000001f;
-  const Real x618 = 0.6410884728583804f * x578 - cosine[3] * 0.9616327092875707f;
-  const Real x594 = cosine[3] * 0.023998300000000004f - 0.011000000000000003f * x578;
-  const Real x584 = 0.9999999999932537f * x577;
-  const Real x580 = 0.9999999999932537f * x574;
-  const Real x582 = 3.673205103346574e-06f * x574;
-  const Real x622 = cosine[3] * x618;
-  const Real x598 = cosine[3] * x594;
-  const Real x586 = 0.9999999999932537f * x584;
-  const Real x589 = 3.673205103346574e-06f * x584;
-  const Real x624 = 0.9178230542832393f - x622;
-  const Real x600 = 0.03224830000000001f - x598;
-  const Real x597 = 0.011000000000000003f + sine[3] * x594;
-  const Real x621 = -0.6410884728583804f + sine[3] * x618;
-  const Real x588 = x577 - x586;
-  const Real x604 = 3.673205103346574e-06f * x600;
-  const Real x625 = 3.673205103346574e-06f * x621;
-  const Real x627 = 0.9999999999932537f * x621;
-  const Real x629 = 3.673205103346574e-06f * (x624 - 2.2f);
-  const Real x609 = 3.673205103346574e-06f * x604;
-  const Real x655 = 0.9999999999932537f * x597 - 0.08f * x580;
-  const Real x639 = 0.08f * x625;
-  const Real x633 = 3.673205103346574e-06f * x629;
-  const Real x631 = 0.9999999999932537f * x629;
-  const Real x635 = 2.2f + x633;
-  const Real x636 = x624 - x633;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x841 = 2.0f * sine[2];
-  // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
-  const Real x94 = 0.9999999999932537f * x27 - 3.673205103346574e-06f * x29 + v[2];
-  const Real x93 = x25 * sine[2] + cosine[2] * x80;
-  const Real x97 = 0.9999999999932537f * x32;
-  const Real x114 = x30 * sine[2] - cosine[2] * x95 - v[2] * x89;
-  const Real x162 = x89 * x94;
-  const Real x118 = x37 + x55 * 0.3f;
-  const Real x129 = 0.9999999999932537f * x125 - 3.673205103346574e-06f * x122;
-  const Real x134 = 0.9999999999932537f * x122 + 3.673205103346574e-06f * x125;
-  const Real x148 = x93 * x93;
-  const Real x143 = sine[2] * x118 + cosine[2] * x129;
-  const Real x139 = sine[2] * x129 - cosine[2] * x118;
-  const Real x111 = v[2] * x93 - (x30 * cosine[2] + sine[2] * x95);
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x174 = 0.9999999999932537f * x94 - 3.673205103346574e-06f * x93;
-  const Real x183 = x89 * cosine[3] + sine[3] * x174;
-  const Real x188 = v[3] - (0.9999999999932537f * x93 + 3.673205103346574e-06f * x94);
-  const Real x187 = cosine[3] * x174 - x89 * sine[3];
-  const Real x220 = x143 + (x89 * x93 - x97) * 0.08f;
-  const Real x222 = (x162 - x114) * 0.08f - x134;
-  const Real x246 = x188 * x188;
-  const Real x199 = 3.673205103346574e-06f * x97 - 0.9999999999932537f * x114;
-  const Real x249 = x183 * x187;
-  const Real x218 = x139 - (x148 + x94 * x94) * 0.08f;
-  const Real x252 = x183 * x183 + x246;
-  const Real x247 = x187 * x187 + x246;
-  const Real x226 = 0.9999999999932537f * x222 - 3.673205103346574e-06f * x220;
-  const Real x193 = 3.673205103346574e-06f * x114 + 0.9999999999932537f * x97;
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x643 = x589 + 0.08f * x631;
-  const Real x645 = 0.08f * x635 - x586;
-  const Real x648 = x588 - 0.08f * x636;
-  const Real x666 = 0.08f * x589 - 0.9999999999932537f * x604 + 0.08f * x643;
-  const Real x671 = x600 - x609 - 0.08f * x586 + 0.08f * x645;
-  const Real x717 = 0.0039325f + x671;
-  require_more(w, x717, 0.0f, kFactorization, 2);
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x728 = 1 / x717;
-  w.x[0] = x728;
-  const Real x731 = x655 * x728;
-  w.x[1] = x731;
-  const Real x732 = x666 * x728;
-  w.x[2] = x732;
-  const Real x733 = x639 * x728;
-  w.x[3] = x733;
-  const Real x735 = x645 * x728;
-  w.x[4] = x735;
-  const Real x736 = x643 * x728;
-  w.x[5] = x736;
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x239 = cosine[3] * x226 - sine[3] * x218;
-  const Real x235 = cosine[3] * x218 + sine[3] * x226;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x744 = x655 * x733;
-  const Real x740 = 0.00825f + x598 + 0.01132625f - x655 * x731;
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x715 = x609 - 0.08f * x588 - 0.08f * x648 + 0.01132625f;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x754 = x715 - x666 * x732;
-  const Real x743 = 0.08f * x582 - 3.673205103346574e-06f * x597 - x655 * x732;
-  const Real x748 = 0.078f - x580 - x655 * x735;
-  const Real x757 = -0.078f - 0.08f * x627 + x666 * x733;
-  const Real x760 = x643 - x666 * x735;
-  const Real x766 = 1.87945576357081f + x622 + 2.6f - x639 * x733;
-  const Real x775 = 2.6f + x635 - x645 * x735;
-  const Real x769 = x639 * x735 - x625;
-  const Real x751 = x655 * x736 - x582;
-  const Real x763 = x648 + x666 * x736;
-  const Real x772 = x627 - x639 * x736;
-  const Real x778 = x645 * x736 - x631;
-  const Real x845 = cosine[2] * (x740 - x754) - x743 * x841;
-  const Real x806 = cosine[2] * (x744 - x760) - sine[2] * (x748 + x757);
-  const Real x873 = cosine[2] * (x766 - x775) - x769 * x841;
-  const Real x800 = sine[2] * x751 + cosine[2] * x763;
-  const Real x849 = cosine[2] * x845;
-  const Real x807 = sine[2] * x806;
-  const Real x811 = cosine[2] * x806;
-  const Real x877 = cosine[2] * x873;
-  const Real x851 = x740 - x849;
-  const Real x848 = x743 + sine[2] * x845;
-  const Real x810 = x757 + x807;
-  const Real x813 = x744 - x811;
-  const Real x879 = x766 - x877;
-  const Real x855 = 3.673205103346574e-06f * x851;
-  const Real x816 = 0.9999999999932537f * x810;
-  const Real x859 = 3.673205103346574e-06f * x855;
-  const Real x831 = 3.673205103346574e-06f * x813 + 0.9999999999932537f * x800;
-  const Real x887 = 3.673205103346574e-06f * (cosine[2] * x772 - sine[2] * x778);
-  const Real x824 = 3.673205103346574e-06f * (cosine[2] * x751 - sine[2] * x763);
-  const Real x826 = 0.9999999999932537f * (x748 + x807) - x824;
-  const Real x891 = 3.673205103346574e-06f * (x879 - (2.6f + x636 - x643 * x736));
-  // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
-  const Real x157 = x93 * x94;
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x254 = x187 * x188;
-  const Real x211 = x111 * cosine[3] - sine[3] * x193 + v[3] * x187;
-  const Real x259 = x183 * x188;
-  const Real x214 = x111 * sine[3] + cosine[3] * x193 + v[3] * x183;
-  const Real x256 = x211 + x254;
-  const Real x260 = x214 + x259;
-  const Real x231 = 0.9999999999932537f * x220 + 3.673205103346574e-06f * x222;
-  // link 4 "forearm": force that the reference field takes
-  const Real x515 = x199 * 0.037748300000000005f - x249 * 0.023998300000000004f;
-  const Real x527 = 0.011000000000000003f * (x252 - x247) + x515 - x239 * 0.11000000000000001f;
-  const Real x533 = x247 * 0.11000000000000001f + (x249 - x199) * 0.22000000000000003f;
-  const Real x540 = (x199 + x249) * 0.11000000000000001f + x252 * 0.22000000000000003f;
-  const Real x497 = x211 * 0.03224830000000001f + x254 * 0.029498300000000005f - x260 * 0.011000000000000003f;
-  const Real x519 = x497 - x231 * 0.22000000000000003f;
-  const Real x507 = x256 * 0.011000000000000003f - (x214 * 0.00825f + x259 * 0.005500000000000001f);
-  const Real x522 = x507 - x231 * 0.11000000000000001f;
-  const Real x550 = x256 * 0.22000000000000003f - (x231 * 2.2f + x260 * 0.11000000000000001f);
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x553 = tau[3] - (x527 - x235 * 0.22000000000000003f);
-  w.x[6] = x553;
-  const Real x554 = 26.49125920902398f * x553;
-  const Real x567 = x235 * 2.2f + x533 - 0.22000000000000003f * x554;
-  const Real x570 = x239 * 2.2f - x540 - 0.11000000000000001f * x554;
-  const Real x695 = sine[3] * x567 + cosine[3] * x570;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x941 = 0.9999999999932537f * x855 + 0.3f * (3.673205103346574e-06f * x810);
-  const Real x896 = x891 + (sine[2] * x772 + cosine[2] * x778) * 1.9999999999865075f;
-  const Real x905 = 0.3f * (0.9999999999932537f * (x769 + sine[2] * x873) - x887);
-  const Real x945 = 0.3f * (x816 + 0.3f * (x775 + x877));
-  const Real x992 = x851 - x859 + 0.3f * x816 + x945 + 0.048670000000000005f;
-  require_more(w, x992, 0.0f, kFactorization, 1);
-  const Real x937 = 0.9999999999932537f * x848 - 0.3f * (x813 - 3.673205103346574e-06f * x831);
-  const Real x938 = 0.3f * (x760 + x811 - x905) + x937;
-  const Real x925 = 0.3f * (x826 - 0.3f * (x879 - 3.673205103346574e-06f * x896));
-  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x1004 = 1 / x992;
-  w.x[7] = x1004;
-  const Real x1007 = x938 * x1004;
-  w.x[8] = x1007;
-  const Real x1008 = x941 * x1004;
-  w.x[9] = x1008;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x989 = x754 + x849 - 0.3f * x826 - x925 + 0.048670000000000005f;
-  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x1016 = x989 - x938 * x1007;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x931 = 3.673205103346574e-06f * x848 + 0.3f * (x800 - 0.9999999999932537f * x831);
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x678 = sine[3] * x519 + cosine[3] * x522;
-  const Real x700 = 3.673205103346574e-06f * x695 + 0.9999999999932537f * x550;
-  const Real x705 = 0.9999999999932537f * x695 - 3.673205103346574e-06f * x550;
-  // link 3 "elbow_housing": force that the reference field takes
-  const Real x457 = x111 * 0.01132625f - x157 * 0.007393749999999999f + x143 * 0.078f;
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x712 = 0.9999999999932537f * x678 - 3.673205103346574e-06f * tau[3] - 0.08f * x700;
-  // link 3 "elbow_housing": force that the reference field takes
-  const Real x460 = x114 * 0.01132625f + x162 * 0.007393749999999999f - x139 * 0.078f;
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x708 = 3.673205103346574e-06f * x678 + 0.9999999999932537f * tau[3] + 0.08f * x705;
-  // link 3 "elbow_housing": force that the reference field takes
-  const Real x464 = x139 * 2.6f - (x114 + x162) * 0.078f;
-  const Real x473 = (x89 * x89 + x148) * 0.078f - x134 * 2.6f;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x729 = tau[2] - (x712 - x97 * 0.0039325f);
-  w.x[10] = x729;
-  const Real x730 = x728 * x729;
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x721 = cosine[3] * x519 - sine[3] * x522 + x457;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x783 = x721 + x655 * x730;
-  const Real x785 = x460 - x708 + x666 * x730;
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x724 = cosine[3] * x567 - sine[3] * x570 + x464;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x788 = x724 - x639 * x730;
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x725 = x143 * 2.6f - (x157 - x111) * 0.078f - x700;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x790 = x725 + x645 * x730;
-  const Real x955 = sine[2] * x783 + cosine[2] * x785;
-  const Real x979 = 0.9999999999932537f * (sine[2] * x788 + cosine[2] * x790);
-  const Real x986 = 0.3f * (cosine[2] * x788 - sine[2] * x790);
-  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x1116 = cosine[1] * (x1016 - (0.00558f + x859 - x941 * x1008));
-  const Real x1121 = x1116 - (x938 * x1008 - x931) * (sine[1] * 2.0f);
-  const Real x1127 = x1016 - cosine[1] * x1121;
-  const Real x1259 = x1127 - 3.673205103346574e-06f * (3.673205103346574e-06f * x1127) + 0.00882f;
-  require_more(w, x1259, 0.0f, kFactorization, 0);
-  // joint 0 "base_yaw": articulated-body inertia and bias force through it
-  const Real x1265 = 1 / x1259;
-  w.x[11] = x1265;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x982 = x979 - 3.673205103346574e-06f * (x473 + x705 - x643 * x730);
-  const Real x988 = 0.9999999999932537f * x955 - 3.673205103346574e-06f * tau[2] + x986;
-  const Real x985 = cosine[2] * x783 - sine[2] * x785 - 0.3f * x982;
-  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x1005 = tau[1] - (x988 - (x55 * 0.04309f + x37 * 0.31000000000000005f));
-  w.x[12] = x1005;
-  const Real x1006 = x1004 * x1005;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x997 = 1.1170584039787268e-05f - (x30 * 0.048670000000000005f + x59 * 0.04309f) + x985;
-  const Real x998 = x32 * 0.00558f - (3.673205103346574e-06f * x955 + 0.9999999999932537f * tau[2]);
-  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x1220 = sine[1] * (x997 + x938 * x1006);
-  const Real x1227 = 0.9999999999932537f * (x1220 + cosine[1] * (x998 - x941 * x1006));
-  // joint 0 "base_yaw": articulated-body inertia and bias force through it
-  const Real x1266 = x1227 + 3.673205103346574e-06f * tau[1] + tau[0];
-  w.x[13] = x1266;
-  // joint 1 "shoulder_pitch": mobility and acceleration beyond it
-  const Real x1283 = x1265 - 3.673205103346574e-06f * (3.673205103346574e-06f * x1265);
-  const Real x1287 = cosine[1] * x1283;
-  const Real x1291 = cosine[1] * x1287;
-  const Real x1289 = sine[1] * x1287;
-  const Real x1293 = x1283 - x1291;
-  const Real x1302 = x1007 * x1289 - x1008 * x1291;
-  const Real x1297 = x1007 * x1293 - x1008 * x1289;
-  const Real x1315 = x1004 - (x1008 * x1302 - x1007 * x1297);
-  const Real x1316 = 0.9999999999932537f * (x1265 * x1266);
-  const Real x1320 = sine[1] * x1316;
-  const Real x1322 = cosine[1] * x1316;
-  // joint 2 "upper_arm_roll": mobility and acceleration beyond it
-  const Real x1337 = 0.3f * x1289;
-  const Real x1333 = 0.3f * x1293;
-  const Real x1343 = 0.3f * x1333;
-  const Real x1354 = 0.9999999999932537f * x1333;
-  const Real x1356 = 3.673205103346574e-06f * x1333;
-  const Real x1331 = 0.3f * x1297;
-  const Real x1451 = 3.673205103346574e-06f * x1343;
-  const Real x1455 = 3.673205103346574e-06f * x1451;
-  const Real x1341 = 0.3f * x1331;
-  const Real x1453 = 0.9999999999932537f * x1451;
-  const Real x1409 = 3.673205103346574e-06f * x1289 + 0.9999999999932537f * x1297;
-  const Real x1362 = 3.673205103346574e-06f * x1331 - 0.9999999999932537f * x1337;
-  const Real x1457 = x1343 - x1455;
-  const Real x1448 = 0.9999999999932537f * x1341;
-  const Real x1449 = 3.673205103346574e-06f * x1341;
-  const Real x1339 = 0.3f * x1315;
-  const Real x1340 = 0.3f * x1339;
-  const Real x1369 = x1331 - 3.673205103346574e-06f * x1362;
-  const Real x1364 = x1337 + 0.9999999999932537f * x1362;
-  const Real x1462 = cosine[2] * x1449 + sine[2] * x1453;
-  const Real x1468 = sine[2] * x1449 - cosine[2] * x1453;
-  const Real x1348 = 3.673205103346574e-06f * (0.3f * x1302) + 0.9999999999932537f * x1339;
-  const Real x1373 = cosine[2] * x1356 - sine[2] * x1364;
-  const Real x1378 = sine[2] * x1356 + cosine[2] * x1364;
-  const Real x1472 = cosine[2] * (x1340 - x1457) + x841 * x1448;
-  const Real x1426 = 3.673205103346574e-06f * (3.673205103346574e-06f * (x1291 - x1315) + 1.9999999999865075f * x1302);
-  const Real x1428 = x1315 + x1426;
-  // joint 1 "shoulder_pitch": mobility and acceleration beyond it
-  const Real x1329 = x1006 + x1007 * x1320 - x1008 * x1322;
-  // joint 2 "upper_arm_roll": mobility and acceleration beyond it
-  const Real x1475 = cosine[2] * x1472;
-  const Real x1396 = sine[2] * (x1348 - x1354) - cosine[2] * (x1331 + x1369);
-  const Real x1580 = 0.3f * x1320;
-  const Real x1559 = x733 * x1462 - x736 * x1455 + x735 * x1468;
-  const Real x1476 = x1457 + x1475;
-  const Real x1401 = cosine[2] * x1396;
-  const Real x1474 = x1448 - sine[2] * x1472;
-  const Real x1397 = sine[2] * x1396;
-  const Real x1477 = x1340 - x1475;
-  const Real x1561 = x731 * x1373 + x1559 - x732 * x1378;
-  const Real x1599 = 0.9999999999932537f * x1580;
-  const Real x1600 = 3.673205103346574e-06f * x1580;
-  const Real x1402 = x1369 + x1401;
-  const Real x1441 = cosine[2] * (x1293 - x1428) - x841 * x1409;
-  const Real x1398 = x1354 + x1397;
-  const Real x1400 = x1348 - x1397;
-  const Real x1403 = x1331 + x1401;
-  const Real x1579 = 0.3f * x1329;
-  const Real x1445 = cosine[2] * x1441;
-  const Real x1446 = x1428 + x1445;
-  const Real x1443 = x1409 + sine[2] * x1441;
-  const Real x1447 = x1293 - x1445;
-  const Real x1531 = x736 * x1462 - x733 * x1476 + x735 * x1474;
-  const Real x1546 = x735 * x1477 - (x733 * x1474 + x736 * x1468);
-  const Real x1533 = x731 * x1402 + x1531 + x732 * x1400;
-  const Real x1585 = 3.673205103346574e-06f * x1322 + 0.9999999999932537f * x1329;
-  const Real x1489 = x733 * x1402 + x736 * x1373 + x735 * x1398;
-  const Real x1604 = cosine[2] * x1579 + sine[2] * x1599;
-  const Real x1548 = x1546 - x731 * x1398 - x732 * x1403;
-  const Real x1504 = x736 * x1378 - x733 * x1400 - x735 * x1403;
-  const Real x1492 = x731 * x1446 - x1489 - x732 * x1443;
-  const Real x1608 = cosine[2] * x1599 - sine[2] * x1579;
-  const Real x1506 = x1504 - x731 * x1443 + x732 * x1447;
-  const Real x1594 = sine[2] * x1585 - cosine[2] * x1320;
-  // joint 3 "elbow_pitch": mobility and acceleration beyond it
-  const Real x1638 = x1378 + 0.08f * x1447;
-  const Real x1649 = x1462 + 0.08f * x1400;
-  // joint 2 "upper_arm_roll": mobility and acceleration beyond it
-  const Real x1598 = sine[2] * x1320 + cosine[2] * x1585;
-  const Real x1620 = x730 - x736 * x1600 + x733 * x1604;
-  const Real x1574 = x733 * x1533 + x736 * x1561 - x735 * x1548;
-  const Real x1622 = x1620 - x735 * x1608 - x731 * x1594;
-  const Real x1623 = x1622 - x732 * x1598;
-  const Real x1578 = x728 - (x1574 - x731 * x1492 - x732 * x1506);
-  // joint 3 "elbow_pitch": mobility and acceleration beyond it
-  const Real x1632 = 0.08f * x1506;
-  const Real x1668 = x1455 + 0.08f * x1378 + 0.08f * x1638;
-  const Real x1646 = x1474 - 0.08f * x1533;
-  const Real x1634 = x1403 + x1632;
-  const Real x1643 = x1632 - x1561;
-  const Real x1627 = x1398 + 0.08f * x1492;
-  const Real x1631 = x1373 + 0.08f * x1443;
-  const Real x1673 = 3.673205103346574e-06f * x1400 + 0.9999999999932537f * x1533;
-  const Real x1777 = 3.673205103346574e-06f * x1646 + 0.9999999999932537f * x1649;
-  const Real x1863 = x1600 + 0.08f * x1598;
-  const Real x1662 = x1468 - 0.08f * x1561 + 0.08f * x1634;
-  const Real x1683 = 3.673205103346574e-06f * x1627 + 0.9999999999932537f * x1631;
-  const Real x1737 = 3.673205103346574e-06f * x1443 - 0.9999999999932537f * x1492;
-  const Real x1783 = 3.673205103346574e-06f * x1649 - 0.9999999999932537f * x1646;
-  const Real x1860 = x1608 + 0.08f * x1623;
-  const Real x1642 = 0.08f * x1578 - x1548;
-  const Real x1688 = 0.9999999999932537f * x1627 - 3.673205103346574e-06f * x1631;
-  const Real x1868 = 0.9999999999932537f * x1623 - 3.673205103346574e-06f * x1598;
-  const Real x1886 = 3.673205103346574e-06f * x1860 + 0.9999999999932537f * x1863;
-  const Real x1656 = x1477 - 0.08f * x1548 + 0.08f * x1642;
-  const Real x1892 = 3.673205103346574e-06f * x1863 - 0.9999999999932537f * x1860;
-  w.x[14] = x1892;
-  const Real x1877 = cosine[3] * x1594 + sine[3] * x1868;
-  w.x[15] = x1877;
-  const Real x1881 = cosine[3] * x1868 - sine[3] * x1594;
-  w.x[16] = x1881;
-  const Real x1695 = 3.673205103346574e-06f * (x1634 + x1643) + 0.9999999999932537f * (x1642 - x1638);
-  const Real x1753 = 3.673205103346574e-06f * (3.673205103346574e-06f * (x1447 - x1578) + 1.9999999999865075f * x1506);
-  const Real x1755 = x1578 + x1753;
-  const Real x1896 = cosine[3] * x1604 - sine[3] * x1886;
-  w.x[17] = x1896;
-  const Real x1901 = sine[3] * x1604 + cosine[3] * x1886;
-  w.x[18] = x1901;
-  const Real x1788 = 1.9999999999865075f * x1662 - 3.673205103346574e-06f * (x1656 - x1668);
-  const Real x1702 = x1643 - 3.673205103346574e-06f * x1695;
-  const Real x1697 = x1638 + 0.9999999999932537f * x1695;
-  const Real x1791 = 3.673205103346574e-06f * x1788;
-  const Real x1767 = cosine[3] * (x1446 - x1755) + x578 * x1737;
-  const Real x1908 = x554 + 5.8280770259852765f * x1896 - 2.9140385129926383f * x1901;
-  w.x[19] = x1908;
-  const Real x1793 = x1668 - x1791;
-  const Real x1790 = x1662 - 0.9999999999932537f * x1788;
-  const Real x1770 = cosine[3] * x1767;
-  const Real x1707 = cosine[3] * x1688 - sine[3] * x1697;
-  w.x[20] = x1707;
-  const Real x1712 = sine[3] * x1688 + cosine[3] * x1697;
-  w.x[21] = x1712;
-  const Real x1794 = x1656 + x1791;
-  w.x[22] = x1794;
-  const Real x1725 = cosine[3] * (x1402 - x1702) + sine[3] * (x1683 - x1673);
-  const Real x1769 = x1737 - sine[3] * x1767;
-  w.x[23] = x1769;
-  const Real x1771 = x1755 + x1770;
-  w.x[24] = x1771;
-  const Real x1772 = x1446 - x1770;
-  w.x[25] = x1772;
-  const Real x1726 = sine[3] * x1725;
-  const Real x1730 = cosine[3] * x1725;
-  const Real x1797 = cosine[3] * x1783 + sine[3] * x1790;
-  w.x[26] = x1797;
-  const Real x1801 = cosine[3] * x1790 - sine[3] * x1783;
-  w.x[27] = x1801;
-  const Real x1806 = cosine[3] * (x1476 - x1793) - x578 * x1777;
-  const Real x1727 = x1683 - x1726;
-  w.x[28] = x1727;
-  const Real x1728 = x1673 + x1726;
-  w.x[29] = x1728;
-  const Real x1731 = x1702 + x1730;
-  w.x[30] = x1731;
-  const Real x1732 = x1402 - x1730;
-  w.x[31] = x1732;
-  const Real x1810 = cosine[3] * x1806;
-  const Real x1849 = x1797 * 5.8280770259852765f + x1801 * 2.9140385129926383f;
-  w.x[32] = x1849;
-  const Real x1808 = x1777 + sine[3] * x1806;
-  w.x[33] = x1808;
-  const Real x1811 = x1793 + x1810;
-  w.x[34] = x1811;
-  const Real x1812 = x1476 - x1810;
-  w.x[35] = x1812;
-  const Real x1819 = x1731 * 5.8280770259852765f + x1727 * 2.9140385129926383f;
-  w.x[36] = x1819;
-  const Real x1825 = x1728 * 5.8280770259852765f - x1732 * 2.9140385129926383f;
-  w.x[37] = x1825;
-  const Real x1837 = x1808 * 2.9140385129926383f - x1811 * 5.8280770259852765f;
-  w.x[38] = x1837;
-  const Real x1843 = x1808 * 5.8280770259852765f - x1812 * 2.9140385129926383f;
-  w.x[39] = x1843;
-  const Real x1857 = 26.49125920902398f - (5.8280770259852765f * x1837 + 2.9140385129926383f * x1843);
-  w.x[40] = x1857;
+struct alignas(64) BlockConstants {
+  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
+  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
+  PerJoint mass, moments[3], tensor[6];
+};
+
+const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
+  std::array<BlockConstants, kBlockCount> result{};
+  for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
+    for (const int k : {0, 4}) block.rotation[k].fill(1);
+    block.mass.fill(1);
+    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
+  }
+  for (int j = 0; j < kJointCount; ++j) {
+    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
+    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
+    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
+    block.x[lane] = joint.translation[0];
+    block.y[lane] = joint.translation[1];
+    block.z[lane] = joint.translation[2];
+    block.mass[lane] = link.mass;
+    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
+    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
+  }
+  return result;
+}();
+
+// Constants of each of the joints.
+template <class T>
+ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
+  const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+  return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
+}
+template <class T>
+ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1)
+    return kInertias[static_cast<std::size_t>(joints.joint[0])].mass;
+  else
+    return constant(joints, &BlockConstants::mass);
+}
+template <class T>
+ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1) {
+    const Real* const x = joints.any().translation;
+    return Vector<Real>{x[0], x[1], x[2]};
+  } else {
+    return Vector<T>{constant(joints, &BlockConstants::x), constant(joints, &BlockConstants::y),
+                     constant(joints, &BlockConstants::z)};
+  }
 }
 
-ADAGEN_NOINLINE void part_0_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x1707 = w.x[20];
-  const Real x1712 = w.x[21];
-  const Real x1727 = w.x[28];
-  const Real x1728 = w.x[29];
-  const Real x1731 = w.x[30];
-  const Real x1732 = w.x[31];
-  const Real x1769 = w.x[23];
-  const Real x1771 = w.x[24];
-  const Real x1772 = w.x[25];
-  const Real x1794 = w.x[22];
-  const Real x1797 = w.x[26];
-  const Real x1801 = w.x[27];
-  const Real x1808 = w.x[33];
-  const Real x1811 = w.x[34];
-  const Real x1812 = w.x[35];
-  const Real x1819 = w.x[36];
-  const Real x1825 = w.x[37];
-  const Real x1837 = w.x[38];
-  const Real x1843 = w.x[39];
-  const Real x1849 = w.x[32];
-  const Real x1857 = w.x[40];
-  const Real x1877 = w.x[15];
-  const Real x1881 = w.x[16];
-  const Real x1892 = w.x[14];
-  const Real x1896 = w.x[17];
-  const Real x1901 = w.x[18];
-  const Real x1908 = w.x[19];
-  // message received
-  const Real x1910 = w.from[0][0];
-  const Real x1911 = w.from[0][1];
-  const Real x1916 = w.from[0][6];
-  const Real x1913 = w.from[0][3];
-  const Real x1918 = w.from[0][8];
-  const Real x1925 = w.from[0][15];
-  const Real x1914 = w.from[0][4];
-  const Real x1919 = w.from[0][9];
-  const Real x1926 = w.from[0][16];
-  const Real x1928 = w.from[0][18];
-  const Real x1915 = w.from[0][5];
-  const Real x1920 = w.from[0][10];
-  const Real x1927 = w.from[0][17];
-  const Real x1912 = w.from[0][2];
-  const Real x1929 = w.from[0][19];
-  const Real x1917 = w.from[0][7];
-  const Real x1931 = w.from[0][21];
-  const Real x1922 = w.from[0][12];
-  const Real x1932 = w.from[0][22];
-  const Real x1930 = w.from[0][20];
-  const Real x1923 = w.from[0][13];
-  const Real x1934 = w.from[0][24];
-  const Real x1924 = w.from[0][14];
-  const Real x1935 = w.from[0][25];
-  const Real x1936 = w.from[0][26];
-  const Real x1921 = w.from[0][11];
-  w.x[41] = x1921;
-  const Real x1933 = w.from[0][23];
-  w.x[42] = x1933;
-  // joint 4 "forearm_roll": assembly: its two sides become one chain
-  const Real x2113 = 2.0f * sine[4];
-  const Real x2197 = x1892 + 0.08f * x1881 + 0.38f * x1877;
-  const Real x2191 = x1901 + 0.08f * x1908;
-  const Real x2202 = 3.673205103346574e-06f * x1881 + 0.9999999999932537f * x1908;
-  const Real x2188 = x1896 - 0.38f * x1908;
-  const Real x2222 = 3.673205103346574e-06f * x2191 - 0.9999999999932537f * x2197;
-  const Real x1960 = 0.08f * x1772 - x1712 + 0.38f * x1769;
-  const Real x1949 = x1707 + 0.08f * x1769 + 0.38f * x1771;
-  const Real x1953 = 0.08f * x1825;
-  const Real x1939 = 0.38f * x1819;
-  const Real x2013 = x1794 - 0.08f * x1712 + 0.38f * x1707;
-  const Real x2085 = 3.673205103346574e-06f * x1769 + 0.9999999999932537f * x1819;
-  const Real x1955 = x1732 + x1953;
-  const Real x1944 = x1727 - 0.08f * x1819;
-  const Real x1952 = 0.38f * x1825 - x1728;
-  const Real x1941 = x1731 - x1939;
-  const Real x2015 = 0.08f * x1960 + x2013 + 0.38f * x1949;
-  const Real x2090 = 0.9999999999932537f * x1769 - 3.673205103346574e-06f * x1819;
-  const Real x1970 = x1849 - x1953 + x1939;
-  const Real x2029 = 3.673205103346574e-06f * x1944 + 0.9999999999932537f * x1949;
-  const Real x2034 = 0.9999999999932537f * x1944 - 3.673205103346574e-06f * x1949;
-  const Real x2003 = x1801 - 0.08f * x1849 + 0.08f * x1955;
-  const Real x2004 = 0.38f * x1944 + x2003;
-  const Real x1989 = x1797 - 0.38f * x1849 + 0.08f * x1952;
-  const Real x1990 = 0.38f * x1941 + x1989;
-  const Real x1967 = x1843 + 0.08f * x1857;
-  const Real x1963 = x1837 + 0.38f * x1857;
-  const Real x2096 = 1.9999999999865075f * x1825 - 3.673205103346574e-06f * (x1772 - x1857);
-  const Real x2100 = 3.673205103346574e-06f * x2096;
-  w.x[43] = x2100;
-  const Real x1996 = x1812 + 0.08f * x1843 + 0.08f * x1967;
-  const Real x2020 = 0.9999999999932537f * x1963 - 3.673205103346574e-06f * x1952;
-  const Real x1982 = 0.38f * x1843 - x1808 + 0.08f * x1963;
-  const Real x1976 = x1811 + 0.38f * x1837 + 0.38f * x1963;
-  const Real x2024 = 0.9999999999932537f * x1952 + 3.673205103346574e-06f * x1963;
-  const Real x2102 = x1857 - x2100;
-  const Real x2041 = 3.673205103346574e-06f * (x1955 - x1970) + 0.9999999999932537f * (x1960 - x1967);
-  const Real x2099 = 0.9999999999932537f * x2096 - x1825;
-  const Real x2048 = 3.673205103346574e-06f * x2041;
-  const Real x2127 = 3.673205103346574e-06f * x1982 + 0.9999999999932537f * x1990;
-  const Real x2043 = 0.9999999999932537f * x2041;
-  const Real x2132 = 0.9999999999932537f * x1982 - 3.673205103346574e-06f * x1990;
-  const Real x2050 = x1970 + x2048;
-  const Real x2138 = 3.673205103346574e-06f * (x1996 - x2015) + 1.9999999999865075f * x2004;
-  const Real x2045 = x1960 - x2043;
-  const Real x2046 = x1967 + x2043;
-  const Real x2116 = cosine[4] * (x1771 - x2102) - x2085 * x2113;
-  const Real x2143 = 3.673205103346574e-06f * x2138;
-  const Real x2179 = x1955 - x2048 + x1924;
-  w.x[44] = x2179;
-  const Real x2167 = cosine[4] * x2090 + sine[4] * x2099 + x1912;
-  w.x[45] = x2167;
-  const Real x2120 = cosine[4] * x2116;
-  const Real x2145 = x2015 + x2143;
-  const Real x2142 = x2004 - 0.9999999999932537f * x2138;
-  const Real x2172 = cosine[4] * x2099 - sine[4] * x2090 + x1917;
-  w.x[46] = x2172;
-  const Real x2073 = cosine[4] * (x1941 - x2050) + sine[4] * (x2020 - x2029);
-  const Real x2170 = cosine[4] * x2034 + sine[4] * x2045 + x1915;
-  const Real x2177 = cosine[4] * x2024 - sine[4] * x2046 + x1922;
-  w.x[47] = x2177;
-  const Real x2165 = x2102 + x2120 + x1910;
-  require_more(w, x2165, 0.0f, kFactorization, 4);
-  const Real x2166 = x1911 - (x2085 + sine[4] * x2116);
-  const Real x2171 = x1771 - x2120 + x1916;
-  w.x[48] = x2171;
-  const Real x2078 = cosine[4] * x2073;
-  const Real x2074 = sine[4] * x2073;
-  const Real x2236 = cosine[4] * x1877 - sine[4] * x2202 - x1931;
-  const Real x2250 = x2236 - tau[4] * x2167;
-  const Real x2185 = x1996 - x2143 + x1930;
-  w.x[49] = x2185;
-  const Real x2258 = 1 / x2165;
-  const Real x2178 = x1923 - (sine[4] * x2024 + cosine[4] * x2046);
-  w.x[50] = x2178;
-  const Real x2158 = cosine[4] * (x1976 - x2145) - x2113 * x2127;
-  const Real x2237 = sine[4] * x1877 + cosine[4] * x2202 + x1932;
-  const Real x2240 = cosine[4] * x2188 + sine[4] * x2222 - x1934;
-  const Real x2168 = x2050 + x2078 + x1913;
-  const Real x2162 = cosine[4] * x2158;
-  const Real x2169 = x1914 - (x2029 + x2074);
-  const Real x2242 = 0.9999999999932537f * x2191 + 3.673205103346574e-06f * x2197 + x1936;
-  const Real x2241 = cosine[4] * x2222 - sine[4] * x2188 - x1935;
-  const Real x2259 = x2166 * x2258;
-  const Real x2260 = x2168 * x2258;
-  const Real x2180 = x2145 + x2162 + x1925;
-  w.x[51] = x2180;
-  const Real x2261 = x2169 * x2258;
-  const Real x2183 = x1976 - x2162 + x1928;
-  w.x[52] = x2183;
-  const Real x2262 = x2170 * x2258;
-  const Real x2265 = x2171 - x2166 * x2259;
-  w.x[53] = x2265;
-  const Real x2268 = x2020 - x2074 + x1918 - x2168 * x2259;
-  const Real x2271 = x1941 - x2078 + x1919 - x2169 * x2259;
-  const Real x2175 = cosine[4] * x2045 - sine[4] * x2034 + x1920;
-  const Real x2274 = x2175 - x2170 * x2259;
-  const Real x2182 = cosine[4] * x2132 + sine[4] * x2142 + x1927;
-  const Real x2184 = cosine[4] * x2142 - sine[4] * x2132 + x1929;
-  const Real x2340 = x2237 + tau[4] * x2172 + x2250 * x2259;
-  const Real x2275 = 1 / x2265;
-  const Real x2276 = x2268 * x2275;
-  const Real x2277 = x2271 * x2275;
-  const Real x2278 = x2274 * x2275;
-  const Real x2284 = x2180 - x2168 * x2260 - x2268 * x2276;
-  w.x[54] = x2284;
-  const Real x2289 = x1926 - (x2127 + sine[4] * x2158) - x2169 * x2260;
-  const Real x2290 = x2289 - x2271 * x2276;
-  const Real x2296 = x2182 - x2170 * x2260 - x2274 * x2276;
-  const Real x2346 = x2240 - tau[4] * x2177 - x2250 * x2260;
-  const Real x2347 = x2276 * x2340 + x2346;
-  const Real x2354 = x2241 - tau[4] * x2178 - x2250 * x2261;
-  const Real x2365 = x2242 + tau[4] * x2179 + x2250 * x2262;
-  const Real x2297 = 1 / x2284;
-  const Real x2298 = x2290 * x2297;
-  const Real x2299 = x2296 * x2297;
-  const Real x2307 = x2183 - x2169 * x2261 - x2271 * x2277;
-  const Real x2308 = x2307 - x2290 * x2298;
-  w.x[55] = x2308;
-  const Real x2316 = x2184 - x2170 * x2261 - x2274 * x2277;
-  const Real x2317 = x2316 - x2296 * x2298;
-  const Real x2329 = x2185 - x2170 * x2262 - x2274 * x2278;
-  const Real x2356 = x2277 * x2340 + x2354 - x2298 * x2347;
-  const Real x2318 = 1 / x2308;
-  const Real x2319 = x2317 * x2318;
-  const Real x2331 = x2329 - x2296 * x2299 - x2317 * x2319;
-  w.x[56] = x2331;
-  const Real x2368 = x2278 * x2340 - x2365 - x2299 * x2347;
-  // joint 4 "forearm_roll": disassembly: its acceleration and force
-  const Real x2376 = 1 / x2331 * (x2368 - x2319 * x2356);
-  w.x[57] = x2376;
-  w.to[1][5] = x2376;
-  const Real x2379 = x2318 * x2356 - x2319 * x2376;
-  w.x[58] = x2379;
-  w.to[1][4] = x2379;
-  const Real x2385 = x2297 * x2347 - x2299 * x2376 - x2298 * x2379;
-  w.x[59] = x2385;
-  w.to[1][3] = x2385;
-  const Real x2394 = x2275 * x2340 + x2278 * x2376 + x2277 * x2379;
-  const Real x2396 = x2276 * x2385 + x2394;
-  w.x[60] = x2396;
-  const Real x2407 = x2250 * x2258 - x2262 * x2376 - x2261 * x2379;
-  const Real x2397 = -x2396;
-  w.to[1][1] = x2397;
-  const Real x2409 = x2407 - x2260 * x2385 + x2259 * x2396;
-  w.x[61] = x2409;
-  w.to[1][0] = x2409;
+ADAGEN_INLINE Lanes wide(const PerJoint& x) {
+  Lanes result;
+  if constexpr (sizeof(PerJoint) == sizeof(Lanes))
+    std::memcpy(&result, x.data(), sizeof result);
+  else
+    result = x[0] + Lanes{};
+  return result;
+}
+ADAGEN_INLINE void narrow(const Lanes& x, Value* to) { std::memcpy(to, &x, sizeof x); }
+ADAGEN_INLINE Vector<Lanes> wide_vector(const Value (*x)[kPerBlock]) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE Vector<Lanes> wide_vector(const PerJoint* x) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE void narrow(const Vector<Lanes>& a, Value (*x)[kPerBlock]) {
+  narrow(a.x, x[0]), narrow(a.y, x[1]), narrow(a.z, x[2]);
 }
 
-ADAGEN_NOINLINE void part_0_2(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x553 = w.x[6];
-  const Real x728 = w.x[0];
-  const Real x729 = w.x[10];
-  const Real x731 = w.x[1];
-  const Real x732 = w.x[2];
-  const Real x733 = w.x[3];
-  const Real x735 = w.x[4];
-  const Real x736 = w.x[5];
-  const Real x1004 = w.x[7];
-  const Real x1005 = w.x[12];
-  const Real x1007 = w.x[8];
-  const Real x1008 = w.x[9];
-  const Real x1265 = w.x[11];
-  const Real x1266 = w.x[13];
-  const Real x1772 = w.x[25];
-  const Real x1881 = w.x[16];
-  const Real x1908 = w.x[19];
-  const Real x1921 = w.x[41];
-  const Real x1933 = w.x[42];
-  const Real x2100 = w.x[43];
-  const Real x2167 = w.x[45];
-  const Real x2171 = w.x[48];
-  const Real x2172 = w.x[46];
-  const Real x2177 = w.x[47];
-  const Real x2178 = w.x[50];
-  const Real x2179 = w.x[44];
-  const Real x2180 = w.x[51];
-  const Real x2183 = w.x[52];
-  const Real x2185 = w.x[49];
-  const Real x2265 = w.x[53];
-  const Real x2284 = w.x[54];
-  const Real x2308 = w.x[55];
-  const Real x2331 = w.x[56];
-  const Real x2376 = w.x[57];
-  const Real x2379 = w.x[58];
-  const Real x2385 = w.x[59];
-  const Real x2396 = w.x[60];
-  const Real x2409 = w.x[61];
-  // joint 4 "forearm_roll": assembly: its two sides become one chain
-  const Real x2239 = 0.9999999999932537f * x1881 - 3.673205103346574e-06f * x1908 - x1933;
-  const Real x2337 = x2185 * 9.5367431640625e-07f;
-  require_more(w, x2331, x2337, kFactorization, 4);
-  const Real x2334 = x2171 * 9.5367431640625e-07f;
-  require_more(w, x2265, x2334, kFactorization, 4);
-  const Real x2335 = x2180 * 9.5367431640625e-07f;
-  require_more(w, x2284, x2335, kFactorization, 4);
-  const Real x2336 = x2183 * 9.5367431640625e-07f;
-  require_more(w, x2308, x2336, kFactorization, 4);
-  // joint 4 "forearm_roll": disassembly: its acceleration and force
-  const Real x2445 = sine[4] * x2385 + cosine[4] * x2379;
-  const Real x2442 = cosine[4] * x2385 - sine[4] * x2379;
-  const Real x2449 = 0.9999999999932537f * x2376 - 3.673205103346574e-06f * x2445;
-  const Real x2454 = 0.9999999999932537f * x2445 + 3.673205103346574e-06f * x2376;
-  const Real x2417 = x2178 * x2379 + x2179 * x2376 + x2177 * x2385;
-  const Real x2428 = sine[4] * x2409 - cosine[4] * x2396;
-  const Real x2458 = cosine[4] * x2409 + sine[4] * x2396 - 0.38f * x2454;
-  const Real x2419 = x2417 - x2172 * x2396 + x2167 * x2409;
-  const Real x2420 = x2419 - (x2239 - tau[4] * (x1772 + x2100 + x1921));
-  w.result[4] = x2420;
-  const Real x2437 = 0.9999999999932537f * x2428 + 3.673205103346574e-06f * tau[4];
-  const Real x2468 = 0.08f * x2449 + 0.38f * x2442 + x2437;
-  const Real x2461 = 0.9999999999932537f * tau[4] - 3.673205103346574e-06f * x2428 - 0.08f * x2454;
-  // joint 3 "elbow_pitch": handle forces through it
-  const Real x2478 = 5.8280770259852765f * x2468 - x2442;
-  const Real x2481 = 2.9140385129926383f * x2468 - x2449;
-  const Real x2491 = sine[3] * x2458 + cosine[3] * x2461;
-  const Real x2503 = sine[3] * x2478 + cosine[3] * x2481;
-  const Real x2508 = 3.673205103346574e-06f * x2503 + 0.9999999999932537f * x2454;
-  const Real x2513 = 0.9999999999932537f * x2503 - 3.673205103346574e-06f * x2454;
-  const Real x2519 = 0.9999999999932537f * x2491 + 0.08f * x2508;
-  // joint 2 "upper_arm_roll": handle forces through it
-  const Real x2531 = cosine[3] * x2478 - sine[3] * x2481 - x733 * x2519;
-  const Real x2534 = x735 * x2519 - x2508;
-  const Real x2525 = sine[3] * x2461 - cosine[3] * x2458 + x731 * x2519;
-  const Real x2528 = 3.673205103346574e-06f * x2491 - 0.08f * x2513 + x732 * x2519;
-  const Real x2544 = sine[2] * x2525 + cosine[2] * x2528;
-  const Real x2561 = 0.9999999999932537f * (sine[2] * x2531 + cosine[2] * x2534);
-  const Real x2568 = 0.3f * (cosine[2] * x2531 - sine[2] * x2534);
-  const Real x2570 = 0.9999999999932537f * x2544 + x2568;
-  const Real x2565 = 0.3f * (x2561 - 3.673205103346574e-06f * (x2513 - x736 * x2519));
-  const Real x2567 = cosine[2] * x2525 - sine[2] * x2528 - x2565;
-  // joint 1 "shoulder_pitch": handle forces through it
-  const Real x2593 = cosine[1] * (x1008 * x2570 - 3.673205103346574e-06f * x2544);
-  const Real x2597 = 0.9999999999932537f * (sine[1] * (x2567 - x1007 * x2570) + x2593);
-  // joint 0 "base_yaw": handle forces through it
-  const Real x2622 = x1265 * (x1266 - x2597);
-  w.result[0] = x2622;
-  // joint 1 "shoulder_pitch": its acceleration, and that of the link beyond
-  const Real x2623 = 0.9999999999932537f * x2622;
-  const Real x2627 = sine[1] * x2623;
-  const Real x2629 = cosine[1] * x2623;
-  const Real x2635 = x1004 * (x1005 + x2570) + x1007 * x2627;
-  const Real x2636 = x2635 - x1008 * x2629;
-  const Real x2637 = 3.673205103346574e-06f * x2622 + x2636;
-  w.result[1] = x2637;
-  // joint 2 "upper_arm_roll": its acceleration, and that of the link beyond
-  const Real x2639 = 0.3f * x2627;
-  const Real x2658 = 0.9999999999932537f * x2639;
-  const Real x2659 = 3.673205103346574e-06f * x2639;
-  const Real x2638 = 0.3f * x2636;
-  const Real x2644 = 3.673205103346574e-06f * x2629 + 0.9999999999932537f * x2636;
-  const Real x2663 = cosine[2] * x2638 + sine[2] * x2658;
-  const Real x2667 = cosine[2] * x2658 - sine[2] * x2638;
-  const Real x2657 = sine[2] * x2627 + cosine[2] * x2644;
-  const Real x2678 = x728 * (x729 - x2519) - x736 * x2659;
-  const Real x2680 = x733 * x2663 + x2678 - x735 * x2667;
-  const Real x2681 = x2680 - x731 * (sine[2] * x2644 - cosine[2] * x2627);
-  const Real x2682 = x2681 - x732 * x2657;
-  const Real x2683 = x2682 - (0.9999999999932537f * x2629 - 3.673205103346574e-06f * x2636);
-  w.result[2] = x2683;
-  // joint 3 "elbow_pitch": its acceleration, and that of the link beyond
-  const Real x2708 = 3.673205103346574e-06f * (x2667 + 0.08f * x2682);
-  const Real x2712 = x2708 + 0.9999999999932537f * (x2659 + 0.08f * x2657);
-  const Real x2729 = 5.8280770259852765f * (cosine[3] * x2663 - sine[3] * x2712);
-  const Real x2731 = 2.9140385129926383f * (sine[3] * x2663 + cosine[3] * x2712);
-  const Real x2734 = 26.49125920902398f * (x553 + x2468) + x2729 - x2731;
-  const Real x2735 = 0.9999999999932537f * x2657 + 3.673205103346574e-06f * x2682 + x2734;
-  w.result[3] = x2735;
+// Copies the angles of those of joints first .. last that turn.
+template <int first, int last>
+void take_angles(Workspace& w) {
+  ADAGEN_FOR (j, first, last + 1) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    const int place = joint.q + (joint.kind == JointKind::kPlanar ? 2 : 0);
+    if (joint.kind == JointKind::kRevolute || joint.kind == JointKind::kPlanar)
+      w.angle[static_cast<std::size_t>(slot_of(j))] = w.q[place];
+  }
 }
 
-// =================================================================================================
-// Process 1: 796 products, 663 sums, 8 quotients
-// =================================================================================================
-
-ADAGEN_NOINLINE void part_1_0(Workspace& w) {
-  ADAGEN_INPUTS
-  // joint 1 "shoulder_pitch": placement, velocity and reference acceleration of its link
-  const Real x20 = v[0] * 0.9999999999932537f;
-  const Real x25 = sine[1] * x20;
-  const Real x27 = cosine[1] * x20;
-  const Real x29 = v[1] - v[0] * 3.673205103346574e-06f;
-  const Real x30 = v[1] * x27;
-  const Real x32 = v[1] * x25;
-  // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
-  const Real x80 = 3.673205103346574e-06f * x27 + 0.9999999999932537f * x29;
-  const Real x89 = sine[2] * x80 - x25 * cosine[2];
-  const Real x93 = x25 * sine[2] + cosine[2] * x80;
-  const Real x94 = 0.9999999999932537f * x27 - 3.673205103346574e-06f * x29 + v[2];
-  const Real x95 = 3.673205103346574e-06f * x32;
-  const Real x97 = 0.9999999999932537f * x32;
-  const Real x111 = v[2] * x93 - (x30 * cosine[2] + sine[2] * x95);
-  const Real x114 = x30 * sine[2] - cosine[2] * x95 - v[2] * x89;
-  const Real x118 = sine[1] * 9.809999999933819f + x25 * x27 * 0.3f;
-  const Real x120 = (x25 * x25 + x29 * x29) * 0.3f;
-  const Real x122 = x120 - cosine[1] * 9.809999999933819f;
-  const Real x125 = -3.603414206382989e-05f + (x30 + x27 * x29) * 0.3f;
-  const Real x129 = 0.9999999999932537f * x125 - 3.673205103346574e-06f * x122;
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x174 = 0.9999999999932537f * x94 - 3.673205103346574e-06f * x93;
-  const Real x183 = x89 * cosine[3] + sine[3] * x174;
-  const Real x187 = cosine[3] * x174 - x89 * sine[3];
-  const Real x188 = v[3] - (0.9999999999932537f * x93 + 3.673205103346574e-06f * x94);
-  const Real x193 = 3.673205103346574e-06f * x114 + 0.9999999999932537f * x97;
-  const Real x199 = 3.673205103346574e-06f * x97 - 0.9999999999932537f * x114;
-  const Real x211 = x111 * cosine[3] - sine[3] * x193 + v[3] * x187;
-  const Real x214 = x111 * sine[3] + cosine[3] * x193 + v[3] * x183;
-  const Real x216 = (x93 * x93 + x94 * x94) * 0.08f;
-  const Real x218 = sine[2] * x129 - cosine[2] * x118 - x216;
-  // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
-  const Real x143 = sine[2] * x118 + cosine[2] * x129;
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x220 = x143 + (x89 * x93 - x97) * 0.08f;
-  const Real x221 = (x89 * x94 - x114) * 0.08f;
-  const Real x222 = x221 - (0.9999999999932537f * x122 + 3.673205103346574e-06f * x125);
-  const Real x226 = 0.9999999999932537f * x222 - 3.673205103346574e-06f * x220;
-  const Real x246 = x188 * x188;
-  const Real x249 = x183 * x187;
-  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
-  const Real x273 = 3.673205103346574e-06f * x187 + 0.9999999999932537f * x188;
-  const Real x282 = x183 * cosine[4] - sine[4] * x273;
-  const Real x287 = x183 * sine[4] + cosine[4] * x273;
-  const Real x289 = 0.9999999999932537f * x187 - 3.673205103346574e-06f * x188 + v[4];
-  const Real x294 = 3.673205103346574e-06f * x214 - 0.9999999999932537f * x199;
-  const Real x299 = 0.9999999999932537f * x214 + 3.673205103346574e-06f * x199;
-  const Real x310 = x211 * cosine[4] + sine[4] * x294 - v[4] * x287;
-  const Real x313 = cosine[4] * x294 - x211 * sine[4] - v[4] * x282;
-  const Real x314 = 0.08f * (x187 * x187 + x246);
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x235 = cosine[3] * x218 + sine[3] * x226;
-  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
-  const Real x318 = x314 + (x249 - x199) * 0.38f + x235;
-  const Real x321 = (x183 * x183 + x246) * 0.38f;
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x239 = cosine[3] * x226 - sine[3] * x218;
-  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
-  const Real x325 = x239 - (0.08f * (x199 + x249) + x321);
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x231 = 0.9999999999932537f * x220 + 3.673205103346574e-06f * x222;
-  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
-  const Real x329 = x231 + 0.08f * (x214 + x183 * x188);
-  const Real x331 = (x211 + x187 * x188) * 0.38f - x329;
-  const Real x336 = 3.673205103346574e-06f * x325 + 0.9999999999932537f * x331;
-  const Real x341 = 0.9999999999932537f * x325 - 3.673205103346574e-06f * x331;
-  const Real x345 = cosine[4] * x318 - sine[4] * x336;
-  const Real x350 = sine[4] * x318 + cosine[4] * x336;
-  const Real x356 = x282 * x282;
-  const Real x362 = x282 * x287;
-  const Real x364 = x299 - x362;
-  const Real x367 = x356 + x289 * x289;
-  const Real x369 = x287 * x289;
-  const Real x374 = x356 + x287 * x287;
-  const Real x376 = x282 * x289;
-  const Real x378 = x313 + x376;
-  // link 5 "wrist_housing": force that the reference field takes
-  const Real x695 = x369 * 0.01347604f + 0.00136f * (x374 - x367);
-  const Real x717 = x310 * 0.01553729f + x695 + x341 * 0.017f;
-  const Real x718 = x717 - x350 * 0.136f;
-  w.x[0] = x718;
-  const Real x704 = x376 * 0.01364604f - x364 * 0.00136f + x313 * 0.01536729f;
-  const Real x721 = x704 - x345 * 0.136f;
-  w.x[1] = x721;
-  const Real x713 = x362 * 0.00017f - x299 * 0.00189125f + x378 * 0.00136f;
-  const Real x724 = x713 - x345 * 0.017f;
-  w.x[2] = x724;
-  const Real x730 = x364 * 0.017f - x378 * 0.136f + x345 * 1.7f;
-  w.x[3] = x730;
-  const Real x737 = (x310 + x369) * 0.136f - x367 * 0.017f;
-  const Real x738 = x737 - x350 * 1.7f;
-  w.x[4] = x738;
-  const Real x743 = x341 * 1.7f + x374 * 0.136f;
-  const Real x744 = (x310 - x369) * 0.017f + x743;
-  w.x[5] = x744;
-  // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
-  const Real x387 = 3.673205103346574e-06f * x287 + 0.9999999999932537f * x289;
-  const Real x395 = x282 * cosine[5] + sine[5] * x387;
-  const Real x399 = cosine[5] * x387 - x282 * sine[5];
-  const Real x400 = 0.9999999999932537f * x287 - 3.673205103346574e-06f * x289 + v[5];
-  const Real x405 = 3.673205103346574e-06f * x313 + 0.9999999999932537f * x299;
-  const Real x411 = 3.673205103346574e-06f * x299 - 0.9999999999932537f * x313;
-  const Real x423 = x310 * cosine[5] - sine[5] * x405 + v[5] * x399;
-  const Real x426 = x310 * sine[5] + cosine[5] * x405 + v[5] * x395;
-  const Real x431 = 3.673205103346574e-06f * x350 + 0.9999999999932537f * x341;
-  const Real x436 = 0.9999999999932537f * x350 - 3.673205103346574e-06f * x341;
-  const Real x439 = x345 * cosine[5] + sine[5] * x431;
-  const Real x443 = cosine[5] * x431 - x345 * sine[5];
-  const Real x449 = x400 * x400;
-  const Real x450 = x399 * x399 + x449;
-  const Real x452 = x395 * x399;
-  const Real x454 = x411 + x452;
-  const Real x455 = x395 * x395 + x449;
-  const Real x457 = x399 * x400;
-  const Real x459 = x423 + x457;
-  const Real x462 = x395 * x400;
-  const Real x463 = x426 + x462;
-  // link 6 "wrist": force that the reference field takes
-  const Real x785 = x411 * 0.00351f + x452 * 0.0019500000000000001f;
-  const Real x766 = x423 * 0.0014299999999999998f + x457 * 0.00013000000000000002f + x463 * 0.0005200000000000001f;
-  const Real x777 = x426 * 0.00338f + x462 * 0.0020800000000000003f + x459 * 0.0005200000000000001f;
-  const Real x796 = x785 - 0.0005200000000000001f * (x455 - x450) + x443 * 0.052000000000000005f;
-  const Real x802 = (x452 - x411) * 0.013000000000000001f - x450 * 0.052000000000000005f;
-  // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
-  const Real x474 = 0.9999999999932537f * x400 - 3.673205103346574e-06f * x399;
-  const Real x483 = x395 * cosine[6] + sine[6] * x474;
-  const Real x487 = cosine[6] * x474 - x395 * sine[6];
-  const Real x488 = v[6] - (0.9999999999932537f * x399 + 3.673205103346574e-06f * x400);
-  const Real x492 = 3.673205103346574e-06f * x426 + 0.9999999999932537f * x411;
-  const Real x497 = 0.9999999999932537f * x426 - 3.673205103346574e-06f * x411;
-  const Real x506 = x423 * cosine[6] + sine[6] * x492 + v[6] * x487;
-  const Real x509 = cosine[6] * x492 - x423 * sine[6] - v[6] * x483;
-  const Real x512 = x439 - x450 * 0.09f;
-  const Real x514 = x443 + x454 * 0.09f;
-  const Real x516 = x436 + x463 * 0.09f;
-  const Real x520 = 0.9999999999932537f * x516 - 3.673205103346574e-06f * x514;
-  const Real x525 = 0.9999999999932537f * x514 + 3.673205103346574e-06f * x516;
-  const Real x529 = cosine[6] * x512 + sine[6] * x520;
-  const Real x533 = cosine[6] * x520 - sine[6] * x512;
-  const Real x538 = x483 * x483;
-  const Real x539 = x487 * x487;
-  const Real x540 = x488 * x488;
-  const Real x541 = x539 + x540;
-  const Real x543 = x483 * x487;
-  const Real x544 = x543 - x497;
-  const Real x545 = x497 + x543;
-  const Real x546 = x538 + x540;
-  const Real x548 = x487 * x488;
-  const Real x549 = x548 - x506;
-  const Real x550 = x506 + x548;
-  const Real x551 = x538 + x539;
-  const Real x553 = x483 * x488;
-  const Real x554 = x553 - x509;
-  const Real x555 = x509 + x553;
-  // link 7 "hand": force that the reference field takes
-  const Real x853 = x553 * 0.006916f - 0.00014399999999999992f * (x541 - x551);
-  const Real x846 = x506 * 0.01009033f - (x548 * 0.00506167f + x545 * 0.00014399999999999992f);
-  const Real x871 = x509 * 0.008236f + x853 + x525 * 0.007199999999999999f;
-  const Real x864 = x497 * 0.00317433f - x543 * 0.0018543300000000004f + x549 * 0.00014399999999999992f;
-  // joint 7 "left_finger_slide": placement, velocity and reference acceleration of its link
-  const Real x560 = x555 * 0.13f;
-  const Real x565 = x549 * 0.13f;
-  const Real x567 = x533 - x546 * q[7] + x565;
-  const Real x571 = x525 + x551 * 0.13f;
-  const Real x574 = 2.0f * x488;
-  const Real x576 = x550 * q[7] - x571 + 2.0f * x483 * v[7];
-  const Real x579 = x529 + x544 * q[7] + x560 - v[7] * x574;
-  // link 8 "left_finger": force that the reference field takes
-  const Real x910 = x497 * 8.33333e-06f;
-  const Real x925 = x548 * 5.333337e-05f + (x551 - x546) * 1.5e-05f;
-  const Real x917 = x910 - x543 * 5e-06f - x555 * 1.5e-05f;
-  const Real x941 = x506 * 6.66667e-05f - x925 + x576 * 0.0005f;
-  const Real x934 = x553 * 5.833337e-05f + x544 * 1.5e-05f + x509 * 6.16667e-05f;
-  const Real x950 = x550 * 0.0005f - x551 * 0.0015f + x576 * 0.05f;
-  const Real x955 = x555 * 0.0015f + x544 * 0.0005f + x579 * 0.05f;
-  // joint 8 "right_finger_slide": placement, velocity and reference acceleration of its link
-  const Real x585 = q[8] * 2.65358979335273e-06f;
-  w.x[6] = x585;
-  const Real x588 = q[8] * 0.9999999999964793f;
-  w.x[7] = x588;
-  const Real x593 = x487 * 2.65358979335273e-06f - x483 * 0.9999999999964793f;
-  const Real x598 = x483 * 2.65358979335273e-06f + x487 * 0.9999999999964793f;
-  const Real x603 = x509 * 2.65358979335273e-06f - x506 * 0.9999999999964793f;
-  const Real x608 = x506 * 2.65358979335273e-06f + x509 * 0.9999999999964793f;
-  const Real x616 = x541 * x585 - x544 * x588 + x529 + x560;
-  const Real x623 = x546 * x588 - x545 * x585 + x533 + x565;
-  const Real x640 = 2.65358979335273e-06f * x616 + 0.9999999999964793f * x623;
-  const Real x630 = x571 + x554 * x585 + x550 * x588;
-  const Real x646 = v[8] * (2.0f * x593) - x630;
-  const Real x649 = 2.65358979335273e-06f * x623 - 0.9999999999964793f * x616 - x574 * v[8];
-  const Real x650 = x593 * x593;
-  const Real x653 = x650 + x598 * x598;
-  const Real x655 = x488 * x593;
-  const Real x657 = x655 - x608;
-  const Real x660 = x593 * x598;
-  const Real x662 = x497 + x660;
-  const Real x665 = x540 + x650;
-  const Real x667 = x488 * x598;
-  // link 9 "right_finger": force that the reference field takes
-  const Real x975 = x667 * 5.333337e-05f - 1.5e-05f * (x653 - x665);
-  const Real x968 = x910 + x660 * 5e-06f - x657 * 1.5e-05f;
-  const Real x991 = x603 * 6.66667e-05f + x975 + x646 * 0.0005f;
-  const Real x984 = x655 * 5.833337e-05f - x662 * 1.5e-05f - x608 * 6.16667e-05f;
-  const Real x994 = x984 + x649 * 0.0015f;
-  const Real x999 = (x603 - x667) * 0.0005f - x653 * 0.0015f;
-  const Real x1000 = x646 * 0.05f + x999;
-  const Real x1006 = x657 * 0.0015f - x662 * 0.0005f + x649 * 0.05f;
-  const Real x1013 = (x603 + x667) * 0.0015f + x665 * 0.0005f;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1020 = 20.0f * (x640 * 0.05f + x1013 + tau[8]);
-  w.x[8] = x1020;
-  const Real x1026 = x640 * 0.0015f + x991 - 0.0015f * x1020;
-  const Real x1063 = 0.0004999999999982397f + x585 * 1.3267948966716939e-07f + x588 * 0.04999999999964792f;
-  const Real x1073 = -1.3267948966763652e-09f - x585 * 3.5207693956928924e-13f - x588 * 1.3267948966716939e-07f;
-  const Real x1076 = -0.0004999999999982397f - x588 * 0.05f;
-  const Real x1079 = 1.3267948966763652e-09f + x585 * 0.05f;
-  const Real x1080 = x588 * 0.0004999999999982397f;
-  const Real x1114 = x585 * 1.3267948966763652e-09f;
-  const Real x1137 = 8.33333e-06f + x1114 + x1080 - x585 * x1073;
-  const Real x1153 = 0.9999999999964793f * x1006 + 2.65358979335273e-06f * tau[8];
-  const Real x1158 = 2.65358979335273e-06f * x1006 - 0.9999999999964793f * tau[8];
-  const Real x1143 = 0.9999999999964793f * x1026 + 2.65358979335273e-06f * x994;
-  const Real x1148 = 2.65358979335273e-06f * x1026 - 0.9999999999964793f * x994;
-  const Real x1177 = x968 - x649 * 0.0005f - x585 * x1158;
-  const Real x1180 = x585 * 5.6332219911062896e-14f + 2.122871834682184e-10f + x588 * 2.1228718346747102e-08f + -0.00014399999999999992f;
-  const Real x1184 = -0.007199999999999999f + x1079;
-  const Real x1186 = 0.007199999999999999f + x1073;
-  const Real x1165 = x588 * x1000 + 0.13f * x1158 + x1143;
-  const Real x1172 = x585 * x1000 - 0.13f * x1153 + x1148;
-  // link 7 "hand": force that the reference field takes
-  const Real x880 = x555 * 0.0754f - x541 * 0.007199999999999999f + x529 * 0.85f;
-  const Real x885 = x545 * 0.007199999999999999f + x549 * 0.0754f + x533 * 0.85f;
-  const Real x893 = x554 * 0.007199999999999999f - (x525 * 0.85f + x551 * 0.0754f);
-  // link 8 "left_finger": force that the reference field takes
-  const Real x961 = x549 * 0.0015f - x546 * 0.0005f + x567 * 0.05f;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1198 = 20.0f * (tau[7] - x961);
-  w.x[9] = x1198;
-  const Real x1204 = q[7] * 0.05f;
-  const Real x1206 = -0.0005f - x1204;
-  const Real x1207 = 0.0005f + x1204;
-  const Real x1208 = q[7] * 0.0005f;
-  const Real x1201 = x941 - x567 * 0.0015f - 0.0015f * x1198;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1179 = x1080 + 2.166670000897794e-05f - x588 * x1076 + 0.01009033f;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1237 = x1076 + x1207;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1130 = x585 * 2.1228718346747102e-08f + 7.999999999971834e-05f + x588 * 0.007999999999943668f;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1239 = -8e-05f - q[7] * 0.008f + x1130;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1185 = x588 * x1063 + x1137 + 0.00317433f;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1241 = 8.33333e-06f + x1208 - q[7] * x1206 + x1185;
-  require_more(w, x1241, 0.0f, kFactorization, 6);
-  const Real x1242 = x1063 + x1206;
-  const Real x1230 = q[7] * x950 - 0.13f * tau[7] + x1201;
-  const Real x1232 = x934 + x579 * 0.0015f + 0.13f * x955;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1192 = x864 + x533 * 0.007199999999999999f + (x1177 - x588 * x1153);
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1250 = x893 + x1000 + x950;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1252 = 1 / x1241;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1247 = x917 - x579 * 0.0005f - q[7] * x955 + x1192;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1254 = x1252 * (tau[6] - x1247);
-  w.x[10] = x1254;
-  const Real x1255 = x1180 * x1252;
-  w.x[11] = x1255;
-  const Real x1256 = x1239 * x1252;
-  w.x[12] = x1256;
-  const Real x1257 = x1242 * x1252;
-  w.x[13] = x1257;
-  const Real x1258 = x1186 * x1252;
-  w.x[14] = x1258;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1236 = 2.16667e-05f + x1208 + q[7] * x1207 + x1179;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1261 = x1236 - x1180 * x1255;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1102 = 3.3833269865128193e-09f - x588 * 1.3267948966763652e-09f + x585 * x1076;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1264 = x1102 - x1180 * x1256;
-  const Real x1267 = 2.1228718346747102e-08f - x1180 * x1257;
-  const Real x1270 = -0.07540000000005632f - x1180 * x1258;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1238 = x1114 + 0.001296666699991022f + x585 * x1079 + 0.008236f + 0.0012966667000000002f;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1273 = x1238 - x1239 * x1256;
-  const Real x1276 = 0.09139999999994367f - x1239 * x1257;
-  const Real x1279 = -2.1228718346747102e-08f - x1239 * x1258;
-  const Real x1282 = 0.9499999999996479f - x1242 * x1257;
-  const Real x1285 = -1.3267948966716939e-07f - x1242 * x1258;
-  const Real x1288 = 0.850000000000352f - x1186 * x1258;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1245 = x846 - x533 * 0.0754f - x1165 + x1230;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1290 = x1245 + x1180 * x1254;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1246 = x529 * 0.0754f + x871 + x1172 + x1232;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1292 = x1246 + x1239 * x1254;
-  const Real x1294 = x880 - x1153 + x955 + x1242 * x1254;
-  const Real x1296 = x885 + x1158 + tau[7] + x1186 * x1254;
-  const Real x1300 = cosine[6] * x1237 - sine[6] * x1184;
-  const Real x1303 = sine[6] * x1237 + cosine[6] * x1184;
-  const Real x1309 = cosine[6] * (x1267 - x1279) - sine[6] * (x1270 + x1276);
-  const Real x1310 = sine[6] * x1309;
-  const Real x1312 = x1270 + x1310;
-  const Real x1313 = x1276 + x1310;
-  const Real x1314 = cosine[6] * x1309;
-  const Real x1316 = x1267 - x1314;
-  const Real x1324 = 3.673205103346574e-06f * x1312 + 0.9999999999932537f * x1300;
-  const Real x1329 = 0.9999999999932537f * x1312 - 3.673205103346574e-06f * x1300;
-  const Real x1334 = 3.673205103346574e-06f * x1316 + 0.9999999999932537f * x1303;
-  const Real x1336 = 0.9999999999932537f * x1334;
-  const Real x1338 = x1303 - x1336;
-  const Real x1339 = 3.673205103346574e-06f * x1334;
-  const Real x1341 = x1316 - x1339;
-  const Real x1344 = 2.0f * sine[6];
-  const Real x1348 = cosine[6] * (x1261 - x1273) - x1264 * x1344;
-  const Real x1351 = x1264 + sine[6] * x1348;
-  const Real x1352 = cosine[6] * x1348;
-  const Real x1354 = x1261 - x1352;
-  const Real x1358 = 3.673205103346574e-06f * x1354;
-  const Real x1363 = 3.673205103346574e-06f * x1358;
-  const Real x1370 = cosine[6] * (x1282 - x1288) - x1285 * x1344;
-  const Real x1373 = x1285 + sine[6] * x1370;
-  const Real x1374 = cosine[6] * x1370;
-  const Real x1376 = x1282 - x1374;
-  const Real x1377 = 3.673205103346574e-06f * x1373;
-  const Real x1379 = 0.9999999999932537f * x1373;
-  const Real x1381 = 3.673205103346574e-06f * (x1376 - 0.95f);
-  const Real x1383 = 0.9999999999932537f * x1381;
-  const Real x1385 = 3.673205103346574e-06f * x1381;
-  const Real x1387 = 0.95f + x1385;
-  const Real x1388 = x1376 - x1385;
-  const Real x1396 = 0.09f * x1383;
-  const Real x1398 = x1339 + x1396;
-  const Real x1400 = 0.09f * x1387 - x1336;
-  const Real x1403 = x1338 - 0.09f * x1388;
-  const Real x1404 = x1341 - x1396;
-  const Real x1411 = 0.9999999999932537f * x1351 - 0.09f * x1324;
-  const Real x1423 = 0.09f * x1398 - (0.9999999999932537f * x1358 + 0.09f * x1341);
-  const Real x1435 = sine[6] * x1290 + cosine[6] * x1292;
-  const Real x1452 = sine[6] * x1294 + cosine[6] * x1296;
-  const Real x1457 = 3.673205103346574e-06f * x1452 + 0.9999999999932537f * x1250;
-  const Real x1462 = 0.9999999999932537f * x1452 - 3.673205103346574e-06f * x1250;
-  const Real x1428 = x1354 - x1363 - 0.09f * x1336 + 0.09f * x1400;
-  const Real x1475 = 0.00351f + x1428;
-  require_more(w, x1475, 0.0f, kFactorization, 5);
-  const Real x1476 = 0.9999999999932537f * x1313 - 0.09f * x1377 + -0.013000000000000001f;
-  const Real x1477 = 0.052000000000000005f + x1400;
-  const Real x1432 = cosine[6] * x1290 - sine[6] * x1292;
-  const Real x1465 = 3.673205103346574e-06f * x1435 + 0.9999999999932537f * tau[6] + 0.09f * x1462;
-  const Real x1469 = 0.9999999999932537f * x1435 - 3.673205103346574e-06f * tau[6] - 0.09f * x1457;
-  const Real x1449 = cosine[6] * x1294 - sine[6] * x1296;
-  // link 6 "wrist": force that the reference field takes
-  const Real x809 = x454 * 0.052000000000000005f - x455 * 0.013000000000000001f + x443 * 1.3f;
-  const Real x814 = x436 * 1.3f + x463 * 0.052000000000000005f + x459 * 0.013000000000000001f;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1489 = 1 / x1475;
-  const Real x1491 = x1489 * (tau[5] - (x796 - x439 * 0.013000000000000001f + x1469));
-  w.x[15] = x1491;
-  const Real x1492 = x1411 * x1489;
-  w.x[16] = x1492;
-  const Real x1493 = x1423 * x1489;
-  w.x[17] = x1493;
-  const Real x1494 = x1476 * x1489;
-  w.x[18] = x1494;
-  const Real x1495 = x1477 * x1489;
-  w.x[19] = x1495;
-  const Real x1496 = x1404 * x1489;
-  w.x[20] = x1496;
-  const Real x1499 = x1273 + x1352 + 0.0014299999999999998f - x1411 * x1492;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1471 = -0.0005200000000000001f - (3.673205103346574e-06f * x1351 + 0.09f * x1329);
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1502 = x1471 - x1411 * x1493;
-  const Real x1505 = x1279 + x1314 - x1411 * x1494;
-  const Real x1508 = x1324 + x1411 * x1495;
-  const Real x1512 = 0.013000000000000001f + x1329 - x1411 * x1496;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1473 = x1363 - 0.09f * x1338 - 0.09f * x1403 + 0.00338f;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1515 = x1473 - x1423 * x1493;
-  const Real x1518 = 3.673205103346574e-06f * x1313 + 0.09f * x1379 + x1423 * x1494;
-  const Real x1522 = x1398 - x1423 * x1495;
-  const Real x1525 = -0.052000000000000005f + x1403 - x1423 * x1496;
-  const Real x1528 = x1288 + x1374 + 1.3f - x1476 * x1494;
-  const Real x1531 = x1377 + x1476 * x1495;
-  const Real x1535 = x1379 - x1476 * x1496;
-  const Real x1538 = 1.3f + x1387 - x1477 * x1495;
-  const Real x1541 = x1383 + x1477 * x1496;
-  const Real x1545 = 1.3f + x1388 - x1404 * x1496;
-  const Real x1547 = x766 + x436 * 0.013000000000000001f + x1432 + x1411 * x1491;
-  const Real x1549 = x1423 * x1491 - (x777 + x436 * 0.052000000000000005f + x1465);
-  const Real x1551 = x439 * 1.3f + x802 + x1449 + x1476 * x1491;
-  const Real x1553 = x809 - x1457 + x1477 * x1491;
-  const Real x1555 = x814 + x1462 + x1404 * x1491;
-  w.x[21] = x1555;
-  const Real x1559 = cosine[5] * x1512 - sine[5] * x1525;
-  const Real x1562 = sine[5] * x1512 + cosine[5] * x1525;
-  const Real x1569 = cosine[5] * (x1505 - x1522) + sine[5] * (x1508 + x1518);
-  const Real x1570 = sine[5] * x1569;
-  const Real x1572 = x1570 - x1508;
-  const Real x1573 = x1570 - x1518;
-  const Real x1574 = cosine[5] * x1569;
-  const Real x1575 = x1522 + x1574;
-  w.x[22] = x1575;
-  const Real x1576 = x1505 - x1574;
-  const Real x1577 = 3.673205103346574e-06f * x1573;
-  w.x[23] = x1577;
-  const Real x1579 = 0.9999999999932537f * x1573;
-  w.x[24] = x1579;
-  const Real x1584 = 3.673205103346574e-06f * x1572 + 0.9999999999932537f * x1559;
-  w.x[25] = x1584;
-  const Real x1589 = 0.9999999999932537f * x1572 - 3.673205103346574e-06f * x1559;
-  w.x[26] = x1589;
-  const Real x1594 = 3.673205103346574e-06f * x1576 + 0.9999999999932537f * x1562;
-  const Real x1596 = 0.9999999999932537f * x1594;
-  w.x[27] = x1596;
-  const Real x1598 = x1562 - x1596;
-  w.x[28] = x1598;
-  const Real x1599 = 3.673205103346574e-06f * x1594;
-  w.x[29] = x1599;
-  const Real x1601 = x1576 - x1599;
-  w.x[30] = x1601;
-  const Real x1604 = 2.0f * sine[5];
-  const Real x1608 = cosine[5] * (x1499 - x1515) - x1502 * x1604;
-  const Real x1611 = x1502 + sine[5] * x1608;
-  const Real x1612 = cosine[5] * x1608;
-  const Real x1613 = x1515 + x1612;
-  w.x[31] = x1613;
-  const Real x1614 = x1499 - x1612;
-  const Real x1615 = 3.673205103346574e-06f * x1611;
-  w.x[32] = x1615;
-  const Real x1617 = 0.9999999999932537f * x1611;
-  w.x[33] = x1617;
-  const Real x1618 = 3.673205103346574e-06f * x1614;
-  const Real x1620 = 0.9999999999932537f * x1618;
-  w.x[34] = x1620;
-  const Real x1622 = 3.673205103346574e-06f * x1618;
-  w.x[35] = x1622;
-  const Real x1624 = x1614 - x1622;
-  w.x[36] = x1624;
-  const Real x1628 = cosine[5] * x1535 + sine[5] * x1541;
-  const Real x1632 = sine[5] * x1535 - cosine[5] * x1541;
-  const Real x1637 = cosine[5] * (x1528 - x1538) + x1531 * x1604;
-  const Real x1640 = sine[5] * x1637 - x1531;
-  const Real x1641 = cosine[5] * x1637;
-  const Real x1642 = x1538 + x1641;
-  w.x[37] = x1642;
-  const Real x1643 = x1528 - x1641;
-  const Real x1648 = 3.673205103346574e-06f * x1640 + 0.9999999999932537f * x1628;
-  w.x[38] = x1648;
-  const Real x1653 = 0.9999999999932537f * x1640 - 3.673205103346574e-06f * x1628;
-  w.x[39] = x1653;
-  const Real x1660 = 3.673205103346574e-06f * (x1643 - x1545) + x1632 * 1.9999999999865075f;
-  const Real x1664 = x1632 - 0.9999999999932537f * x1660;
-  w.x[40] = x1664;
-  const Real x1665 = 3.673205103346574e-06f * x1660;
-  const Real x1667 = x1545 + x1665;
-  w.x[41] = x1667;
-  const Real x1668 = x1643 - x1665;
-  w.x[42] = x1668;
-  const Real x1672 = cosine[5] * x1547 - sine[5] * x1549;
-  w.x[43] = x1672;
-  const Real x1675 = sine[5] * x1547 + cosine[5] * x1549;
-  const Real x1680 = 3.673205103346574e-06f * x1675 + 0.9999999999932537f * tau[5];
-  w.x[44] = x1680;
-  const Real x1685 = 0.9999999999932537f * x1675 - 3.673205103346574e-06f * tau[5];
-  w.x[45] = x1685;
-  const Real x1689 = cosine[5] * x1551 - sine[5] * x1553;
-  w.x[46] = x1689;
-  const Real x1692 = sine[5] * x1551 + cosine[5] * x1553;
-  const Real x1697 = 3.673205103346574e-06f * x1692 + 0.9999999999932537f * x1555;
-  w.x[47] = x1697;
-  const Real x1699 = 0.9999999999932537f * x1692;
-  w.x[48] = x1699;
+// Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
+template <int first, int last>
+void turn(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    Lanes s, c;
+    sine_and_cosine(wide(&w.angle[static_cast<std::size_t>(b * kPerBlock)]), s, c);
+    ADAGEN_FOR (k, 0, 3) {
+      const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
+      narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
+      narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
+    }
+  }
 }
 
-ADAGEN_NOINLINE void part_1_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x718 = w.x[0];
-  const Real x721 = w.x[1];
-  const Real x724 = w.x[2];
-  const Real x730 = w.x[3];
-  const Real x738 = w.x[4];
-  const Real x744 = w.x[5];
-  const Real x1555 = w.x[21];
-  const Real x1575 = w.x[22];
-  const Real x1577 = w.x[23];
-  const Real x1579 = w.x[24];
-  const Real x1584 = w.x[25];
-  const Real x1589 = w.x[26];
-  const Real x1596 = w.x[27];
-  const Real x1598 = w.x[28];
-  const Real x1599 = w.x[29];
-  const Real x1601 = w.x[30];
-  const Real x1613 = w.x[31];
-  const Real x1615 = w.x[32];
-  const Real x1617 = w.x[33];
-  const Real x1620 = w.x[34];
-  const Real x1622 = w.x[35];
-  const Real x1624 = w.x[36];
-  const Real x1642 = w.x[37];
-  const Real x1648 = w.x[38];
-  const Real x1653 = w.x[39];
-  const Real x1664 = w.x[40];
-  const Real x1667 = w.x[41];
-  const Real x1668 = w.x[42];
-  const Real x1672 = w.x[43];
-  const Real x1680 = w.x[44];
-  const Real x1685 = w.x[45];
-  const Real x1689 = w.x[46];
-  const Real x1697 = w.x[47];
-  const Real x1699 = w.x[48];
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1703 = 0.01553729f + x1613;
-  require_more(w, x1703, 0.0f, kFactorization, 4);
-  const Real x1704 = 0.136f - x1584;
-  const Real x1705 = 0.017f + x1589;
-  const Real x1706 = 0.01536729f + x1622;
-  w.x[49] = x1706;
-  const Real x1709 = 0.00189125f + x1624;
-  w.x[50] = x1709;
-  const Real x1711 = 1.7f + x1642;
-  w.x[51] = x1711;
-  const Real x1712 = 1.7f + x1667;
-  w.x[52] = x1712;
-  const Real x1713 = 1.7f + x1668;
-  w.x[53] = x1713;
-  const Real x1714 = x718 + x1672;
-  const Real x1715 = x721 - x1680;
-  const Real x1716 = x724 + x1685;
-  const Real x1717 = x730 + x1689;
-  const Real x1718 = x738 - x1697;
-  const Real x1719 = x1699 - 3.673205103346574e-06f * x1555 + x744;
-  // link 5 "wrist_housing": mobility from its articulated-body inertia
-  const Real x1720 = 1 / x1703;
-  const Real x1721 = x1615 * x1720;
-  const Real x1723 = x1617 * x1720;
-  const Real x1724 = x1575 * x1720;
-  const Real x1725 = x1704 * x1720;
-  const Real x1726 = x1705 * x1720;
-  const Real x1729 = x1706 - x1615 * x1721;
-  w.x[54] = x1729;
-  const Real x1732 = 0.00136f - x1620 + x1617 * x1721;
-  const Real x1735 = -0.136f - x1577 + x1575 * x1721;
-  const Real x1738 = x1599 + x1704 * x1721;
-  const Real x1741 = x1598 + x1705 * x1721;
-  const Real x1742 = 1 / x1729;
-  const Real x1743 = x1732 * x1742;
-  const Real x1744 = x1735 * x1742;
-  const Real x1745 = x1738 * x1742;
-  const Real x1746 = x1741 * x1742;
-  const Real x1752 = x1709 - x1617 * x1723 - x1732 * x1743;
-  w.x[55] = x1752;
-  const Real x1758 = -0.017f + x1579 - x1575 * x1723 - x1735 * x1743;
-  const Real x1765 = x1596 + x1704 * x1723 + x1738 * x1743;
-  const Real x1772 = x1601 - x1705 * x1723 - x1741 * x1743;
-  const Real x1773 = 1 / x1752;
-  const Real x1774 = x1758 * x1773;
-  const Real x1775 = x1765 * x1773;
-  const Real x1777 = x1772 * x1773;
-  const Real x1785 = x1711 - x1575 * x1724 - x1735 * x1744;
-  const Real x1786 = x1785 - x1758 * x1774;
-  w.x[56] = x1786;
-  const Real x1795 = x1648 + x1704 * x1724 + x1738 * x1744;
-  const Real x1797 = x1765 * x1774 - x1795;
-  const Real x1805 = x1653 - x1705 * x1724 - x1741 * x1744;
-  const Real x1806 = x1805 - x1772 * x1774;
-  const Real x1807 = 1 / x1786;
-  const Real x1808 = x1797 * x1807;
-  const Real x1809 = x1806 * x1807;
-  const Real x1819 = x1712 - x1704 * x1725 - x1738 * x1745;
-  const Real x1821 = x1819 - x1765 * x1775 - x1797 * x1808;
-  w.x[57] = x1821;
-  const Real x1831 = x1664 - x1705 * x1725 - x1741 * x1745;
-  const Real x1833 = x1772 * x1775 + x1831 - x1806 * x1808;
-  const Real x1834 = 1 / x1821;
-  const Real x1835 = x1833 * x1834;
-  const Real x1847 = x1713 - x1705 * x1726 - x1741 * x1746;
-  const Real x1849 = x1847 - x1772 * x1777 - x1806 * x1809;
-  const Real x1850 = x1849 - x1833 * x1835;
-  w.x[58] = x1850;
-  const Real x1851 = 1 / x1850;
-  w.x[59] = x1851;
-  w.to[0][20] = x1851;
-  const Real x1861 = x1723 + x1721 * x1743;
-  const Real x1871 = x1774 * x1861 - (x1724 + x1721 * x1744);
-  const Real x1875 = x1743 * x1774 - x1744;
-  const Real x1886 = x1725 + x1721 * x1745 + x1775 * x1861;
-  const Real x1888 = x1808 * x1871 + x1886;
-  const Real x1897 = x1745 + x1743 * x1775 + x1808 * x1875;
-  const Real x1901 = x1775 + x1774 * x1808;
-  const Real x1914 = x1777 * x1861 - (x1726 + x1721 * x1746);
-  const Real x1916 = x1914 - x1809 * x1871 + x1835 * x1888;
-  const Real x1925 = x1743 * x1777 - x1746 - x1809 * x1875;
-  const Real x1926 = x1835 * x1897 + x1925;
-  const Real x1933 = x1774 * x1809 - x1777 - x1835 * x1901;
-  const Real x1937 = x1808 * x1835 - x1809;
-  const Real x1939 = x1721 * x1742;
-  const Real x1940 = x1773 * x1861;
-  const Real x1942 = x1743 * x1773;
-  const Real x1944 = x1807 * x1871;
-  const Real x1945 = x1807 * x1875;
-  const Real x1946 = x1774 * x1807;
-  const Real x1948 = x1834 * x1888;
-  const Real x1950 = x1834 * x1897;
-  const Real x1952 = x1834 * x1901;
-  const Real x1953 = x1808 * x1834;
-  const Real x1955 = x1851 * x1916;
-  w.x[60] = x1955;
-  w.to[0][5] = x1955;
-  const Real x1956 = x1851 * x1926;
-  w.x[61] = x1956;
-  w.to[0][10] = x1956;
-  const Real x1957 = x1851 * x1933;
-  w.x[62] = x1957;
-  w.to[0][14] = x1957;
-  const Real x1958 = x1851 * x1937;
-  w.x[63] = x1958;
-  w.to[0][17] = x1958;
-  const Real x1959 = x1835 * x1851;
-  w.x[64] = x1959;
-  const Real x1960 = -x1959;
-  w.to[0][19] = x1960;
-  const Real x1969 = x1720 + x1721 * x1939 + x1861 * x1940;
-  const Real x1971 = x1871 * x1944 + x1969 + x1888 * x1948;
-  const Real x1972 = x1916 * x1955 + x1971;
-  w.x[65] = x1972;
-  w.to[0][0] = x1972;
-  const Real x1980 = x1939 + x1861 * x1942 + x1871 * x1945;
-  const Real x1982 = x1888 * x1950 + x1980 + x1916 * x1956;
-  w.x[66] = x1982;
-  w.to[0][1] = x1982;
-  const Real x1990 = x1940 + x1871 * x1946 + x1888 * x1952;
-  const Real x1992 = x1916 * x1957 - x1990;
-  w.x[67] = x1992;
-  w.to[0][2] = x1992;
-  const Real x1997 = x1944 + x1888 * x1953 + x1916 * x1958;
-  w.x[68] = x1997;
-  w.to[0][3] = x1997;
-  const Real x2000 = x1948 + x1916 * x1959;
-  w.x[69] = x2000;
-  const Real x2001 = -x2000;
-  w.to[0][4] = x2001;
-  const Real x2009 = x1742 + x1743 * x1942 + x1875 * x1945;
-  const Real x2011 = x1897 * x1950 + x2009 + x1926 * x1956;
-  w.x[70] = x2011;
-  w.to[0][6] = x2011;
-  const Real x2019 = x1942 + x1875 * x1946 + x1897 * x1952;
-  const Real x2021 = x1926 * x1957 - x2019;
-  w.x[71] = x2021;
-  w.to[0][7] = x2021;
-  const Real x2026 = x1945 + x1897 * x1953 + x1926 * x1958;
-  w.x[72] = x2026;
-  w.to[0][8] = x2026;
-  const Real x2029 = x1950 + x1926 * x1959;
-  w.x[73] = x2029;
-  const Real x2030 = -x2029;
-  w.to[0][9] = x2030;
-  const Real x2036 = x1773 + x1774 * x1946 + x1901 * x1952;
-  const Real x2037 = x1933 * x1957 + x2036;
-  w.x[74] = x2037;
-  w.to[0][11] = x2037;
-  const Real x2043 = x1933 * x1958 - (x1946 + x1901 * x1953);
-  w.x[75] = x2043;
-  w.to[0][12] = x2043;
-  const Real x2046 = x1952 - x1933 * x1959;
-  w.x[76] = x2046;
-  w.to[0][13] = x2046;
-  const Real x2051 = x1807 + x1808 * x1953 + x1937 * x1958;
-  w.x[77] = x2051;
-  w.to[0][15] = x2051;
-  const Real x2054 = x1953 + x1937 * x1959;
-  w.x[78] = x2054;
-  const Real x2055 = -x2054;
-  w.to[0][16] = x2055;
-  const Real x2058 = x1834 + x1835 * x1959;
-  w.x[79] = x2058;
-  w.to[0][18] = x2058;
-  const Real x2067 = x1714 * x1972 + x1719 * x1955 + x1715 * x1982;
-  const Real x2069 = x1716 * x1992 + x2067 + x1717 * x1997;
-  const Real x2070 = x2069 - x1718 * x2000;
-  w.x[80] = x2070;
-  const Real x2079 = x1714 * x1982 + x1719 * x1956 + x1715 * x2011;
-  const Real x2081 = x1716 * x2021 + x2079 + x1717 * x2026;
-  const Real x2082 = x2081 - x1718 * x2029;
-  w.x[81] = x2082;
-  const Real x2090 = x1714 * x1992 + x1719 * x1957 + x1715 * x2021;
-  const Real x2092 = x1716 * x2037 + x2090 + x1717 * x2043;
-  const Real x2093 = x1718 * x2046 + x2092;
-  w.x[82] = x2093;
-  const Real x2102 = x1714 * x1997 + x1719 * x1958 + x1715 * x2026;
-  const Real x2104 = x1716 * x2043 + x2102 + x1717 * x2051;
-  const Real x2105 = x2104 - x1718 * x2054;
-  w.x[83] = x2105;
-  const Real x2118 = x1714 * x2000 + x1719 * x1959 + x1715 * x2029;
-  const Real x2121 = x1716 * x2046 - x2118 - x1717 * x2054;
-  const Real x2122 = x1718 * x2058 + x2121;
-  w.x[84] = x2122;
-  const Real x2131 = x1714 * x1955 + x1719 * x1851 + x1715 * x1956;
-  const Real x2133 = x1716 * x1957 + x2131 + x1717 * x1958;
-  const Real x2134 = x2133 - x1718 * x1959;
-  w.x[85] = x2134;
-  const Real x2135 = -x2070;
-  w.to[0][21] = x2135;
-  const Real x2136 = -x2082;
-  w.to[0][22] = x2136;
-  const Real x2137 = -x2093;
-  w.to[0][23] = x2137;
-  const Real x2138 = -x2105;
-  w.to[0][24] = x2138;
-  const Real x2139 = -x2122;
-  w.to[0][25] = x2139;
-  const Real x2140 = -x2134;
-  w.to[0][26] = x2140;
+// Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
+// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J, and the bias
+// force is that of the acceleration field a + H x, H = alpha x + omega x omega x.
+template <int first, int last>
+void set_up_links(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const auto& entries = block.entries;
+    const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
+                          wide_vector(entries + kAxes + 6)};
+    const Symmetric<Lanes> T{wide(constants.tensor[0]), wide(constants.tensor[1]),
+                             wide(constants.tensor[2]), wide(constants.tensor[3]),
+                             wide(constants.tensor[4]), wide(constants.tensor[5])};
+    const Matrix<Lanes> RT{T * R.x, T * R.y, T * R.z};  // rows of R T
+    const Symmetric<Lanes> J{dot(RT.x, R.x), dot(RT.x, R.y), dot(RT.x, R.z),
+                             dot(RT.y, R.y), dot(RT.y, R.z), dot(RT.z, R.z)};
+    narrow(J.yy + J.zz, block.entries[kRotational]);
+    narrow(-J.xy, block.entries[kRotational + 1]);
+    narrow(-J.xz, block.entries[kRotational + 2]);
+    narrow(J.xx + J.zz, block.entries[kRotational + 3]);
+    narrow(-J.yz, block.entries[kRotational + 4]);
+    narrow(J.xx + J.yy, block.entries[kRotational + 5]);
+    const Vector<Lanes> c = R * wide_vector(constants.moments);
+    narrow(c, block.entries + kMoments);
+
+    const Vector<Lanes> w_ = wide_vector(entries + kOmega), al = wide_vector(entries + kAlpha);
+    const Lanes xx = w_.x * w_.x, yy = w_.y * w_.y, zz = w_.z * w_.z;
+    const Lanes xy = w_.x * w_.y, xz = w_.x * w_.z, yz = w_.y * w_.z;
+    const Matrix<Lanes> H{{-(yy + zz), xy - al.z, xz + al.y},
+                          {xy + al.z, -(xx + zz), yz - al.x},
+                          {xz - al.y, yz + al.x, -(xx + yy)}};
+    const Vector<Lanes> a = wide_vector(entries + kAcceleration);
+    const Vector<Lanes> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
+    Vector<Lanes> n = cross(c, a);
+    n += Vector<Lanes>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
+                       dot(H.y, Jx) - dot(H.x, Jy)};
+    narrow(n, block.entries + kTorque);
+    narrow(a * wide(constants.mass) + H * c, block.entries + kForce);
+  }
 }
 
-ADAGEN_NOINLINE void part_1_2(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x1706 = w.x[49];
-  const Real x1709 = w.x[50];
-  const Real x1711 = w.x[51];
-  const Real x1712 = w.x[52];
-  const Real x1713 = w.x[53];
-  const Real x1729 = w.x[54];
-  const Real x1752 = w.x[55];
-  const Real x1786 = w.x[56];
-  const Real x1821 = w.x[57];
-  const Real x1850 = w.x[58];
-  // link 5 "wrist_housing": mobility from its articulated-body inertia
-  const Real x1855 = x1711 * 9.5367431640625e-07f;
-  require_more(w, x1786, x1855, kFactorization, 4);
-  const Real x1853 = x1706 * 9.5367431640625e-07f;
-  require_more(w, x1729, x1853, kFactorization, 4);
-  const Real x1854 = x1709 * 9.5367431640625e-07f;
-  require_more(w, x1752, x1854, kFactorization, 4);
-  const Real x1856 = x1712 * 9.5367431640625e-07f;
-  require_more(w, x1821, x1856, kFactorization, 4);
-  const Real x1857 = x1713 * 9.5367431640625e-07f;
-  require_more(w, x1850, x1857, kFactorization, 4);
+// From the base outwards: where links are and how they would move without joint accelerations.
+
+ADAGEN_INLINE Frame<Value> frame_of(Workspace& w, int joint) {
+  const Value* R = w.of(joint, kAxes);
+  return {matrix_at(R), vector_at(w.of(joint, kOmega)), vector_at(w.of(joint, kAlpha)),
+          vector_at(w.of(joint, kAcceleration))};
 }
 
-ADAGEN_NOINLINE void part_1_3(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x585 = w.x[6];
-  const Real x588 = w.x[7];
-  const Real x1020 = w.x[8];
-  const Real x1198 = w.x[9];
-  const Real x1254 = w.x[10];
-  const Real x1255 = w.x[11];
-  const Real x1256 = w.x[12];
-  const Real x1257 = w.x[13];
-  const Real x1258 = w.x[14];
-  const Real x1491 = w.x[15];
-  const Real x1492 = w.x[16];
-  const Real x1493 = w.x[17];
-  const Real x1494 = w.x[18];
-  const Real x1495 = w.x[19];
-  const Real x1496 = w.x[20];
-  const Real x1851 = w.x[59];
-  const Real x1955 = w.x[60];
-  const Real x1956 = w.x[61];
-  const Real x1957 = w.x[62];
-  const Real x1958 = w.x[63];
-  const Real x1959 = w.x[64];
-  const Real x1972 = w.x[65];
-  const Real x1982 = w.x[66];
-  const Real x1992 = w.x[67];
-  const Real x1997 = w.x[68];
-  const Real x2000 = w.x[69];
-  const Real x2011 = w.x[70];
-  const Real x2021 = w.x[71];
-  const Real x2026 = w.x[72];
-  const Real x2029 = w.x[73];
-  const Real x2037 = w.x[74];
-  const Real x2043 = w.x[75];
-  const Real x2046 = w.x[76];
-  const Real x2051 = w.x[77];
-  const Real x2054 = w.x[78];
-  const Real x2058 = w.x[79];
-  const Real x2070 = w.x[80];
-  const Real x2082 = w.x[81];
-  const Real x2093 = w.x[82];
-  const Real x2105 = w.x[83];
-  const Real x2122 = w.x[84];
-  const Real x2134 = w.x[85];
-  // message received
-  const Real x2141 = w.from[1][0];
-  const Real x2146 = w.from[1][5];
-  const Real x2142 = w.from[1][1];
-  const Real x2143 = w.from[1][2];
-  const Real x2144 = w.from[1][3];
-  const Real x2145 = w.from[1][4];
-  // link 5 "wrist_housing": acceleration under the handle forces
-  const Real x2219 = x1955 * x2141 + x1851 * x2146 + x1956 * x2142;
-  const Real x2167 = x1982 * x2141 + x1956 * x2146 + x2011 * x2142;
-  const Real x2178 = x1992 * x2141 + x1957 * x2146 + x2021 * x2142;
-  const Real x2206 = x2000 * x2141 + x1959 * x2146 + x2029 * x2142;
-  const Real x2155 = x1972 * x2141 + x1955 * x2146 + x1982 * x2142;
-  const Real x2221 = x1957 * x2143 + x2219 + x1958 * x2144;
-  const Real x2190 = x1997 * x2141 + x1958 * x2146 + x2026 * x2142;
-  const Real x2169 = x2021 * x2143 + x2167 + x2026 * x2144;
-  const Real x2180 = x2037 * x2143 + x2178 + x2043 * x2144;
-  const Real x2209 = x2046 * x2143 - x2206 - x2054 * x2144;
-  const Real x2157 = x1992 * x2143 + x2155 + x1997 * x2144;
-  const Real x2228 = x2221 - x1959 * x2145 - x2134;
-  const Real x2224 = x2169 - x2029 * x2145 - x2082;
-  const Real x2225 = x2046 * x2145 + x2180 - x2093;
-  const Real x2227 = x2058 * x2145 + x2209 - x2122;
-  const Real x2223 = x2157 - x2000 * x2145 - x2070;
-  const Real x2192 = x2043 * x2143 + x2190 + x2051 * x2144;
-  const Real x2226 = x2192 - x2054 * x2145 - x2105;
-  // joint 5 "wrist_pitch": its acceleration, and that of the link beyond
-  const Real x2232 = 0.9999999999932537f * x2225 - 3.673205103346574e-06f * x2224;
-  const Real x2254 = 0.9999999999932537f * x2227 + 3.673205103346574e-06f * x2228;
-  const Real x2249 = 0.9999999999932537f * x2228 - 3.673205103346574e-06f * x2227;
-  const Real x2241 = cosine[5] * x2223 + sine[5] * x2232;
-  const Real x2245 = cosine[5] * x2232 - sine[5] * x2223;
-  const Real x2258 = cosine[5] * x2226 + sine[5] * x2249;
-  const Real x2262 = cosine[5] * x2249 - sine[5] * x2226;
-  const Real x2274 = x1491 + x1496 * x2254 - x1492 * x2241;
-  const Real x2276 = x2274 - x1493 * x2245 - x1494 * x2258;
-  const Real x2277 = x2276 - x1495 * x2262;
-  const Real x2278 = 0.9999999999932537f * x2224 + 3.673205103346574e-06f * x2225 + x2277;
-  w.result[5] = x2278;
-  // joint 6 "flange_roll": its acceleration, and that of the link beyond
-  const Real x2290 = 0.9999999999932537f * x2277 - 3.673205103346574e-06f * x2245;
-  const Real x2304 = 3.673205103346574e-06f * (x2262 + 0.09f * x2277);
-  const Real x2308 = x2304 + 0.9999999999932537f * (x2254 + 0.09f * x2245);
-  const Real x2299 = cosine[6] * x2241 + sine[6] * x2290;
-  const Real x2303 = cosine[6] * x2290 - sine[6] * x2241;
-  const Real x2318 = cosine[6] * x2258 - sine[6] * x2308;
-  const Real x2323 = sine[6] * x2258 + cosine[6] * x2308;
-  const Real x2334 = x1254 - x1255 * x2299 - x1256 * x2303;
-  const Real x2336 = x2334 - x1257 * x2318 + x1258 * x2323;
-  const Real x2337 = 0.9999999999932537f * x2245 + 3.673205103346574e-06f * x2277 + x2336;
-  w.result[6] = x2337;
-  // joint 7 "left_finger_slide": its acceleration, and that of the link beyond
-  const Real x2348 = x2323 + 0.13f * x2299;
-  const Real x2356 = x1198 + 0.03f * x2299 + x2348;
-  w.result[7] = x2356;
-  // joint 8 "right_finger_slide": its acceleration, and that of the link beyond
-  const Real x2384 = 2.65358979335273e-06f * (x2318 + 0.13f * x2303 + x588 * x2336);
-  const Real x2391 = x1020 + 0.03f * (2.65358979335273e-06f * x2303 - 0.9999999999964793f * x2299);
-  const Real x2392 = x2391 - (0.9999999999964793f * (x2348 + x585 * x2336) - x2384);
-  w.result[8] = x2392;
+template <class T>
+ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
+  put_at(w.at(slot, kAxes), frame.R);
+  put_at(w.at(slot, kOmega), frame.omega);
+  put_at(w.at(slot, kAlpha), frame.alpha);
+  put_at(w.at(slot, kAcceleration), frame.a);
+}
+
+// The ground accelerates against gravity: accelerations are relative to free fall.
+ADAGEN_INLINE Frame<Value> ground() {
+  const Value one = Value{} + 1, none{};
+  return {{{one, none, none}, {none, one, none}, {none, none, one}},
+          {none, none, none},
+          {none, none, none},
+          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
+}
+
+// The axes of a floating base are the link's own: only gravity is turned.
+template <int j>
+void free_base_frame(Workspace& w) {
+  constexpr const JointConstants& joint = kJoints[j];
+  const Value* q = w.q + joint.q + 3;
+  Matrix<Value> turn;
+  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
+  Frame<Value> frame = ground();
+  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
+  const Real* const P = joint.rotation;
+  const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
+                           P[1] * gravity.x + P[4] * gravity.y + P[7] * gravity.z,
+                           P[2] * gravity.x + P[5] * gravity.y + P[8] * gravity.z};
+  const Value none{};
+  frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
+  const Value* v = w.v + joint.v + 3;
+  frame.omega = {v[0], v[1], v[2]};
+  keep(w, slot_of(j), frame);
+}
+
+ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
+  const Real* const P = joint.rotation;
+  return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
+}
+
+// One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
+// with later is kept.
+template <bool kept, class T>
+ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
+                                Frame<T>& at) {
+  const JointConstants& joint = joints.any();
+  const auto moved = [&](const Value* x, int JointConstants::* place) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
+  };
+  const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
+  const Vector<T> axis{R.x.z, R.y.z, R.z.z};
+  Vector<T> r = at.R * origin_of(joints);
+  const Vector<T> omega = at.omega;
+  const auto turn_with = [&](const Vector<T>& relative) {
+    at.omega += relative;
+    return cross(omega, relative);
+  };
+  const auto ride_along = [&] {
+    at.a += cross(omega, cross(omega, r));
+    at.a += cross(at.alpha, r);
+  };
+  const auto slide_and_spin = [&](const Vector<T>& q, const Vector<T>& slide,
+                                  const Vector<T>& spin) {
+    const Matrix<Real> P = placement(joint);
+    r += at.R * Vector<T>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
+    ride_along();
+    at.a += cross(omega + omega + spin, slide);
+    at.alpha += turn_with(spin);
+  };
+  switch (kind) {
+    case JointKind::kRevolute:
+      ride_along();
+      at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
+      break;
+    case JointKind::kPrismatic: {
+      r += axis * moved(w.q, &JointConstants::q);
+      ride_along();
+      const T v = moved(w.v, &JointConstants::v);
+      at.a += cross(omega, axis * (v + v));
+      break;
+    }
+    case JointKind::kSpherical:
+      ride_along();
+      if constexpr (kAnySpherical)
+        at.alpha += turn_with(R * each_vector(joints, w.v, &JointConstants::v));
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        const Vector<T> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
+        slide_and_spin(Vector<T>{q[0], q[1], T{}}, x * v[0] + y * v[1], axis * v[2]);
+      }
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        slide_and_spin(Vector<T>{q[0], q[1], q[2]}, R * Vector<T>{v[0], v[1], v[2]},
+                       R * Vector<T>{v[3], v[4], v[5]});
+      }
+      break;
+  }
+  at.R = R;
+  if constexpr (!kept) return;
+  w.memory(joints).r = r;
+  if constexpr (kWithAxis<T>) w.memory(joints).axis = axis;
+  keep(w, joints.slot, at);
+}
+
+// The frame of the link that a joint is on.
+template <int j>
+ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
+  constexpr int parent = kJoints[j].parent - 1;
+  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+}
+
+// Joints first .. last, each on the link of the one before.
+template <int first, int last>
+void outward(Workspace& w) {
+  Frame<Value> at = frame_near<first>(w);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, single(first + k), kind, at); });
+}
+
+// The same on the way to joints that are treated: only the last link's frame is kept.
+template <int first, int last>
+void pass_outward(Workspace& w) {
+  Frame<Value> at = frame_near<first>(w);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
+  keep(w, slot_of(last), at);
+}
+
+// Symmetric matrices of three rows, eliminated.
+
+// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21. Without fractions (Bareiss) the three
+// divisions need not wait for each other: with m = xx yy - xy^2 and so on the pivots are xx, m / xx
+// and (m m' - t^2) / (xx m), as exact as by turns while fourth powers of A keep their digits: in
+// float they would not. All numbers that checks gets are positive if A could be factorized.
+template <class T>
+ADAGEN_INLINE void factorize(const Symmetric<T>& A, T* factors, T (&checks)[4]) {
+  using Limits = std::numeric_limits<Real>;
+  T* const l = factors + 3;
+  const T d0 = 1 / A.xx;
+  l[0] = A.xy * d0, l[1] = A.xz * d0;
+  T p1, p2;
+  if constexpr (Limits::min_exponent10 < -300) {
+    const T m = A.xx * A.yy - A.xy * A.xy, t = A.xx * A.yz - A.xy * A.xz;
+    p1 = m, p2 = m * (A.xx * A.zz - A.xz * A.xz) - t * t;
+    const T inverse = 1 / m;
+    factors[1] = A.xx * inverse, factors[2] = A.xx * m / p2;
+    l[2] = t * inverse;
+    checks[2] = p2 - Limits::min() / Limits::epsilon();
+  } else {
+    const T t = A.yz - l[1] * A.xy;
+    p1 = A.yy - l[0] * A.xy;
+    factors[1] = 1 / p1, l[2] = t * factors[1];
+    p2 = A.zz - l[1] * A.xz - l[2] * t;
+    factors[2] = 1 / p2;
+    checks[2] = p2;
+  }
+  factors[0] = d0;
+  checks[0] = A.xx, checks[1] = p1, checks[3] = Limits::max() - p2;
+}
+
+// A^-1 b, by the factors of A.
+template <class F, class T>
+ADAGEN_INLINE Vector<T> solved(const F* factors, const Vector<T>& b) {
+  const F *d = factors, *l = factors + 3;
+  const T y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
+  const T z = y2 * d[2], y = y1 * d[1] - l[2] * z;
+  return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
+}
+
+// C becomes C - B^T A^-1 B, by the factors of A; returns A^-1 B. With L Y = B what is subtracted is
+// Y^T D^-1 Y, which waits for no more than the last division.
+template <class T>
+ADAGEN_INLINE Matrix<T> complement(Symmetric<T>& C, const Matrix<T>& B, const T* factors) {
+  const T *d = factors, *l = factors + 3;
+  const Vector<T> Yx = B.x, Yy = B.y - B.x * l[0], Yz = (B.z - B.x * l[1]) - Yy * l[2];
+  const Vector<T> Zx = Yx * d[0], Zy = Yy * d[1], Zz = Yz * d[2];
+  using V = Vector<T>;
+  const auto subtract = [&](T& c, T V::* i, T V::* k) ADAGEN_ALWAYS {
+    c = ((c - Yx.*i * Zx.*k) - Yy.*i * Zy.*k) - Yz.*i * Zz.*k;
+  };
+  subtract(C.xx, &V::x, &V::x), subtract(C.xy, &V::x, &V::y), subtract(C.xz, &V::x, &V::z);
+  subtract(C.yy, &V::y, &V::y), subtract(C.yz, &V::y, &V::z), subtract(C.zz, &V::z, &V::z);
+  const Vector<T> Ky = Zy - Zz * l[2];
+  return {(Zx - Zz * l[1]) - Ky * l[0], Ky, Zz};
+}
+
+// Spherical joints: three rotations at once. Damping and a rotor are the same about all axes.
+[[maybe_unused]] constexpr bool any_spherical_rotor() {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == JointKind::kSpherical && joint.passive.rotor != 0) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kSphericalRotors = any_spherical_rotor();
+
+// The torque that reaches the links, in the child link's axes: less damping.
+template <class T>
+ADAGEN_INLINE Vector<T> spherical_torque(const Workspace& w, const Joints<T>& joints) {
+  const Vector<T> tau = each_vector(joints, w.tau, &JointConstants::v);
+  if constexpr (!kAnyPassive) return tau;
+  const T damping = each(joints, [](const JointConstants& own) { return own.passive.damping; });
+  return tau - each_vector(joints, w.v, &JointConstants::v) * damping;
+}
+
+template <class T>
+ADAGEN_INLINE T rotor_of(const Joints<T>& joints) {
+  return each(joints, [](const JointConstants& own) { return own.passive.rotor; });
+}
+
+template <class T>
+ADAGEN_INLINE Symmetric<T> with_rotor(Symmetric<T> A, const T& rotor) {
+  A.xx += rotor, A.yy += rotor, A.zz += rotor;
+  return A;
+}
+
+// Takes the three rotations out of the body at the joint's origin: what is left of it is C and f,
+// and the torque, so that no rounding stays behind. e gets K = A^-1 B, y = A^-1 (torque - n) and
+// the factors of A. With a rotor J, which is the same about all axes, A + J is in the place of A
+// there, and J K, J (A + J)^-1 A and torque - J y are left, too.
+template <bool reversed, class T>
+ADAGEN_INLINE void take_out_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  T* const e = w.memory(joints).e;
+  Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
+  if constexpr (reversed) torque = -torque;
+  T* const factors = e + 12;
+  T checks[4];
+  const T rotor = rotor_of(joints);
+  factorize(kSphericalRotors ? with_rotor(X.A, rotor) : X.A, factors, checks);
+  for (const T& check : checks)
+    if (__builtin_expect(!all_positive(check), 0)) fail_one(w, joints, check);
+  const Matrix<T>& B = X.B;
+  const Matrix<T> K = complement(X.C, B, factors);
+  const Vector<T> y = solved(factors, torque - X.n);
+  e[0] = K.x.x, e[1] = K.x.y, e[2] = K.x.z, e[3] = K.y.x, e[4] = K.y.y, e[5] = K.y.z;
+  e[6] = K.z.x, e[7] = K.z.y, e[8] = K.z.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
+  X.f += transposed_times(B, y);
+  X.n = torque;
+  if constexpr (kSphericalRotors) {
+    const Symmetric<T>& A = X.A;
+    const Vector<T> x = solved(factors, Vector<T>{A.xx, A.xy, A.xz});
+    const Vector<T> z = solved(factors, Vector<T>{A.xz, A.yz, A.zz});
+    const T yy = solved(factors, Vector<T>{A.xy, A.yy, A.yz}).y;
+    X.A = {x.x * rotor, x.y * rotor, x.z * rotor, yy * rotor, z.y * rotor, z.z * rotor};
+    X.B = {K.x * rotor, K.y * rotor, K.z * rotor};
+    X.n += -(y * rotor);
+  } else {
+    X.A = Symmetric<T>{}, X.B = Matrix<T>{};
+  }
+}
+
+// The same, from the far link's side to the near link's origin.
+template <bool reversed, class T>
+ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Vector<T>& r = w.memory(joints).r;
+  if constexpr (reversed) shift(X, -r);
+  take_out_rotations<reversed>(w, joints, X);
+  if constexpr (!reversed && kSphericalRotors) shift(X, r);
+  if constexpr (!reversed && !kSphericalRotors) shift_mass(X, r);
+}
+
+// Whether joints first .. last leave of a body no more than its mass.
+[[maybe_unused]] constexpr bool leave_mass_alone(int first, int last) {
+  for (int j = first; j <= last; ++j)
+    if (kJoints[j].kind != JointKind::kSpherical) return false;
+  return !kSphericalRotors;
+}
+
+// Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
+// is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
+// near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
+
+template <class T>
+ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Value* const A = w.at(joints.slot, kRotational);
+  const auto mass = mass_of(joints);
+  const Vector<T> c = vector_at<T>(w.at(joints.slot, kMoments));
+  const Vector<T> Ax = vector_at<T>(A), Ay = vector_at<T>(A + 3 * kPerBlock);
+  X.A += Symmetric<T>{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};  // xx xy xz yy yz zz
+  X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
+  X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
+  X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
+  X.n += vector_at<T>(w.at(joints.slot, kTorque));
+  X.f += vector_at<T>(w.at(joints.slot, kForce));
+}
+
+// A bare link told about the point at -r from its origin: A - (rx dx + dx rx), d = c + m r / 2.
+template <class T>
+ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, const Vector<T>& r) {
+  Body<T> X{};
+  add_bare_link(w, joints, X);
+  const Vector<T> c{X.B.z.y, X.B.x.z, X.B.y.x};
+  const T m = X.C.xx;
+  const Vector<T> d = c + r * (m / 2), moved = c + r * m;
+  const T xx = 2 * d.x * r.x, yy = 2 * d.y * r.y, zz = 2 * d.z * r.z;
+  X.A += Symmetric<T>{yy + zz, -(d.x * r.y + d.y * r.x), -(d.x * r.z + d.z * r.x),
+                      xx + zz, -(d.y * r.z + d.z * r.y), xx + yy};
+  const T none{};
+  X.B = {{none, -moved.z, moved.y}, {moved.z, none, -moved.x}, {-moved.y, moved.x, none}};
+  X.n += cross(r, X.f);
+  return X;
+}
+
+constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
+
+// Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
+// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near
+// link's origin: outwards the joint has the acceleration u / D - (U / D) a, a being the near
+// link's.
+template <bool along, bool reversed, class T, class Arrive>
+ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, const Vector<T>& s,
+                             const Vector<T>& r, const T& tau, T* e, const Arrive& arrive) {
+  if constexpr (reversed) shift(X, -r);
+  Vector<T> n = along ? X.B * s : X.A * s;
+  const Vector<T> f = along ? X.C * s : transposed_times(X.B, s);
+  T D = dot(s, along ? f : n);
+  if constexpr (kAnyPassive)
+    D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1) D += each(joints, immovable);
+  const T inverse = 1 / D;
+  T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1)
+    u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
+  const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
+  const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
+  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
+  if constexpr (!reversed) {
+    shift(X, r);
+    n += cross(r, f);
+  }
+  arrive(X);
+  const Vector<T> e_n = n * inverse, e_f = f * inverse;
+  e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
+  e[7] = inverse;
+  subtract(X, n, f, e_n, e_f);
+  X.n += n * u;
+  X.f += f * u;
+}
+
+// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), A and what it leaves of C
+// by their factors. Whether that could be done.
+ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
+  Value turning[6], sliding[6], checks[2][4];
+  factorize(X.A, turning, checks[0]);
+  Symmetric<Value> C = X.C;
+  const Matrix<Value> K = complement(C, X.B, turning);
+  factorize(C, sliding, checks[1]);
+  const Vector<Value> y = solved(turning, -X.n);
+  a.linear = solved(sliding, -(X.f + transposed_times(X.B, y)));
+  a.angular = y - K * a.linear;
+  bool fine = true;
+  for (const auto& of : checks)
+    for (const Value& check : of) fine &= all_positive(check);
+  return fine;
+}
+
+// A joint with all freedoms hands on its force alone; e gets the acceleration of the body beyond.
+template <bool reversed>
+ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
+                            const Value* tau, Value* e) {
+  if constexpr (reversed) shift(X, -r);
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
+  Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) n = -n, f = -f;
+  X.n += -n, X.f += -f;
+  Motion<Value> a;
+  if (!solve_free(X, a)) fail(w, kFactorization, j);
+  e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
+  e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
+  X = Body<Value>{};
+  X.n = n, X.f = f;
+  if constexpr (!reversed) shift(X, r);
+}
+
+// A planar joint: along x and y, then about z.
+template <bool reversed>
+ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, Body<Value>& X) {
+  Memory& memory = w.memory(joints);
+  const Value* tau = w.tau + joints.any().v;
+  const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
+  const Vector<Value> none{};
+  const auto told = [](const Value& torque) { return reversed ? -torque : torque; };
+  if constexpr (reversed) shift(X, -memory.r);
+  const auto nothing = [](const Body<Value>&) {};
+  eliminate<true, false>(w, joints, X, x, none, told(tau[0]), memory.e, nothing);
+  eliminate<true, false>(w, joints, X, y, none, told(tau[1]), memory.e + 8, nothing);
+  eliminate<false, false>(w, joints, X, z, none, told(tau[2]), memory.e + 16, nothing);
+  if constexpr (!reversed) shift(X, memory.r);
+}
+
+// One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
+template <bool reversed, class T, class Arrive>
+ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind kind, Body<T>& X,
+                               const Arrive& arrive) {
+  const JointConstants& joint = joints.any();
+  Eliminated<T>& memory = w.memory(joints);
+  const Value* R = w.at(joints.slot, kAxes);
+  const auto freedom = [&] {
+    return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
+  };
+  switch (kind) {
+    case JointKind::kRevolute:
+      eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
+                                 arrive);
+      return;
+    case JointKind::kPrismatic:
+      eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e, arrive);
+      return;
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, joints, X);
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) eliminate_planar<reversed>(w, joints, X);
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating && kWidth<T> == 1)
+        set_free<reversed>(w, joints.joint[0], X, memory.r, w.tau + joint.v, memory.e);
+      break;
+  }
+  arrive(X);
+}
+
+// Adds to a body what the sweep finds at a link.
+template <int p>
+ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
+  if (role.adds_own) add_bare_link(w, single(link - 1), X);
+}
+
+// What is found at a link.
+template <int p>
+ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
+  Body<Value> X{};
+  meet<p>(w, link, X);
+  return X;
+}
+
+template <bool starts>
+ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
+  Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
+  if constexpr (starts)
+    body = X;
+  else
+    body += X;
+}
+
+// Whether nothing but the links themselves is found at links first .. last.
+template <int p>
+constexpr bool bare(int first, int last) {
+  for (int link = first; link <= last; ++link) {
+    const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+    if (role.gathers || !role.adds_own) return false;
+  }
+  return true;
+}
+
+// Process p takes joints last .. first inwards, each on the link of the one before.
+template <int p, int first, int last, bool starts>
+void inward(Workspace& w) {
+  Body<Value> X{};
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick) meet<p>(w, last + 1, X);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, j + 1, X);
+    step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
+      if (quick && j > first) add_bare_link(w, single(j - 1), near);
+    });
+  });
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave<starts>(w, near, X);
+}
+
+// The next for spherical joints with bare links between them: a link is told at the next joint's
+// origin before what is left of the body gets there.
+template <int p, int first, int last>
+ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
+  Body<Value> X{};
+  meet<p>(w, kJoints[first].parent, X);
+  shift(X, -w.joints[first].r);
+  take_out_rotations<true>(w, single(first), X);
+  for (int j = first + 1; j <= last; ++j) {
+    const Vector<Value> r = -w.joints[static_cast<std::size_t>(j)].r;
+    shift_mass(X, r);
+    X += bare_link_from(w, single(j - 1), r);
+    take_out_rotations<true>(w, single(j), X);
+  }
+  return X;
+}
+
+// The same for a root beyond joint last: from the parent link of joint first to the child of last.
+template <int p, int first, int last, bool starts>
+void inward_reversed(Workspace& w) {
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick && leave_mass_alone(first, last))
+    return leave<starts>(w, last + 1, turn_inward_reversed<p, first, last>(w));
+  Body<Value> X{};
+  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
+      if (quick && j < last) add_bare_link(w, single(j), near);
+    });
+  });
+  leave<starts>(w, last + 1, X);
+}
+
+// Adds a link itself to what was found at it.
+template <int link, bool starts>
+void place(Workspace& w) {
+  Body<Value> X{};
+  add_bare_link(w, single(link - 1), X);
+  leave<starts>(w, link, X);
+}
+
+// A floating joint on the ground only adds its torque to the link.
+template <int j, bool starts>
+void free_base(Workspace& w) {
+  const Value* tau = w.tau + kJoints[j].v;
+  Body<Value> X{};
+  X.n = {-tau[3], -tau[4], -tau[5]};
+  X.f = {-tau[0], -tau[1], -tau[2]};
+  leave<starts>(w, j + 1, X);
+}
+
+// Acceleration of a root that nothing holds.
+template <int p, int link>
+void solve_root(Workspace& w) {
+  if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
+}
+
+// Numbers of x, or beyond its last one of y.
+template <int... k, class V>
+ADAGEN_INLINE V shuffled(const V& x, const V& y) {
+#if defined(__clang__)
+  return __builtin_shufflevector(x, y, k...);
+#else
+  return __builtin_shuffle(x, y, decltype(x < y){k...});
+#endif
+}
+
+// Rows x and y of a square: what lies in columns apart by a distance changes places.
+template <int distance, class V, std::size_t... column>
+ADAGEN_INLINE void exchange(V& x, V& y, std::index_sequence<column...>) {
+  constexpr int n = sizeof...(column);
+  const V row = shuffled<(column & distance ? n + column - distance : column)...>(x, y);
+  y = shuffled<(column & distance ? n + column : column + distance)...>(x, y);
+  x = row;
+}
+
+// A square of as many rows as each has numbers becomes its transpose: blocks of one number, then of
+// two by two, and so on.
+template <int distance = 1, class V, std::size_t n>
+ADAGEN_INLINE void transpose(V (&rows)[n]) {
+  if constexpr (distance < static_cast<int>(n)) {
+    ADAGEN_FOR (k, 0, static_cast<int>(n))
+      if ((k & distance) == 0)
+        exchange<distance>(rows[k], rows[k + distance], std::make_index_sequence<n>{});
+    transpose<2 * distance>(rows);
+  }
+}
+
+// A body by columns of eight lanes, for what takes one joint at a time: each column a register.
+typedef Real Column __attribute__((vector_size(8 * sizeof(Real))));  // [angular, -, linear, -]
+
+#if defined(__AVX512F__)
+constexpr bool kInColumns = sizeof(Column) <= 64;
+#elif defined(__AVX2__)
+constexpr bool kInColumns = sizeof(Column) <= 32;
+#else
+constexpr bool kInColumns = false;
+#endif
+
+// An articulated body about a point: the columns of its inertia along three rotations and three
+// translations, and its bias force.
+struct Columns {
+  Column angular[3]{}, linear[3]{}, force{};
+};
+
+ADAGEN_INLINE void operator+=(Columns& a, const Columns& b) {
+  ADAGEN_FOR (k, 0, 3) {
+    a.angular[k] += b.angular[k];
+    a.linear[k] += b.linear[k];
+  }
+  a.force += b.force;
+}
+
+ADAGEN_INLINE Column column(const Vector<Real>& angular, const Vector<Real>& linear) {
+  return Column{angular.x, angular.y, angular.z, 0, linear.x, linear.y, linear.z, 0};
+}
+ADAGEN_INLINE Columns columns(const Body<Real>& X) {
+  const auto& [A, B, C, n, f] = X;
+  return {{column({A.xx, A.xy, A.xz}, B.x), column({A.xy, A.yy, A.yz}, B.y),
+           column({A.xz, A.yz, A.zz}, B.z)},
+          {column({B.x.x, B.y.x, B.z.x}, {C.xx, C.xy, C.xz}),
+           column({B.x.y, B.y.y, B.z.y}, {C.xy, C.yy, C.yz}),
+           column({B.x.z, B.y.z, B.z.z}, {C.xz, C.yz, C.zz})},
+          column(n, f)};
+}
+ADAGEN_INLINE Body<Real> body(const Columns& X) {
+  const Column &x = X.angular[0], &y = X.angular[1], &z = X.angular[2];
+  const Column &u = X.linear[0], &v = X.linear[1], &w = X.linear[2], &p = X.force;
+  return {{x[0], x[1], x[2], y[1], y[2], z[2]},
+          {{x[4], x[5], x[6]}, {y[4], y[5], y[6]}, {z[4], z[5], z[6]}},
+          {u[4], u[5], u[6], v[5], v[6], w[6]},
+          {p[0], p[1], p[2]},
+          {p[4], p[5], p[6]}};
+}
+
+// Eight lanes of a register that may hold more.
+template <int first>
+ADAGEN_INLINE Column eight(const Lanes& x) {
+  Real numbers[kLanes];
+  std::memcpy(numbers, &x, sizeof x);
+  Column result;
+  std::memcpy(&result, numbers + first, sizeof result);
+  return result;
+}
+
+// One number of a column in all lanes.
+template <int k>
+ADAGEN_INLINE Column spread(const Column& x) {
+  return shuffled<k, k, k, k, k, k, k, k>(x, x);
+}
+
+// The lever arm r of a force: [n; f] becomes [n + r x f; f].
+struct Arm {
+  Column ahead, behind;  // y z x and z x y of r in the angular lanes
+  Vector<Real> r;
+};
+ADAGEN_INLINE Arm arm(const Vector<Real>& r) {
+  return {Column{r.y, r.z, r.x}, Column{r.z, r.x, r.y}, r};
+}
+// The same where x, too, has r as its linear half.
+ADAGEN_INLINE Arm arm(const Column& x, const Vector<Real>& r) {
+  return {shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x), shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x), r};
+}
+ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
+  return x + arm.ahead * shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x) -
+         arm.behind * shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x);
+}
+
+// The body told about the point at -r from the one that it is told about: what forces become, then
+// what motions were.
+ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
+  ADAGEN_FOR (k, 0, 3) {
+    X.angular[k] = carried(arm, X.angular[k]);
+    X.linear[k] = carried(arm, X.linear[k]);
+  }
+  const auto& [x, y, z] = arm.r;
+  X.angular[0] += X.linear[2] * y - X.linear[1] * z;
+  X.angular[1] += X.linear[0] * z - X.linear[2] * x;
+  X.angular[2] += X.linear[1] * x - X.linear[0] * y;
+  X.force = carried(arm, X.force);
+}
+
+// U and 1 / D of the joint before: what is still to be subtracted from the body. So the next D need
+// not wait for that.
+struct Due {
+  Column U{};
+  Real inverse = 0;
+};
+
+// The inertia less e U^T.
+ADAGEN_INLINE void subtract(Columns& X, const Column& U, const Column& e) {
+  X.angular[0] -= e * spread<0>(U);
+  X.angular[1] -= e * spread<1>(U);
+  X.angular[2] -= e * spread<2>(U);
+  X.linear[0] -= e * spread<4>(U);
+  X.linear[1] -= e * spread<5>(U);
+  X.linear[2] -= e * spread<6>(U);
+}
+ADAGEN_INLINE void settle(Columns& X, Due& due) {
+  subtract(X, due.U, due.U * due.inverse);
+  due = {};
+}
+
+// Inwards by columns: a joint takes a few instructions for each. For runs of joints that nothing
+// lies beside; where no register holds a column, such runs are taken number by number.
+
+// The joint that fills a slot.
+const std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
+  std::array<std::size_t, kBlockCount * kPerBlock> result;
+  result.fill(kJointCount);
+  for (int j = 0; j < kJointCount; ++j)
+    result[static_cast<std::size_t>(slot_of(j))] = static_cast<std::size_t>(j);
+  return result;
+}();
+
+// What set_up_links found of the links of blocks first .. last - 1, as it is added to columns.
+template <int first, int last>
+void set_up_columns(Workspace& w) {
+  if constexpr (!kInColumns) return;
+  for (int slot = first * kPerBlock; slot < last * kPerBlock; slot += 8) {
+    const auto row = [&](int entry) {
+      return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
+    };
+    const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
+      ADAGEN_FOR (k, 0, 8) {
+        LinkColumns& link = w.columns[kJointAt[static_cast<std::size_t>(slot + k)]];
+        std::memcpy(link.*place, &found[k], sizeof found[k]);
+      }
+    };
+    const auto& all = kBlockConstants[static_cast<std::size_t>(slot / kPerBlock)];
+    const Column mass = number_at<Column>(&all.mass[static_cast<std::size_t>(slot % kPerBlock)]);
+    const Column x = row(kMoments), y = row(kMoments + 1), z = row(kMoments + 2);
+    const Column none = mass - mass;  // a zero unknown to gcc 12, which errs in shuffles with it
+    constexpr int A = kRotational, n = kTorque, f = kForce;
+    Column tensor[]{row(A), row(A + 1), row(A + 2), row(A + 3), row(A + 4), row(A + 5), mass, none};
+    transpose(tensor);
+    put(&LinkColumns::tensor, tensor);
+    Column moments[]{x, y, z, -x, -y, -z, none, none};
+    transpose(moments);
+    put(&LinkColumns::moments, moments);
+    Column force[]{row(n), row(n + 1), row(n + 2), none, row(f), row(f + 1), row(f + 2), none};
+    transpose(force);
+    put(&LinkColumns::force, force);
+  }
+}
+
+ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Columns& X) {
+  const LinkColumns& own = w.columns[static_cast<std::size_t>(link - 1)];
+  const Column a = number_at<Column>(own.tensor);   // xx xy xz yy yz zz m 0
+  const Column b = number_at<Column>(own.moments);  // x y z -x -y -z 0 0
+  X.angular[0] += shuffled<0, 1, 2, 7, 7, 13, 9, 7>(a, b);
+  X.angular[1] += shuffled<1, 3, 4, 7, 10, 7, 11, 7>(a, b);
+  X.angular[2] += shuffled<2, 4, 5, 7, 12, 8, 7, 7>(a, b);
+  X.linear[0] += shuffled<7, 10, 12, 7, 6, 7, 7, 7>(a, b);
+  X.linear[1] += shuffled<13, 7, 8, 7, 7, 6, 7, 7>(a, b);
+  X.linear[2] += shuffled<9, 11, 7, 7, 7, 7, 6, 7>(a, b);
+  X.force += number_at<Column>(own.force);
+}
+
+template <int p>
+ADAGEN_INLINE void meet(Workspace& w, int link, Columns& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += columns(w.bodies[static_cast<std::size_t>(link)]);
+  if (role.adds_own) add_bare_link(w, link, X);
+}
+
+// S^T x with S = [s; 0] or [0; s].
+template <bool along>
+ADAGEN_INLINE Real component(const Column& s, const Column& x) {
+  constexpr int first = along ? 4 : 0;
+  const Column part = s * x;
+  return (part[first] + part[first + 1]) + part[first + 2];
+}
+
+// See eliminate in inward.hpp. With X less U U^T / D due, S^T X S is less (S^T U)^2 / D.
+template <bool along, bool reversed, class Arrive>
+ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Arrive& arrive) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Vector<Real>& axis = memory.axis;
+  Column both;  // [axis, -, r, -]
+  std::memcpy(&both, &memory, sizeof both);
+  const Column s = shuffled<0, 1, 2, 3, 0, 1, 2, 3>(both, both);
+  if constexpr (reversed) both = -both;
+  const Arm lever = arm(both, reversed ? -memory.r : memory.r);
+  if constexpr (reversed) {
+    shift(X, lever);
+    due.U = carried(lever, due.U);
+  }
+  const Column(&side)[3] = along ? X.linear : X.angular;
+  const Column V = side[0] * axis.x + side[1] * axis.y + side[2] * axis.z;
+  const Real q = component<along>(s, due.U);
+  Real D = component<along>(s, V) - q * q * due.inverse;
+  if constexpr (kAnyPassive) D += joint.passive.rotor;
+  const Real inverse = 1 / D;
+  const Column before = due.U * due.inverse;
+  subtract(X, due.U, before);
+  Column U = V - before * q;
+  const Real tau = torque(w, joint);
+  const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
+  constexpr int first = along ? 4 : 0;  // D beside the trace tells what digits are left
+  const Real left = D - kLeast * (side[0][first] + side[1][first + 1] + side[2][first + 2]);
+  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, j);
+  if constexpr (!reversed) {
+    shift(X, lever);
+    U = carried(lever, U);
+  }
+  arrive(X);
+  const Column e = U * inverse;
+  Column kept = shuffled<0, 1, 2, 4, 5, 6, 3, 7>(e, e);
+  kept[6] = u, kept[7] = inverse;
+  std::memcpy(memory.e, &kept, sizeof kept);
+  due = {U, inverse};
+  X.force += U * u;
+}
+
+template <bool reversed, class Arrive>
+ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, Due& due,
+                               const Arrive& arrive) {
+  [[maybe_unused]] const auto number_by_number = [&] {
+    settle(X, due);
+    Body<Real> whole = body(X);
+    step_inward<reversed>(w, single(j), kind, whole, [](const Body<Real>&) {});
+    X = columns(whole);
+  };
+  switch (kind) {
+    case JointKind::kRevolute:
+      eliminate<false, reversed>(w, j, X, due, arrive);
+      return;
+    case JointKind::kPrismatic:
+      if constexpr (any_of(JointKind::kPrismatic)) eliminate<true, reversed>(w, j, X, due, arrive);
+      return;
+    default:
+      if constexpr (kAnySpherical || kAnyPlanar || kAnyFloating) number_by_number();
+  }
+  arrive(X);
+}
+
+// See inward in inward.hpp.
+template <int p, int first, int last, bool starts>
+void inward_in_columns(Workspace& w) {
+  if constexpr (!kInColumns) return inward<p, first, last, starts>(w);
+  constexpr bool quick = bare<p>(first + 1, last);
+  Columns X;
+  Due due;
+  if constexpr (quick) meet<p>(w, last + 1, X);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, j + 1, X);
+    step_inward<false>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
+      if (quick && j > first) add_bare_link(w, j, near);
+    });
+  });
+  settle(X, due);
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave<starts>(w, near, body(X));
+}
+
+// See inward_reversed in inward.hpp.
+template <int p, int first, int last, bool starts>
+void inward_in_columns_reversed(Workspace& w) {
+  if constexpr (!kInColumns) return inward_reversed<p, first, last, starts>(w);
+  constexpr bool quick = bare<p>(first + 1, last);
+  Columns X;
+  Due due;
+  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    step_inward<true>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
+      if (quick && j < last) add_bare_link(w, j + 1, near);
+    });
+  });
+  settle(X, due);
+  leave<starts>(w, last + 1, body(X));
+}
+
+// Outwards again: the joints' accelerations.
+
+template <class T>
+ADAGEN_INLINE T freedom(const T* e, const Motion<T>& a) {
+  return (e[6] - (e[0] * a.angular.x + e[1] * a.angular.y)) -
+         ((e[2] * a.angular.z + e[3] * a.linear.x) + (e[4] * a.linear.y + e[5] * a.linear.z));
+}
+
+// Gives the k-th acceleration of each of the joints.
+template <class T>
+ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T& x) {
+  const auto place = [&](int lane) -> Value& {
+    const int v = kJoints[static_cast<std::size_t>(joints.joint[lane])].v;
+    return w.answer[static_cast<std::size_t>(v + k)];
+  };
+  if constexpr (kWidth<T> == 1)
+    place(0) = x;
+  else
+    ADAGEN_FOR (lane, 0, kWidth<T>) place(lane) = x[lane];
+}
+
+// The same for joints with several freedoms, told at the joint's origin throughout.
+template <bool reversed>
+ADAGEN_INLINE void move_at_joint(Workspace& w, const Joints<Value>& joints, Motion<Value>& a) {
+  const JointConstants& joint = joints.any();
+  [[maybe_unused]] const Value* const e = w.memory(joints).e;
+  [[maybe_unused]] const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  [[maybe_unused]] Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+  if constexpr (kAnyPlanar) {
+    if (joint.kind == JointKind::kPlanar) {
+      const Value spin = freedom(e + 16, a);
+      a.angular += Vector<Value>{R.x.z, R.y.z, R.z.z} * spin;
+      const Value y = freedom(e + 8, a);
+      a.linear += Vector<Value>{R.x.y, R.y.y, R.z.y} * y;
+      const Value x = freedom(e, a);
+      a.linear += Vector<Value>{R.x.x, R.y.x, R.z.x} * x;
+      qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
+    }
+  }
+  if constexpr (kAnyFloating) {
+    if (joint.kind == JointKind::kFloating) {
+      const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+      const Vector<Value> slide = transposed_times(R, far.linear - a.linear);
+      const Vector<Value> spin = transposed_times(R, far.angular - a.angular);
+      const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
+      ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
+      a = far;
+    }
+  }
+}
+
+// The same for spherical joints.
+template <bool reversed, class T>
+ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
+  const T* const e = w.memory(joints).e;
+  const Matrix<T> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+  Vector<T> far = Vector<T>{e[9], e[10], e[11]} - K * a.linear;
+  if constexpr (kSphericalRotors) far += solved(e + 12, a.angular) * rotor_of(joints);
+  const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
+  const Vector<T> x = transposed_times(R, far - a.angular);
+  answer(w, joints, 0, reversed ? -x.x : x.x);
+  answer(w, joints, 1, reversed ? -x.y : x.y);
+  answer(w, joints, 2, reversed ? -x.z : x.z);
+  a.angular = far;
+}
+
+// A joint's acceleration from the near link's, which becomes the far link's; each is told at its
+// own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
+template <bool reversed, class T>
+ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
+  const T* const e = w.memory(joints).e;
+  const Vector<T>& r = w.memory(joints).r;
+  switch (kind) {
+    case JointKind::kRevolute: {
+      const Vector<T> axis = axis_of(w, joints);
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
+      carry(a, reversed ? -r : r);
+      a.angular += axis * x;
+      if constexpr (reversed) a.linear += cross(r, axis) * x;
+      break;
+    }
+    case JointKind::kPrismatic: {
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
+      carry(a, reversed ? -r : r);
+      a.linear += axis_of(w, joints) * x;
+      break;
+    }
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) {
+        if constexpr (!reversed) carry(a, r);
+        turn_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+      break;
+    default:
+      if constexpr (kWidth<T> == 1) {
+        if constexpr (!reversed) carry(a, r);
+        move_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+  }
+}
+
+// Joints first .. last outwards; what moves along with a link is kept where other paths start.
+template <int p, int first, int last>
+void accelerate(Workspace& w) {
+  Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    move<false>(w, single(first + k), kind, a);
+    const std::size_t far = static_cast<std::size_t>(first + k + 1);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
+}
+
+// Six numbers that follow from each other are no work for lanes: g++ takes a fifth longer with
+// them.
+#if defined(__clang__)
+#define ADAGEN_ONE_BY_ONE
+#else
+#define ADAGEN_ONE_BY_ONE __attribute__((optimize("no-tree-slp-vectorize")))
+#endif
+template <int p, int first, int last>
+ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
+  Motion<Value> a = w.motions[last + 1];
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    move<true>(w, single(j), kind, a);
+    const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
+}
+
+// The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
+template <int j>
+void as_joint_acceleration(Workspace& w) {
+  const Value* v = w.v + kJoints[j].v;
+  Value* qdd = &w.answer[kJoints[j].v];
+  const Vector<Value> turned =
+      cross(Vector<Value>{v[3], v[4], v[5]}, Vector<Value>{v[0], v[1], v[2]});
+  qdd[0] -= turned.x, qdd[1] -= turned.y, qdd[2] -= turned.z;
+}
+
+// A floating base's joint acceleration, [linear; angular] in its own axes.
+template <int j>
+void free_acceleration(Workspace& w) {
+  const Motion<Value>& a = w.motions[j + 1];
+  Value* qdd = &w.answer[kJoints[j].v];
+  qdd[0] = a.linear.x, qdd[1] = a.linear.y, qdd[2] = a.linear.z;
+  qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
+  as_joint_acceleration<j>(w);
+}
+
+
+// Nothing on the ground moves beyond its Frame, and the ground does not yield.
+const Mat6 kZero = Mat6::Zero();
+const Columns6 kGround = Columns6::Zero();
+
+// Mobility: what a segment shows at its handles, and what forces there do inside it. Phi and b are
+// in the axes of the base about the handles' origins; b are accelerations beyond those of a Frame.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+
+ADAGEN_INLINE Motion<Value> motion_of(const Columns6& a) {
+  return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
+}
+ADAGEN_INLINE Columns6 columns_of(const Motion<Value>& a) {
+  Columns6 result;
+  result << a.angular.x, a.angular.y, a.angular.z, a.linear.x, a.linear.y, a.linear.z;
+  return result;
+}
+
+inline Mat6 inertia_of(const Body<Value>& X) {
+  Mat6 I;
+  I << X.A.xx, X.A.xy, X.A.xz, X.B.x.x, X.B.x.y, X.B.x.z,  //
+      X.A.xy, X.A.yy, X.A.yz, X.B.y.x, X.B.y.y, X.B.y.z,   //
+      X.A.xz, X.A.yz, X.A.zz, X.B.z.x, X.B.z.y, X.B.z.z,   //
+      X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx, X.C.xy, X.C.xz,   //
+      X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy, X.C.yz,   //
+      X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz;
+  return I;
+}
+inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
+
+// The inverse of a symmetric matrix of six rows, and as symmetric: L^-T D^-1 L^-1, L^-1 by
+// elimination of all six unit vectors at once. Where masses differ much, subtracting on the way
+// back instead would cost digits. Whether each pivot exceeds what it must at least.
+ADAGEN_INLINE bool invert(const Mat6& m, const Real (&least)[6], Mat6& inverse) {
+  Lanes rows[6]{}, X[6]{};
+  Real over[6];
+  bool good = true;
+  ADAGEN_FOR (i, 0, 6) {
+    std::memcpy(&rows[i], m.data() + 6 * i, 6 * sizeof(Real));
+    X[i][i] = 1;
+  }
+  ADAGEN_FOR (c, 0, 6) {
+    const Real pivot = rows[c][c];
+    good = good && pivot > least[c] && pivot <= std::numeric_limits<Real>::max();
+    over[c] = 1 / pivot;
+    ADAGEN_FOR (i, c + 1, 6) {
+      const Real l = rows[i][c] * over[c];
+      rows[i] -= rows[c] * l;
+      X[i] -= X[c] * l;
+    }
+  }
+  ADAGEN_FOR (i, 0, 6) {
+    Lanes sum{};
+    ADAGEN_FOR (k, i, 6) sum += X[k] * (X[k][i] * over[k]);
+    std::memcpy(inverse.data() + 6 * i, &sum, 6 * sizeof(Real));
+  }
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, 0, i) inverse(k, i) = inverse(i, k);
+  return good;
+}
+
+// Phi = (I^A)^-1 and b = -Phi p^A of a segment's root.
+[[maybe_unused]] inline bool invert(const Body<Value>& X, Mat6& Phi, Columns6& b) {
+  constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+  const Mat6 I = inertia_of(X);
+  Real least[6];
+  ADAGEN_FOR (k, 0, 6) least[k] = kRounding * I(k, k);
+  const bool good = invert(I, least, Phi);
+  b.noalias() = -Phi * force_of(X);
+  return good;
+}
+
+template <int p, int link>
+void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
+  if (!invert(whole<p>(w, link), Phi, b)) fail(w, kFactorization, link - 1);
+}
+
+// Motions of a link, side by side: what the far link does, with what drives the joint beyond L a
+// (of a joint with one freedom x).
+template <bool reversed>
+ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a,
+                        const Vector<Lanes>& drive = Vector<Lanes>{}) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value> axis = axis_at(w.of(j, kAxes));
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      if constexpr (!reversed) carry(a, memory.r);
+      const Vector<Lanes> v = a.linear, spin = a.angular;
+      a.angular = {drive.x - (e[0] * v.x + e[1] * v.y + e[2] * v.z),
+                   drive.y - (e[3] * v.x + e[4] * v.y + e[5] * v.z),
+                   drive.z - (e[6] * v.x + e[7] * v.y + e[8] * v.z)};
+      if constexpr (kSphericalRotors) a.angular += solved(e + 12, spin) * rotor_of(single(j));
+      if constexpr (reversed) carry(a, -memory.r);
+    }
+    return;
+  }
+  const Lanes x = drive.x - ((e[0] * a.angular.x + e[1] * a.angular.y) +
+                             (e[2] * a.angular.z + e[3] * a.linear.x) +
+                             (e[4] * a.linear.y + e[5] * a.linear.z));
+  const Vector<Lanes> moved{axis.x * x, axis.y * x, axis.z * x};
+  if constexpr (!reversed) carry(a, memory.r);
+  if (kind == JointKind::kPrismatic)
+    a.linear += moved;
+  else
+    a.angular += moved;
+  if constexpr (reversed) carry(a, -memory.r);
+}
+
+ADAGEN_INLINE Motion<Lanes> rows_of(const Mat6& transposed) {
+  const auto row = [&transposed](int k) {
+    Lanes result{};
+    std::memcpy(&result, transposed.data() + 6 * k, 6 * sizeof(Real));
+    return result;
+  };
+  return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}};
+}
+ADAGEN_INLINE Mat6 from_rows(const Motion<Lanes>& a) {  // transposed
+  Mat6 result;
+  const Lanes* rows[6] = {&a.angular.x, &a.angular.y, &a.angular.z,
+                          &a.linear.x,  &a.linear.y,  &a.linear.z};
+  for (int k = 0; k < 6; ++k) std::memcpy(result.data() + 6 * k, rows[k], 6 * sizeof(Real));
+  return result;
+}
+
+// L m, m being told with the near link in its rows.
+template <bool reversed>
+Mat6 passed(Workspace& w, int j, const Mat6& m) {
+  Motion<Lanes> rows = rows_of(m.transpose());
+  pass<reversed>(w, j, rows);
+  return from_rows(rows).transpose();
+}
+
+// S D^-1 S^T at the far link's origin.
+template <bool reversed>
+Mat6 own_mobility(Workspace& w, int j) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  Mat6 result = Mat6::Zero();
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      for (int k = 0; k < 3; ++k) {
+        const Vector<Value> unit{Value(k == 0), Value(k == 1), Value(k == 2)};
+        const Vector<Value> x = solved(memory.e + 12, unit);
+        result(0, k) = x.x, result(1, k) = x.y, result(2, k) = x.z;
+      }
+    }
+    if constexpr (reversed) {
+      Mat6 shifted = Mat6::Identity();
+      const Vector<Value> r = -memory.r;  // linear += angular x r
+      shifted(3, 1) = r.z, shifted(3, 2) = -r.y, shifted(4, 0) = -r.z;
+      shifted(4, 2) = r.x, shifted(5, 0) = r.y, shifted(5, 1) = -r.x;
+      result = shifted * result * shifted.transpose();
+    }
+    return result;
+  }
+  Motion<Value> S{};
+  (kind == JointKind::kPrismatic ? S.linear : S.angular) = axis_at(w.of(j, kAxes));
+  if constexpr (reversed) carry(S, -memory.r);
+  const Columns6 s = columns_of(S);
+  return s * memory.e[7] * s.transpose();
+}
+
+// Omega and b outwards across a joint: L Omega L^T + S D^-1 S^T. Nothing is subtracted.
+template <bool reversed>
+void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias, Mat6& far,
+               Columns6& far_bias) {
+  const Mat6 half = passed<reversed>(w, j, near);
+  far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
+  Motion<Value> a = motion_of(near_bias);
+  move<reversed>(w, single(j), kJoints[static_cast<std::size_t>(j)].kind, a);
+  far_bias = columns_of(a);
+}
+
+// A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
+template <int link>
+void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  const Body<Value>& X = w.bodies[link];
+  const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
+  w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
+}
+
+// The force that what was left at a link needs to move as the link does.
+template <int link>
+Columns6 force_on(Workspace& w) {
+  const Body<Value>& X = w.bodies[link];
+  return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
+}
+
+// --- joins: adapters to the joints' own frames ---------------------------------------------------
+
+// From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
+[[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  X.E << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
+  Y.E = X.E;
+  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  X.r << r.x, r.y, r.z;
+  Y.r.setZero();
+}
+
+template <std::size_t n>
+void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
+  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
+}
+
+template <std::size_t n>
+void store_acceleration(Workspace& w, int, int v,
+                        const std::array<std::array<Real, kColumns>, n>& qdd) {
+  for (std::size_t k = 0; k < n; ++k) w.answer[static_cast<std::size_t>(v) + k] = qdd[k][0];
+}
+
+// Forces at handles: what they do inside a run.
+
+// A wrench on the far link becomes what the near link feels of it, L^T times it; what it drives the
+// joint with, D^-1 S^T times it, is returned.
+template <bool reversed, class T>
+ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value>& r = memory.r;
+  if constexpr (reversed) n += cross(f, r);
+  Vector<T> driven{};
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      driven = solved(e + 12, n);
+      f.x -= e[0] * n.x + e[3] * n.y + e[6] * n.z;
+      f.y -= e[1] * n.x + e[4] * n.y + e[7] * n.z;
+      f.z -= e[2] * n.x + e[5] * n.y + e[8] * n.z;
+      n = kSphericalRotors ? driven * rotor_of(single(j)) : Vector<T>{};
+      if constexpr (!reversed) n += -cross(f, r);
+    }
+    return driven;
+  }
+  const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_at(w.of(j, kAxes)));
+  driven.x = x * e[7];
+  if constexpr (!reversed) n += -cross(f, r);
+  n.x -= e[0] * x, n.y -= e[1] * x, n.z -= e[2] * x;
+  f.x -= e[3] * x, f.y -= e[4] * x, f.z -= e[5] * x;
+  return driven;
+}
+
+// What a link is loaded with is added to what is handed on to it.
+ADAGEN_INLINE void take_load(const Workspace& w, int link, Vector<Value>& n, Vector<Value>& f) {
+  const Columns6& load = w.loads[static_cast<std::size_t>(link)];
+  n += Vector<Value>{load[0], load[1], load[2]};
+  f += Vector<Value>{load[3], load[4], load[5]};
+}
+
+// A wrench on the far link: the joint is told, and what the near link feels is left.
+template <bool reversed>
+ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
+  Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
+  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
+  } else {
+    e[6] += driven.x;
+  }
+}
+
+// The loads of links beyond joints first .. last, each on the link of the one before, from the last
+// link to the one that the first joint is on.
+template <int first, int last>
+void deliver(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = last; j >= first; --j) {
+    take_load(w, j + 1, n, f);
+    deliver<false>(w, j, n, f);
+  }
+  w.loads[kJoints[first].parent] += columns_of({n, f});
+}
+// The same where the ground's side lies beyond: from the first joint's link to the last one's.
+template <int first, int last>
+void deliver_reversed(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = first; j <= last; ++j) {
+    take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
+    deliver<true>(w, j, n, f);
+  }
+  w.loads[last + 1] += columns_of({n, f});
+}
+
+// What goes into a message, and out of one.
+template <class M>
+Number* put(Number* to, const M& m) {
+  Eigen::Map<Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>>{to} =
+      m.template cast<Number>();
+  return to + M::SizeAtCompileTime;
+}
+
+template <class M>
+const Number* get(const Number* from, M& m) {
+  using Content = Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>;
+  m = Eigen::Map<const Content>(from).template cast<Real>();
+  return from + M::SizeAtCompileTime;
+}
+
+template <std::size_t n>
+Number* put(Number* to, const std::array<Real, n>& x) {
+  return std::copy(x.begin(), x.end(), to);
+}
+
+template <std::size_t n>
+const Number* get(const Number* from, std::array<Real, n>& x) {
+  std::transform(from, from + n, x.begin(), [](Number value) { return Real(value); });
+  return from + n;
 }
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
 // Process 0: 5 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll"
-constexpr std::array<int, 5> kRead_0{0, 1, 2, 3, 4};
-constexpr std::array<int, 5> kOwned_0{0, 1, 2, 3, 4};
-
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  ADAGEN_INPUTS
+  require_finite(w, w.q, 0, 5, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 5, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 5, &JointConstants::v, kNotFinite);
   stamp(0);
-  if (!all(unlike_zero(q + 0, 5) + unlike_zero(v + 0, 5) + unlike_zero(tau + 0, 5) == 0))
-    name_what_is_not_finite(w, kRead_0, kOwned_0);
-  w.to[1] = channel.outgoing(1, w.status);
-  take_sines_and_cosines<5>(q + 0, w.sine.data(), w.cosine.data());
-  w.to[1][2] = tau[4];
-  part_0_0(w);
+  std::copy_n(w.q + 0, 5, w.angle.data() + 0);
+  turn<block(0), block(4) + 1>(w);
+  outward<0, 4>(w);  // "base_yaw" .. "forearm_roll"
   stamp(1);
+  set_up_links<block(0), block(3) + 1>(w);
+  set_up_columns<block(0), block(3) + 1>(w);
+  inward_in_columns<0, 0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
+  propagate<false>(w, 0, kZero, kGround, w.j_shoulder_pitch.Phi_turret, w.j_shoulder_pitch.b_turret);
+  propagate<false>(w, 1, w.j_shoulder_pitch.Phi_turret, w.j_shoulder_pitch.b_turret, w.j_shoulder_pitch.Phi_upper_arm, w.j_shoulder_pitch.b_upper_arm);
+  propagate<false>(w, 2, w.j_shoulder_pitch.Phi_upper_arm, w.j_shoulder_pitch.b_upper_arm, w.j_shoulder_pitch.Phi_elbow_housing, w.j_shoulder_pitch.b_elbow_housing);
+  propagate<false>(w, 3, w.j_shoulder_pitch.Phi_elbow_housing, w.j_shoulder_pitch.b_elbow_housing, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
   stamp(2);
-  w.from[0] = channel.receive(0, w.status);  // from process 1: assembled: chain of "flange_roll"
+  {  // from process 1: assembled: chain of "flange_roll"
+    const Real* from = channel.receive(0, w.status);
+    from = get(from, w.j_flange_roll.Phi_wrist_housing);
+    from = get(from, w.j_flange_roll.b_wrist_housing);
+  }
   stamp(3);
-  part_0_1(w);
+  {
+    auto& i = w.j_forearm_roll;
+    set_transforms(w, 4, i.X, i.Y);
+    load_torque(w, 4, 4, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_shoulder_pitch.Phi_forearm;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_flange_roll.Phi_wrist_housing, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_shoulder_pitch.b_forearm, i.Y * w.j_flange_roll.b_wrist_housing, c))
+      fail(w, kFactorization, 4);
+  }
   stamp(4);
+  {
+    auto& i = w.j_forearm_roll;
+    Release<Revolute> release(i.joined);
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
+    w.j_shoulder_pitch.F_on_forearm = -i.X.transposed_times(f);
+    w.j_flange_roll.F_on_wrist_housing = i.Y.transposed_times(f);
+  }
   stamp(5);
-  channel.send(1, w.status);  // to process 1: forces on: chain of "flange_roll"
+  {  // to process 1: forces on: chain of "flange_roll"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.j_flange_roll.F_on_wrist_housing);
+    channel.send(1, w.status);
+  }
   stamp(6);
-  part_0_2(w);
+  w.loads[1] = Columns6::Zero();
+  w.loads[2] = Columns6::Zero();
+  w.loads[3] = Columns6::Zero();
+  w.loads[4] = w.j_shoulder_pitch.F_on_forearm;
+  deliver<0, 3>(w);  // "base_yaw" .. "elbow_pitch"
+  accelerate<0, 0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   stamp(7);
-  if (!all(unlike_zero(w.result.data() + 0, 5) == 0)) name_what_overflows(w, kOwned_0);
-  if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 0, 5, w.qdd + 0);
+  require_finite(w, w.answer.data(), 0, 5, &JointConstants::v, kOverflow);
+  give(w, 0, 5);
 }
 
 // Process 1: 4 of 9 joints: "wrist_pitch", "flange_roll", "left_finger_slide", "right_finger_slide"; kinematics of 5 more on the way to the ground
-constexpr std::array<int, 9> kRead_1{0, 1, 2, 3, 4, 5, 6, 7, 8};
-constexpr std::array<int, 4> kOwned_1{5, 6, 7, 8};
-
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  ADAGEN_INPUTS
+  require_finite(w, w.q, 0, 9, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 9, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 5, 4, &JointConstants::v, kNotFinite);
   stamp(0);
-  if (!all(unlike_zero(q + 0, 9) + unlike_zero(v + 0, 9) + unlike_zero(tau + 5, 4) == 0))
-    name_what_is_not_finite(w, kRead_1, kOwned_1);
-  w.to[0] = channel.outgoing(0, w.status);
-  take_sines_and_cosines<7>(q + 0, w.sine.data(), w.cosine.data());
-  part_1_0(w);
-  part_1_1(w);
+  std::copy_n(w.q + 0, 7, w.angle.data() + 0);
+  turn<block(0), block(8) + 1>(w);
+  pass_outward<0, 4>(w);  // "base_yaw" .. "forearm_roll"
+  outward<5, 7>(w);  // "wrist_pitch" .. "left_finger_slide"
+  outward<8, 8>(w);  // "right_finger_slide"
   stamp(1);
+  set_up_links<block(4), block(8) + 1>(w);
+  inward<1, 8, 8, true>(w);  // "right_finger_slide"
+  inward<1, 5, 7, true>(w);  // "wrist_pitch" .. "left_finger_slide"
+  invert_root<1, 5>(w, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing);
   stamp(2);
-  channel.send(0, w.status);  // to process 0: assembled: chain of "flange_roll"
+  {  // to process 0: assembled: chain of "flange_roll"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.j_flange_roll.Phi_wrist_housing);
+    to = put(to, w.j_flange_roll.b_wrist_housing);
+    channel.send(0, w.status);
+  }
   stamp(3);
-  part_1_2(w);
-  w.from[1] = channel.receive(1, w.status);  // from process 0: forces on: chain of "flange_roll"
+  {  // from process 0: forces on: chain of "flange_roll"
+    const Real* from = channel.receive(1, w.status);
+    from = get(from, w.j_flange_roll.F_on_wrist_housing);
+  }
   stamp(4);
-  part_1_3(w);
+  w.loads[5] = w.j_flange_roll.F_on_wrist_housing;
+  w.motions[5] = motion_of(w.j_flange_roll.b_wrist_housing + w.j_flange_roll.Phi_wrist_housing * w.loads[5]);
+  accelerate<1, 5, 7>(w);  // "wrist_pitch" .. "left_finger_slide"
+  accelerate<1, 8, 8>(w);  // "right_finger_slide"
   stamp(5);
-  if (!all(unlike_zero(w.result.data() + 5, 4) == 0)) name_what_overflows(w, kOwned_1);
-  if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 5, 4, w.qdd + 5);
+  require_finite(w, w.answer.data(), 5, 4, &JointConstants::v, kOverflow);
+  give(w, 5, 4);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};

@@ -1,8 +1,8 @@
 // Forward dynamics of "chain16" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
-// options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// program   3 processes, joined at cuts; 0.839 us predicted (default profile)
+// options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// program   3 processes, joined at cuts; 1.75 us predicted (default profile)
 //           process 0: joint01 .. joint08
 //           process 1: joint09 .. joint12
 //           process 2: joint13 .. joint16
@@ -14,7 +14,7 @@
 // accelerations come back. Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura
 // joins them: Phi = (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent
 // link's side) and chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
-// Spatial vectors are [angular; linear], in link frames turned so that every joint axis is z.
+// Spatial vectors are [angular; linear], in the axes of the base, about each link's origin.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls
@@ -92,6 +92,10 @@ void chain16_p3_close(chain16_p3_solver* solver);
 
 #include <csignal>
 #endif
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
 #define ADAGEN_HOT [[gnu::hot]] ADAGEN_NOINLINE  // called in each step of a simulation; main is cold
@@ -392,6 +396,638 @@ std::string describe(int status) {
   }
   return "unknown failure";
 }
+
+// Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
+constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
+typedef Real Lanes __attribute__((vector_size(64)));
+typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
+typedef Bits LaneBits __attribute__((vector_size(64)));
+
+// Where registers are narrower, gcc tells that vectors are passed in other ways; none is, all is
+// inlined.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+#define ADAGEN_ALWAYS __attribute__((always_inline))
+#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
+#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
+
+ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
+ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
+
+// Whether any bit is set. Half by half: compilers take lanes apart one by one if left to it.
+typedef std::int64_t FourWords __attribute__((vector_size(32)));
+typedef std::int64_t TwoWords __attribute__((vector_size(16)));
+template <class T>
+ADAGEN_INLINE bool any_of(const T& x) {
+  if constexpr (sizeof x > sizeof(TwoWords)) {
+    typedef std::conditional_t<sizeof x == sizeof(FourWords), TwoWords, FourWords> Half;
+    Half halves[2];
+    std::memcpy(halves, &x, sizeof x);
+    const Half either = halves[0] | halves[1];
+    return any_of(either);
+  } else {
+    std::int64_t words[2]{};
+    std::memcpy(words, &x, sizeof x);
+    return (words[0] | words[1]) != 0;
+  }
+}
+
+// Whether all numbers are positive: false for NaN.
+ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
+template <class T>
+ADAGEN_INLINE bool all_positive(const T& x) {
+  return !any_of(~(x > T{}));
+}
+
+// One number or the other, lane by lane.
+ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
+  const LaneBits bits =
+      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
+  return reinterpret_cast<Lanes>(bits);
+}
+
+ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
+ADAGEN_INLINE bool all_zero(const Lanes& x) { return !any_of(x != Lanes{}); }
+
+ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
+ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
+  Lanes result = x;
+  for (int k = 0; k < kLanes; ++k) result[k] = std::tanh(x[k]);
+  return result;
+}
+
+// Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
+// three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
+// kLargestAngle; beyond, each lane is left to the C library.
+template <class R>
+struct Trigonometry;
+
+template <>
+struct Trigonometry<double> {
+  [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
+  [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
+  [[maybe_unused]] static constexpr double kParts[3] = {
+      1.57079632673412561417e+00, 6.07710050630396597660e-11, 2.02226624871116645580e-21};
+  [[maybe_unused]] static constexpr double kSine[6] = {
+      1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
+      -1.98412698295895385996e-4, 8.33333333332211858878e-3,  -1.66666666666666307295e-1};
+  [[maybe_unused]] static constexpr double kCosine[6] = {
+      -1.13585365213876817300e-11, 2.08757008419747316778e-9,  -2.75573141792967388112e-7,
+      2.48015872888517045348e-5,   -1.38888888888730564116e-3, 4.16666666666665929218e-2};
+};
+
+template <>
+struct Trigonometry<float> {
+  [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
+  [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
+  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f,
+                                                       7.54978995489188216e-8f};
+  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f,
+                                                      -1.6666654611e-1f};
+  [[maybe_unused]] static constexpr float kCosine[3] = {
+      2.443315711809948e-5f, -1.388731625493765e-3f, 4.166664568298827e-2f};
+};
+
+template <std::size_t n>
+ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
+  Lanes result = Lanes{} + coefficients[0];
+  ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
+  return result;
+}
+
+ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
+                                         Lanes& cosine) {
+  for (int k = 0; k < kLanes; ++k)
+    if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
+// Of angles that are not too large.
+ADAGEN_INLINE void near_sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  using Table = Trigonometry<Real>;
+  const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
+  const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
+  const Lanes turns = shifted - Table::kRound;
+  const Lanes rest =
+      ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
+  const Lanes square = rest * rest;
+  const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
+  const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
+  const LaneBits swapped = -(quadrant & 1);
+  const LaneBits s_bits = reinterpret_cast<LaneBits>(s);
+  const LaneBits c_bits = reinterpret_cast<LaneBits>(c);
+  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
+  const LaneBits sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
+  const LaneBits cosine_bits =
+      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
+  sine = reinterpret_cast<Lanes>(sine_bits);
+  cosine = reinterpret_cast<Lanes>(cosine_bits);
+}
+
+ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
+  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
+  return (angle > kLargest) | (angle < -kLargest);
+}
+
+ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  near_sine_and_cosine(angle, sine, cosine);
+  const LaneBits beyond = too_large(angle);
+  if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
+}
+
+// Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
+// computed with: one number, or one for each of several states or links.
+template <class T>
+struct Vector {
+  T x, y, z;
+};
+
+template <class T>
+struct Matrix {
+  Vector<T> x, y, z;  // rows
+};
+
+template <class T>
+struct Symmetric {
+  T xx, xy, xz, yy, yz, zz;
+};
+
+template <class T>
+ADAGEN_INLINE Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Vector<T>& a, const S& s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Vector<T>& a, const Vector<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+template <class T, class S>
+ADAGEN_INLINE T dot(const Vector<T>& a, const Vector<S>& b) {
+  return a.x * b.x + (a.y * b.y + a.z * b.z);
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> cross(const Vector<T>& a, const Vector<S>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Matrix<T>& m, const Vector<S>& a) {
+  return {dot(m.x, a), dot(m.y, a), dot(m.z, a)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> transposed_times(const Matrix<T>& m, const Vector<T>& a) {
+  return {m.x.x * a.x + (m.y.x * a.y + m.z.x * a.z), m.x.y * a.x + (m.y.y * a.y + m.z.y * a.z),
+          m.x.z * a.x + (m.y.z * a.y + m.z.z * a.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> row_times(const Vector<T>& a, const Matrix<S>& m) {
+  return {a.x * m.x.x + (a.y * m.y.x + a.z * m.z.x), a.x * m.x.y + (a.y * m.y.y + a.z * m.z.y),
+          a.x * m.x.z + (a.y * m.y.z + a.z * m.z.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Matrix<T> operator*(const Matrix<T>& a, const Matrix<S>& b) {
+  return {row_times(a.x, b), row_times(a.y, b), row_times(a.z, b)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator*(const Symmetric<T>& m, const Vector<T>& a) {
+  return {m.xx * a.x + (m.xy * a.y + m.xz * a.z), m.xy * a.x + (m.yy * a.y + m.yz * a.z),
+          m.xz * a.x + (m.yz * a.y + m.zz * a.z)};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Symmetric<T>& a, const Symmetric<T>& b) {
+  a.xx += b.xx, a.xy += b.xy, a.xz += b.xz, a.yy += b.yy, a.yz += b.yz, a.zz += b.zz;
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Matrix<T>& a, const Matrix<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+
+// A body about a point: spatial inertia [[A, B], [B^T, C]] (A rotational, C of mass) and bias force
+// [n; f]. It is a link, or a link with all that hangs on it.
+template <class T>
+struct Body {
+  Symmetric<T> A;
+  Matrix<T> B;
+  Symmetric<T> C;
+  Vector<T> n, f;
+};
+
+template <class T>
+ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
+  a.A += b.A, a.B += b.B, a.C += b.C, a.n += b.n, a.f += b.f;
+}
+
+// The body told about the point at -r from the one that it is told about: B + rx C, and
+// A + rx B^T - (B + rx C) rx.
+template <class T>
+ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Matrix<T> B{{X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
+                     X.B.x.z + (r.y * C.zz - r.z * C.yz)},
+                    {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
+                     X.B.y.z + (r.z * C.xz - r.x * C.zz)},
+                    {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
+                     X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
+  X.A.xx += (r.y * X.B.x.z - r.z * X.B.x.y) - (B.x.y * r.z - B.x.z * r.y);
+  X.A.xy += (r.y * X.B.y.z - r.z * X.B.y.y) - (B.x.z * r.x - B.x.x * r.z);
+  X.A.xz += (r.y * X.B.z.z - r.z * X.B.z.y) - (B.x.x * r.y - B.x.y * r.x);
+  X.A.yy += (r.z * X.B.y.x - r.x * X.B.y.z) - (B.y.z * r.x - B.y.x * r.z);
+  X.A.yz += (r.z * X.B.z.x - r.x * X.B.z.z) - (B.y.x * r.y - B.y.y * r.x);
+  X.A.zz += (r.x * X.B.z.y - r.y * X.B.z.x) - (B.z.x * r.y - B.z.y * r.x);
+  X.B = B;
+  X.n += cross(r, X.f);
+}
+
+// The same for a body whose A and B are zero, as a point mass's: B = rx C, A = -B rx.
+template <class T>
+ADAGEN_INLINE void shift_mass(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Vector<T> Cx{C.xx, C.xy, C.xz}, Cy{C.xy, C.yy, C.yz}, Cz{C.xz, C.yz, C.zz};
+  X.B = {Cz * r.y - Cy * r.z, Cx * r.z - Cz * r.x, Cy * r.x - Cx * r.y};
+  const Vector<T> Ax = cross(r, X.B.x), Ay = cross(r, X.B.y), Az = cross(r, X.B.z);
+  X.A = {Ax.x, Ax.y, Ax.z, Ay.y, Ay.z, Az.z};
+  X.n += cross(r, X.f);
+}
+
+// The inertia less U U^T / D, U = [n; f] and e = U / D.
+template <class T>
+ADAGEN_INLINE void subtract(Body<T>& X, const Vector<T>& n, const Vector<T>& f,
+                            const Vector<T>& e_n, const Vector<T>& e_f) {
+  X.A.xx -= e_n.x * n.x, X.A.xy -= e_n.x * n.y, X.A.xz -= e_n.x * n.z;
+  X.A.yy -= e_n.y * n.y, X.A.yz -= e_n.y * n.z, X.A.zz -= e_n.z * n.z;
+  X.B.x.x -= e_n.x * f.x, X.B.x.y -= e_n.x * f.y, X.B.x.z -= e_n.x * f.z;
+  X.B.y.x -= e_n.y * f.x, X.B.y.y -= e_n.y * f.y, X.B.y.z -= e_n.y * f.z;
+  X.B.z.x -= e_n.z * f.x, X.B.z.y -= e_n.z * f.y, X.B.z.z -= e_n.z * f.z;
+  X.C.xx -= e_f.x * f.x, X.C.xy -= e_f.x * f.y, X.C.xz -= e_f.x * f.z;
+  X.C.yy -= e_f.y * f.y, X.C.yz -= e_f.y * f.z, X.C.zz -= e_f.z * f.z;
+}
+
+// Where a point moves that is at r from one that moves as [angular; linear].
+template <class T>
+struct Motion {
+  Vector<T> angular, linear;
+};
+
+template <class T, class S>
+ADAGEN_INLINE void carry(Motion<T>& a, const Vector<S>& r) {
+  a.linear += cross(a.angular, r);
+}
+
+// The rotation that a quaternion x y z w of any length stands for, and its squared length.
+template <class T>
+ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<T>& R) {
+  const T squared = (x * x + y * y) + (z * z + w * w);
+  const T s = 2 / squared;
+  const T xx = s * x * x, yy = s * y * y, zz = s * z * z, xy = s * x * y, xz = s * x * z,
+          yz = s * y * z, xw = s * x * w, yw = s * y * w, zw = s * z * w;
+  R = {{1 - (yy + zz), xy - zw, xz + yw},
+       {xy + zw, 1 - (xx + zz), yz - xw},
+       {xz - yw, yz + xw, 1 - (xx + yy)}};
+  return squared;
+}
+
+// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
+// the motion itself, and one for each slaved joint's coupling torque.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+using Mat3 = Eigen::Matrix<Real, 3, 3>;
+using Vec6 = Eigen::Matrix<Real, 6, 1>;
+using Mat6 = Eigen::Matrix<Real, 6, 6>;
+using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
+
+// Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
+struct Transform {
+  Mat3 E;  // rotates parent coordinates into child coordinates
+  Vec3 r;  // origin of the child frame in parent coordinates
+
+  template <class M>
+  void times(const M& m, M& result) const {
+    for (int k = 0; k < M::ColsAtCompileTime; ++k) {
+      const Vec3 angular = m.col(k).template head<3>();
+      const Vec3 linear = m.col(k).template tail<3>();
+      result.col(k).template head<3>().noalias() = E * angular;
+      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
+    }
+  }
+
+  // X^T m: takes a wrench on the child to the same wrench on the parent.
+  Columns6 transposed_times(const Columns6& m) const {
+    Columns6 result;
+    for (int k = 0; k < kColumns; ++k) {
+      const Vec3 force = E.transpose() * m.col(k).template tail<3>();
+      result.col(k).template head<3>() =
+          E.transpose() * m.col(k).template head<3>() + r.cross(force);
+      result.col(k).template tail<3>() = force;
+    }
+    return result;
+  }
+};
+
+ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
+  Mat6 result;
+  X.times(m, result);
+  return result;
+}
+
+ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
+  Mat6 transposed, result;
+  transposed.noalias() = m.transpose();
+  X.times(transposed, result);
+  return result;
+}
+
+// m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
+ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
+  Mat6 result = times_transposed(X, m);
+  result.transposeInPlace();
+  return result;
+}
+
+template <int columns>
+Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
+                                          const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
+  X.times(m, result);
+  return result;
+}
+
+// Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
+// quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
+[[maybe_unused]] Real conjugate_rotation(const Number* quaternion, Mat3& E) {
+  const Real x = Real(quaternion[0]), y = Real(quaternion[1]);
+  const Real z = Real(quaternion[2]), w = Real(quaternion[3]);
+  const Real squared = x * x + y * y + z * z + w * w;
+  const Real s = 2 / squared;
+  E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
+      s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w),   //
+      s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y);
+  return squared;
+}
+
+// b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
+ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
+  using Constant3 = Eigen::Map<const Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>>;
+  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 c(Real(link.com[0]), Real(link.com[1]), Real(link.com[2]));
+  const Vec3 momentum = Constant3(link.tensor).cast<Real>() * omega;
+  const Vec3 alpha = Constant3(link.tensor_inverse).cast<Real>() * momentum.cross(omega);
+  b.setZero();
+  b.col(0).template head<3>() = alpha;
+  b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
+}
+
+// Joint kinds in their canonical frames: the rows of a spatial vector that a joint frees (R, S) and
+// those it constrains (N). Both are selections, so N and R cost nothing and round nothing.
+template <int... Rows>
+struct Selection {
+  static constexpr int count = sizeof...(Rows);
+  static constexpr std::array<int, sizeof...(Rows)> row{Rows...};
+};
+
+struct Revolute {
+  using Free = Selection<2>;
+  using Constrained = Selection<0, 1, 3, 4, 5>;
+};
+struct Prismatic {
+  using Free = Selection<5>;
+  using Constrained = Selection<0, 1, 2, 3, 4>;
+};
+struct Spherical {
+  using Free = Selection<0, 1, 2>;
+  using Constrained = Selection<3, 4, 5>;
+};
+struct Planar {
+  using Free = Selection<3, 4, 2>;
+  using Constrained = Selection<0, 1, 5>;
+};
+struct Floating {
+  using Free = Selection<3, 4, 5, 0, 1, 2>;
+  using Constrained = Selection<>;
+};
+
+template <class Kind>
+[[maybe_unused]] constexpr int kFree = Kind::Free::count;
+template <class Kind>
+[[maybe_unused]] constexpr int kConstrained = Kind::Constrained::count;
+
+// S qd, the velocity across a joint.
+template <class Kind>
+Vec6 joint_velocity(const Number* qd) {
+  Vec6 result = Vec6::Zero();
+  for (int k = 0; k < kFree<Kind>; ++k) result[Kind::Free::row[k]] = Real(qd[k]);
+  return result;
+}
+
+// c_i = v_i x S qd, the part of the acceleration across a joint that qdd has no say in.
+template <class Kind>
+Columns6 velocity_product(const Vec6& velocity, const Number* qd) {
+  const Vec6 motion = joint_velocity<Kind>(qd);
+  Columns6 result = Columns6::Zero();
+  result.col(0).template head<3>() = velocity.head<3>().cross(motion.head<3>());
+  result.col(0).template tail<3>() =
+      velocity.head<3>().cross(motion.tail<3>()) + velocity.tail<3>().cross(motion.head<3>());
+  return result;
+}
+
+// What disassembly needs of a joint i that was assembled.
+template <class Kind>
+struct Joined {
+  static constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  std::array<std::array<Real, m>, m> L;         // Cholesky factor of V_i^-1; its diagonal inverted
+  std::array<std::array<Real, m>, n> RPN;       // R_i (Phi_Ai + Phi_Bi) N_i^T
+  std::array<std::array<Real, kColumns>, m> z;  // L^-1 N_i beta_i
+  std::array<std::array<Real, kColumns>, n> R_beta;  // R_i beta_i
+  std::array<std::array<Real, kColumns>, n> tau;
+};
+
+// How a joint i and a handle j of one chain feel each other: Z = L^-1 N_i Phi_ij, Y = R_i Phi_ij.
+template <class Kind>
+struct Coupled {
+  std::array<std::array<Real, 6>, kConstrained<Kind>> Z;
+  std::array<std::array<Real, 6>, kFree<Kind>> Y;
+};
+
+// x <- L^-1 x, row by row.
+template <std::size_t m, std::size_t k>
+void forward_substitute(const std::array<std::array<Real, m>, m>& L,
+                        std::array<std::array<Real, k>, m>& x) {
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t c = 0; c < k; ++c) x[i][c] -= L[i][j] * x[j][c];
+    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
+  }
+}
+
+// x <- L^-T x.
+template <std::size_t m, std::size_t k>
+void backward_substitute(const std::array<std::array<Real, m>, m>& L,
+                         std::array<std::array<Real, k>, m>& x) {
+  for (std::size_t i = m; i-- > 0;) {
+    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t c = 0; c < k; ++c) x[j][c] -= L[i][j] * x[i][c];
+  }
+}
+
+// Cholesky's factorization in place, the inverse of the diagonal in its place. False where a pivot
+// has lost every digit, or was none to begin with.
+template <std::size_t m>
+bool factorize(std::array<std::array<Real, m>, m>& L) {
+  bool good = true;
+  for (std::size_t j = 0; j < m; ++j) {
+    Real pivot = L[j][j];
+    const Real least = 8 * std::numeric_limits<Real>::epsilon() * pivot;
+    for (std::size_t k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
+    good = good && pivot > least && pivot <= std::numeric_limits<Real>::max();
+    const Real inverse = 1 / std::sqrt(pivot);
+    L[j][j] = inverse;
+    for (std::size_t i = j + 1; i < m; ++i) {
+      for (std::size_t k = 0; k < j; ++k) L[i][j] -= L[i][k] * L[j][k];
+      L[i][j] *= inverse;
+    }
+  }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
+  return good;
+}
+
+// V_i and beta_i of Eq. (3)-(7): Phi_A and Phi_B are those of the joint's two sides in its frame,
+// b_A, b_B and c the accelerations there. Returns false where the factorization fails.
+template <class Kind>
+ADAGEN_NOINLINE bool join(Joined<Kind>& i, const Mat6& Phi_A, const Mat6& Phi_B,
+                          const Columns6& b_A, const Columns6& b_B, const Columns6& c) {
+  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  constexpr auto& free = Kind::Free::row;
+  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
+  const Mat6 Phi = Phi_A + Phi_B;
+  Columns6 beta = b_A - b_B + c;
+  for (int k = 0; k < n; ++k)
+    for (int column = 0; column < kColumns; ++column)
+      beta.col(column) -= Phi.col(free[k]) * i.tau[k][column];
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column < kColumns; ++column)
+      i.R_beta[row][column] = beta(free[row], column);
+    for (int k = 0; k < m; ++k) i.RPN[row][k] = Phi(free[row], constrained[k]);
+  }
+  if constexpr (m > 0) {
+    for (int row = 0; row < m; ++row) {
+      for (int k = 0; k <= row; ++k) i.L[row][k] = Phi(constrained[row], constrained[k]);
+      for (int column = 0; column < kColumns; ++column)
+        i.z[row][column] = beta(constrained[row], column);
+    }
+    const bool good = factorize(i.L);
+    forward_substitute(i.L, i.z);
+    return good;
+  }
+  return true;
+}
+
+// Z and Y of a handle j, Phi_ij being given with the joint's frame on its left.
+template <class Kind>
+ADAGEN_NOINLINE void couple(const Joined<Kind>& i, const Mat6& Phi_ij, Coupled<Kind>& j) {
+  for (int row = 0; row < kFree<Kind>; ++row)
+    for (int k = 0; k < 6; ++k) j.Y[row][k] = Phi_ij(Kind::Free::row[row], k);
+  if constexpr (kConstrained<Kind> > 0) {
+    for (int row = 0; row < kConstrained<Kind>; ++row)
+      for (int k = 0; k < 6; ++k) j.Z[row][k] = Phi_ij(Kind::Constrained::row[row], k);
+    forward_substitute(i.L, j.Z);
+  }
+}
+
+// Phi_Aji W_i Phi_Aik = Z_j^T Z_k: what Eq. (3) and (4) subtract and Eq. (5) is.
+template <class Kind>
+ADAGEN_NOINLINE Mat6 product([[maybe_unused]] const Coupled<Kind>& j,
+                             [[maybe_unused]] const Coupled<Kind>& k) {
+  Mat6 result = Mat6::Zero();
+  if constexpr (kConstrained<Kind> > 0) {
+    for (int row = 0; row < kConstrained<Kind>; ++row) {
+      const Vec6 left = Eigen::Map<const Vec6>(j.Z[row].data());
+      const Vec6 right = Eigen::Map<const Vec6>(k.Z[row].data());
+      result.noalias() += left * right.transpose();
+    }
+  }
+  return result;
+}
+
+// Phi_ji gamma_i = Z^T z + Y^T tau: the change of b_j in Eq. (6) and (7).
+template <class Kind>
+Columns6 bias_change(const Joined<Kind>& i, const Coupled<Kind>& j) {
+  Columns6 result = Columns6::Zero();
+  for (int column = 0; column < kColumns; ++column) {
+    for (int row = 0; row < kConstrained<Kind>; ++row)
+      result.col(column) += Eigen::Map<const Vec6>(j.Z[row].data()) * i.z[row][column];
+    for (int row = 0; row < kFree<Kind>; ++row)
+      result.col(column) += Eigen::Map<const Vec6>(j.Y[row].data()) * i.tau[row][column];
+  }
+  return result;
+}
+
+// Disassembly of a joint: collects what the outer forces do to it, then gives its acceleration and
+// its force.
+template <class Kind>
+class Release {
+ public:
+  explicit Release(const Joined<Kind>& i) : i_(i), z_(i.z), qdd_(i.R_beta) {
+    for (auto& row : qdd_)
+      for (Real& x : row) x = -x;
+  }
+
+  void feel_A(const Coupled<Kind>& j, const Columns6& f) { feel(j, f, Real(1)); }
+  void feel_B(const Coupled<Kind>& k, const Columns6& f) { feel(k, f, Real(-1)); }
+
+  // f_i, Eq. (10); on the way n_i, Eq. (8), and qdd_i, Eq. (9).
+  Columns6 force() {
+    if constexpr (kConstrained<Kind> > 0) backward_substitute(i_.L, z_);
+    Columns6 f;
+    for (int column = 0; column < kColumns; ++column) {
+      for (int k = 0; k < kConstrained<Kind>; ++k)
+        f(Kind::Constrained::row[k], column) = z_[k][column];
+      for (int k = 0; k < kFree<Kind>; ++k) {
+        f(Kind::Free::row[k], column) = i_.tau[k][column];
+        for (int l = 0; l < kConstrained<Kind>; ++l)
+          qdd_[k][column] += i_.RPN[k][l] * z_[l][column];
+      }
+    }
+    return f;
+  }
+
+  const std::array<std::array<Real, kColumns>, kFree<Kind>>& qdd() const { return qdd_; }
+
+ private:
+  void feel(const Coupled<Kind>& j, const Columns6& f, Real sign) {
+    for (int column = 0; column < kColumns; ++column) {
+      const Vec6 signed_f = sign * f.col(column);
+      for (int row = 0; row < kConstrained<Kind>; ++row)
+        z_[row][column] += Eigen::Map<const Vec6>(j.Z[row].data()).dot(signed_f);
+      for (int row = 0; row < kFree<Kind>; ++row)
+        qdd_[row][column] -= Eigen::Map<const Vec6>(j.Y[row].data()).dot(signed_f);
+    }
+  }
+
+  const Joined<Kind>& i_;
+  std::array<std::array<Real, kColumns>, kConstrained<Kind>> z_;
+  std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
+};
 
 constexpr std::array<MessageInfo, 8> kMessages{ {
     {2, 1, 42},  // 0: assembled: chain of "joint14"
@@ -736,3714 +1372,2166 @@ std::chrono::steady_clock::rep* trace_stamps =
   if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
 }
 
-// ---- 4. joints ----------------------------------------------------------------------------------
+// ---- 4. kernels ---------------------------------------------------------------------------------
+// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
+// base's link), about each link's own origin. Links move as they would were all joint accelerations
+// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
 
 // What is computed with.
 using Value = Real;
 
-// The memory of a process: the state, angles with sine and cosine, what messages hold, and values
-// that one function leaves to another.
-struct Workspace {
+// A link's mass, that times its centre of mass, and its pseudo-inertia, sum of m x x^T: xx xy xz yy
+// yz zz. About the link's origin.
+struct LinkInertia {
+  Real mass, moments[3], tensor[6];
+};
+constexpr std::array<LinkInertia, kJointCount> kInertias{ {
+    {1.0, {0.0, -0.2, 0.0},
+     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
+    {1.0, {-0.2, 0.0, 0.0},
+     {0.05333330000000001, 0.0, 0.0, 0.0001, 0.0, 0.0001}},
+    {1.0, {0.0, 0.0, -0.2},
+     {0.0001, 0.0, 0.0, 0.0001, 0.0, 0.05333330000000001}},
+    {1.0, {0.0, -0.2, 0.0},
+     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
+    {1.0, {-0.2, 0.0, 0.0},
+     {0.05333330000000001, 0.0, 0.0, 0.0001, 0.0, 0.0001}},
+    {1.0, {0.0, 0.0, -0.2},
+     {0.0001, 0.0, 0.0, 0.0001, 0.0, 0.05333330000000001}},
+    {1.0, {0.0, -0.2, 0.0},
+     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
+    {1.0, {-0.2, 0.0, 0.0},
+     {0.05333330000000001, 0.0, 0.0, 0.0001, 0.0, 0.0001}},
+    {1.0, {0.0, 0.0, -0.2},
+     {0.0001, 0.0, 0.0, 0.0001, 0.0, 0.05333330000000001}},
+    {1.0, {0.0, -0.2, 0.0},
+     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
+    {1.0, {-0.2, 0.0, 0.0},
+     {0.05333330000000001, 0.0, 0.0, 0.0001, 0.0, 0.0001}},
+    {1.0, {0.0, 0.0, -0.2},
+     {0.0001, 0.0, 0.0, 0.0001, 0.0, 0.05333330000000001}},
+    {1.0, {0.0, -0.2, 0.0},
+     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
+    {1.0, {-0.2, 0.0, 0.0},
+     {0.05333330000000001, 0.0, 0.0, 0.0001, 0.0, 0.0001}},
+    {1.0, {0.0, 0.0, -0.2},
+     {0.0001, 0.0, 0.0, 0.0001, 0.0, 0.05333330000000001}},
+    {1.0, {0.0, -0.2, 0.0},
+     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
+} };
+
+// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
+// segments of long runs.
+constexpr int kSlotCount = 16;
+constexpr bool kAbreast = false;  // whether there are such
+constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
+constexpr bool kReordered = false;  // whether joints lie in another order than they have
+constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
+constexpr bool kByColumns = true;  // whether runs are taken by columns
+
+// What a process does at a link.
+struct LinkRole {
+  bool gathers;   // paths meet at it inwards
+  bool adds_own;  // its own inertia is this process's to add
+  bool parts;     // paths part at it outwards
+  bool oriented;  // the quaternion of the joint above it is this process's to take
+};
+constexpr LinkRole kRoles[3][kLinkCount]{
+    {{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
+};
+
+// What is kept where segments meet, with the joint that it belongs to.
+struct Joint_joint04 {
+  Mat6 Phi_rod01;
+  Columns6 b_rod01;
+  Mat6 Phi_rod02;
+  Columns6 b_rod02;
+  Mat6 Phi_rod03;
+  Columns6 b_rod03;
+  Mat6 Phi_rod04;
+  Columns6 b_rod04;
+  Mat6 Phi_rod05;
+  Columns6 b_rod05;
+  Mat6 Phi_rod06;
+  Columns6 b_rod06;
+  Mat6 Phi_rod07;
+  Columns6 b_rod07;
+  Columns6 F_on_rod07;
+};
+struct Joint_joint08 {
+  Transform X, Y;  // to the joint's frame, about its two links' origins
+  Joined<Revolute> joined;
+};
+struct Joint_joint10 {
+  Mat6 Phi_rod08;
+  Columns6 b_rod08;
+  Mat6 Phi_rod09;
+  Mat6 Phi_rod08_rod09;
+  Columns6 b_rod09;
+  Mat6 Phi_rod10;
+  Mat6 Phi_rod08_rod10;
+  Columns6 b_rod10;
+  Mat6 Phi_rod11;
+  Mat6 Phi_rod08_rod11;
+  Columns6 b_rod11;
+  Columns6 F_on_rod11;
+};
+struct Joint_joint12 {
+  Mat6 Phi_rod08;
+  Columns6 b_rod08;
+  Transform X, Y;  // to the joint's frame, about its two links' origins
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod08;
+  Columns6 F_on_rod08;
+};
+struct Joint_joint14 {
+  Mat6 Phi_rod12;
+  Columns6 b_rod12;
+  Columns6 F_on_rod12;
+};
+struct Cuts {
+  Joint_joint04 j_joint04;
+  Joint_joint08 j_joint08;
+  Joint_joint10 j_joint10;
+  Joint_joint12 j_joint12;
+  Joint_joint14 j_joint14;
+  std::array<Columns6, kLinkCount> loads;  // wrenches on links, from handle forces
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+// The memory of a process. What is set up for many links at once lies in blocks, side by side.
+constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
+constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
+
+// Joints that are treated together, one in each lane of T; their slots follow each other.
+template <class T>
+[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Value));
+template <class T>
+struct Joints {
+  int slot;  // of the first one
+  int joint[kWidth<T>];
+
+  constexpr const JointConstants& any() const {
+    return kJoints[static_cast<std::size_t>(joint[0])];
+  }
+};
+constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
+ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
+
+// The lanes of limbs side by side.
+typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+
+// A number of each of the joints.
+template <class T, class Number, std::size_t... lane>
+ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
+                        std::index_sequence<lane...>) {
+  return T{number(kJoints[static_cast<std::size_t>(joints.joint[lane])])...};
+}
+template <class T, class Number>
+ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
+  if constexpr (kWidth<T> == 1) {
+    const auto one = number(kJoints[static_cast<std::size_t>(joints.joint[0])]);
+    if constexpr (std::is_same_v<decltype(one), const T>)
+      return one;
+    else
+      return T{} + one;
+  } else {
+    return each_of(joints, number, std::make_index_sequence<kWidth<T>>{});
+  }
+}
+
+// What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
+enum Entry : int {
+  kTurn = 0,           // rotation from the child's to the parent link's axes, row by row
+  kAxes = 9,           // the link's orientation R, row by row: its z is the joint's axis
+  kOmega = 18,         // angular velocity
+  kAlpha = 21,         // angular acceleration and
+  kAcceleration = 24,  // acceleration of its origin less gravity, were all joint accelerations zero
+  kRotational = 27,    // A of the bare link
+  kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
+  kTorque = 36,        // bias force n
+  kForce = 39,         // and f of the bare link
+  kEntries = 42
+};
+
+struct alignas(64) Block {
+  Value entries[kEntries][kPerBlock];
+};
+
+// Three numbers of each of the joints, that follow each other in x.
+template <class T>
+ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
+                                    int JointConstants::* place) {
+  const auto number = [&](int k) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
+  };
+  return {number(0), number(1), number(2)};
+}
+
+// Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
+[[maybe_unused]] constexpr bool any_of(JointKind kind) {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
+[[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
+[[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
+[[maybe_unused]] constexpr bool any_passive() {
+  for (const JointConstants& joint : kJoints) {
+    const Passive& own = joint.passive;
+    if (own.damping != 0 || own.friction != 0 || own.stiffness != 0 || own.rotor != 0) return true;
+  }
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnyPassive = any_passive();
+
+// Whether a joint's axis lies beside what it is treated with, and not with those of its block.
+template <class T>
+constexpr bool kWithAxis = kByColumns && kWidth<T> == 1;
+// Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
+constexpr int kMostFactors = kAnyPlanar ? 24 : kAnySpherical ? 18 : 8;
+
+// What is kept of a joint from the inward to the outward sweep.
+template <class T, bool with_axis = kWithAxis<T>>
+struct Eliminated {
+  Vector<T> r;  // from the parent link's origin to the child link's
+  T e[kMostFactors];
+};
+template <class T>
+struct alignas(64) Eliminated<T, true> {
+  Vector<T> axis;
+  T none;  // so that axis and r lie as the halves of a column
+  Vector<T> r;
+  T nothing;
+  T e[kMostFactors];
+};
+using Memory = Eliminated<Value>;
+
+// A bare link as it is added to columns (see inward_columns.hpp).
+struct alignas(64) LinkColumns {
+  Real tensor[8], moments[8], force[8];
+};
+
+// A link's orientation and how it moves, were all joint accelerations zero.
+template <class T>
+struct Frame {
+  Matrix<T> R;
+  Vector<T> omega, alpha, a;
+};
+
+struct Workspace : Cuts {
   const Value* q = nullptr;
   const Value* v = nullptr;
   const Value* tau = nullptr;
   Value* qdd = nullptr;
   int status = kFine;
-  alignas(kCacheLine) std::array<Value, 16> angle{}, sine{}, cosine{};
-  std::array<Value, kNv> result{};
-  std::array<Real*, kPlanMessages> to{};          // messages to be sent
-  std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Value, 150> x{};
+  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
+  std::array<Block, kBlockCount> blocks{};
+  std::array<Memory, kJointCount> joints{};
+  std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
+  std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
+  // Of the link beyond each joint, and one for slots that are not filled.
+  std::array<LinkColumns, kByColumns ? kJointCount + 1 : 0> columns{};
+  std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
+  std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
+  std::array<Value, kNv> answer{};
+
+  Workspace() {
+    for (Block& block : blocks)  // slots that are not filled do not turn
+      for (const int k : {0, 4, 8}) std::fill_n(block.entries[kTurn + k], kPerBlock, Value{} + 1);
+    for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
+      for (int k = 0; k < 9; ++k)
+        of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
+  }
+
+  Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
+  Value* at(int slot, Entry entry) {
+    return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
+  }
+
+  template <class T>
+  Eliminated<T>& memory(const Joints<T>& of) {
+    if constexpr (kWidth<T> == 1)
+      return joints[static_cast<std::size_t>(of.joint[0])];
+    else if constexpr (kWidth<T> == 2)
+      return twos[static_cast<std::size_t>(of.slot / 2)];
+    else
+      return fours[static_cast<std::size_t>(of.slot / 4)];
+  }
 };
 
-// What straight lines of numbers need.
-inline bool all(bool good, bool also = true) { return good && also; }
-
-// Zero for finite numbers only: x - x is.
-inline Real unlike_zero(const Real* x, int count) {
-  Real sum = 0;
-  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
-  return sum;
+template <class T = Value>
+ADAGEN_INLINE T number_at(const Value* x) {
+  T result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const T& number) {
+  std::memcpy(x, &number, sizeof number);
+}
+template <class T = Value>
+ADAGEN_INLINE Vector<T> vector_at(const Value* x, int stride = kPerBlock) {
+  return {number_at<T>(x), number_at<T>(x + stride), number_at<T>(x + 2 * stride)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Vector<T>& a) {
+  put_at(x, a.x), put_at(x + kPerBlock, a.y), put_at(x + 2 * kPerBlock, a.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Matrix<T> matrix_at(const Value* x) {
+  return {vector_at<T>(x), vector_at<T>(x + 3 * kPerBlock), vector_at<T>(x + 6 * kPerBlock)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Matrix<T>& m) {
+  put_at(x, m.x), put_at(x + 3 * kPerBlock, m.y), put_at(x + 6 * kPerBlock, m.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
+  return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
+}
+template <class T>
+ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
+  if constexpr (kWithAxis<T>)
+    return w.memory(joints).axis;
+  else
+    return axis_at<T>(w.at(joints.slot, kAxes));
 }
 
-// Sine and cosine by the polynomials of fdlibm on [-pi/4, pi/4], after taking multiples of pi/2
-// away in three parts. No branch: a loop over it is done in SIMD lanes.
-inline void sine_and_cosine(double angle, double& sine, double& cosine) {
-  constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
-  const double n = (angle * 0.63661977236758134308 + kRound) - kRound;
-  const double r = ((angle - n * 1.57079632673412561417e+00) - n * 6.07710050630396597660e-11) -
-                   n * 2.02226624871116645580e-21;
-  const double z = r * r, z2 = z * z, z4 = z2 * z2;
-  const double s = r + r * z *
-                           ((-1.66666666666666307295e-1 + z * 8.33333333332211858878e-3) +
-                            z2 * (-1.98412698295895385996e-4 + z * 2.75573136213857245213e-6) +
-                            z4 * (-2.50507477628578072866e-8 + z * 1.58962301576546568060e-10));
-  const double c =
-      (1 - 0.5 * z) + z2 * ((4.16666666666665929218e-2 - z * 1.38888888888730564116e-3) +
-                            z2 * (2.48015872888517045348e-5 - z * 2.75573141792967388112e-7) +
-                            z4 * (2.08757008419747316778e-9 - z * 1.13585365213876817300e-11));
-  const double half = std::floor(n * 0.5), odd = n - 2 * half;
-  const double sign = 1 - 2 * (half - 2 * std::floor(half * 0.5));
-  sine = sign * (odd != 0 ? c : s);
-  cosine = sign * (odd != 0 ? -s : c);
+// A body in a message.
+[[maybe_unused]] constexpr int kBodyNumbers = 27;
+template <class T>
+ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
+  static_assert(sizeof X == kBodyNumbers * sizeof(Real));
+  std::memcpy(to, &X, sizeof X);
+  return to + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* get(const Real* from, Body<T>& X) {
+  std::memcpy(&X, from, sizeof X);
+  return from + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* add(const Real* from, Body<T>& X) {
+  Body<T> other;
+  from = get(from, other);
+  X += other;
+  return from;
 }
 
-template <int count>
-inline void take_sines_and_cosines(const Real* angle, Real* sine, Real* cosine) {
-  constexpr double kFar = 1e5;  // beyond, the three parts of pi/2 would lose digits
-  Real farthest = 0;
-  for (int k = 0; k < count; ++k) {
-    double s, c;
-    sine_and_cosine(angle[k], s, c);
-    sine[k] = Real(s), cosine[k] = Real(c);
+ADAGEN_INLINE Lanes wide(const Value* x) {
+  Lanes result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+
+// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
+  Value tau = w.tau[joint.v];
+  if constexpr (kAnyPassive) {
+    const Passive& own = joint.passive;
+    const Value& qd = w.v[joint.v];
+    if (own.damping != 0) tau -= own.damping * qd;
+    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
   }
-  for (int k = 0; k < count; ++k) farthest = std::max(farthest, std::abs(angle[k]));
-  if (farthest <= kFar) return;
-  for (int k = 0; k < count; ++k) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+  return tau;
 }
 
-// What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
-// results.
-#define ADAGEN_INPUTS                                                              \
-  [[maybe_unused]] const Value *const q = w.q, *const v = w.v, *const tau = w.tau; \
-  [[maybe_unused]] const Value *const sine = w.sine.data(), *const cosine = w.cosine.data();
+// A joint of prescribed motion among limbs side by side gives way to nothing and moves as told.
+ADAGEN_INLINE Real immovable(const JointConstants& joint) {
+  return joint.passive.prescribed ? std::numeric_limits<Real>::infinity() : 0;
+}
+ADAGEN_INLINE Value prescribed(const Workspace& w, const JointConstants& joint) {
+  return joint.passive.prescribed ? w.tau[joint.v] : Value{};
+}
 
-[[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+// Accelerations are given only where all went well.
+inline void give(Workspace& w, int first, int count) {
+  if (w.status == kFine)
+    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
+}
 
-inline void fail(Workspace& w, Failure kind, int joint) {
+[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
+[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
+  for (int k = 0; k < 9; ++k)
+    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
+  return true;
+}
+
+// What cannot be solved is refused, with the joint at fault.
+
+ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
-// A state was found not to be finite: which joint's?
-template <std::size_t reads, std::size_t owns>
-[[gnu::cold]] ADAGEN_NOINLINE void name_what_is_not_finite(Workspace& w,
-                                                           const std::array<int, reads>& read,
-                                                           const std::array<int, owns>& owned) {
-  for (const int j : read) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!all(unlike_zero(w.q + joint.q, joint.nq) + unlike_zero(w.v + joint.v, joint.nv) == 0))
-      fail(w, kNotFinite, j);
-  }
-  for (const int j : owned) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!all(unlike_zero(w.tau + joint.v, joint.nv) == 0)) fail(w, kNotFinite, j);
-  }
+// x - x is zero, in all bits, for finite x only.
+ADAGEN_INLINE LaneBits unlike_zero(const Value* x) {
+  return reinterpret_cast<LaneBits>(wide(x) - wide(x));
+}
+ADAGEN_INLINE bool finite(const Value* x, int count) {
+  LaneBits found{};
+  int k = 0;
+  for (; k + kPerBlock <= count; k += kPerBlock) found |= unlike_zero(x + k);
+  if (k > 0 && k < count)
+    found |= unlike_zero(x + count - kPerBlock);  // some of them once more
+  else
+    for (; k < count; ++k)
+      if (!all_zero(x[k] - x[k])) return false;
+  return !any_of(found);
 }
 
-[[maybe_unused]] inline void require_length(Workspace& w, const Value& squared, int joint) {
-  if (!all(squared >= std::numeric_limits<Real>::min(),
-           squared <= std::numeric_limits<Real>::max()))
-    fail(w, kZeroQuaternion, joint);
+// Tells which of entries first .. is the first that is not finite; place says where a joint's
+// entries start.
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
+                               Failure kind) {
+  while (finite(x + first, 1)) ++first;
+  int joint = 0;
+  for (int j = 0; j < kJointCount; ++j)
+    if (kJoints[static_cast<std::size_t>(j)].*place <= first) joint = j;
+  fail(w, kind, joint);
 }
 
-// A pivot or a mobility has to be more than what rounding may have left of it.
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::* place, Failure kind) {
+  if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
+}
+
+// Whether nothing failed, and entries first .. first + count - 1 of the answer are finite.
+ADAGEN_INLINE bool went_well(const Workspace& w, int first, int count) {
+  return __builtin_expect(
+      w.status == kFine && finite(&w.answer[static_cast<std::size_t>(first)], count), 1);
+}
+
 template <class T>
-[[maybe_unused]] void require_more(Workspace& w, const Value& x, const T& least, Failure kind,
-                                   int joint) {
-  if (!all(x > least, x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
+ADAGEN_INLINE bool has_length(const T& squared) {
+  return all_positive(squared - std::numeric_limits<Real>::min()) &&
+         all_positive(std::numeric_limits<Real>::max() - squared);
+}
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!has_length(squared)) fail(w, kZeroQuaternion, joint);
 }
 
-// A result was found not to be finite: which joint's?
-template <std::size_t owns>
-[[gnu::cold]] ADAGEN_NOINLINE void name_what_overflows(Workspace& w,
-                                                       const std::array<int, owns>& owned) {
-  for (const int j : owned) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!all(unlike_zero(w.result.data() + joint.v, joint.nv) == 0)) fail(w, kOverflow, j);
+// An elimination failed for one of the joints: for that whose number is not positive.
+template <class T>
+ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]] const T& x) {
+  int lane = 0;
+  if constexpr (kWidth < T >> 1)
+    while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
+  fail(w, kFactorization, joints.joint[lane]);
+}
+
+// Loops over rows of joints: a run's joints, or those of limbs side by side, of one kind each.
+// Where few stretches of one kind follow each other, each is a loop of its own that knows its kind.
+template <int first, int last>
+struct RunRows {
+  static constexpr int kCount = last - first + 1;
+  static constexpr JointKind kind(int k) {
+    return kJoints[static_cast<std::size_t>(first + k)].kind;
+  }
+};
+
+constexpr int kMostStretches = 8;
+
+// Where the stretch ends that begins with the k-th row of an order.
+template <class Rows, bool backwards>
+constexpr int end_of_stretch(int k) {
+  const auto kind = [](int i) { return Rows::kind(backwards ? Rows::kCount - 1 - i : i); };
+  int end = k + 1;
+  while (end < Rows::kCount && kind(end) == kind(k)) ++end;
+  return end;
+}
+template <class Rows>
+constexpr bool few_stretches() {
+  int count = 0;
+  for (int k = 0; k < Rows::kCount; ++count) k = end_of_stretch<Rows, false>(k);
+  return count <= kMostStretches;
+}
+
+// Calls step(row, kind) for each row, the last one first if backwards.
+template <class Rows, bool backwards, int begin = 0, class Step>
+ADAGEN_INLINE void each_row(const Step& step) {
+  constexpr auto row = [](int k) { return backwards ? Rows::kCount - 1 - k : k; };
+  if constexpr (few_stretches<Rows>()) {
+    constexpr int end = end_of_stretch<Rows, backwards>(begin);
+    constexpr std::integral_constant<JointKind, Rows::kind(row(begin))> kind;
+    for (int k = begin; k < end; ++k) step(row(k), kind);
+    if constexpr (end < Rows::kCount) each_row<Rows, backwards, end>(step);
+  } else {
+    for (int k = 0; k < Rows::kCount; ++k) step(row(k), Rows::kind(row(k)));
   }
 }
 
-// Each function is a straight line. A value is called x and its number in the expression graph; zeros
-// and constants are folded in, nothing is computed twice, and what nobody needs is not there.
-// Frames are the links' own; accelerations are deviations from the field that the links would have
-// with all joint accelerations zero.
+// What needs no recursion, for as many links at once as a register holds.
 
-// =================================================================================================
-// Process 0: 1001 products, 850 sums, 11 quotients
-// =================================================================================================
+// A number of each joint of a block, as constants of the model are kept.
+using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
 
-ADAGEN_NOINLINE void part_0_0(Workspace& w) {
-  ADAGEN_INPUTS
-  // joint 0 "joint01": placement, velocity and reference acceleration of its link
-  const Real x8 = sine[0] * 9.81;
-  // joint 1 "joint02": placement, velocity and reference acceleration of its link
-  const Real x18 = v[0] * sine[1];
-  const Real x19 = v[0] * cosine[1];
-  const Real x21 = v[1] * x18;
-  const Real x26 = cosine[0] * 9.81 + v[0] * v[0] * 0.4;
-  const Real x38 = x18 * x19;
-  const Real x44 = x21 * 2.0;
-  const Real x28 = sine[1] * x26;
-  const Real x20 = v[1] * x19;
-  // joint 2 "joint03": placement, velocity and reference acceleration of its link
-  const Real x52 = x19 * cosine[2] + v[1] * sine[2];
-  const Real x56 = v[1] * cosine[2] - x19 * sine[2];
-  const Real x57 = x18 + v[2];
-  const Real x97 = x56 * x57;
-  const Real x63 = v[2] * x56 - x21 * cosine[2];
-  const Real x66 = x21 * sine[2] - v[2] * x52;
-  const Real x72 = x28 + 0.4 * x38;
-  const Real x76 = x8 - 0.4 * x44;
-  const Real x98 = x97 - x63;
-  const Real x67 = 0.4 * (x19 * x19 + v[1] * v[1]);
-  const Real x84 = sine[2] * x72 + cosine[2] * x76;
-  const Real x102 = x52 * x57;
-  // joint 3 "joint04": placement, velocity and reference acceleration of its link
-  const Real x112 = x56 * cosine[3] + x57 * sine[3];
-  const Real x116 = x57 * cosine[3] - x56 * sine[3];
-  // joint 6 "joint07": articulated-body inertia and bias force through it
-  const Real x589 = cosine[6] * 0.053233300000000004;
-  const Real x583 = cosine[6] * 0.2;
-  const Real x585 = sine[6] * 0.2;
-  const Real x595 = cosine[6] * 0.7485968487815651;
-  const Real x592 = cosine[6] * x589;
-  const Real x603 = -0.4 - x583;
-  const Real x599 = cosine[6] * x595;
-  const Real x597 = sine[6] * x595;
-  const Real x601 = 1.0 - x599;
-  const Real x618 = sine[6] * x589 + 0.4 * x585;
-  const Real x606 = 0.4 * x597;
-  const Real x643 = 0.0534333 - x592 + 0.0002;
-  require_more(w, x643, 0.0, kFactorization, 5);
-  const Real x604 = 0.4 * x601;
-  const Real x644 = 1.0 + x601;
-  const Real x640 = 0.2 + x604;
-  const Real x615 = 0.0002 + x592 + 0.4 * x583 - 0.4 * x603;
-  const Real x639 = 0.0534333 + 0.4 * x604;
-  // joint 5 "joint06": articulated-body inertia and bias force through it
-  const Real x695 = sine[5] * x597;
-  const Real x697 = cosine[5] * x597;
-  const Real x653 = 1 / x643;
-  w.x[0] = x653;
-  const Real x712 = sine[5] * x606 + 0.4 * x695;
-  const Real x657 = x585 * x653;
-  w.x[1] = x657;
-  const Real x656 = x618 * x653;
-  w.x[2] = x656;
-  // joint 4 "joint05": articulated-body inertia and bias force through it
-  const Real x844 = 2.0 * sine[4];
-  w.x[3] = x844;
-  // joint 3 "joint04": articulated-body inertia and bias force through it
-  const Real x1030 = 2.0 * sine[3];
-  // joint 2 "joint03": placement, velocity and reference acceleration of its link
-  const Real x104 = x66 + x102;
-  const Real x80 = sine[2] * x76 - cosine[2] * x72;
-  // joint 3 "joint04": placement, velocity and reference acceleration of its link
-  const Real x117 = x52 + v[3];
-  const Real x126 = x66 * cosine[3] + x20 * sine[3] + v[3] * x116;
-  const Real x129 = x20 * cosine[3] - x66 * sine[3] - v[3] * x112;
-  const Real x135 = x84 - 0.4 * x98;
-  const Real x136 = 0.4 * (x52 * x52 + x56 * x56);
-  const Real x138 = cosine[1] * x26 + x67 + x136;
-  const Real x158 = x116 * x117;
-  const Real x156 = x112 * x112 + x117 * x117;
-  const Real x160 = x126 + x158;
-  const Real x132 = x80 - 0.4 * x104;
-  const Real x145 = cosine[3] * x138 - sine[3] * x135;
-  const Real x153 = x112 * x116;
-  const Real x154 = x153 - x63;
-  const Real x141 = cosine[3] * x135 + sine[3] * x138;
-  // joint 4 "joint05": placement, velocity and reference acceleration of its link
-  const Real x173 = x116 * cosine[4] + x117 * sine[4];
-  const Real x177 = x117 * cosine[4] - x116 * sine[4];
-  const Real x178 = x112 + v[4];
-  const Real x190 = x63 * cosine[4] - x129 * sine[4] - v[4] * x173;
-  const Real x214 = x173 * x177;
-  const Real x224 = x173 * x178;
-  const Real x196 = x145 + 0.4 * x156;
-  const Real x199 = x132 - 0.4 * x160;
-  const Real x216 = x126 + x214;
-  // joint 5 "joint06": articulated-body inertia and bias force through it
-  const Real x667 = 2.0 - x585 * x657;
-  const Real x664 = -0.2 + x603 + x618 * x657;
-  const Real x661 = 0.0534333 + x615 - x618 * x656;
-  const Real x700 = cosine[5] * (x667 - x644);
-  const Real x678 = sine[5] * (x640 + x664);
-  const Real x687 = cosine[5] * (x639 - x661);
-  const Real x703 = cosine[5] * x700;
-  const Real x680 = sine[5] * x678;
-  const Real x692 = cosine[5] * x687;
-  const Real x701 = sine[5] * x700;
-  const Real x684 = cosine[5] * x678;
-  const Real x704 = x644 + x703;
-  const Real x683 = x664 - x680;
-  const Real x705 = x667 - x703;
-  const Real x682 = x640 - x680;
-  const Real x716 = 0.4 * x701 - x684;
-  const Real x719 = x683 - 0.4 * x704;
-  const Real x722 = x682 + 0.4 * x705;
-  const Real x765 = -0.2 + x719;
-  const Real x735 = sine[5] * x687 + 0.4 * x684 - 0.4 * x716;
-  const Real x741 = x639 - x692 - 0.4 * x683 - 0.4 * x719;
-  const Real x764 = 0.0534333 + x741;
-  require_more(w, x764, 0.0, kFactorization, 4);
-  const Real x729 = x661 + x692 + 0.4 * x682 + 0.4 * x722;
-  // joint 2 "joint03": articulated-body inertia and bias force through it
-  const Real x1211 = 2.0 * sine[2];
-  // joint 4 "joint05": placement, velocity and reference acceleration of its link
-  const Real x225 = x224 - x190;
-  const Real x193 = x141 - 0.4 * x154;
-  const Real x206 = cosine[4] * x199 - sine[4] * x196;
-  const Real x212 = x177 * x177 + x178 * x178;
-  const Real x202 = cosine[4] * x196 + sine[4] * x199;
-  const Real x187 = x129 * cosine[4] + x63 * sine[4] + v[4] * x177;
-  // joint 5 "joint06": placement, velocity and reference acceleration of its link
-  const Real x238 = x178 * cosine[5] - x177 * sine[5];
-  const Real x239 = x173 + v[5];
-  const Real x234 = x177 * cosine[5] + x178 * sine[5];
-  const Real x257 = x206 - 0.4 * x216;
-  const Real x260 = x193 - 0.4 * x225;
-  const Real x248 = x190 * cosine[5] + x126 * sine[5] + v[5] * x238;
-  const Real x280 = x238 * x239;
-  const Real x281 = x280 - x248;
-  const Real x283 = x234 * x234 + x238 * x238;
-  const Real x251 = x126 * cosine[5] - x190 * sine[5] - v[5] * x234;
-  const Real x254 = x202 + 0.4 * x212;
-  const Real x267 = cosine[5] * x260 - sine[5] * x257;
-  // joint 4 "joint05": articulated-body inertia and bias force through it
-  const Real x776 = 1 / x764;
-  w.x[4] = x776;
-  const Real x779 = x735 * x776;
-  w.x[5] = x779;
-  const Real x783 = x716 * x776;
-  w.x[6] = x783;
-  const Real x780 = x712 * x776;
-  w.x[7] = x780;
-  const Real x782 = x765 * x776;
-  w.x[8] = x782;
-  const Real x787 = 0.0534333 + x729 - x735 * x779;
-  const Real x796 = 0.2 + x722 + x735 * x783;
-  const Real x815 = 1.0 + x705 - x716 * x783;
-  const Real x799 = 0.25140315121843493 + x599 + 1.0 + 1.0 - x712 * x780;
-  const Real x809 = 1.0 + x704 - x765 * x782;
-  const Real x790 = x735 * x780 - (cosine[5] * x606 + 0.4 * x697);
-  const Real x793 = x716 - x735 * x782;
-  const Real x802 = x695 + x712 * x782;
-  const Real x805 = x697 + x712 * x783;
-  const Real x812 = x701 + x765 * x783;
-  const Real x828 = cosine[4] * x796;
-  const Real x826 = sine[4] * x796;
-  const Real x843 = cosine[4] * (0.0002 - x787);
-  const Real x876 = x828 + 0.4 * x815;
-  const Real x834 = cosine[4] * x793 + sine[4] * x790;
-  const Real x860 = cosine[4] * x812 - sine[4] * x805;
-  const Real x848 = cosine[4] * x843;
-  const Real x928 = 0.2 + x876;
-  const Real x865 = cosine[4] * (x799 - x809) - x802 * x844;
-  const Real x839 = cosine[4] * x834;
-  const Real x836 = sine[4] * x834;
-  const Real x855 = cosine[4] * x805 + sine[4] * x812;
-  const Real x872 = 0.4 * x860;
-  const Real x897 = sine[4] * x843 - 0.4 * x826;
-  // joint 5 "joint06": placement, velocity and reference acceleration of its link
-  const Real x285 = x234 * x239;
-  const Real x287 = x251 + x285;
-  const Real x263 = cosine[5] * x257 + sine[5] * x260;
-  // joint 6 "joint07": placement, velocity and reference acceleration of its link
-  const Real x295 = x238 * cosine[6] + x239 * sine[6];
-  const Real x299 = x239 * cosine[6] - x238 * sine[6];
-  const Real x318 = x267 - 0.4 * x281;
-  const Real x321 = x254 + 0.4 * x283;
-  const Real x300 = x234 + v[6];
-  const Real x336 = x295 * x299;
-  const Real x341 = x299 * x300;
-  const Real x309 = x251 * cosine[6] + x187 * sine[6] + v[6] * x299;
-  const Real x324 = cosine[6] * x318 + sine[6] * x321;
-  const Real x315 = x263 - 0.4 * x287;
-  // link 6 "rod06": force that the reference field takes
-  const Real x523 = x248 * 0.0534333;
-  // joint 4 "joint05": articulated-body inertia and bias force through it
-  const Real x869 = cosine[4] * x865;
-  const Real x871 = x799 - x869;
-  const Real x868 = x802 + sine[4] * x865;
-  const Real x884 = x839 + x872;
-  const Real x893 = 0.4 * x839 + 0.4 * x872;
-  const Real x881 = x790 - x836 - 0.4 * x855;
-  const Real x903 = 0.0002 - x848 + (0.4 * x828 + 0.4 * x876);
-  const Real x927 = 0.0534333 + x903;
-  require_more(w, x927, 0.0, kFactorization, 3);
-  const Real x882 = 0.4 * x871;
-  // joint 3 "joint04": articulated-body inertia and bias force through it
-  const Real x939 = 1 / x927;
-  w.x[9] = x939;
-  const Real x942 = x893 * x939;
-  w.x[10] = x942;
-  const Real x944 = x897 * x939;
-  w.x[11] = x944;
-  const Real x945 = x928 * x939;
-  w.x[12] = x945;
-  const Real x946 = x881 * x939;
-  w.x[13] = x946;
-  const Real x947 = x884 * x939;
-  w.x[14] = x947;
-  const Real x950 = 0.0534333 + 0.4 * x882 - x893 * x942;
-  const Real x965 = x787 + x848 + 0.0002 - x897 * x944;
-  const Real x953 = 0.4 * x836 + x893 * x944;
-  const Real x968 = x826 + x897 * x945;
-  const Real x972 = x793 - x839 - x897 * x946;
-  const Real x989 = x809 + x869 + 1.0 - x881 * x946;
-  const Real x962 = -0.2 - x882 + x893 * x947;
-  // link 5 "rod05": force that the reference field takes
-  const Real x498 = x187 * 0.0002;
-  // joint 6 "joint07": placement, velocity and reference acceleration of its link
-  const Real x312 = x187 * cosine[6] - x251 * sine[6] - v[6] * x295;
-  // link 7 "rod07": force that the reference field takes
-  const Real x552 = x312 * 0.0002;
-  const Real x560 = x309 * 0.0534333 + x341 * 0.053233300000000004 - x315 * 0.2;
-  const Real x567 = (x295 * x295 + x300 * x300) * 0.2;
-  const Real x569 = cosine[6] * x321 - sine[6] * x318 + x567;
-  const Real x572 = x315 - (x309 + x341) * 0.2;
-  // joint 6 "joint07": articulated-body inertia and bias force through it
-  const Real x575 = tau[6] - (x523 - x336 * 0.053233300000000004 + x324 * 0.2);
-  w.x[15] = x575;
-  const Real x576 = 18.714921219539125 * x575;
-  w.x[16] = x576;
-  const Real x582 = x324 - (x336 - x248) * 0.2 + 0.2 * x576;
-  // joint 3 "joint04": articulated-body inertia and bias force through it
-  const Real x975 = x836 + x897 * x947;
-  const Real x995 = 1.0 + x871 - x884 * x947;
-  const Real x1034 = cosine[3] * (x950 - x965) - x953 * x1030;
-  const Real x1018 = sine[3] * (x893 * x946 - 0.4 * x868 - x968);
-  const Real x1020 = cosine[3] * (x893 * x945 - x872 - x972) - x1018;
-  const Real x1010 = cosine[3] * x962 + sine[3] * x975;
-  const Real x1049 = cosine[3] * (1.0 + x815 - x928 * x945 - x989);
-  const Real x1038 = cosine[3] * x1034;
-  const Real x1014 = sine[3] * x962 - cosine[3] * x975;
-  const Real x1063 = x1010 - 0.4 * x995;
-  const Real x1041 = cosine[3] * (x860 - x928 * x947);
-  const Real x1044 = x1041 - sine[3] * (x868 - x881 * x947);
-  const Real x1024 = sine[3] * x1020 - x968;
-  const Real x1026 = x972 + cosine[3] * x1020;
-  const Real x1056 = cosine[3] * (x1049 + (x855 + x928 * x946) * x1030);
-  const Real x1057 = x989 + x1056;
-  const Real x1115 = x950 - x1038 + 0.0002;
-  require_more(w, x1115, 0.0, kFactorization, 2);
-  const Real x1059 = 0.4 * x1044;
-  const Real x1090 = x953 + sine[3] * x1034 - 0.4 * x1014;
-  const Real x1079 = 0.4 * x1024;
-  const Real x1064 = 0.4 * x1057;
-  const Real x1087 = x965 + x1038 - (0.4 * x1010 + 0.4 * x1063);
-  // joint 2 "joint03": articulated-body inertia and bias force through it
-  const Real x1126 = 1 / x1115;
-  w.x[17] = x1126;
-  const Real x1131 = x1014 * x1126;
-  w.x[18] = x1131;
-  const Real x1132 = x1024 * x1126;
-  w.x[19] = x1132;
-  const Real x1129 = x1079 * x1126;
-  w.x[20] = x1129;
-  const Real x1130 = x1090 * x1126;
-  w.x[21] = x1130;
-  // link 4 "rod04": force that the reference field takes
-  const Real x473 = x126 * 0.0534333;
-  // joint 6 "joint07": articulated-body inertia and bias force through it
-  const Real x629 = cosine[6] * x582 - sine[6] * x569;
-  const Real x650 = x267 - x281 * 0.2 + x629;
-  // link 6 "rod06": force that the reference field takes
-  const Real x538 = x251 * 0.0534333 + x285 * 0.053233300000000004 - x263 * 0.2;
-  // joint 6 "joint07": articulated-body inertia and bias force through it
-  const Real x638 = cosine[6] * x560 - sine[6] * x552 - 0.4 * x572;
-  // link 6 "rod06": force that the reference field takes
-  const Real x535 = x523 - x280 * 0.053233300000000004 + x267 * 0.2;
-  // joint 6 "joint07": articulated-body inertia and bias force through it
-  const Real x646 = tau[6] + 0.4 * x629 + x535;
-  // joint 5 "joint06": articulated-body inertia and bias force through it
-  const Real x654 = tau[5] - (sine[6] * x560 + cosine[6] * x552 + x498);
-  w.x[22] = x654;
-  const Real x655 = x653 * x654;
-  w.x[23] = x655;
-  const Real x672 = x263 - x287 * 0.2 + x572 - x585 * x655;
-  const Real x669 = x538 + x638 + x618 * x655;
-  const Real x752 = cosine[5] * x672 - sine[5] * x650;
-  // joint 2 "joint03": articulated-body inertia and bias force through it
-  const Real x1163 = 1.0 + x995 - x1014 * x1131;
-  const Real x1172 = 1.0 + x1057 - x1024 * x1132;
-  const Real x1142 = x1059 - x1079 * x1131;
-  const Real x1145 = 0.2 + x1064 - x1079 * x1132;
-  const Real x1154 = -0.2 + x1063 - x1090 * x1131;
-  const Real x1157 = x1026 - x1059 - x1090 * x1132;
-  const Real x1166 = x1044 - x1014 * x1132;
-  const Real x1136 = 0.0534333 + 0.4 * x1064 - x1079 * x1129;
-  const Real x1151 = 0.0534333 + x1087 - x1090 * x1130;
-  const Real x1139 = 0.4 * x1026 - 0.4 * x1059 - x1079 * x1130;
-  const Real x1233 = cosine[2] * (x1163 - x1172) - x1166 * x1211;
-  const Real x1201 = cosine[2] * (x1142 - x1157) - sine[2] * (x1145 + x1154);
-  const Real x1215 = cosine[2] * (x1136 - x1151) - x1139 * x1211;
-  const Real x1237 = cosine[2] * x1233;
-  const Real x1202 = sine[2] * x1201;
-  const Real x1206 = cosine[2] * x1201;
-  const Real x1219 = cosine[2] * x1215;
-  const Real x1239 = x1163 - x1237;
-  const Real x1205 = x1154 + x1202;
-  const Real x1208 = x1142 - x1206;
-  const Real x1204 = x1145 + x1202;
-  const Real x1246 = 0.4 * (x1166 + sine[2] * x1233);
-  const Real x1254 = x1204 + 0.4 * x1239;
-  const Real x1255 = x1208 - x1246;
-  // link 2 "rod02": force that the reference field takes
-  const Real x423 = x20 * 0.0002;
-  // link 3 "rod03": force that the reference field takes
-  const Real x448 = x63 * 0.0534333;
-  // joint 6 "joint07": articulated-body inertia and bias force through it
-  const Real x632 = sine[6] * x582 + cosine[6] * x569;
-  // joint 5 "joint06": articulated-body inertia and bias force through it
-  const Real x755 = sine[5] * x672 + cosine[5] * x650;
-  const Real x761 = sine[5] * x646 + cosine[5] * x669 - 0.4 * x752;
-  const Real x769 = x498 + tau[5];
-  // link 5 "rod05": force that the reference field takes
-  const Real x510 = x190 * 0.0534333 - x224 * 0.053233300000000004 + x193 * 0.2;
-  // joint 5 "joint06": articulated-body inertia and bias force through it
-  const Real x758 = cosine[5] * x646 - sine[5] * x669 + 0.4 * x755;
-  // joint 6 "joint07": articulated-body inertia and bias force through it
-  const Real x651 = x254 + x283 * 0.2 + x632;
-  // joint 5 "joint06": articulated-body inertia and bias force through it
-  const Real x771 = x473 + x214 * 0.053233300000000004 - x206 * 0.2 + x761;
-  // joint 4 "joint05": articulated-body inertia and bias force through it
-  const Real x777 = tau[4] - x771;
-  w.x[24] = x777;
-  const Real x778 = x776 * x777;
-  w.x[25] = x778;
-  const Real x817 = x510 + x758 + x735 * x778;
-  const Real x825 = x193 - x225 * 0.2 + x755 - x716 * x778;
-  const Real x820 = x202 + x212 * 0.2 + x651 - x712 * x778;
-  const Real x822 = x206 - x216 * 0.2 + x752 + x765 * x778;
-  const Real x917 = sine[4] * x820 + cosine[4] * x822;
-  // joint 2 "joint03": articulated-body inertia and bias force through it
-  const Real x1270 = 0.4 * (x1205 - 0.4 * (x1172 + x1237));
-  const Real x1266 = x1139 + sine[2] * x1215 + 0.4 * x1208;
-  const Real x1267 = x1266 - 0.4 * (x1157 + x1206 + x1246);
-  const Real x1296 = x1136 - x1219 - 0.4 * x1205 - x1270 + 0.0534333;
-  require_more(w, x1296, 0.0, kFactorization, 1);
-  const Real x1261 = x1151 + x1219 + 0.4 * x1204 + 0.4 * x1254;
-  // joint 1 "joint02": articulated-body inertia and bias force through it
-  const Real x1308 = 1 / x1296;
-  w.x[26] = x1308;
-  const Real x1311 = x1267 * x1308;
-  w.x[27] = x1311;
-  const Real x1314 = x1255 * x1308;
-  w.x[28] = x1314;
-  const Real x1355 = cosine[1] * (0.2 + x1254 - x1267 * x1314);
-  // link 1 "rod01": force that the reference field takes
-  const Real x418 = x8 * 0.2;
-  // joint 6 "joint07": articulated-body inertia and bias force through it
-  const Real x587 = 2.0 * sine[6];
-  w.x[29] = x587;
-  // joint 5 "joint06": articulated-body inertia and bias force through it
-  const Real x688 = 2.0 * sine[5];
-  w.x[30] = x688;
-  // joint 4 "joint05": articulated-body inertia and bias force through it
-  const Real x914 = cosine[4] * x820 - sine[4] * x822;
-  const Real x923 = sine[4] * x769 + cosine[4] * x817 + 0.4 * x825;
-  // link 4 "rod04": force that the reference field takes
-  const Real x485 = x473 + x158 * 0.053233300000000004 - x132 * 0.2;
-  // joint 4 "joint05": articulated-body inertia and bias force through it
-  const Real x934 = x448 - x153 * 0.053233300000000004 + x141 * 0.2 + x923;
-  // joint 3 "joint04": articulated-body inertia and bias force through it
-  const Real x940 = tau[3] - x934;
-  w.x[31] = x940;
-  const Real x941 = x939 * x940;
-  w.x[32] = x941;
-  const Real x998 = tau[4] - 0.4 * x917 + x485 - x893 * x941;
-  // joint 4 "joint05": articulated-body inertia and bias force through it
-  const Real x933 = cosine[4] * x769 - sine[4] * x817 + x129 * 0.0002;
-  // joint 3 "joint04": articulated-body inertia and bias force through it
-  const Real x1000 = x933 + x897 * x941;
-  const Real x1006 = x132 - x160 * 0.2 + x917 + x884 * x941;
-  const Real x1002 = x141 - x154 * 0.2 + x825 + x928 * x941;
-  const Real x1004 = x145 + x156 * 0.2 + x914 + x881 * x941;
-  const Real x1101 = cosine[3] * x1002 - sine[3] * x1004;
-  // link 3 "rod03": force that the reference field takes
-  const Real x463 = x66 * 0.0534333 + x102 * 0.053233300000000004 - x80 * 0.2;
-  // joint 3 "joint04": articulated-body inertia and bias force through it
-  const Real x1110 = cosine[3] * x998 - sine[3] * x1000 - 0.4 * x1006;
-  // link 3 "rod03": force that the reference field takes
-  const Real x460 = x448 - x97 * 0.053233300000000004 + x84 * 0.2;
-  // joint 2 "joint03": articulated-body inertia and bias force through it
-  const Real x1127 = tau[2] - (sine[3] * x998 + cosine[3] * x1000 + x423);
-  w.x[33] = x1127;
-  const Real x1128 = x1126 * x1127;
-  w.x[34] = x1128;
-  const Real x1184 = x80 - x104 * 0.2 + x1006 + x1014 * x1128;
-  const Real x1186 = x84 - x98 * 0.2 + x1101 + x1024 * x1128;
-  const Real x1180 = tau[3] + 0.4 * x1101 + x460 + x1079 * x1128;
-  const Real x1182 = x463 + x1110 + x1090 * x1128;
-  // joint 1 "joint02": articulated-body inertia and bias force through it
-  const Real x1370 = cosine[1] * (0.0002 - (0.0534333 + x1261 - x1267 * x1311));
-  const Real x1400 = x1355 + 0.4 * (1.0 + x1239 - x1255 * x1314);
-  const Real x1426 = 0.4 * x1355 + 0.4 * x1400;
-  const Real x1451 = 0.0002 - cosine[1] * x1370 + x1426 + 0.0534333;
-  require_more(w, x1451, 0.0, kFactorization, 0);
-  // joint 0 "joint01": articulated-body inertia and bias force through it
-  const Real x1460 = 1 / x1451;
-  w.x[35] = x1460;
-  // joint 1 "joint02": mobility and acceleration beyond it
-  const Real x1469 = 0.4 * x1460;
-  const Real x1470 = 0.4 * x1469;
-  const Real x1472 = cosine[1] * x1469;
-  const Real x1478 = cosine[1] * (cosine[1] * x1460);
-  const Real x1487 = x1311 * x1478 + x1314 * x1472;
-  const Real x1491 = x1311 * x1472 + x1314 * x1470;
-  // joint 2 "joint03": mobility and acceleration beyond it
-  const Real x1516 = x1472 + 0.4 * x1478;
-  const Real x1513 = 0.4 * x1487;
-  // joint 2 "joint03": articulated-body inertia and bias force through it
-  const Real x1287 = sine[2] * x1184 + cosine[2] * x1186;
-  const Real x1291 = 0.4 * (cosine[2] * x1184 - sine[2] * x1186);
-  const Real x1293 = sine[2] * x1180 + cosine[2] * x1182 - x1291;
-  const Real x1290 = cosine[2] * x1180 - sine[2] * x1182 + 0.4 * x1287;
-  // joint 1 "joint02": articulated-body inertia and bias force through it
-  const Real x1309 = tau[1] - (x38 * 0.053233300000000004 + x28 * 0.2 + x1293);
-  w.x[36] = x1309;
-  const Real x1310 = x1308 * x1309;
-  w.x[37] = x1310;
-  // joint 2 "joint03": articulated-body inertia and bias force through it
-  const Real x1302 = x418 - (x21 * 0.0534333 + x21 * 0.053233300000000004) + x1290;
-  // joint 1 "joint02": mobility and acceleration beyond it
-  const Real x1499 = x1311 * x1487 + x1314 * x1491 + x1308;
-  // joint 2 "joint03": mobility and acceleration beyond it
-  const Real x1519 = x1491 + x1513;
-  const Real x1530 = x1470 + 0.4 * x1472 + 0.4 * x1516;
-  const Real x1526 = 0.4 * x1491 + 0.4 * x1513;
-  const Real x1517 = 0.4 * x1499;
-  const Real x1521 = 0.4 * x1517;
-  const Real x1564 = cosine[2] * (x1478 - x1499) - x1211 * x1487;
-  const Real x1542 = cosine[2] * (x1513 + x1519) + sine[2] * (x1516 - x1517);
-  const Real x1568 = cosine[2] * x1564;
-  const Real x1574 = cosine[2] * (x1521 - x1530) + x1211 * x1526;
-  const Real x1543 = sine[2] * x1542;
-  const Real x1547 = cosine[2] * x1542;
-  const Real x1566 = x1487 + sine[2] * x1564;
-  const Real x1569 = x1499 + x1568;
-  const Real x1570 = x1478 - x1568;
-  const Real x1577 = cosine[2] * x1574;
-  const Real x1545 = x1517 + x1543;
-  const Real x1548 = x1547 - x1519;
-  const Real x1544 = x1516 - x1543;
-  const Real x1549 = x1513 - x1547;
-  const Real x1578 = x1530 + x1577;
-  const Real x1576 = x1526 - sine[2] * x1574;
-  const Real x1579 = x1521 - x1577;
-  const Real x1586 = x1129 * x1569 - x1130 * x1566 + x1131 * x1548;
-  const Real x1587 = x1132 * x1544 + x1586;
-  const Real x1596 = x1130 * x1570 - x1129 * x1566 - x1131 * x1545;
-  const Real x1597 = x1132 * x1549 + x1596;
-  const Real x1614 = x1129 * x1548 - x1130 * x1545 + x1131 * x1578;
-  const Real x1615 = x1132 * x1576 + x1614;
-  // joint 3 "joint04": mobility and acceleration beyond it
-  const Real x1672 = 0.4 * x1566;
-  const Real x1679 = x1545 + 0.4 * x1570;
-  const Real x1681 = x1549 - x1672;
-  // joint 1 "joint02": articulated-body inertia and bias force through it
-  const Real x1352 = x8 - x44 * 0.2 + x1287 + x1255 * x1310;
-  const Real x1433 = cosine[1] * (x1302 + x1267 * x1310);
-  const Real x1447 = sine[1] * (x423 + tau[2]) + x1433 + 0.4 * x1352;
-  // joint 0 "joint01": articulated-body inertia and bias force through it
-  const Real x1461 = tau[0] - (x418 + x1447);
-  w.x[38] = x1461;
-  const Real x1462 = x1460 * x1461;
-  w.x[39] = x1462;
-  // joint 1 "joint02": mobility and acceleration beyond it
-  const Real x1502 = cosine[1] * x1462;
-  w.x[40] = x1502;
-  // joint 2 "joint03": mobility and acceleration beyond it
-  const Real x1622 = x1129 * x1544 + x1130 * x1549 + x1131 * x1576;
-  const Real x1623 = x1132 * x1579 + x1622;
-  const Real x1635 = x1129 * x1587 + x1130 * x1597 + x1131 * x1615;
-  const Real x1639 = x1132 * x1623 + x1635 + x1126;
-  // joint 3 "joint04": mobility and acceleration beyond it
-  const Real x1701 = 0.4 * (x1544 + 0.4 * x1569);
-  const Real x1703 = x1579 + 0.4 * x1544 + x1701;
-  const Real x1699 = x1576 - 0.4 * x1549 + 0.4 * (x1548 + x1672);
-  const Real x1750 = cosine[3] * x1703;
-  const Real x1684 = 0.4 * x1597 - x1615;
-  const Real x1687 = x1623 + 0.4 * x1587;
-  const Real x1694 = x1578 + 0.4 * x1545 + 0.4 * x1679;
-  const Real x1747 = cosine[3] * x1699;
-  w.x[41] = x1747;
-  const Real x1753 = cosine[3] * x1750;
-  w.x[42] = x1753;
-  const Real x1748 = sine[3] * x1699;
-  const Real x1751 = sine[3] * x1750;
-  w.x[43] = x1751;
-  const Real x1707 = sine[3] * x1684 - cosine[3] * x1679;
-  w.x[44] = x1707;
-  const Real x1754 = x1703 - x1753;
-  w.x[45] = x1754;
-  const Real x1718 = cosine[3] * x1681 - sine[3] * x1687;
-  const Real x1711 = sine[3] * x1679 + cosine[3] * x1684;
-  w.x[46] = x1711;
-  const Real x1719 = sine[3] * x1718;
-  const Real x1723 = cosine[3] * x1718;
-  w.x[47] = x1723;
-  const Real x1721 = x1687 + x1719;
-  w.x[48] = x1721;
-  const Real x1724 = x1681 - x1723;
-  w.x[49] = x1724;
-  const Real x1827 = x945 * x1747 + x947 * x1694 - x946 * x1748;
-  const Real x1801 = x945 * x1753 + x947 * x1747 - x946 * x1751;
-  const Real x1740 = cosine[3] * (x1570 - x1639) - x1030 * x1597;
-  const Real x1815 = x946 * x1754 - (x945 * x1751 + x947 * x1748);
-  const Real x1829 = x1827 - x942 * x1707 + x944 * x1711;
-  w.x[50] = x1829;
-  const Real x1764 = x945 * x1723 + x947 * x1707 - x946 * x1719;
-  w.x[51] = x1764;
-  const Real x1803 = x1801 - x942 * x1723 - x944 * x1721;
-  w.x[52] = x1803;
-  const Real x1744 = cosine[3] * x1740;
-  const Real x1817 = x942 * x1719 + x1815 + x944 * x1724;
-  w.x[53] = x1817;
-  const Real x1839 = x947 * x1829;
-  w.x[54] = x1839;
-  const Real x1776 = x947 * x1711 - x945 * x1721 + x946 * x1724;
-  w.x[55] = x1776;
-  const Real x1835 = x945 * x1803;
-  w.x[56] = x1835;
-  const Real x1745 = x1639 + x1744;
-  w.x[57] = x1745;
-  const Real x1742 = x1597 + sine[3] * x1740;
-  w.x[58] = x1742;
-  const Real x1746 = x1570 - x1744;
-  w.x[59] = x1746;
-  const Real x1837 = x946 * x1817;
-  w.x[60] = x1837;
-  // joint 4 "joint05": mobility and acceleration beyond it
-  const Real x1918 = x1694 - 0.4 * x1707;
-  w.x[61] = x1918;
-  const Real x1913 = 0.4 * x1719 - x1748;
-  w.x[62] = x1913;
-  const Real x1905 = 0.4 * x1829;
-  w.x[63] = x1905;
-  const Real x1901 = 0.4 * x1817;
-  w.x[64] = x1901;
-  const Real x1980 = x844 * x1913;
-  w.x[65] = x1980;
+struct alignas(64) BlockConstants {
+  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
+  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
+  PerJoint mass, moments[3], tensor[6];
+};
+
+const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
+  std::array<BlockConstants, kBlockCount> result{};
+  for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
+    for (const int k : {0, 4}) block.rotation[k].fill(1);
+    block.mass.fill(1);
+    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
+  }
+  for (int j = 0; j < kJointCount; ++j) {
+    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
+    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
+    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
+    block.x[lane] = joint.translation[0];
+    block.y[lane] = joint.translation[1];
+    block.z[lane] = joint.translation[2];
+    block.mass[lane] = link.mass;
+    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
+    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
+  }
+  return result;
+}();
+
+// Constants of each of the joints.
+template <class T>
+ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
+  const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+  return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
+}
+template <class T>
+ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1)
+    return kInertias[static_cast<std::size_t>(joints.joint[0])].mass;
+  else
+    return constant(joints, &BlockConstants::mass);
+}
+template <class T>
+ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1) {
+    const Real* const x = joints.any().translation;
+    return Vector<Real>{x[0], x[1], x[2]};
+  } else {
+    return Vector<T>{constant(joints, &BlockConstants::x), constant(joints, &BlockConstants::y),
+                     constant(joints, &BlockConstants::z)};
+  }
 }
 
-ADAGEN_NOINLINE void part_0_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x576 = w.x[16];
-  const Real x587 = w.x[29];
-  const Real x653 = w.x[0];
-  const Real x655 = w.x[23];
-  const Real x656 = w.x[2];
-  const Real x657 = w.x[1];
-  const Real x688 = w.x[30];
-  const Real x776 = w.x[4];
-  const Real x778 = w.x[25];
-  const Real x779 = w.x[5];
-  const Real x780 = w.x[7];
-  const Real x782 = w.x[8];
-  const Real x783 = w.x[6];
-  const Real x844 = w.x[3];
-  const Real x939 = w.x[9];
-  const Real x941 = w.x[32];
-  const Real x942 = w.x[10];
-  const Real x944 = w.x[11];
-  const Real x945 = w.x[12];
-  const Real x946 = w.x[13];
-  const Real x947 = w.x[14];
-  const Real x1128 = w.x[34];
-  const Real x1129 = w.x[20];
-  const Real x1130 = w.x[21];
-  const Real x1131 = w.x[18];
-  const Real x1132 = w.x[19];
-  const Real x1310 = w.x[37];
-  const Real x1311 = w.x[27];
-  const Real x1314 = w.x[28];
-  const Real x1462 = w.x[39];
-  const Real x1502 = w.x[40];
-  const Real x1707 = w.x[44];
-  const Real x1711 = w.x[46];
-  const Real x1721 = w.x[48];
-  const Real x1723 = w.x[47];
-  const Real x1724 = w.x[49];
-  const Real x1742 = w.x[58];
-  const Real x1745 = w.x[57];
-  const Real x1746 = w.x[59];
-  const Real x1747 = w.x[41];
-  const Real x1751 = w.x[43];
-  const Real x1753 = w.x[42];
-  const Real x1754 = w.x[45];
-  const Real x1764 = w.x[51];
-  const Real x1776 = w.x[55];
-  const Real x1803 = w.x[52];
-  const Real x1817 = w.x[53];
-  const Real x1829 = w.x[50];
-  const Real x1835 = w.x[56];
-  const Real x1837 = w.x[60];
-  const Real x1839 = w.x[54];
-  const Real x1901 = w.x[64];
-  const Real x1905 = w.x[63];
-  const Real x1913 = w.x[62];
-  const Real x1918 = w.x[61];
-  const Real x1980 = w.x[65];
-  // joint 1 "joint02": mobility and acceleration beyond it
-  const Real x1500 = 0.4 * x1462;
-  const Real x1508 = x1310 - x1311 * x1502 - x1314 * x1500;
-  // joint 2 "joint03": mobility and acceleration beyond it
-  const Real x1643 = x1500 + 0.4 * x1502;
-  const Real x1640 = 0.4 * x1508;
-  const Real x1646 = cosine[2] * x1502 + sine[2] * x1508;
-  const Real x1650 = cosine[2] * x1508 - sine[2] * x1502;
-  const Real x1654 = sine[2] * x1643 - cosine[2] * x1640;
-  const Real x1658 = sine[2] * x1640 + cosine[2] * x1643;
-  const Real x1668 = x1128 - x1129 * x1646 - x1130 * x1650;
-  // joint 3 "joint04": mobility and acceleration beyond it
-  const Real x1766 = x1764 - x942 * x1745 - x944 * x1742;
-  const Real x1778 = x942 * x1742 + x1776 + x944 * x1746;
-  const Real x1845 = x942 * x1766 - (x1835 + x1839 + x1837);
-  const Real x1848 = x939 - (x1845 - x944 * x1778);
-  const Real x1851 = x1654 - 0.4 * x1650;
-  const Real x1853 = x1658 + 0.4 * x1646;
-  const Real x1861 = cosine[3] * x1853;
-  // joint 4 "joint05": mobility and acceleration beyond it
-  const Real x1903 = x1751 + x1901;
-  const Real x1880 = 0.4 * x1766;
-  const Real x1919 = x1918 - 0.4 * (x1707 - 0.4 * x1745);
-  const Real x1981 = cosine[4] * (x1754 - x1919) + x1980;
-  const Real x1910 = x1747 - x1905 - 0.4 * (x1723 - x1880);
-  const Real x1939 = sine[4] * (x1711 + 0.4 * x1742 - x1817);
-  const Real x1940 = cosine[4] * (x1724 - (x1880 - x1829)) + x1939;
-  const Real x1984 = cosine[4] * x1981;
-  const Real x1894 = 0.4 * x1848 - x1803;
-  const Real x1983 = x1913 - sine[4] * x1981;
-  const Real x1985 = x1919 + x1984;
-  const Real x1986 = x1754 - x1984;
-  const Real x1973 = sine[4] * x1910 - cosine[4] * x1903;
-  const Real x1977 = sine[4] * x1903 + cosine[4] * x1910;
-  const Real x1943 = x1817 + sine[4] * x1940;
-  const Real x1947 = x1724 - cosine[4] * x1940;
-  // joint 2 "joint03": mobility and acceleration beyond it
-  const Real x1670 = x1668 - x1131 * x1654 - x1132 * x1658;
-  // joint 3 "joint04": mobility and acceleration beyond it
-  const Real x1862 = sine[3] * x1853;
-  const Real x1856 = cosine[3] * x1650 + sine[3] * x1670;
-  const Real x1860 = cosine[3] * x1670 - sine[3] * x1650;
-  const Real x1875 = x941 - x947 * x1851 - x945 * x1861;
-  const Real x1877 = x946 * x1862 + x1875 + x942 * x1856;
-  const Real x1878 = x1877 - x944 * x1860;
-  // joint 4 "joint05": mobility and acceleration beyond it
-  const Real x1927 = sine[4] * (x1721 + 0.4 * x1778) + cosine[4] * x1894;
-  const Real x1900 = x1753 - 0.4 * x1803 + 0.4 * x1894;
-  const Real x1967 = cosine[4] * (cosine[4] * (x1746 - x1848) - x844 * x1778);
-  const Real x1969 = x1746 - x1967;
-  const Real x2026 = x782 * x1983 - x780 * x1985 - x783 * x1973;
-  const Real x2027 = x2026 - x779 * x1943;
-  const Real x2036 = x782 * x1986 - x780 * x1983 - x783 * x1977;
-  const Real x2037 = x779 * x1947 + x2036;
-  const Real x2005 = x780 * x1943 + x782 * x1947 - x783 * x1927;
-  const Real x2006 = x779 * x1969 + x2005;
-  const Real x2046 = x782 * x1977 - x780 * x1973 + x779 * x1927;
-  const Real x2047 = x2046 - x783 * x1900;
-  const Real x2066 = x1851 - 0.4 * x1856;
-  const Real x2058 = x780 * x2027 - x782 * x2037 - x779 * x2006;
-  const Real x2077 = sine[4] * x2066 - cosine[4] * x1862;
-  const Real x2061 = x776 - (x783 * x2047 + x2058);
-  const Real x2081 = sine[4] * x1862 + cosine[4] * x2066;
-  // joint 5 "joint06": mobility and acceleration beyond it
-  const Real x2105 = x1927 + 0.4 * x1969;
-  const Real x2101 = 0.4 * x2006;
-  const Real x2103 = x1947 + x2101;
-  const Real x2110 = x2047 + x2101;
-  const Real x2132 = x1900 + 0.4 * x1927 + 0.4 * x2105;
-  const Real x2114 = x1983 + 0.4 * x2027;
-  const Real x2117 = x1973 - 0.4 * x1943;
-  const Real x2128 = x1977 + 0.4 * x2047 + 0.4 * x2103;
-  const Real x2143 = sine[5] * x1943 - cosine[5] * x2027;
-  // joint 4 "joint05": mobility and acceleration beyond it
-  const Real x2073 = cosine[4] * x1878 - sine[4] * x1860;
-  const Real x2063 = x1861 + 0.4 * x1878;
-  const Real x2091 = x778 + x780 * x2077 - x782 * x2081;
-  const Real x2093 = x2091 - x779 * x2073 + x783 * x2063;
-  // joint 5 "joint06": mobility and acceleration beyond it
-  const Real x2187 = cosine[5] * x2114 + sine[5] * x2117;
-  const Real x2108 = x2037 + 0.4 * x2061;
-  const Real x2178 = cosine[5] * (x1969 - x2061) - x688 * x2006;
-  const Real x2244 = x2063 + 0.4 * x2073;
-  const Real x2231 = x656 * x2143 - x657 * x2187;
-  const Real x2123 = x1986 + 0.4 * x2037 + 0.4 * x2108;
-  const Real x2182 = cosine[5] * x2178;
-  const Real x2155 = cosine[5] * (x2103 + x2110) + sine[5] * (x2105 - x2108);
-  const Real x2180 = x2006 + sine[5] * x2178;
-  const Real x2184 = x1969 - x2182;
-  const Real x2156 = sine[5] * x2155;
-  const Real x2160 = cosine[5] * x2155;
-  const Real x2242 = x2081 - 0.4 * x2093;
-  const Real x2251 = cosine[5] * x2093 - sine[5] * x2073;
-  const Real x2195 = cosine[5] * (x2123 - x2132) + x688 * x2128;
-  const Real x2157 = x2105 - x2156;
-  const Real x2158 = x2108 + x2156;
-  const Real x2161 = x2160 - x2110;
-  const Real x2162 = x2103 - x2160;
-  const Real x2198 = cosine[5] * x2195;
-  const Real x2199 = x2132 + x2198;
-  const Real x2197 = x2128 - sine[5] * x2195;
-  const Real x2210 = x656 * x2184 + x657 * x2158;
-  const Real x2254 = cosine[5] * x2242 + sine[5] * x2244;
-  const Real x2221 = x656 * x2158 + x657 * x2199;
-  // joint 6 "joint07": mobility and acceleration beyond it
-  const Real x2299 = 0.4 * (cosine[5] * x1943 + sine[5] * x2027);
-  const Real x2301 = cosine[5] * x2117 - sine[5] * x2114 - x2299;
-  const Real x2294 = x2187 - 0.4 * x2143;
-  const Real x2266 = 0.4 * x2180;
-  const Real x2275 = x2162 - x2266;
-  const Real x2384 = 0.4 * (cosine[5] * x2073 + sine[5] * x2093);
-  const Real x2385 = cosine[5] * x2244 - sine[5] * x2242 + x2384;
-  // joint 5 "joint06": mobility and acceleration beyond it
-  const Real x2264 = x655 - x656 * x2251 + x657 * x2254;
-  const Real x2239 = x656 * x2210 + x657 * x2221 + x653;
-  // joint 6 "joint07": mobility and acceleration beyond it
-  const Real x2296 = 0.4 * (x2157 + 0.4 * (x2061 + x2182));
-  const Real x2298 = x2123 - x2198 + 0.4 * x2157 + x2296;
-  const Real x2273 = x2158 + 0.4 * x2184;
-  const Real x2291 = x2197 - 0.4 * x2162 + 0.4 * (x2161 + x2266);
-  const Real x2279 = 0.4 * (x656 * x2180 + x657 * x2161);
-  const Real x2280 = x2279 - (x656 * x2162 - x657 * x2197);
-  const Real x2278 = x2221 + 0.4 * x2210;
-  const Real x2395 = cosine[6] * x2385 + sine[6] * x2077;
-  w.x[66] = x2395;
-  const Real x2352 = cosine[6] * x2291 + sine[6] * x2294;
-  w.x[67] = x2352;
-  const Real x2360 = cosine[6] * (x2298 - x1985) + x587 * x2301;
-  const Real x2286 = x2199 + 0.4 * x2158 + 0.4 * x2273;
-  w.x[68] = x2286;
-  const Real x2305 = sine[6] * x2278 - cosine[6] * x2273;
-  w.x[69] = x2305;
-  const Real x2309 = sine[6] * x2273 + cosine[6] * x2278;
-  w.x[70] = x2309;
-  const Real x2356 = cosine[6] * x2294 - sine[6] * x2291;
-  w.x[71] = x2356;
-  const Real x2376 = 3.742984243907825 * x2352;
-  w.x[72] = x2376;
-  const Real x2383 = x2254 - 0.4 * x2251;
-  w.x[73] = x2383;
-  const Real x2388 = cosine[6] * x2251 + sine[6] * x2264;
-  w.x[74] = x2388;
-  const Real x2392 = cosine[6] * x2264 - sine[6] * x2251;
-  w.x[75] = x2392;
-  const Real x2363 = cosine[6] * x2360;
-  const Real x2324 = cosine[6] * (x2231 + x2275) + sine[6] * (x2143 + x2280);
-  const Real x2399 = cosine[6] * x2077 - sine[6] * x2385;
-  w.x[76] = x2399;
-  const Real x2402 = x576 - 3.742984243907825 * x2395;
-  w.x[77] = x2402;
-  const Real x2364 = x1985 + x2363;
-  w.x[78] = x2364;
-  const Real x2325 = sine[6] * x2324;
-  const Real x2328 = cosine[6] * x2324;
-  const Real x2362 = x2301 - sine[6] * x2360;
-  w.x[79] = x2362;
-  const Real x2365 = x2298 - x2363;
-  w.x[80] = x2365;
-  const Real x2343 = cosine[6] * (x2184 - x2239) - x587 * x2210;
-  const Real x2372 = 3.742984243907825 * x2364;
-  w.x[81] = x2372;
-  const Real x2327 = x2280 - x2325;
-  w.x[82] = x2327;
-  const Real x2329 = x2328 - x2231;
-  w.x[83] = x2329;
-  const Real x2326 = x2143 - x2325;
-  w.x[84] = x2326;
-  const Real x2330 = x2275 - x2328;
-  w.x[85] = x2330;
-  const Real x2374 = 3.742984243907825 * x2362;
-  w.x[86] = x2374;
-  const Real x2347 = cosine[6] * x2343;
-  const Real x2366 = 3.742984243907825 * x2329;
-  w.x[87] = x2366;
-  const Real x2368 = 3.742984243907825 * x2327;
-  w.x[88] = x2368;
-  const Real x2345 = x2210 + sine[6] * x2343;
-  w.x[89] = x2345;
-  const Real x2348 = x2239 + x2347;
-  w.x[90] = x2348;
-  const Real x2349 = x2184 - x2347;
-  w.x[91] = x2349;
-  const Real x2380 = 18.714921219539125 + 3.742984243907825 * x2372;
-  w.x[92] = x2380;
+ADAGEN_INLINE Lanes wide(const PerJoint& x) {
+  Lanes result;
+  if constexpr (sizeof(PerJoint) == sizeof(Lanes))
+    std::memcpy(&result, x.data(), sizeof result);
+  else
+    result = x[0] + Lanes{};
+  return result;
+}
+ADAGEN_INLINE void narrow(const Lanes& x, Value* to) { std::memcpy(to, &x, sizeof x); }
+ADAGEN_INLINE Vector<Lanes> wide_vector(const Value (*x)[kPerBlock]) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE Vector<Lanes> wide_vector(const PerJoint* x) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE void narrow(const Vector<Lanes>& a, Value (*x)[kPerBlock]) {
+  narrow(a.x, x[0]), narrow(a.y, x[1]), narrow(a.z, x[2]);
 }
 
-ADAGEN_NOINLINE void part_0_2(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x2286 = w.x[68];
-  const Real x2305 = w.x[69];
-  const Real x2309 = w.x[70];
-  const Real x2326 = w.x[84];
-  const Real x2327 = w.x[82];
-  const Real x2329 = w.x[83];
-  const Real x2330 = w.x[85];
-  const Real x2345 = w.x[89];
-  const Real x2348 = w.x[90];
-  const Real x2349 = w.x[91];
-  const Real x2352 = w.x[67];
-  const Real x2356 = w.x[71];
-  const Real x2362 = w.x[79];
-  const Real x2364 = w.x[78];
-  const Real x2365 = w.x[80];
-  const Real x2366 = w.x[87];
-  const Real x2368 = w.x[88];
-  const Real x2372 = w.x[81];
-  const Real x2374 = w.x[86];
-  const Real x2376 = w.x[72];
-  const Real x2380 = w.x[92];
-  const Real x2383 = w.x[73];
-  const Real x2388 = w.x[74];
-  const Real x2392 = w.x[75];
-  const Real x2395 = w.x[66];
-  const Real x2399 = w.x[76];
-  const Real x2402 = w.x[77];
-  // message received
-  const Real x2405 = w.from[1][0];
-  const Real x2407 = w.from[1][2];
-  const Real x2414 = w.from[1][9];
-  const Real x2408 = w.from[1][3];
-  const Real x2415 = w.from[1][10];
-  const Real x2417 = w.from[1][12];
-  const Real x2409 = w.from[1][4];
-  const Real x2416 = w.from[1][11];
-  const Real x2418 = w.from[1][13];
-  const Real x2406 = w.from[1][1];
-  const Real x2420 = w.from[1][15];
-  const Real x2411 = w.from[1][6];
-  const Real x2421 = w.from[1][16];
-  const Real x2419 = w.from[1][14];
-  const Real x2412 = w.from[1][7];
-  const Real x2423 = w.from[1][18];
-  const Real x2413 = w.from[1][8];
-  const Real x2424 = w.from[1][19];
-  const Real x2425 = w.from[1][20];
-  const Real x2410 = w.from[1][5];
-  w.x[65] = x2410;
-  const Real x2422 = w.from[1][17];
-  w.x[61] = x2422;
-  // joint 7 "joint08": assembly: its two sides become one chain
-  const Real x2504 = 2.0 * sine[7];
-  const Real x2550 = x2383 - 0.4 * x2388;
-  const Real x2427 = 0.4 * x2366;
-  const Real x2458 = x2356 - 0.4 * x2326;
-  const Real x2449 = x2362 - 0.4 * x2374;
-  const Real x2441 = x2427 - x2376;
-  const Real x2429 = x2329 - x2427;
-  const Real x2435 = x2327 - 0.4 * x2368;
-  const Real x2432 = x2305 - 0.4 * x2348;
-  const Real x2438 = x2309 + 0.4 * x2345;
-  const Real x2440 = 0.4 * x2380 - x2372;
-  const Real x2539 = x2413 + x2429;
-  w.x[62] = x2539;
-  const Real x2495 = cosine[7] * x2345 + sine[7] * x2366;
-  w.x[63] = x2495;
-  const Real x2507 = cosine[7] * (x2349 - x2380) - x2368 * x2504;
-  const Real x2455 = x2352 - 0.4 * x2376 - 0.4 * x2429;
-  const Real x2511 = cosine[7] * x2507;
-  const Real x2464 = x2286 - 0.4 * x2305 - 0.4 * x2432;
-  const Real x2467 = cosine[7] * x2435 + sine[7] * x2440;
-  const Real x2532 = sine[7] * x2345 - cosine[7] * x2366 + x2406;
-  w.x[64] = x2532;
-  const Real x2509 = x2368 + sine[7] * x2507;
-  const Real x2483 = cosine[7] * (x2330 - x2441) + sine[7] * (x2438 - x2374);
-  const Real x2537 = cosine[7] * x2326 + sine[7] * x2432 + x2411;
-  w.x[54] = x2537;
-  const Real x2530 = x2380 + x2511 + 5000.0;
-  require_more(w, x2530, 0.0, kFactorization, 7);
-  const Real x2531 = x2349 - x2511 + x2405;
-  w.x[60] = x2531;
-  const Real x2484 = sine[7] * x2483;
-  const Real x2488 = cosine[7] * x2483;
-  const Real x2565 = cosine[7] * x2392 + sine[7] * x2402 - x2420;
-  const Real x2578 = x2565 + tau[7] * x2495;
-  const Real x2545 = x2364 - 0.4 * x2372 + 0.4 * x2440 + x2419;
-  w.x[56] = x2545;
-  const Real x2538 = cosine[7] * x2432 - sine[7] * x2326 + x2412;
-  w.x[50] = x2538;
-  const Real x2584 = 1 / x2530;
-  const Real x2566 = cosine[7] * x2402 - sine[7] * x2392 - x2421;
-  const Real x2489 = x2441 + x2488;
-  const Real x2524 = cosine[7] * (x2365 - x2464) + x2458 * x2504;
-  const Real x2485 = x2438 - x2484;
-  const Real x2568 = cosine[7] * x2399 + sine[7] * x2550 - x2423;
-  const Real x2527 = cosine[7] * x2524;
-  const Real x2569 = cosine[7] * x2550 - sine[7] * x2399 - x2424;
-  const Real x2540 = x2464 + x2527 + x2414;
-  w.x[53] = x2540;
-  const Real x2585 = x2509 * x2584;
-  const Real x2587 = x2489 * x2584;
-  const Real x2588 = x2485 * x2584;
-  const Real x2543 = x2365 - x2527 + x2417;
-  w.x[52] = x2543;
-  const Real x2589 = x2467 * x2584;
-  const Real x2592 = x2531 - x2509 * x2585;
-  w.x[55] = x2592;
-  const Real x2595 = x2407 - (x2374 + x2484) + x2489 * x2585;
-  const Real x2598 = x2330 - x2488 + x2408 + x2485 * x2585;
-  const Real x2535 = cosine[7] * x2440 - sine[7] * x2435 + x2409;
-  const Real x2601 = x2535 + x2467 * x2585;
-  const Real x2542 = cosine[7] * x2449 + sine[7] * x2455 + x2416;
-  const Real x2544 = cosine[7] * x2455 - sine[7] * x2449 + x2418;
-  const Real x2667 = x2566 - tau[7] * x2532 + x2578 * x2585;
-  const Real x2602 = 1 / x2592;
-  const Real x2583 = x2395 + 0.4 * x2402 - x2425 - tau[7] * x2539;
-  const Real x2603 = x2595 * x2602;
-  const Real x2604 = x2598 * x2602;
-  const Real x2605 = x2601 * x2602;
-  const Real x2611 = x2540 - x2489 * x2587 - x2595 * x2603;
-  w.x[51] = x2611;
-  const Real x2616 = x2458 - sine[7] * x2524 + x2415 - x2485 * x2587;
-  const Real x2617 = x2616 - x2598 * x2603;
-  const Real x2623 = x2542 - x2467 * x2587 - x2601 * x2603;
-  const Real x2672 = x2568 - tau[7] * x2537 - x2578 * x2587;
-  const Real x2673 = x2672 - x2603 * x2667;
-  const Real x2680 = x2569 - tau[7] * x2538 - x2578 * x2588;
-  const Real x2624 = 1 / x2611;
-  const Real x2625 = x2617 * x2624;
-  const Real x2626 = x2623 * x2624;
-  const Real x2634 = x2543 - x2485 * x2588 - x2598 * x2604;
-  const Real x2635 = x2634 - x2617 * x2625;
-  w.x[45] = x2635;
-  const Real x2643 = x2544 - x2467 * x2588 - x2601 * x2604;
-  const Real x2644 = x2643 - x2623 * x2625;
-  const Real x2656 = x2545 - x2467 * x2589 - x2601 * x2605;
-  const Real x2682 = x2680 - x2604 * x2667 - x2625 * x2673;
-  const Real x2692 = x2583 - x2578 * x2589 - x2605 * x2667;
-  const Real x2645 = 1 / x2635;
-  const Real x2646 = x2644 * x2645;
-  const Real x2658 = x2656 - x2623 * x2626 - x2644 * x2646;
-  w.x[42] = x2658;
-  // joint 7 "joint08": disassembly: its acceleration and force
-  const Real x2700 = 1 / x2658 * (x2692 - x2626 * x2673 - x2646 * x2682);
-  w.x[43] = x2700;
-  w.to[2][5] = x2700;
-  const Real x2703 = x2645 * x2682 - x2646 * x2700;
-  w.x[41] = x2703;
-  w.to[2][4] = x2703;
-  const Real x2709 = x2624 * x2673 - x2626 * x2700 - x2625 * x2703;
-  w.x[59] = x2709;
-  w.to[2][3] = x2709;
-  const Real x2717 = x2602 * x2667 - x2605 * x2700 - x2604 * x2703;
-  const Real x2718 = x2717 - x2603 * x2709;
-  w.x[57] = x2718;
-  w.to[2][1] = x2718;
-  const Real x2728 = x2578 * x2584 - x2589 * x2700 - x2588 * x2703;
-  const Real x2730 = x2728 - x2587 * x2709 + x2585 * x2718;
-  w.x[58] = x2730;
-  w.to[2][0] = x2730;
+// Copies the angles of those of joints first .. last that turn.
+template <int first, int last>
+void take_angles(Workspace& w) {
+  ADAGEN_FOR (j, first, last + 1) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    const int place = joint.q + (joint.kind == JointKind::kPlanar ? 2 : 0);
+    if (joint.kind == JointKind::kRevolute || joint.kind == JointKind::kPlanar)
+      w.angle[static_cast<std::size_t>(slot_of(j))] = w.q[place];
+  }
 }
 
-ADAGEN_NOINLINE void part_0_3(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x575 = w.x[15];
-  const Real x653 = w.x[0];
-  const Real x654 = w.x[22];
-  const Real x656 = w.x[2];
-  const Real x657 = w.x[1];
-  const Real x776 = w.x[4];
-  const Real x777 = w.x[24];
-  const Real x779 = w.x[5];
-  const Real x780 = w.x[7];
-  const Real x782 = w.x[8];
-  const Real x783 = w.x[6];
-  const Real x939 = w.x[9];
-  const Real x940 = w.x[31];
-  const Real x942 = w.x[10];
-  const Real x944 = w.x[11];
-  const Real x945 = w.x[12];
-  const Real x946 = w.x[13];
-  const Real x947 = w.x[14];
-  const Real x1126 = w.x[17];
-  const Real x1127 = w.x[33];
-  const Real x1129 = w.x[20];
-  const Real x1130 = w.x[21];
-  const Real x1131 = w.x[18];
-  const Real x1132 = w.x[19];
-  const Real x1308 = w.x[26];
-  const Real x1309 = w.x[36];
-  const Real x1311 = w.x[27];
-  const Real x1314 = w.x[28];
-  const Real x1460 = w.x[35];
-  const Real x1461 = w.x[38];
-  const Real x2348 = w.x[90];
-  const Real x2388 = w.x[74];
-  const Real x2410 = w.x[65];
-  const Real x2422 = w.x[61];
-  const Real x2495 = w.x[63];
-  const Real x2531 = w.x[60];
-  const Real x2532 = w.x[64];
-  const Real x2537 = w.x[54];
-  const Real x2538 = w.x[50];
-  const Real x2539 = w.x[62];
-  const Real x2540 = w.x[53];
-  const Real x2543 = w.x[52];
-  const Real x2545 = w.x[56];
-  const Real x2592 = w.x[55];
-  const Real x2611 = w.x[51];
-  const Real x2635 = w.x[45];
-  const Real x2658 = w.x[42];
-  const Real x2700 = w.x[43];
-  const Real x2703 = w.x[41];
-  const Real x2709 = w.x[59];
-  const Real x2718 = w.x[57];
-  const Real x2730 = w.x[58];
-  // joint 7 "joint08": assembly: its two sides become one chain
-  const Real x2664 = x2545 * 1.7763568394002505e-15;
-  require_more(w, x2658, x2664, kFactorization, 7);
-  const Real x2661 = x2531 * 1.7763568394002505e-15;
-  require_more(w, x2592, x2661, kFactorization, 7);
-  const Real x2662 = x2540 * 1.7763568394002505e-15;
-  require_more(w, x2611, x2662, kFactorization, 7);
-  const Real x2663 = x2543 * 1.7763568394002505e-15;
-  require_more(w, x2635, x2663, kFactorization, 7);
-  // joint 7 "joint08": disassembly: its acceleration and force
-  const Real x2755 = sine[7] * x2709 + cosine[7] * x2703;
-  const Real x2752 = cosine[7] * x2709 - sine[7] * x2703;
-  const Real x2756 = 0.4 * x2755;
-  const Real x2758 = tau[7] - x2756;
-  const Real x2738 = x2538 * x2703 + x2539 * x2700 + x2537 * x2709;
-  const Real x2745 = cosine[7] * x2730 - sine[7] * x2718;
-  const Real x2761 = sine[7] * x2730 + cosine[7] * x2718 + 0.4 * x2700;
-  const Real x2740 = x2532 * x2718 + x2738 - x2495 * x2730;
-  const Real x2741 = x2740 - (x2388 - x2422 - tau[7] * (x2348 + x2410));
-  w.result[7] = x2741;
-  // joint 6 "joint07": handle forces through it
-  const Real x2782 = sine[6] * x2758 + cosine[6] * x2745;
-  const Real x2772 = 3.742984243907825 * x2761 - x2700;
-  const Real x2787 = cosine[6] * x2772 + sine[6] * x2752;
-  const Real x2792 = 0.4 * x2787;
-  // joint 5 "joint06": handle forces through it
-  const Real x2802 = x2755 + x657 * x2782;
-  // joint 6 "joint07": handle forces through it
-  const Real x2794 = sine[6] * x2745 - cosine[6] * x2758 + x2756;
-  // joint 5 "joint06": handle forces through it
-  const Real x2799 = x2794 + x656 * x2782;
-  const Real x2815 = cosine[5] * x2802 + sine[5] * x2787;
-  const Real x2820 = cosine[5] * x2787 - sine[5] * x2802;
-  const Real x2826 = sine[5] * x2792 + cosine[5] * x2799 + 0.4 * x2815;
-  const Real x2823 = cosine[5] * x2792 - sine[5] * x2799 + 0.4 * x2820;
-  // joint 4 "joint05": handle forces through it
-  const Real x2831 = x2823 - x779 * x2826;
-  const Real x2834 = sine[6] * x2772 - cosine[6] * x2752 + x780 * x2826;
-  const Real x2837 = x2815 + x782 * x2826;
-  const Real x2841 = x2820 + x783 * x2826;
-  const Real x2852 = sine[4] * x2834 - cosine[4] * x2837;
-  const Real x2857 = cosine[4] * x2831 + 0.4 * x2841;
-  // joint 3 "joint04": handle forces through it
-  const Real x2862 = x942 * x2857 - 0.4 * x2852;
-  const Real x2865 = sine[4] * x2831 + x944 * x2857;
-  const Real x2875 = x2852 - x947 * x2857;
-  const Real x2872 = cosine[4] * x2834 + sine[4] * x2837 - x946 * x2857;
-  const Real x2883 = sine[3] * x2862 - cosine[3] * x2865;
-  const Real x2887 = cosine[3] * (x2841 - x945 * x2857) - sine[3] * x2872;
-  // joint 2 "joint03": handle forces through it
-  const Real x2906 = x2875 - x1131 * x2883;
-  const Real x2909 = x2887 - x1132 * x2883;
-  const Real x2900 = 0.4 * x2887 - x1129 * x2883;
-  // joint 3 "joint04": handle forces through it
-  const Real x2895 = cosine[3] * x2862 + sine[3] * x2865 - 0.4 * x2875;
-  // joint 2 "joint03": handle forces through it
-  const Real x2903 = x2895 - x1130 * x2883;
-  const Real x2926 = sine[2] * x2906 + cosine[2] * x2909;
-  const Real x2930 = 0.4 * (cosine[2] * x2906 - sine[2] * x2909);
-  const Real x2932 = sine[2] * x2900 + cosine[2] * x2903 - x2930;
-  const Real x2929 = cosine[2] * x2900 - sine[2] * x2903 + 0.4 * x2926;
-  // joint 1 "joint02": handle forces through it
-  const Real x2949 = cosine[1] * (x2929 - x1311 * x2932);
-  // joint 0 "joint01": handle forces through it
-  const Real x2962 = x2949 + 0.4 * (x2926 - x1314 * x2932) + x1461;
-  const Real x2963 = x1460 * x2962;
-  w.result[0] = x2963;
-  // joint 1 "joint02": its acceleration, and that of the link beyond
-  const Real x2966 = cosine[1] * x2963;
-  const Real x2964 = 0.4 * x2963;
-  const Real x2971 = x1308 * (x1309 + x2932) - x1311 * x2966;
-  const Real x2972 = x2971 - x1314 * x2964;
-  w.result[1] = x2972;
-  // joint 2 "joint03": its acceleration, and that of the link beyond
-  const Real x2976 = x2964 + 0.4 * x2966;
-  const Real x2973 = 0.4 * x2972;
-  const Real x2979 = cosine[2] * x2966 + sine[2] * x2972;
-  const Real x2983 = cosine[2] * x2972 - sine[2] * x2966;
-  const Real x2987 = sine[2] * x2976 - cosine[2] * x2973;
-  const Real x2991 = sine[2] * x2973 + cosine[2] * x2976;
-  const Real x3000 = x1126 * (x1127 + x2883) - x1129 * x2979;
-  const Real x3002 = x3000 - x1130 * x2983 - x1131 * x2987;
-  const Real x3003 = x3002 - x1132 * x2991;
-  // joint 3 "joint04": its acceleration, and that of the link beyond
-  const Real x3007 = x2987 - 0.4 * x2983;
-  const Real x3009 = x2991 + 0.4 * x2979;
-  const Real x3017 = cosine[3] * x3009;
-  const Real x3018 = sine[3] * x3009;
-  // joint 2 "joint03": its acceleration, and that of the link beyond
-  const Real x3004 = x3003 - sine[1] * x2963;
-  w.result[2] = x3004;
-  // joint 3 "joint04": its acceleration, and that of the link beyond
-  const Real x3030 = x939 * (x940 + x2857) - x947 * x3007;
-  const Real x3012 = cosine[3] * x2983 + sine[3] * x3003;
-  const Real x3016 = cosine[3] * x3003 - sine[3] * x2983;
-  const Real x3032 = x3030 - x945 * x3017 + x946 * x3018;
-  const Real x3034 = x942 * x3012 + x3032 - x944 * x3016;
-  const Real x3035 = x3034 - x2979;
-  w.result[3] = x3035;
-  // joint 4 "joint05": its acceleration, and that of the link beyond
-  const Real x3040 = x3007 - 0.4 * x3012;
-  const Real x3051 = sine[4] * x3040 - cosine[4] * x3018;
-  const Real x3055 = sine[4] * x3018 + cosine[4] * x3040;
-  const Real x3047 = cosine[4] * x3034 - sine[4] * x3016;
-  const Real x3037 = x3017 + 0.4 * x3034;
-  const Real x3064 = x776 * (x777 + x2826) + x780 * x3051;
-  const Real x3066 = x3064 - x782 * x3055 - x779 * x3047;
-  const Real x3067 = x783 * x3037 + x3066;
-  const Real x3068 = x3067 - x3012;
-  w.result[4] = x3068;
-  // joint 5 "joint06": its acceleration, and that of the link beyond
-  const Real x3073 = x3037 + 0.4 * x3047;
-  const Real x3071 = x3055 - 0.4 * x3067;
-  const Real x3076 = cosine[5] * x3047 + sine[5] * x3067;
-  const Real x3088 = x656 * (cosine[5] * x3067 - sine[5] * x3047);
-  const Real x3089 = x657 * (cosine[5] * x3071 + sine[5] * x3073);
-  const Real x3093 = x653 * (x654 - x2782) - x3088 + x3089;
-  const Real x3094 = x3093 - (cosine[4] * x3016 + sine[4] * x3034);
-  w.result[5] = x3094;
-  // joint 6 "joint07": its acceleration, and that of the link beyond
-  const Real x3099 = cosine[5] * x3073 - sine[5] * x3071 + 0.4 * x3076;
-  const Real x3114 = 3.742984243907825 * (cosine[6] * x3099 + sine[6] * x3051);
-  const Real x3117 = 18.714921219539125 * (x575 - x2761) - x3114 - x3076;
-  w.result[6] = x3117;
+// Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
+template <int first, int last>
+void turn(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    Lanes s, c;
+    sine_and_cosine(wide(&w.angle[static_cast<std::size_t>(b * kPerBlock)]), s, c);
+    ADAGEN_FOR (k, 0, 3) {
+      const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
+      narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
+      narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
+    }
+  }
 }
 
-// =================================================================================================
-// Process 1: 1312 products, 1062 sums, 12 quotients
-// =================================================================================================
+// Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
+// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J, and the bias
+// force is that of the acceleration field a + H x, H = alpha x + omega x omega x.
+template <int first, int last>
+void set_up_links(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const auto& entries = block.entries;
+    const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
+                          wide_vector(entries + kAxes + 6)};
+    const Symmetric<Lanes> T{wide(constants.tensor[0]), wide(constants.tensor[1]),
+                             wide(constants.tensor[2]), wide(constants.tensor[3]),
+                             wide(constants.tensor[4]), wide(constants.tensor[5])};
+    const Matrix<Lanes> RT{T * R.x, T * R.y, T * R.z};  // rows of R T
+    const Symmetric<Lanes> J{dot(RT.x, R.x), dot(RT.x, R.y), dot(RT.x, R.z),
+                             dot(RT.y, R.y), dot(RT.y, R.z), dot(RT.z, R.z)};
+    narrow(J.yy + J.zz, block.entries[kRotational]);
+    narrow(-J.xy, block.entries[kRotational + 1]);
+    narrow(-J.xz, block.entries[kRotational + 2]);
+    narrow(J.xx + J.zz, block.entries[kRotational + 3]);
+    narrow(-J.yz, block.entries[kRotational + 4]);
+    narrow(J.xx + J.yy, block.entries[kRotational + 5]);
+    const Vector<Lanes> c = R * wide_vector(constants.moments);
+    narrow(c, block.entries + kMoments);
 
-ADAGEN_NOINLINE void part_1_0(Workspace& w) {
-  ADAGEN_INPUTS
-  // joint 1 "joint02": placement, velocity and reference acceleration of its link
-  const Real x18 = v[0] * sine[1];
-  const Real x19 = v[0] * cosine[1];
-  const Real x20 = v[1] * x19;
-  const Real x21 = v[1] * x18;
-  const Real x26 = cosine[0] * 9.81 + v[0] * v[0] * 0.4;
-  // joint 2 "joint03": placement, velocity and reference acceleration of its link
-  const Real x52 = x19 * cosine[2] + v[1] * sine[2];
-  const Real x56 = v[1] * cosine[2] - x19 * sine[2];
-  const Real x57 = x18 + v[2];
-  const Real x63 = v[2] * x56 - x21 * cosine[2];
-  const Real x66 = x21 * sine[2] - v[2] * x52;
-  const Real x67 = 0.4 * (x19 * x19 + v[1] * v[1]);
-  const Real x72 = sine[1] * x26 + 0.4 * (x18 * x19);
-  const Real x76 = sine[0] * 9.81 - 0.4 * (x21 * 2.0);
-  // joint 3 "joint04": placement, velocity and reference acceleration of its link
-  const Real x112 = x56 * cosine[3] + x57 * sine[3];
-  const Real x116 = x57 * cosine[3] - x56 * sine[3];
-  const Real x117 = x52 + v[3];
-  const Real x126 = x66 * cosine[3] + x20 * sine[3] + v[3] * x116;
-  const Real x129 = x20 * cosine[3] - x66 * sine[3] - v[3] * x112;
-  // joint 2 "joint03": placement, velocity and reference acceleration of its link
-  const Real x80 = sine[2] * x76 - cosine[2] * x72;
-  const Real x84 = sine[2] * x72 + cosine[2] * x76;
-  // joint 3 "joint04": placement, velocity and reference acceleration of its link
-  const Real x135 = x84 - 0.4 * (x56 * x57 - x63);
-  const Real x136 = 0.4 * (x52 * x52 + x56 * x56);
-  const Real x138 = cosine[1] * x26 + x67 + x136;
-  // joint 4 "joint05": placement, velocity and reference acceleration of its link
-  const Real x173 = x116 * cosine[4] + x117 * sine[4];
-  const Real x177 = x117 * cosine[4] - x116 * sine[4];
-  const Real x178 = x112 + v[4];
-  const Real x187 = x129 * cosine[4] + x63 * sine[4] + v[4] * x177;
-  const Real x190 = x63 * cosine[4] - x129 * sine[4] - v[4] * x173;
-  // joint 3 "joint04": placement, velocity and reference acceleration of its link
-  const Real x141 = cosine[3] * x135 + sine[3] * x138;
-  // joint 4 "joint05": placement, velocity and reference acceleration of its link
-  const Real x194 = 0.4 * (x112 * x112 + x117 * x117);
-  const Real x196 = cosine[3] * x138 - sine[3] * x135 + x194;
-  // joint 3 "joint04": placement, velocity and reference acceleration of its link
-  const Real x132 = x80 - 0.4 * (x66 + x52 * x57);
-  // joint 4 "joint05": placement, velocity and reference acceleration of its link
-  const Real x199 = x132 - 0.4 * (x126 + x116 * x117);
-  // joint 5 "joint06": placement, velocity and reference acceleration of its link
-  const Real x234 = x177 * cosine[5] + x178 * sine[5];
-  const Real x238 = x178 * cosine[5] - x177 * sine[5];
-  const Real x239 = x173 + v[5];
-  const Real x248 = x190 * cosine[5] + x126 * sine[5] + v[5] * x238;
-  const Real x251 = x126 * cosine[5] - x190 * sine[5] - v[5] * x234;
-  const Real x252 = 0.4 * (x177 * x177 + x178 * x178);
-  // joint 4 "joint05": placement, velocity and reference acceleration of its link
-  const Real x206 = cosine[4] * x199 - sine[4] * x196;
-  // joint 5 "joint06": placement, velocity and reference acceleration of its link
-  const Real x257 = x206 - 0.4 * (x126 + x173 * x177);
-  // joint 4 "joint05": placement, velocity and reference acceleration of its link
-  const Real x193 = x141 - 0.4 * (x112 * x116 - x63);
-  // joint 5 "joint06": placement, velocity and reference acceleration of its link
-  const Real x260 = x193 - 0.4 * (x173 * x178 - x190);
-  // joint 6 "joint07": placement, velocity and reference acceleration of its link
-  const Real x295 = x238 * cosine[6] + x239 * sine[6];
-  const Real x299 = x239 * cosine[6] - x238 * sine[6];
-  const Real x300 = x234 + v[6];
-  const Real x309 = x251 * cosine[6] + x187 * sine[6] + v[6] * x299;
-  const Real x312 = x187 * cosine[6] - x251 * sine[6] - v[6] * x295;
-  // joint 5 "joint06": placement, velocity and reference acceleration of its link
-  const Real x263 = cosine[5] * x257 + sine[5] * x260;
-  const Real x267 = cosine[5] * x260 - sine[5] * x257;
-  // joint 6 "joint07": placement, velocity and reference acceleration of its link
-  const Real x318 = x267 - 0.4 * (x238 * x239 - x248);
-  // joint 5 "joint06": placement, velocity and reference acceleration of its link
-  const Real x254 = cosine[4] * x196 + sine[4] * x199 + x252;
-  // joint 6 "joint07": placement, velocity and reference acceleration of its link
-  const Real x321 = x254 + 0.4 * (x234 * x234 + x238 * x238);
-  // joint 7 "joint08": placement, velocity and reference acceleration of its link
-  const Real x356 = x299 * cosine[7] + x300 * sine[7];
-  const Real x360 = x300 * cosine[7] - x299 * sine[7];
-  const Real x361 = x295 + v[7];
-  const Real x370 = x312 * cosine[7] + x248 * sine[7] + v[7] * x360;
-  const Real x373 = x248 * cosine[7] - x312 * sine[7] - v[7] * x356;
-  // joint 6 "joint07": placement, velocity and reference acceleration of its link
-  const Real x324 = cosine[6] * x318 + sine[6] * x321;
-  // joint 7 "joint08": placement, velocity and reference acceleration of its link
-  const Real x376 = x324 - 0.4 * (x295 * x299 - x248);
-  const Real x377 = 0.4 * (x295 * x295 + x300 * x300);
-  const Real x379 = cosine[6] * x321 - sine[6] * x318 + x377;
-  // joint 6 "joint07": placement, velocity and reference acceleration of its link
-  const Real x315 = x263 - 0.4 * (x251 + x234 * x239);
-  // joint 7 "joint08": placement, velocity and reference acceleration of its link
-  const Real x382 = x315 - 0.4 * (x309 + x299 * x300);
-  const Real x385 = cosine[7] * x379 + sine[7] * x382;
-  const Real x389 = cosine[7] * x382 - sine[7] * x379;
-  const Real x395 = x360 * x360 + x361 * x361;
-  const Real x397 = x356 * x360;
-  const Real x399 = x309 + x397;
-  const Real x407 = x356 * x361;
-  const Real x408 = x407 - x373;
-  // link 8 "rod08": force that the reference field takes
-  const Real x660 = x370 * 0.0002;
-  // joint 8 "joint09": placement, velocity and reference acceleration of its link
-  const Real x417 = x360 * cosine[8] + x361 * sine[8];
-  const Real x421 = x361 * cosine[8] - x360 * sine[8];
-  const Real x422 = x356 + v[8];
-  const Real x431 = x373 * cosine[8] + x309 * sine[8] + v[8] * x421;
-  const Real x434 = x309 * cosine[8] - x373 * sine[8] - v[8] * x417;
-  const Real x437 = x385 + 0.4 * x395;
-  const Real x440 = x389 - 0.4 * x399;
-  const Real x443 = x376 - 0.4 * x408;
-  const Real x446 = cosine[8] * x440 + sine[8] * x443;
-  const Real x450 = cosine[8] * x443 - sine[8] * x440;
-  const Real x463 = x421 * x422;
-  const Real x464 = x463 - x431;
-  const Real x466 = x417 * x417 + x421 * x421;
-  const Real x468 = x417 * x422;
-  const Real x470 = x434 + x468;
-  // link 9 "rod09": force that the reference field takes
-  const Real x688 = x431 * 0.0534333;
-  // joint 9 "joint10": placement, velocity and reference acceleration of its link
-  const Real x478 = x421 * cosine[9] + x422 * sine[9];
-  const Real x482 = x422 * cosine[9] - x421 * sine[9];
-  const Real x483 = x417 + v[9];
-  const Real x492 = x434 * cosine[9] + x370 * sine[9] + v[9] * x482;
-  const Real x495 = x370 * cosine[9] - x434 * sine[9] - v[9] * x478;
-  const Real x498 = x446 - 0.4 * x470;
-  const Real x501 = x450 - 0.4 * x464;
-  const Real x504 = x437 + 0.4 * x466;
-  const Real x507 = cosine[9] * x501 + sine[9] * x504;
-  const Real x511 = cosine[9] * x504 - sine[9] * x501;
-  const Real x519 = x478 * x482;
-  const Real x520 = x519 - x431;
-  const Real x522 = x478 * x478 + x483 * x483;
-  const Real x524 = x482 * x483;
-  const Real x526 = x492 + x524;
-  // link 10 "rod10": force that the reference field takes
-  const Real x713 = x492 * 0.0534333;
-  // joint 10 "joint11": placement, velocity and reference acceleration of its link
-  const Real x539 = x482 * cosine[10] + x483 * sine[10];
-  const Real x543 = x483 * cosine[10] - x482 * sine[10];
-  const Real x544 = x478 + v[10];
-  const Real x556 = x431 * cosine[10] - x495 * sine[10] - v[10] * x539;
-  const Real x559 = x507 - 0.4 * x520;
-  const Real x562 = x511 + 0.4 * x522;
-  const Real x565 = x498 - 0.4 * x526;
-  const Real x572 = cosine[10] * x565 - sine[10] * x562;
-  const Real x580 = x539 * x543;
-  const Real x590 = x539 * x544;
-  const Real x553 = x495 * cosine[10] + x431 * sine[10] + v[10] * x543;
-  // link 11 "rod11": force that the reference field takes
-  const Real x738 = x553 * 0.0002;
-  const Real x750 = x556 * 0.0534333 - x590 * 0.053233300000000004 + x559 * 0.2;
-  const Real x754 = (x543 * x543 + x544 * x544) * 0.2;
-  const Real x756 = cosine[10] * x562 + sine[10] * x565 + x754;
-  const Real x762 = x559 - (x590 - x556) * 0.2;
-  // joint 10 "joint11": articulated-body inertia and bias force through it
-  const Real x765 = tau[10] - (x713 + x580 * 0.053233300000000004 - x572 * 0.2);
-  w.x[0] = x765;
-  const Real x766 = 18.714921219539125 * x765;
-  w.x[1] = x766;
-  const Real x773 = x572 - (x492 + x580) * 0.2 - 0.2 * x766;
-  const Real x774 = sine[10] * 0.2;
-  const Real x776 = cosine[10] * 0.2;
-  const Real x777 = 2.0 * sine[10];
-  w.x[2] = x777;
-  const Real x779 = cosine[10] * 0.053233300000000004;
-  const Real x783 = cosine[10] * x779;
-  const Real x787 = cosine[10] * 0.7485968487815651;
-  const Real x788 = sine[10] * x787;
-  const Real x790 = cosine[10] * x787;
-  const Real x792 = 1.0 - x790;
-  const Real x793 = 0.4 + x776;
-  const Real x794 = 0.4 * x788;
-  const Real x796 = 0.4 * x792;
-  const Real x802 = sine[10] * x779 + 0.4 * x774;
-  const Real x823 = sine[10] * x756 + cosine[10] * x773;
-  const Real x830 = 0.0534333 + 0.4 * x796;
-  const Real x831 = -0.2 - x796;
-  const Real x809 = 0.0002 + x783 + 0.4 * x776 + 0.4 * x793;
-  const Real x833 = 0.0534333 + x809;
-  require_more(w, x833, 0.0, kFactorization, 9);
-  const Real x834 = 0.2 + x793;
-  const Real x835 = 0.25140315121843493 + x790 + 1.0;
-  const Real x836 = 1.0 + x792;
-  // link 10 "rod10": force that the reference field takes
-  const Real x725 = x713 + x524 * 0.053233300000000004 - x498 * 0.2;
-  // joint 10 "joint11": articulated-body inertia and bias force through it
-  const Real x837 = tau[10] - 0.4 * x823 + x725;
-  const Real x829 = sine[10] * x738 + cosine[10] * x750 + 0.4 * x762;
-  const Real x820 = cosine[10] * x756 - sine[10] * x773;
-  const Real x841 = x511 + x522 * 0.2 + x820;
-  const Real x842 = x498 - x526 * 0.2 + x823;
-  // joint 9 "joint10": articulated-body inertia and bias force through it
-  const Real x844 = 1 / x833;
-  w.x[3] = x844;
-  // joint 10 "joint11": articulated-body inertia and bias force through it
-  const Real x839 = x688 - x519 * 0.053233300000000004 + x507 * 0.2 + x829;
-  // joint 9 "joint10": articulated-body inertia and bias force through it
-  const Real x845 = tau[9] - x839;
-  w.x[4] = x845;
-  const Real x846 = x844 * x845;
-  w.x[5] = x846;
-  const Real x847 = x802 * x844;
-  w.x[6] = x847;
-  const Real x849 = x834 * x844;
-  w.x[7] = x849;
-  const Real x852 = 0.0534333 - x783 + 0.0002 - x802 * x847;
-  const Real x855 = x802 * x849 - x774;
-  const Real x858 = 2.0 - x834 * x849;
-  // joint 10 "joint11": articulated-body inertia and bias force through it
-  const Real x838 = cosine[10] * x738 - sine[10] * x750 + x495 * 0.0002;
-  // joint 9 "joint10": articulated-body inertia and bias force through it
-  const Real x861 = x838 - x802 * x846;
-  const Real x863 = x507 - x520 * 0.2 + x762 + x834 * x846;
-  const Real x864 = cosine[9] * x831;
-  const Real x865 = sine[9] * x831;
-  const Real x867 = sine[9] * (x855 - x794);
-  const Real x869 = sine[9] * x867;
-  const Real x873 = x855 - x869;
-  const Real x874 = cosine[9] * x867;
-  const Real x877 = cosine[9] * (x830 - x852);
-  const Real x878 = 2.0 * sine[9];
-  w.x[8] = x878;
-  const Real x882 = cosine[9] * x877;
-  const Real x885 = sine[9] * x788;
-  const Real x887 = cosine[9] * x788;
-  const Real x889 = cosine[9] * (x858 - x835);
-  const Real x890 = sine[9] * x889;
-  const Real x892 = cosine[9] * x889;
-  const Real x893 = x835 + x892;
-  const Real x895 = 0.4 * x885;
-  const Real x899 = x864 - 0.4 * x836;
-  const Real x900 = 0.4 * x893;
-  const Real x916 = 0.4 * x873;
-  const Real x927 = sine[9] * x877 - 0.4 * x865;
-  const Real x938 = cosine[9] * x863 - sine[9] * x841;
-  const Real x924 = x852 + x882 - (0.4 * x864 + 0.4 * x899);
-  const Real x952 = x830 - x882 + 0.0002;
-  require_more(w, x952, 0.0, kFactorization, 8);
-  // link 9 "rod09": force that the reference field takes
-  const Real x700 = x688 - x463 * 0.053233300000000004 + x450 * 0.2;
-  const Real x703 = x434 * 0.0534333 + x468 * 0.053233300000000004 - x446 * 0.2;
-  // joint 9 "joint10": articulated-body inertia and bias force through it
-  const Real x947 = cosine[9] * x837 - sine[9] * x861 - 0.4 * x842;
-  const Real x941 = sine[9] * x863 + cosine[9] * x841;
-  // joint 8 "joint09": articulated-body inertia and bias force through it
-  const Real x963 = 1 / x952;
-  w.x[9] = x963;
-  const Real x964 = tau[8] - (sine[9] * x837 + cosine[9] * x861 + x660);
-  w.x[10] = x964;
-  const Real x965 = x963 * x964;
-  w.x[11] = x965;
-  const Real x966 = x916 * x963;
-  w.x[12] = x966;
-  const Real x967 = x927 * x963;
-  w.x[13] = x967;
-  const Real x968 = x865 * x963;
-  w.x[14] = x968;
-  const Real x969 = x873 * x963;
-  w.x[15] = x969;
-  const Real x970 = x874 * x963;
-  w.x[16] = x970;
-  const Real x973 = 0.0534333 + 0.4 * x900 - x916 * x966;
-  const Real x976 = 0.4 * x895 - 0.4 * x874 - x916 * x967;
-  const Real x979 = x895 + x916 * x968;
-  const Real x983 = 0.2 + x900 - x916 * x969;
-  const Real x986 = 0.4 * x890 - x916 * x970;
-  const Real x989 = 0.0534333 + x924 - x927 * x967;
-  const Real x992 = -0.2 + x899 - x927 * x968;
-  const Real x995 = x895 - x874 - x927 * x969;
-  const Real x998 = x794 + x869 + 0.4 * x887 + x927 * x970;
-  const Real x1002 = 1.0 + x836 - x865 * x968;
-  const Real x1005 = x885 + x865 * x969;
-  const Real x1009 = x887 - x865 * x970;
-  const Real x1012 = 1.0 + x893 - x873 * x969;
-  const Real x1015 = x890 - x873 * x970;
-  const Real x1020 = tau[9] + 0.4 * x938 + x700 + x916 * x965;
-  const Real x1022 = x703 + x947 + x927 * x965;
-  const Real x1024 = x446 - x470 * 0.2 + x842 + x865 * x965;
-  const Real x1026 = x450 - x464 * 0.2 + x938 + x873 * x965;
-  const Real x1044 = cosine[8] * (x979 + x995) + sine[8] * (x983 + x992);
-  const Real x1046 = sine[8] * x1044;
-  const Real x1048 = x983 - x1046;
-  const Real x1049 = x992 - x1046;
-  const Real x1050 = cosine[8] * x1044;
-  const Real x1053 = x1050 - x979;
-  const Real x1056 = 2.0 * sine[8];
-  const Real x1060 = cosine[8] * (x973 - x989) - x976 * x1056;
-  const Real x1064 = cosine[8] * x1060;
-  const Real x1070 = cosine[8] * x1009 - sine[8] * x1015;
-  const Real x1073 = sine[8] * x1009 + cosine[8] * x1015;
-  const Real x1078 = cosine[8] * (x1002 - x1012) + x1005 * x1056;
-  const Real x1081 = sine[8] * x1078 - x1005;
-  const Real x1082 = cosine[8] * x1078;
-  const Real x1083 = x1012 + x1082;
-  const Real x1084 = x1002 - x1082;
-  const Real x1087 = cosine[8] * x986 + sine[8] * x998 + 0.4 * x1073;
-  const Real x1091 = 0.4 * x1081;
-  const Real x1093 = x995 - x1050 + x1091;
-  const Real x1096 = x1049 - 0.4 * x1083;
-  const Real x1099 = x1048 + 0.4 * x1084;
-  const Real x1111 = x976 + sine[8] * x1060 + 0.4 * x1053;
-  const Real x1112 = x1111 - 0.4 * x1093;
-  const Real x1129 = cosine[8] * x1024 - sine[8] * x1026;
-  const Real x1132 = sine[8] * x1024 + cosine[8] * x1026;
-  const Real x1106 = x989 + x1064 + 0.4 * x1048 + 0.4 * x1099;
-  const Real x1139 = 0.0534333 + x1106;
-  require_more(w, x1139, 0.0, kFactorization, 7);
-  const Real x1140 = 0.2 + x1099;
-  const Real x1118 = x973 - x1064 - 0.4 * x1049 - 0.4 * x1096;
-  const Real x1141 = 0.0534333 + x1118;
-  const Real x1143 = x858 - x892 + 1.0 - x874 * x970 + 1.0;
-  const Real x1144 = 1.0 + x1083;
-  const Real x1145 = 1.0 + x1084;
-  // link 8 "rod08": force that the reference field takes
-  const Real x675 = x373 * 0.0534333 - x407 * 0.053233300000000004 + x376 * 0.2;
-  // joint 8 "joint09": articulated-body inertia and bias force through it
-  const Real x1135 = cosine[8] * x1020 - sine[8] * x1022 + 0.4 * x1132;
-  const Real x1147 = x675 + x1135;
-  // link 8 "rod08": force that the reference field takes
-  const Real x678 = x309 * 0.0534333 + x397 * 0.053233300000000004 - x389 * 0.2;
-  // joint 8 "joint09": articulated-body inertia and bias force through it
-  const Real x1138 = sine[8] * x1020 + cosine[8] * x1022 - 0.4 * x1129;
-  const Real x1148 = x678 + x1138;
-  const Real x1028 = x437 + x466 * 0.2 + x941 + x874 * x965;
-  const Real x1149 = x385 + x395 * 0.2 + x1028;
-  const Real x1150 = x389 - x399 * 0.2 + x1129;
-  const Real x1151 = x376 - x408 * 0.2 + x1132;
-  // link 8 "rod08": mobility from its articulated-body inertia
-  const Real x1153 = 1 / x1139;
-  const Real x1154 = x1112 * x1153;
-  const Real x1155 = x1087 * x1153;
-  const Real x1156 = x1093 * x1153;
-  const Real x1157 = x1140 * x1153;
-  const Real x1160 = x1141 - x1112 * x1154;
-  // joint 8 "joint09": articulated-body inertia and bias force through it
-  const Real x1090 = sine[8] * x986 - cosine[8] * x998 - 0.4 * x1070;
-  // link 8 "rod08": mobility from its articulated-body inertia
-  const Real x1163 = x1090 - x1087 * x1154;
-  const Real x1166 = -0.2 + x1096 - x1093 * x1154;
-  const Real x1169 = x1053 - x1091 - x1140 * x1154;
-  const Real x1170 = 1 / x1160;
-  const Real x1171 = x1163 * x1170;
-  const Real x1172 = x1166 * x1170;
-  const Real x1173 = x1169 * x1170;
-  const Real x1179 = x1143 - x1087 * x1155 - x1163 * x1171;
-  const Real x1185 = x1070 - x1093 * x1155 - x1166 * x1171;
-  const Real x1191 = x1073 - x1140 * x1155 - x1169 * x1171;
-  const Real x1192 = 1 / x1179;
-  const Real x1193 = x1185 * x1192;
-  const Real x1194 = x1191 * x1192;
-  const Real x1202 = x1144 - x1093 * x1156 - x1166 * x1172;
-  const Real x1203 = x1202 - x1185 * x1193;
-  const Real x1211 = x1081 - x1140 * x1156 - x1169 * x1172;
-  const Real x1212 = x1211 - x1191 * x1193;
-  const Real x1213 = 1 / x1203;
-  const Real x1214 = x1212 * x1213;
-  const Real x1224 = x1145 - x1140 * x1157 - x1169 * x1173;
-  const Real x1226 = x1224 - x1191 * x1194 - x1212 * x1214;
-  const Real x1227 = 1 / x1226;
-  w.x[17] = x1227;
-  const Real x1229 = x1141 * 1.7763568394002505e-15;
-  require_more(w, x1160, x1229, kFactorization, 7);
-  const Real x1230 = x1143 * 1.7763568394002505e-15;
-  require_more(w, x1179, x1230, kFactorization, 7);
-  const Real x1231 = x1144 * 1.7763568394002505e-15;
-  require_more(w, x1203, x1231, kFactorization, 7);
-  const Real x1232 = x1145 * 1.7763568394002505e-15;
-  require_more(w, x1226, x1232, kFactorization, 7);
-  const Real x1237 = x1154 * x1171 - x1155;
-  const Real x1245 = x1154 * x1172 - x1156 - x1193 * x1237;
-  const Real x1249 = x1171 * x1193 - x1172;
-  const Real x1259 = x1154 * x1173 - x1157 - x1194 * x1237;
-  const Real x1260 = x1259 - x1214 * x1245;
-  const Real x1267 = x1171 * x1194 - x1173 - x1214 * x1249;
-  const Real x1271 = x1193 * x1214 - x1194;
-  const Real x1273 = x1154 * x1170;
-  const Real x1275 = x1192 * x1237;
-  const Real x1276 = x1171 * x1192;
-  const Real x1278 = x1213 * x1245;
-  const Real x1279 = x1213 * x1249;
-  const Real x1280 = x1193 * x1213;
-  const Real x1282 = x1227 * x1260;
-  w.x[18] = x1282;
-  const Real x1283 = x1227 * x1267;
-  w.x[19] = x1283;
-  const Real x1284 = x1227 * x1271;
-  w.x[20] = x1284;
-  const Real x1285 = x1214 * x1227;
-  w.x[21] = x1285;
-  const Real x1293 = x1153 + x1154 * x1273 + x1237 * x1275;
-  const Real x1295 = x1245 * x1278 + x1293 + x1260 * x1282;
-  w.x[22] = x1295;
-  const Real x1302 = x1245 * x1279 - (x1273 + x1237 * x1276);
-  const Real x1303 = x1260 * x1283 + x1302;
-  w.x[23] = x1303;
-  const Real x1308 = x1275 - x1245 * x1280 + x1260 * x1284;
-  w.x[24] = x1308;
-  const Real x1311 = x1278 - x1260 * x1285;
-  w.x[25] = x1311;
-  const Real x1317 = x1170 + x1171 * x1276 + x1249 * x1279;
-  const Real x1318 = x1267 * x1283 + x1317;
-  w.x[26] = x1318;
-  const Real x1324 = x1267 * x1284 - (x1276 + x1249 * x1280);
-  w.x[27] = x1324;
-  const Real x1327 = x1279 - x1267 * x1285;
-  w.x[28] = x1327;
-  const Real x1332 = x1192 + x1193 * x1280 + x1271 * x1284;
-  w.x[29] = x1332;
-  const Real x1335 = x1280 + x1271 * x1285;
-  w.x[30] = x1335;
-  const Real x1339 = x1213 + x1214 * x1285;
-  w.x[31] = x1339;
-  const Real x1340 = (x660 + tau[8]) * 5000.0;
-  w.x[32] = x1340;
-  const Real x1347 = x1147 * x1295 + x1151 * x1282 + x1148 * x1303;
-  const Real x1349 = x1149 * x1308 + x1347 + x1150 * x1311;
-  w.x[33] = x1349;
-  const Real x1356 = x1147 * x1303 + x1151 * x1283 + x1148 * x1318;
-  const Real x1358 = x1149 * x1324 + x1356 + x1150 * x1327;
-  w.x[34] = x1358;
-  const Real x1366 = x1147 * x1308 + x1151 * x1284 + x1148 * x1324;
-  const Real x1368 = x1149 * x1332 + x1366 - x1150 * x1335;
-  w.x[35] = x1368;
-  const Real x1377 = x1147 * x1311 - x1151 * x1285 + x1148 * x1327;
-  const Real x1379 = x1377 - x1149 * x1335 + x1150 * x1339;
-  w.x[36] = x1379;
-  const Real x1387 = x1147 * x1282 + x1151 * x1227 + x1148 * x1283;
-  const Real x1389 = x1149 * x1284 + x1387 - x1150 * x1285;
-  w.x[37] = x1389;
-  const Real x1390 = -x1340;
-  w.to[1][15] = x1390;
-  // joint 8 "joint09": mobility and acceleration beyond it
-  const Real x1396 = 0.4 * x1303;
-  const Real x1398 = x1311 - x1396;
-  w.x[38] = x1398;
-  const Real x1400 = x1282 + 0.4 * x1295;
-  w.x[39] = x1400;
-  const Real x1403 = x1327 - 0.4 * x1318;
-  w.x[40] = x1403;
-  const Real x1404 = x1283 + x1396;
-  w.x[41] = x1404;
-  const Real x1407 = x1335 + 0.4 * x1324;
-  const Real x1410 = x1284 + 0.4 * x1308;
-  const Real x1415 = x1339 - 0.4 * x1327;
-  w.x[42] = x1415;
-  const Real x1416 = x1415 - 0.4 * x1403;
-  const Real x1420 = x1285 + 0.4 * x1283;
-  w.x[43] = x1420;
-  const Real x1422 = 0.4 * x1398 - x1420;
-  const Real x1425 = x1227 + 0.4 * x1282;
-  w.x[44] = x1425;
-  const Real x1426 = 0.4 * x1400 + x1425;
-  const Real x1429 = cosine[8] * x1308 + sine[8] * x1324;
-  w.x[45] = x1429;
-  const Real x1433 = cosine[8] * x1324 - sine[8] * x1308;
-  w.x[46] = x1433;
-  const Real x1438 = cosine[8] * (x1398 - x1404) + sine[8] * (x1400 + x1403);
-  const Real x1439 = sine[8] * x1438;
-  const Real x1440 = x1400 - x1439;
-  w.x[47] = x1440;
-  const Real x1441 = x1403 - x1439;
-  w.x[48] = x1441;
-  const Real x1442 = cosine[8] * x1438;
-  const Real x1443 = x1404 + x1442;
-  w.x[49] = x1443;
-  const Real x1444 = x1398 - x1442;
-  w.x[50] = x1444;
-  const Real x1448 = cosine[8] * (x1295 - x1318) + x1056 * x1303;
-  const Real x1450 = x1303 - sine[8] * x1448;
-  w.x[51] = x1450;
-  const Real x1451 = cosine[8] * x1448;
-  const Real x1452 = x1318 + x1451;
-  w.x[52] = x1452;
-  const Real x1453 = x1295 - x1451;
-  w.x[53] = x1453;
-  const Real x1457 = sine[8] * x1410 - cosine[8] * x1407;
-  w.x[54] = x1457;
-  const Real x1461 = sine[8] * x1407 + cosine[8] * x1410;
-  w.x[55] = x1461;
-  const Real x1465 = cosine[8] * (x1416 - x1426) + x1056 * x1422;
-  const Real x1467 = x1422 - sine[8] * x1465;
-  w.x[56] = x1467;
-  const Real x1468 = cosine[8] * x1465;
-  const Real x1469 = x1426 + x1468;
-  w.x[57] = x1469;
-  const Real x1470 = x1416 - x1468;
-  w.x[58] = x1470;
-  const Real x1477 = x966 * x1452 + x970 * x1429 + x967 * x1450;
-  const Real x1479 = x968 * x1443 + x1477 + x969 * x1440;
-  w.x[59] = x1479;
-  const Real x1487 = x966 * x1450 + x970 * x1433 + x967 * x1453;
-  const Real x1489 = x968 * x1441 + x1487 + x969 * x1444;
-  w.x[60] = x1489;
-  const Real x1497 = x966 * x1443 + x970 * x1457 + x967 * x1441;
-  const Real x1499 = x968 * x1469 + x1497 + x969 * x1467;
-  w.x[61] = x1499;
-  const Real x1507 = x966 * x1440 + x970 * x1461 + x967 * x1444;
-  const Real x1509 = x968 * x1467 + x1507 + x969 * x1470;
-  w.x[62] = x1509;
-  const Real x1517 = x966 * x1429 + x970 * x1332 + x967 * x1433;
-  const Real x1519 = x968 * x1457 + x1517 + x969 * x1461;
-  w.x[63] = x1519;
-  const Real x1533 = x966 * x1479 + x970 * x1519 + x967 * x1489;
-  const Real x1539 = x968 * x1499 + x1533 + x969 * x1509 + x963;
-  w.x[64] = x1539;
-  const Real x1542 = 0.4 * x1358 - x1379;
-  const Real x1545 = x1389 + 0.4 * x1349;
-  const Real x1551 = cosine[8] * x1349 + sine[8] * x1358;
-  w.x[65] = x1551;
-  const Real x1557 = sine[8] * x1349 - cosine[8] * x1358;
-  w.x[66] = x1557;
-  const Real x1561 = cosine[8] * x1542 - sine[8] * x1545;
-  w.x[67] = x1561;
-  const Real x1566 = sine[8] * x1542 + cosine[8] * x1545;
-  w.x[68] = x1566;
-  const Real x1568 = x966 * x1551;
-  w.x[69] = x1568;
-  const Real x1570 = x967 * x1557;
-  w.x[70] = x1570;
-  const Real x1571 = x968 * x1561;
-  w.x[71] = x1571;
+    const Vector<Lanes> w_ = wide_vector(entries + kOmega), al = wide_vector(entries + kAlpha);
+    const Lanes xx = w_.x * w_.x, yy = w_.y * w_.y, zz = w_.z * w_.z;
+    const Lanes xy = w_.x * w_.y, xz = w_.x * w_.z, yz = w_.y * w_.z;
+    const Matrix<Lanes> H{{-(yy + zz), xy - al.z, xz + al.y},
+                          {xy + al.z, -(xx + zz), yz - al.x},
+                          {xz - al.y, yz + al.x, -(xx + yy)}};
+    const Vector<Lanes> a = wide_vector(entries + kAcceleration);
+    const Vector<Lanes> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
+    Vector<Lanes> n = cross(c, a);
+    n += Vector<Lanes>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
+                       dot(H.y, Jx) - dot(H.x, Jy)};
+    narrow(n, block.entries + kTorque);
+    narrow(a * wide(constants.mass) + H * c, block.entries + kForce);
+  }
 }
 
-ADAGEN_NOINLINE void part_1_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x766 = w.x[1];
-  const Real x777 = w.x[2];
-  const Real x844 = w.x[3];
-  const Real x846 = w.x[5];
-  const Real x847 = w.x[6];
-  const Real x849 = w.x[7];
-  const Real x878 = w.x[8];
-  const Real x965 = w.x[11];
-  const Real x966 = w.x[12];
-  const Real x967 = w.x[13];
-  const Real x968 = w.x[14];
-  const Real x969 = w.x[15];
-  const Real x970 = w.x[16];
-  const Real x1282 = w.x[18];
-  const Real x1283 = w.x[19];
-  const Real x1284 = w.x[20];
-  const Real x1285 = w.x[21];
-  const Real x1295 = w.x[22];
-  const Real x1303 = w.x[23];
-  const Real x1308 = w.x[24];
-  const Real x1311 = w.x[25];
-  const Real x1318 = w.x[26];
-  const Real x1324 = w.x[27];
-  const Real x1327 = w.x[28];
-  const Real x1332 = w.x[29];
-  const Real x1335 = w.x[30];
-  const Real x1368 = w.x[35];
-  const Real x1398 = w.x[38];
-  const Real x1400 = w.x[39];
-  const Real x1403 = w.x[40];
-  const Real x1404 = w.x[41];
-  const Real x1415 = w.x[42];
-  const Real x1420 = w.x[43];
-  const Real x1425 = w.x[44];
-  const Real x1429 = w.x[45];
-  const Real x1433 = w.x[46];
-  const Real x1440 = w.x[47];
-  const Real x1441 = w.x[48];
-  const Real x1443 = w.x[49];
-  const Real x1444 = w.x[50];
-  const Real x1450 = w.x[51];
-  const Real x1452 = w.x[52];
-  const Real x1453 = w.x[53];
-  const Real x1457 = w.x[54];
-  const Real x1461 = w.x[55];
-  const Real x1467 = w.x[56];
-  const Real x1469 = w.x[57];
-  const Real x1470 = w.x[58];
-  const Real x1479 = w.x[59];
-  const Real x1489 = w.x[60];
-  const Real x1499 = w.x[61];
-  const Real x1509 = w.x[62];
-  const Real x1519 = w.x[63];
-  const Real x1539 = w.x[64];
-  const Real x1551 = w.x[65];
-  const Real x1557 = w.x[66];
-  const Real x1561 = w.x[67];
-  const Real x1566 = w.x[68];
-  const Real x1568 = w.x[69];
-  const Real x1570 = w.x[70];
-  const Real x1571 = w.x[71];
-  // joint 8 "joint09": mobility and acceleration beyond it
-  const Real x1581 = x965 + x970 * x1368 + x1568 - x1570 - x1571;
-  const Real x1582 = x969 * x1566 + x1581;
-  const Real x1585 = sine[8] * x1303;
-  const Real x1586 = cosine[8] * x1295 + x1585;
-  const Real x1589 = cosine[8] * x1303;
-  const Real x1590 = x1589 - sine[8] * x1295;
-  const Real x1593 = cosine[8] * x1398 + sine[8] * x1400;
-  const Real x1597 = cosine[8] * x1400 - sine[8] * x1398;
-  const Real x1599 = x1589 + sine[8] * x1318;
-  const Real x1602 = cosine[8] * x1318 - x1585;
-  const Real x1605 = cosine[8] * x1403 + sine[8] * x1404;
-  const Real x1609 = cosine[8] * x1404 - sine[8] * x1403;
-  const Real x1611 = 0.4 * x1311 - x1285;
-  const Real x1614 = cosine[8] * x1311 + sine[8] * x1327;
-  const Real x1618 = cosine[8] * x1327 - sine[8] * x1311;
-  const Real x1621 = cosine[8] * x1415 + sine[8] * x1611;
-  const Real x1625 = cosine[8] * x1611 - sine[8] * x1415;
-  const Real x1628 = cosine[8] * x1282 + sine[8] * x1283;
-  const Real x1632 = cosine[8] * x1283 - sine[8] * x1282;
-  const Real x1636 = sine[8] * x1425 - cosine[8] * x1420;
-  const Real x1640 = sine[8] * x1420 + cosine[8] * x1425;
-  const Real x1647 = x966 * x1586 + x970 * x1308 + x967 * x1590;
-  const Real x1649 = x968 * x1593 + x1647 + x969 * x1597;
-  const Real x1657 = x966 * x1599 + x970 * x1324 + x967 * x1602;
-  const Real x1659 = x968 * x1605 + x1657 + x969 * x1609;
-  const Real x1668 = x966 * x1614 - x970 * x1335 + x967 * x1618;
-  const Real x1670 = x968 * x1621 + x1668 + x969 * x1625;
-  const Real x1678 = x966 * x1628 + x970 * x1284 + x967 * x1632;
-  const Real x1680 = x968 * x1636 + x1678 + x969 * x1640;
-  // joint 9 "joint10": mobility and acceleration beyond it
-  const Real x1682 = 0.4 * x1450;
-  const Real x1689 = x1441 - 0.4 * x1453;
-  const Real x1690 = x1444 + x1682;
-  const Real x1693 = 0.4 * x1489 - x1499;
-  const Real x1696 = x1509 + 0.4 * x1479;
-  const Real x1708 = x1467 - 0.4 * x1444 + 0.4 * (x1443 - x1682);
-  const Real x1711 = x1457 - 0.4 * x1433;
-  const Real x1713 = 0.4 * (x1440 + 0.4 * x1452);
-  const Real x1715 = x1470 + 0.4 * x1440 + x1713;
-  const Real x1717 = x1461 + 0.4 * x1429;
-  const Real x1720 = cosine[9] * x1689 + sine[9] * x1693;
-  const Real x1724 = cosine[9] * x1693 - sine[9] * x1689;
-  const Real x1736 = cosine[9] * (x1519 + x1690) + sine[9] * (x1433 - x1696);
-  const Real x1737 = sine[9] * x1736;
-  const Real x1739 = x1696 + x1737;
-  const Real x1741 = cosine[9] * x1736;
-  const Real x1742 = x1741 - x1519;
-  const Real x1743 = x1690 - x1741;
-  const Real x1758 = cosine[9] * (x1453 - x1539) - x878 * x1489;
-  const Real x1760 = x1489 + sine[9] * x1758;
-  const Real x1762 = cosine[9] * x1758;
-  const Real x1764 = x1453 - x1762;
-  const Real x1767 = cosine[9] * x1708 + sine[9] * x1711;
-  const Real x1775 = cosine[9] * (x1715 - x1332) + x878 * x1717;
-  const Real x1777 = x1717 - sine[9] * x1775;
-  const Real x1778 = cosine[9] * x1775;
-  const Real x1779 = x1332 + x1778;
-  const Real x1780 = x1715 - x1778;
-  const Real x1790 = x847 * x1764 + x849 * x1739;
-  const Real x1800 = x847 * x1739 + x849 * x1779;
-  const Real x1805 = x849 * x1777 - x847 * x1743;
-  const Real x1810 = x849 * x1767 - x847 * x1724;
-  const Real x1818 = x847 * x1790 + x849 * x1800 + x844;
-  const Real x1824 = x1566 + 0.4 * x1551;
-  const Real x1832 = cosine[9] * x1582 - sine[9] * x1557;
-  const Real x1837 = cosine[9] * x1824 + sine[9] * x1368;
-  const Real x1843 = sine[9] * x1824 - cosine[9] * x1368;
-  const Real x1849 = x846 + x849 * x1837 + x847 * x1832;
-  const Real x1855 = x1597 + 0.4 * x1586;
-  const Real x1864 = sine[9] * x1590 + cosine[9] * x1649;
-  const Real x1868 = cosine[9] * x1855 + sine[9] * x1308;
-  const Real x1872 = cosine[9] * x1308 - sine[9] * x1855;
-  const Real x1877 = x1609 + 0.4 * x1599;
-  const Real x1886 = sine[9] * x1602 + cosine[9] * x1659;
-  const Real x1890 = cosine[9] * x1877 + sine[9] * x1324;
-  const Real x1894 = cosine[9] * x1324 - sine[9] * x1877;
-  const Real x1903 = sine[9] * x1433 + cosine[9] * x1519;
-  const Real x1907 = cosine[9] * x1717 + sine[9] * x1332;
-  const Real x1911 = cosine[9] * x1332 - sine[9] * x1717;
-  const Real x1916 = x1625 + 0.4 * x1614;
-  const Real x1925 = sine[9] * x1618 + cosine[9] * x1670;
-  const Real x1930 = cosine[9] * x1916 - sine[9] * x1335;
-  const Real x1935 = sine[9] * x1916 + cosine[9] * x1335;
-  const Real x1941 = x1640 + 0.4 * x1628;
-  const Real x1950 = sine[9] * x1632 + cosine[9] * x1680;
-  const Real x1954 = cosine[9] * x1941 + sine[9] * x1284;
-  const Real x1958 = cosine[9] * x1284 - sine[9] * x1941;
-  const Real x1962 = x847 * x1864 + x849 * x1868;
-  const Real x1967 = x847 * x1886 + x849 * x1890;
-  const Real x1972 = x847 * x1903 + x849 * x1907;
-  const Real x1977 = x847 * x1925 + x849 * x1930;
-  const Real x1982 = x847 * x1950 + x849 * x1954;
-  // joint 10 "joint11": mobility and acceleration beyond it
-  const Real x1984 = 0.4 * (x847 * x1760 + x849 * x1742);
-  const Real x1991 = 0.4 * x1790 - x1739;
-  const Real x1994 = x1724 + 0.4 * x1760;
-  const Real x1996 = 0.4 * x1818 - x1800;
-  const Real x1997 = x1984 - x1810;
-  const Real x2002 = x1779 - 0.4 * x1800 + 0.4 * x1996;
-  w.x[72] = x2002;
-  const Real x2005 = x1777 - 0.4 * x1805;
-  const Real x2011 = x1767 - 0.4 * x1810 - 0.4 * (x1742 - x1984);
-  // joint 9 "joint10": mobility and acceleration beyond it
-  const Real x1771 = cosine[9] * x1711 - sine[9] * x1708;
-  // joint 10 "joint11": mobility and acceleration beyond it
-  const Real x2014 = x1771 - 0.4 * (x1433 - x1737);
-  // joint 9 "joint10": mobility and acceleration beyond it
-  const Real x1703 = x1469 - 0.4 * x1441 - 0.4 * x1689;
-  // joint 10 "joint11": mobility and acceleration beyond it
-  const Real x2017 = 0.4 * (x1720 - 0.4 * (x1539 + x1762));
-  const Real x2020 = x1703 - 0.4 * x1720 - x2017;
-  const Real x2023 = cosine[10] * x1991 + sine[10] * x1996;
-  w.x[73] = x2023;
-  const Real x2027 = cosine[10] * x1996 - sine[10] * x1991;
-  w.x[74] = x2027;
-  const Real x2039 = cosine[10] * (x1743 - x1997) + sine[10] * (x1994 - x1805);
-  const Real x2040 = sine[10] * x2039;
-  const Real x2041 = x1994 - x2040;
-  w.x[75] = x2041;
-  const Real x2042 = x1805 + x2040;
-  w.x[76] = x2042;
-  const Real x2044 = cosine[10] * x2039;
-  const Real x2045 = x1997 + x2044;
-  w.x[77] = x2045;
-  const Real x2046 = x1743 - x2044;
-  w.x[78] = x2046;
-  const Real x2061 = cosine[10] * (x1764 - x1818) + x777 * x1790;
-  const Real x2063 = x1790 - sine[10] * x2061;
-  w.x[79] = x2063;
-  const Real x2064 = cosine[10] * x2061;
-  const Real x2065 = x1818 + x2064;
-  w.x[80] = x2065;
-  const Real x2066 = x1764 - x2064;
-  w.x[81] = x2066;
-  const Real x2069 = cosine[10] * x2005 + sine[10] * x2011;
-  w.x[82] = x2069;
-  const Real x2073 = cosine[10] * x2011 - sine[10] * x2005;
-  w.x[83] = x2073;
-  const Real x2077 = cosine[10] * (x1780 - x2020) + x777 * x2014;
-  const Real x2079 = x2014 - sine[10] * x2077;
-  w.x[84] = x2079;
-  const Real x2080 = cosine[10] * x2077;
-  const Real x2081 = x2020 + x2080;
-  w.x[85] = x2081;
-  const Real x2082 = x1780 - x2080;
-  w.x[86] = x2082;
-  const Real x2084 = x2041 * 3.742984243907825;
-  w.x[87] = x2084;
-  const Real x2086 = x2046 * 3.742984243907825;
-  w.x[88] = x2086;
-  const Real x2090 = x2079 * 3.742984243907825;
-  w.x[89] = x2090;
-  const Real x2092 = x2082 * 3.742984243907825;
-  w.x[90] = x2092;
-  const Real x2094 = x2073 * 3.742984243907825;
-  w.x[91] = x2094;
-  const Real x2098 = 18.714921219539125 + 3.742984243907825 * x2092;
-  w.x[92] = x2098;
-  const Real x2100 = 0.4 * x1849 - x1837;
-  w.x[93] = x2100;
-  const Real x2101 = 0.4 * (cosine[9] * x1557 + sine[9] * x1582);
-  const Real x2103 = x1561 - 0.4 * x1557 - x2101;
-  const Real x2106 = cosine[10] * x1832 + sine[10] * x1849;
-  w.x[94] = x2106;
-  const Real x2110 = cosine[10] * x1849 - sine[10] * x1832;
-  w.x[95] = x2110;
-  const Real x2113 = cosine[10] * x1843 + sine[10] * x2103;
-  w.x[96] = x2113;
-  const Real x2117 = cosine[10] * x2103 - sine[10] * x1843;
-  w.x[97] = x2117;
-  const Real x2120 = x766 + 3.742984243907825 * x2117;
-  w.x[98] = x2120;
-  const Real x2124 = x1868 - 0.4 * x1962;
-  w.x[99] = x2124;
-  const Real x2125 = 0.4 * (cosine[9] * x1590 - sine[9] * x1649);
-  const Real x2127 = x1593 - 0.4 * x1590 - x2125;
-  const Real x2132 = cosine[10] * x1864 + sine[10] * x1962;
-  w.x[100] = x2132;
-  const Real x2138 = sine[10] * x1864 - cosine[10] * x1962;
-  w.x[101] = x2138;
-  const Real x2141 = cosine[10] * x1872 + sine[10] * x2127;
-  w.x[102] = x2141;
-  const Real x2145 = cosine[10] * x2127 - sine[10] * x1872;
-  w.x[103] = x2145;
-  const Real x2148 = x1890 - 0.4 * x1967;
-  w.x[104] = x2148;
-  const Real x2149 = 0.4 * (cosine[9] * x1602 - sine[9] * x1659);
-  const Real x2151 = x1605 - 0.4 * x1602 - x2149;
-  const Real x2156 = cosine[10] * x1886 + sine[10] * x1967;
-  w.x[105] = x2156;
-  const Real x2162 = sine[10] * x1886 - cosine[10] * x1967;
-  w.x[106] = x2162;
-  const Real x2165 = cosine[10] * x1894 + sine[10] * x2151;
-  w.x[107] = x2165;
-  const Real x2169 = cosine[10] * x2151 - sine[10] * x1894;
-  w.x[108] = x2169;
-  const Real x2172 = x1907 - 0.4 * x1972;
-  w.x[109] = x2172;
-  const Real x2175 = x1711 - 0.4 * (cosine[9] * x1433 - sine[9] * x1519);
-  const Real x2180 = cosine[10] * x1903 + sine[10] * x1972;
-  w.x[110] = x2180;
-  const Real x2186 = sine[10] * x1903 - cosine[10] * x1972;
-  w.x[111] = x2186;
-  const Real x2189 = cosine[10] * x1911 + sine[10] * x2175;
-  w.x[112] = x2189;
-  const Real x2193 = cosine[10] * x2175 - sine[10] * x1911;
-  w.x[113] = x2193;
-  const Real x2196 = x1930 - 0.4 * x1977;
-  w.x[114] = x2196;
-  const Real x2197 = 0.4 * (cosine[9] * x1618 - sine[9] * x1670);
-  const Real x2199 = x1621 - 0.4 * x1618 - x2197;
-  const Real x2204 = cosine[10] * x1925 + sine[10] * x1977;
-  w.x[115] = x2204;
-  const Real x2210 = sine[10] * x1925 - cosine[10] * x1977;
-  w.x[116] = x2210;
-  const Real x2214 = sine[10] * x2199 - cosine[10] * x1935;
-  w.x[117] = x2214;
-  const Real x2218 = sine[10] * x1935 + cosine[10] * x2199;
-  w.x[118] = x2218;
-  const Real x2221 = x1954 - 0.4 * x1982;
-  w.x[119] = x2221;
-  const Real x2222 = 0.4 * (cosine[9] * x1632 - sine[9] * x1680);
-  const Real x2224 = x1636 - 0.4 * x1632 - x2222;
-  const Real x2229 = cosine[10] * x1950 + sine[10] * x1982;
-  w.x[120] = x2229;
-  const Real x2235 = sine[10] * x1950 - cosine[10] * x1982;
-  w.x[121] = x2235;
-  const Real x2238 = cosine[10] * x1958 + sine[10] * x2224;
-  w.x[122] = x2238;
-  const Real x2242 = cosine[10] * x2224 - sine[10] * x1958;
-  w.x[123] = x2242;
-  const Real x2243 = 3.742984243907825 * x2145;
-  w.x[124] = x2243;
-  const Real x2245 = 3.742984243907825 * x2169;
-  w.x[125] = x2245;
-  const Real x2247 = 3.742984243907825 * x2193;
-  w.x[126] = x2247;
-  const Real x2249 = 3.742984243907825 * x2218;
-  w.x[127] = x2249;
-  const Real x2251 = 3.742984243907825 * x2242;
-  w.x[128] = x2251;
+// From the base outwards: where links are and how they would move without joint accelerations.
+
+ADAGEN_INLINE Frame<Value> frame_of(Workspace& w, int joint) {
+  const Value* R = w.of(joint, kAxes);
+  return {matrix_at(R), vector_at(w.of(joint, kOmega)), vector_at(w.of(joint, kAlpha)),
+          vector_at(w.of(joint, kAcceleration))};
 }
 
-ADAGEN_NOINLINE void part_1_2(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x1227 = w.x[17];
-  const Real x1282 = w.x[18];
-  const Real x1283 = w.x[19];
-  const Real x1284 = w.x[20];
-  const Real x1285 = w.x[21];
-  const Real x1295 = w.x[22];
-  const Real x1303 = w.x[23];
-  const Real x1308 = w.x[24];
-  const Real x1311 = w.x[25];
-  const Real x1318 = w.x[26];
-  const Real x1324 = w.x[27];
-  const Real x1327 = w.x[28];
-  const Real x1332 = w.x[29];
-  const Real x1335 = w.x[30];
-  const Real x1339 = w.x[31];
-  const Real x1349 = w.x[33];
-  const Real x1358 = w.x[34];
-  const Real x1368 = w.x[35];
-  const Real x1379 = w.x[36];
-  const Real x1389 = w.x[37];
-  const Real x2002 = w.x[72];
-  const Real x2023 = w.x[73];
-  const Real x2027 = w.x[74];
-  const Real x2041 = w.x[75];
-  const Real x2042 = w.x[76];
-  const Real x2045 = w.x[77];
-  const Real x2046 = w.x[78];
-  const Real x2063 = w.x[79];
-  const Real x2066 = w.x[81];
-  const Real x2069 = w.x[82];
-  const Real x2073 = w.x[83];
-  const Real x2079 = w.x[84];
-  const Real x2081 = w.x[85];
-  const Real x2082 = w.x[86];
-  const Real x2084 = w.x[87];
-  const Real x2086 = w.x[88];
-  const Real x2090 = w.x[89];
-  const Real x2092 = w.x[90];
-  const Real x2094 = w.x[91];
-  const Real x2098 = w.x[92];
-  const Real x2100 = w.x[93];
-  const Real x2110 = w.x[95];
-  const Real x2113 = w.x[96];
-  const Real x2117 = w.x[97];
-  const Real x2120 = w.x[98];
-  const Real x2124 = w.x[99];
-  const Real x2132 = w.x[100];
-  const Real x2138 = w.x[101];
-  const Real x2141 = w.x[102];
-  const Real x2145 = w.x[103];
-  const Real x2148 = w.x[104];
-  const Real x2156 = w.x[105];
-  const Real x2162 = w.x[106];
-  const Real x2165 = w.x[107];
-  const Real x2169 = w.x[108];
-  const Real x2172 = w.x[109];
-  const Real x2180 = w.x[110];
-  const Real x2186 = w.x[111];
-  const Real x2189 = w.x[112];
-  const Real x2193 = w.x[113];
-  const Real x2196 = w.x[114];
-  const Real x2204 = w.x[115];
-  const Real x2210 = w.x[116];
-  const Real x2214 = w.x[117];
-  const Real x2218 = w.x[118];
-  const Real x2221 = w.x[119];
-  const Real x2229 = w.x[120];
-  const Real x2235 = w.x[121];
-  const Real x2238 = w.x[122];
-  const Real x2242 = w.x[123];
-  const Real x2243 = w.x[124];
-  const Real x2245 = w.x[125];
-  const Real x2247 = w.x[126];
-  const Real x2249 = w.x[127];
-  const Real x2251 = w.x[128];
-  // message received
-  const Real x2253 = w.from[0][0];
-  const Real x2254 = w.from[0][1];
-  const Real x2259 = w.from[0][6];
-  const Real x2256 = w.from[0][3];
-  const Real x2261 = w.from[0][8];
-  const Real x2268 = w.from[0][15];
-  const Real x2257 = w.from[0][4];
-  const Real x2262 = w.from[0][9];
-  const Real x2269 = w.from[0][16];
-  const Real x2271 = w.from[0][18];
-  const Real x2258 = w.from[0][5];
-  const Real x2263 = w.from[0][10];
-  const Real x2270 = w.from[0][17];
-  const Real x2272 = w.from[0][19];
-  const Real x2255 = w.from[0][2];
-  const Real x2260 = w.from[0][7];
-  const Real x2274 = w.from[0][21];
-  const Real x2273 = w.from[0][20];
-  const Real x2265 = w.from[0][12];
-  const Real x2275 = w.from[0][22];
-  const Real x2266 = w.from[0][13];
-  const Real x2277 = w.from[0][24];
-  const Real x2267 = w.from[0][14];
-  const Real x2278 = w.from[0][25];
-  const Real x2279 = w.from[0][26];
-  const Real x2264 = w.from[0][11];
-  w.x[71] = x2264;
-  const Real x2276 = w.from[0][23];
-  w.x[70] = x2276;
-  // joint 11 "joint12": assembly: its two sides become one chain
-  const Real x2351 = 2.0 * sine[11];
-  const Real x2622 = x2221 + 0.4 * x2235;
-  const Real x2546 = x2124 + 0.4 * x2138;
-  const Real x2565 = x2148 + 0.4 * x2162;
-  const Real x2544 = x2145 - 0.4 * x2243;
-  const Real x2549 = cosine[11] * x2138 + sine[11] * x2243;
-  w.x[69] = x2549;
-  const Real x2563 = x2169 - 0.4 * x2245;
-  const Real x2568 = cosine[11] * x2162 + sine[11] * x2245;
-  w.x[68] = x2568;
-  const Real x2582 = x2193 - 0.4 * x2247;
-  const Real x2584 = x2172 + 0.4 * x2186;
-  const Real x2587 = cosine[11] * x2186 + sine[11] * x2247;
-  w.x[67] = x2587;
-  const Real x2601 = x2218 - 0.4 * x2249;
-  const Real x2603 = x2196 + 0.4 * x2210;
-  const Real x2606 = cosine[11] * x2210 + sine[11] * x2249;
-  w.x[66] = x2606;
-  const Real x2620 = x2242 - 0.4 * x2251;
-  const Real x2625 = cosine[11] * x2235 + sine[11] * x2251;
-  w.x[65] = x2625;
-  const Real x2400 = x2100 + 0.4 * x2110;
-  const Real x2398 = x2117 - 0.4 * x2120;
-  const Real x2395 = x2081 + x2273;
-  w.x[64] = x2395;
-  const Real x2389 = x2045 + x2267;
-  w.x[63] = x2389;
-  const Real x2286 = 0.4 * x2086;
-  const Real x2300 = x2069 - 0.4 * x2042;
-  const Real x2288 = x2046 - x2286;
-  const Real x2290 = x2027 + 0.4 * x2066;
-  const Real x2294 = x2094 + x2286;
-  const Real x2297 = x2079 - 0.4 * x2090;
-  const Real x2380 = sine[11] * x2090 - cosine[11] * x2042 + x2258;
-  const Real x2293 = x2092 - 0.4 * x2098;
-  const Real x2311 = x2073 - 0.4 * x2094 + 0.4 * x2288;
-  const Real x2315 = x2002 + 0.4 * x2027 + 0.4 * x2290;
-  const Real x2283 = x2041 - 0.4 * x2084;
-  const Real x2285 = x2023 + 0.4 * x2063;
-  const Real x2353 = cosine[11] * (x2066 - x2098) + x2086 * x2351;
-  const Real x2377 = cosine[11] * x2063 + sine[11] * x2084 + x2255;
-  w.x[62] = x2377;
-  const Real x2356 = cosine[11] * x2353;
-  const Real x2306 = x2082 - 0.4 * x2092 - 0.4 * x2293;
-  const Real x2335 = cosine[11] * (x2288 - x2294) + sine[11] * (x2290 + x2293);
-  const Real x2382 = cosine[11] * x2084 - sine[11] * x2063 + x2260;
-  w.x[61] = x2382;
-  const Real x2387 = cosine[11] * x2283 + sine[11] * x2285 + x2265;
-  w.x[60] = x2387;
-  const Real x2415 = cosine[11] * x2110 + sine[11] * x2120 - x2274;
-  const Real x2427 = x2415 - tau[11] * x2377;
-  w.x[59] = x2427;
-  const Real x2375 = x2098 + x2356 + x2253;
-  require_more(w, x2375, 0.0, kFactorization, 11);
-  const Real x2376 = x2086 - sine[11] * x2353 + x2254;
-  const Real x2381 = x2066 - x2356 + x2259;
-  w.x[58] = x2381;
-  const Real x2339 = cosine[11] * x2335;
-  const Real x2336 = sine[11] * x2335;
-  const Real x2388 = cosine[11] * x2285 - sine[11] * x2283 + x2266;
-  w.x[57] = x2388;
-  const Real x2433 = 1 / x2375;
-  w.x[56] = x2433;
-  const Real x2369 = cosine[11] * (x2306 - x2315) + x2311 * x2351;
-  const Real x2416 = cosine[11] * x2120 - sine[11] * x2110 - x2275;
-  const Real x2418 = cosine[11] * x2398 + sine[11] * x2400 - x2277;
-  const Real x2378 = x2294 + x2339 + x2256;
-  const Real x2372 = cosine[11] * x2369;
-  const Real x2379 = x2290 - x2336 + x2257;
-  const Real x2419 = cosine[11] * x2400 - sine[11] * x2398 - x2278;
-  const Real x2390 = x2315 + x2372 + x2268;
-  w.x[55] = x2390;
-  const Real x2434 = x2376 * x2433;
-  w.x[54] = x2434;
-  const Real x2435 = x2378 * x2433;
-  w.x[53] = x2435;
-  const Real x2436 = x2379 * x2433;
-  w.x[52] = x2436;
-  const Real x2393 = x2306 - x2372 + x2271;
-  w.x[51] = x2393;
-  const Real x2437 = x2380 * x2433;
-  w.x[50] = x2437;
-  const Real x2787 = x2433 * x2549;
-  const Real x2788 = x2433 * x2568;
-  const Real x2789 = x2433 * x2587;
-  const Real x2790 = x2433 * x2606;
-  const Real x2791 = x2433 * x2625;
-  const Real x2440 = x2381 - x2376 * x2434;
-  w.x[49] = x2440;
-  const Real x2443 = x2293 - x2336 + x2261 - x2378 * x2434;
-  const Real x2446 = x2288 - x2339 + x2262 - x2379 * x2434;
-  const Real x2385 = sine[11] * x2042 + cosine[11] * x2090 + x2263;
-  const Real x2449 = x2385 - x2380 * x2434;
-  const Real x2392 = cosine[11] * x2297 + sine[11] * x2300 + x2270;
-  const Real x2394 = cosine[11] * x2300 - sine[11] * x2297 + x2272;
-  const Real x2450 = 1 / x2440;
-  w.x[48] = x2450;
-  const Real x2639 = cosine[11] * x2243 - sine[11] * x2138 - x2434 * x2549;
-  w.x[47] = x2639;
-  const Real x2642 = cosine[11] * x2245 - sine[11] * x2162 - x2434 * x2568;
-  w.x[46] = x2642;
-  const Real x2645 = cosine[11] * x2247 - sine[11] * x2186 - x2434 * x2587;
-  w.x[45] = x2645;
-  const Real x2648 = cosine[11] * x2249 - sine[11] * x2210 - x2434 * x2606;
-  w.x[44] = x2648;
-  const Real x2651 = cosine[11] * x2251 - sine[11] * x2235 - x2434 * x2625;
-  w.x[43] = x2651;
-  const Real x2514 = x2416 - tau[11] * x2382 - x2427 * x2434;
-  w.x[42] = x2514;
-  const Real x2451 = x2443 * x2450;
-  w.x[41] = x2451;
-  const Real x2452 = x2446 * x2450;
-  w.x[40] = x2452;
-  const Real x2453 = x2449 * x2450;
-  w.x[39] = x2453;
-  const Real x2459 = x2390 - x2378 * x2435 - x2443 * x2451;
-  w.x[38] = x2459;
-  const Real x2464 = x2311 - sine[11] * x2369 + x2269 - x2379 * x2435;
-  const Real x2465 = x2464 - x2446 * x2451;
-  const Real x2471 = x2392 - x2380 * x2435 - x2449 * x2451;
-  const Real x2656 = cosine[11] * x2544 + sine[11] * x2546 - x2435 * x2549;
-  const Real x2657 = x2656 - x2451 * x2639;
-  w.x[11] = x2657;
-  const Real x2662 = cosine[11] * x2563 + sine[11] * x2565 - x2435 * x2568;
-  const Real x2663 = x2662 - x2451 * x2642;
-  w.x[8] = x2663;
-  const Real x2668 = cosine[11] * x2582 + sine[11] * x2584 - x2435 * x2587;
-  const Real x2669 = x2668 - x2451 * x2645;
-  w.x[5] = x2669;
-  const Real x2674 = cosine[11] * x2601 + sine[11] * x2603 - x2435 * x2606;
-  const Real x2675 = x2674 - x2451 * x2648;
-  w.x[2] = x2675;
-  const Real x2472 = 1 / x2459;
-  w.x[1] = x2472;
-  const Real x2680 = cosine[11] * x2620 + sine[11] * x2622 - x2435 * x2625;
-  const Real x2681 = x2680 - x2451 * x2651;
-  w.x[129] = x2681;
-  const Real x2519 = x2418 - tau[11] * x2387 - x2427 * x2435;
-  const Real x2520 = x2519 - x2451 * x2514;
-  w.x[130] = x2520;
-  const Real x2688 = cosine[11] * x2546 - sine[11] * x2544 - x2436 * x2549;
-  const Real x2697 = cosine[11] * x2565 - sine[11] * x2563 - x2436 * x2568;
-  const Real x2706 = cosine[11] * x2584 - sine[11] * x2582 - x2436 * x2587;
-  const Real x2715 = cosine[11] * x2603 - sine[11] * x2601 - x2436 * x2606;
-  const Real x2724 = cosine[11] * x2622 - sine[11] * x2620 - x2436 * x2625;
-  const Real x2527 = x2419 - tau[11] * x2388 - x2427 * x2436;
-  const Real x2792 = x2450 * x2639;
-  const Real x2793 = x2450 * x2642;
-  const Real x2794 = x2450 * x2645;
-  const Real x2795 = x2450 * x2648;
-  const Real x2796 = x2450 * x2651;
-  const Real x2538 = x2113 - x2279 - tau[11] * x2389 - x2427 * x2437;
-  const Real x2473 = x2465 * x2472;
-  w.x[131] = x2473;
-  const Real x2474 = x2471 * x2472;
-  w.x[132] = x2474;
-  const Real x2797 = x2472 * x2657;
-  const Real x2798 = x2472 * x2663;
-  const Real x2799 = x2472 * x2669;
-  const Real x2800 = x2472 * x2675;
-  const Real x2801 = x2472 * x2681;
-  const Real x2482 = x2393 - x2379 * x2436 - x2446 * x2452;
-  const Real x2483 = x2482 - x2465 * x2473;
-  w.x[133] = x2483;
-  const Real x2491 = x2394 - x2380 * x2436 - x2449 * x2452;
-  const Real x2492 = x2491 - x2471 * x2473;
-  const Real x2504 = x2395 - x2380 * x2437 - x2449 * x2453;
-  const Real x2690 = x2688 - x2452 * x2639 - x2473 * x2657;
-  w.x[134] = x2690;
-  const Real x2699 = x2697 - x2452 * x2642 - x2473 * x2663;
-  w.x[135] = x2699;
-  const Real x2708 = x2706 - x2452 * x2645 - x2473 * x2669;
-  w.x[136] = x2708;
-  const Real x2717 = x2715 - x2452 * x2648 - x2473 * x2675;
-  w.x[137] = x2717;
-  const Real x2726 = x2724 - x2452 * x2651 - x2473 * x2681;
-  w.x[138] = x2726;
-  const Real x2493 = 1 / x2483;
-  w.x[139] = x2493;
-  const Real x2529 = x2527 - x2452 * x2514 - x2473 * x2520;
-  w.x[140] = x2529;
-  const Real x2736 = x2141 - x2437 * x2549 - x2453 * x2639;
-  const Real x2748 = x2165 - x2437 * x2568 - x2453 * x2642;
-  const Real x2760 = x2189 - x2437 * x2587 - x2453 * x2645;
-  const Real x2772 = x2214 - x2437 * x2606 - x2453 * x2648;
-  const Real x2784 = x2238 - x2437 * x2625 - x2453 * x2651;
-  const Real x2494 = x2492 * x2493;
-  w.x[141] = x2494;
-  const Real x2802 = x2493 * x2690;
-  const Real x2803 = x2493 * x2699;
-  const Real x2804 = x2493 * x2708;
-  const Real x2805 = x2493 * x2717;
-  const Real x2806 = x2493 * x2726;
-  const Real x2506 = x2504 - x2471 * x2474 - x2492 * x2494;
-  w.x[142] = x2506;
-  const Real x2738 = x2736 - x2474 * x2657 - x2494 * x2690;
-  w.x[143] = x2738;
-  const Real x2750 = x2748 - x2474 * x2663 - x2494 * x2699;
-  w.x[144] = x2750;
-  const Real x2762 = x2760 - x2474 * x2669 - x2494 * x2708;
-  w.x[145] = x2762;
-  const Real x2774 = x2772 - x2474 * x2675 - x2494 * x2717;
-  w.x[146] = x2774;
-  const Real x2786 = x2784 - x2474 * x2681 - x2494 * x2726;
-  w.x[147] = x2786;
-  const Real x2540 = x2538 - x2453 * x2514 - x2474 * x2520;
-  const Real x2541 = x2540 - x2494 * x2529;
-  w.x[148] = x2541;
-  const Real x2507 = 1 / x2506;
-  w.x[149] = x2507;
-  const Real x2807 = x2507 * x2738;
-  const Real x2808 = x2507 * x2750;
-  const Real x2809 = x2507 * x2762;
-  const Real x2810 = x2507 * x2774;
-  const Real x2811 = x2507 * x2786;
-  const Real x3063 = x2427 * x2787 + x2514 * x2792 + x2520 * x2797;
-  const Real x3072 = x2427 * x2788 + x2514 * x2793 + x2520 * x2798;
-  const Real x3081 = x2427 * x2789 + x2514 * x2794 + x2520 * x2799;
-  const Real x3090 = x2427 * x2790 + x2514 * x2795 + x2520 * x2800;
-  const Real x3099 = x2427 * x2791 + x2514 * x2796 + x2520 * x2801;
-  const Real x2823 = x1295 - x2549 * x2787 - x2639 * x2792;
-  const Real x2838 = x1303 - x2549 * x2788 - x2639 * x2793;
-  const Real x2853 = x1308 - x2549 * x2789 - x2639 * x2794;
-  const Real x2868 = x1311 - x2549 * x2790 - x2639 * x2795;
-  const Real x2883 = x1282 - x2549 * x2791 - x2639 * x2796;
-  const Real x2898 = x1318 - x2568 * x2788 - x2642 * x2793;
-  const Real x2913 = x1324 - x2568 * x2789 - x2642 * x2794;
-  const Real x2928 = x1327 - x2568 * x2790 - x2642 * x2795;
-  const Real x2943 = x1283 - x2568 * x2791 - x2642 * x2796;
-  const Real x2958 = x1332 - x2587 * x2789 - x2645 * x2794;
-  const Real x2974 = x1335 + x2587 * x2790 + x2645 * x2795;
-  const Real x2993 = x1284 - x2587 * x2791 - x2645 * x2796;
-  const Real x3008 = x1339 - x2606 * x2790 - x2648 * x2795;
-  const Real x3024 = x1285 + x2606 * x2791 + x2648 * x2796;
-  const Real x3043 = x1227 - x2625 * x2791 - x2651 * x2796;
-  const Real x3065 = x2529 * x2802 + x3063 + x2541 * x2807;
-  const Real x3074 = x2529 * x2803 + x3072 + x2541 * x2808;
-  const Real x3083 = x2529 * x2804 + x3081 + x2541 * x2809;
-  const Real x3092 = x2529 * x2805 + x3090 + x2541 * x2810;
-  const Real x3101 = x2529 * x2806 + x3099 + x2541 * x2811;
-  const Real x2825 = x2823 - x2657 * x2797 - x2690 * x2802;
-  const Real x2826 = x2825 - x2738 * x2807;
-  w.to[1][0] = x2826;
-  const Real x2840 = x2838 - x2657 * x2798 - x2690 * x2803;
-  const Real x2841 = x2840 - x2738 * x2808;
-  w.to[1][1] = x2841;
-  const Real x2855 = x2853 - x2657 * x2799 - x2690 * x2804;
-  const Real x2856 = x2855 - x2738 * x2809;
-  w.to[1][2] = x2856;
-  const Real x2870 = x2868 - x2657 * x2800 - x2690 * x2805;
-  const Real x2871 = x2870 - x2738 * x2810;
-  w.to[1][3] = x2871;
-  const Real x2885 = x2883 - x2657 * x2801 - x2690 * x2806;
-  const Real x2886 = x2885 - x2738 * x2811;
-  w.to[1][4] = x2886;
-  const Real x2900 = x2898 - x2663 * x2798 - x2699 * x2803;
-  const Real x2901 = x2900 - x2750 * x2808;
-  w.to[1][5] = x2901;
-  const Real x2915 = x2913 - x2663 * x2799 - x2699 * x2804;
-  const Real x2916 = x2915 - x2750 * x2809;
-  w.to[1][6] = x2916;
-  const Real x2930 = x2928 - x2663 * x2800 - x2699 * x2805;
-  const Real x2931 = x2930 - x2750 * x2810;
-  w.to[1][7] = x2931;
-  const Real x2945 = x2943 - x2663 * x2801 - x2699 * x2806;
-  const Real x2946 = x2945 - x2750 * x2811;
-  w.to[1][8] = x2946;
-  const Real x2960 = x2958 - x2669 * x2799 - x2708 * x2804;
-  const Real x2961 = x2960 - x2762 * x2809;
-  w.to[1][9] = x2961;
-  const Real x2978 = x2669 * x2800 + x2974 + x2708 * x2805;
-  const Real x2995 = x2993 - x2669 * x2801 - x2708 * x2806;
-  const Real x2996 = x2995 - x2762 * x2811;
-  w.to[1][11] = x2996;
-  const Real x3010 = x3008 - x2675 * x2800 - x2717 * x2805;
-  const Real x3011 = x3010 - x2774 * x2810;
-  w.to[1][12] = x3011;
-  const Real x3028 = x2675 * x2801 + x3024 + x2717 * x2806;
-  const Real x3045 = x3043 - x2681 * x2801 - x2726 * x2806;
-  const Real x3046 = x3045 - x2786 * x2811;
-  w.to[1][14] = x3046;
-  const Real x2981 = -(x2762 * x2810 + x2978);
-  w.to[1][10] = x2981;
-  const Real x3031 = -(x2774 * x2811 + x3028);
-  w.to[1][13] = x3031;
-  const Real x3108 = -(x3065 - x2132 * tau[11] + x1349);
-  w.to[1][16] = x3108;
-  const Real x3110 = -(x3074 - x2156 * tau[11] + x1358);
-  w.to[1][17] = x3110;
-  const Real x3112 = -(x3083 - x2180 * tau[11] + x1368);
-  w.to[1][18] = x3112;
-  const Real x3114 = -(x3092 - x2204 * tau[11] + x1379);
-  w.to[1][19] = x3114;
-  const Real x3116 = -(x3101 - x2229 * tau[11] + x1389);
-  w.to[1][20] = x3116;
+template <class T>
+ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
+  put_at(w.at(slot, kAxes), frame.R);
+  put_at(w.at(slot, kOmega), frame.omega);
+  put_at(w.at(slot, kAlpha), frame.alpha);
+  put_at(w.at(slot, kAcceleration), frame.a);
 }
 
-ADAGEN_NOINLINE void part_1_3(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x2065 = w.x[80];
-  const Real x2106 = w.x[94];
-  const Real x2264 = w.x[71];
-  const Real x2276 = w.x[70];
-  const Real x2381 = w.x[58];
-  const Real x2390 = w.x[55];
-  const Real x2393 = w.x[51];
-  const Real x2395 = w.x[64];
-  const Real x2440 = w.x[49];
-  const Real x2459 = w.x[38];
-  const Real x2483 = w.x[133];
-  const Real x2506 = w.x[142];
-  // joint 11 "joint12": assembly: its two sides become one chain
-  const Real x2511 = 1.7763568394002505e-15 * x2395;
-  require_more(w, x2506, x2511, kFactorization, 11);
-  const Real x2429 = x2106 - x2276 - tau[11] * (x2065 + x2264);
-  w.x[128] = x2429;
-  const Real x2508 = 1.7763568394002505e-15 * x2381;
-  require_more(w, x2440, x2508, kFactorization, 11);
-  const Real x2509 = 1.7763568394002505e-15 * x2390;
-  require_more(w, x2459, x2509, kFactorization, 11);
-  const Real x2510 = 1.7763568394002505e-15 * x2393;
-  require_more(w, x2483, x2510, kFactorization, 11);
+// The ground accelerates against gravity: accelerations are relative to free fall.
+ADAGEN_INLINE Frame<Value> ground() {
+  const Value one = Value{} + 1, none{};
+  return {{{one, none, none}, {none, one, none}, {none, none, one}},
+          {none, none, none},
+          {none, none, none},
+          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
 }
 
-ADAGEN_NOINLINE void part_1_4(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x2427 = w.x[59];
-  const Real x2433 = w.x[56];
-  const Real x2434 = w.x[54];
-  const Real x2435 = w.x[53];
-  const Real x2436 = w.x[52];
-  const Real x2437 = w.x[50];
-  const Real x2450 = w.x[48];
-  const Real x2451 = w.x[41];
-  const Real x2452 = w.x[40];
-  const Real x2453 = w.x[39];
-  const Real x2472 = w.x[1];
-  const Real x2473 = w.x[131];
-  const Real x2474 = w.x[132];
-  const Real x2493 = w.x[139];
-  const Real x2494 = w.x[141];
-  const Real x2507 = w.x[149];
-  const Real x2514 = w.x[42];
-  const Real x2520 = w.x[130];
-  const Real x2529 = w.x[140];
-  const Real x2541 = w.x[148];
-  const Real x2549 = w.x[69];
-  const Real x2568 = w.x[68];
-  const Real x2587 = w.x[67];
-  const Real x2606 = w.x[66];
-  const Real x2625 = w.x[65];
-  const Real x2639 = w.x[47];
-  const Real x2642 = w.x[46];
-  const Real x2645 = w.x[45];
-  const Real x2648 = w.x[44];
-  const Real x2651 = w.x[43];
-  const Real x2657 = w.x[11];
-  const Real x2663 = w.x[8];
-  const Real x2669 = w.x[5];
-  const Real x2675 = w.x[2];
-  const Real x2681 = w.x[129];
-  const Real x2690 = w.x[134];
-  const Real x2699 = w.x[135];
-  const Real x2708 = w.x[136];
-  const Real x2717 = w.x[137];
-  const Real x2726 = w.x[138];
-  const Real x2738 = w.x[143];
-  const Real x2750 = w.x[144];
-  const Real x2762 = w.x[145];
-  const Real x2774 = w.x[146];
-  const Real x2786 = w.x[147];
-  // message received
-  const Real x3118 = w.from[2][1];
-  w.x[142] = x3118;
-  const Real x3119 = w.from[2][2];
-  w.x[133] = x3119;
-  const Real x3120 = w.from[2][3];
-  w.x[38] = x3120;
-  const Real x3121 = w.from[2][4];
-  w.x[49] = x3121;
-  const Real x3122 = w.from[2][5];
-  w.x[64] = x3122;
-  const Real x3117 = w.from[2][0];
-  w.x[51] = x3117;
-  // joint 11 "joint12": disassembly: its acceleration and force
-  const Real x3130 = x2549 * x3118 + x2625 * x3122 + x2568 * x3119;
-  const Real x3169 = x2587 * x3120 + x3130 + x2606 * x3121 + x2427;
-  const Real x3139 = x2639 * x3118 + x2642 * x3119 + x2645 * x3120;
-  const Real x3170 = x2648 * x3121 + x3139 + x2651 * x3122 + x2514;
-  const Real x3148 = x2657 * x3118 + x2663 * x3119 + x2669 * x3120;
-  const Real x3171 = x2675 * x3121 + x3148 + x2681 * x3122 + x2520;
-  const Real x3157 = x2690 * x3118 + x2699 * x3119 + x2708 * x3120;
-  const Real x3172 = x2717 * x3121 + x3157 + x2726 * x3122 + x2529;
-  const Real x3166 = x2738 * x3118 + x2750 * x3119 + x2762 * x3120;
-  const Real x3173 = x2774 * x3121 + x3166 + x2786 * x3122 + x2541;
-  const Real x3197 = x2507 * x3173;
-  w.x[55] = x3197;
-  w.to[3][5] = x3197;
-  const Real x3200 = x2493 * x3172 - x2494 * x3197;
-  w.x[58] = x3200;
-  w.to[3][4] = x3200;
-  const Real x3206 = x2472 * x3171 - x2474 * x3197 - x2473 * x3200;
-  w.x[70] = x3206;
-  w.to[3][3] = x3206;
-  const Real x3214 = x2450 * x3170 - x2453 * x3197 - x2452 * x3200;
-  const Real x3215 = x3214 - x2451 * x3206;
-  w.x[71] = x3215;
-  w.to[3][1] = x3215;
-  const Real x3225 = x2433 * x3169 - x2437 * x3197 - x2436 * x3200;
-  const Real x3227 = x3225 - x2435 * x3206 - x2434 * x3215;
-  w.x[94] = x3227;
-  w.to[3][0] = x3227;
+// The axes of a floating base are the link's own: only gravity is turned.
+template <int j>
+void free_base_frame(Workspace& w) {
+  constexpr const JointConstants& joint = kJoints[j];
+  const Value* q = w.q + joint.q + 3;
+  Matrix<Value> turn;
+  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
+  Frame<Value> frame = ground();
+  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
+  const Real* const P = joint.rotation;
+  const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
+                           P[1] * gravity.x + P[4] * gravity.y + P[7] * gravity.z,
+                           P[2] * gravity.x + P[5] * gravity.y + P[8] * gravity.z};
+  const Value none{};
+  frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
+  const Value* v = w.v + joint.v + 3;
+  frame.omega = {v[0], v[1], v[2]};
+  keep(w, slot_of(j), frame);
 }
 
-ADAGEN_NOINLINE void part_1_5(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x765 = w.x[0];
-  const Real x844 = w.x[3];
-  const Real x845 = w.x[4];
-  const Real x847 = w.x[6];
-  const Real x849 = w.x[7];
-  const Real x963 = w.x[9];
-  const Real x964 = w.x[10];
-  const Real x966 = w.x[12];
-  const Real x967 = w.x[13];
-  const Real x968 = w.x[14];
-  const Real x969 = w.x[15];
-  const Real x970 = w.x[16];
-  const Real x1227 = w.x[17];
-  const Real x1282 = w.x[18];
-  const Real x1283 = w.x[19];
-  const Real x1284 = w.x[20];
-  const Real x1285 = w.x[21];
-  const Real x1295 = w.x[22];
-  const Real x1303 = w.x[23];
-  const Real x1308 = w.x[24];
-  const Real x1311 = w.x[25];
-  const Real x1318 = w.x[26];
-  const Real x1324 = w.x[27];
-  const Real x1327 = w.x[28];
-  const Real x1332 = w.x[29];
-  const Real x1335 = w.x[30];
-  const Real x1339 = w.x[31];
-  const Real x1340 = w.x[32];
-  const Real x1349 = w.x[33];
-  const Real x1358 = w.x[34];
-  const Real x1368 = w.x[35];
-  const Real x1379 = w.x[36];
-  const Real x1389 = w.x[37];
-  const Real x2132 = w.x[100];
-  const Real x2156 = w.x[105];
-  const Real x2180 = w.x[110];
-  const Real x2204 = w.x[115];
-  const Real x2229 = w.x[120];
-  const Real x2377 = w.x[62];
-  const Real x2382 = w.x[61];
-  const Real x2387 = w.x[60];
-  const Real x2388 = w.x[57];
-  const Real x2389 = w.x[63];
-  const Real x2429 = w.x[128];
-  const Real x3117 = w.x[51];
-  const Real x3118 = w.x[142];
-  const Real x3119 = w.x[133];
-  const Real x3120 = w.x[38];
-  const Real x3121 = w.x[49];
-  const Real x3122 = w.x[64];
-  const Real x3197 = w.x[55];
-  const Real x3200 = w.x[58];
-  const Real x3206 = w.x[70];
-  const Real x3215 = w.x[71];
-  const Real x3227 = w.x[94];
-  // joint 11 "joint12": disassembly: its acceleration and force
-  const Real x3186 = x2132 * x3118 + x2229 * x3122 + x2156 * x3119;
-  const Real x3248 = cosine[11] * x3206 - sine[11] * x3200;
-  const Real x3251 = sine[11] * x3206 + cosine[11] * x3200;
-  const Real x3252 = 0.4 * x3251;
-  const Real x3234 = x2388 * x3200 + x2389 * x3197 + x2387 * x3206;
-  const Real x3254 = cosine[11] * x3227 - sine[11] * x3215 + x3252;
-  const Real x3257 = sine[11] * x3227 + cosine[11] * x3215 - 0.4 * x3248;
-  const Real x3192 = x2180 * x3120 + x3186 + x2204 * x3121 - x2429;
-  const Real x3237 = x2382 * x3215 + x3234 + x2377 * x3227 + x3192;
-  w.result[11] = x3237;
-  // joint 10 "joint11": handle forces through it
-  const Real x3268 = x3248 + 3.742984243907825 * x3257;
-  const Real x3294 = sine[10] * tau[11] + cosine[10] * x3254 + x3252;
-  const Real x3290 = sine[10] * x3197 + cosine[10] * x3268;
-  const Real x3285 = sine[10] * x3268 - cosine[10] * x3197;
-  const Real x3292 = 0.4 * x3290;
-  // joint 9 "joint10": handle forces through it
-  const Real x3300 = sine[10] * x3254 - cosine[10] * tau[11] - x847 * x3294;
-  const Real x3303 = x849 * x3294 - x3251;
-  const Real x3310 = sine[9] * x3292 + cosine[9] * x3300;
-  const Real x3314 = cosine[9] * x3303 - sine[9] * x3285;
-  // joint 8 "joint09": handle forces through it
-  const Real x3331 = x3290 + x968 * x3310;
-  const Real x3335 = x3314 - x969 * x3310;
-  const Real x3325 = 0.4 * x3314 - x966 * x3310;
-  // joint 9 "joint10": handle forces through it
-  const Real x3320 = cosine[9] * x3292 - sine[9] * x3300 + x3292;
-  // joint 8 "joint09": handle forces through it
-  const Real x3328 = x3320 - x967 * x3310;
-  const Real x3338 = sine[9] * x3303 + cosine[9] * x3285 - x970 * x3310;
-  const Real x3364 = x3120 + x3338;
-  const Real x3350 = cosine[8] * x3331 + sine[8] * x3335;
-  const Real x3355 = cosine[8] * x3335 - sine[8] * x3331;
-  const Real x3365 = x3121 - x3350;
-  const Real x3366 = x3122 + x3355;
-  const Real x3358 = cosine[8] * x3325 - sine[8] * x3328 + 0.4 * x3355;
-  const Real x3362 = x3118 + x3358;
-  const Real x3361 = sine[8] * x3325 + cosine[8] * x3328 + 0.4 * x3350;
-  const Real x3363 = x3119 + x3361;
-  // link 8 "rod08": acceleration under the handle forces
-  const Real x3374 = x1308 * x3364 + x1311 * x3365 + x1282 * x3366;
-  const Real x3383 = x1324 * x3364 + x1327 * x3365 + x1283 * x3366;
-  const Real x3393 = x1332 * x3364 - x1335 * x3365 + x1284 * x3366;
-  const Real x3404 = x1339 * x3365 - x1335 * x3364 - x1285 * x3366;
-  const Real x3414 = x1284 * x3364 - x1285 * x3365 + x1227 * x3366;
-  const Real x3418 = x1295 * x3362 + x3374 + x1303 * x3363 - x1349;
-  const Real x3419 = x1303 * x3362 + x3383 + x1318 * x3363 - x1358;
-  const Real x3420 = x1308 * x3362 + x3393 + x1324 * x3363 - x1368;
-  const Real x3422 = x1282 * x3362 + x3414 + x1283 * x3363 - x1389;
-  // joint 8 "joint09": its acceleration, and that of the link beyond
-  const Real x3427 = x3422 + 0.4 * x3418;
-  // link 8 "rod08": acceleration under the handle forces
-  const Real x3421 = x1311 * x3362 + x3404 + x1327 * x3363 - x1379;
-  // joint 8 "joint09": its acceleration, and that of the link beyond
-  const Real x3425 = x3421 - 0.4 * x3419;
-  const Real x3430 = cosine[8] * x3418 + sine[8] * x3419;
-  const Real x3434 = cosine[8] * x3419 - sine[8] * x3418;
-  const Real x3437 = cosine[8] * x3425 + sine[8] * x3427;
-  const Real x3452 = x963 * (x964 + x3310) - x970 * x3420;
-  const Real x3441 = cosine[8] * x3427 - sine[8] * x3425;
-  const Real x3454 = x3452 - x966 * x3430 - x967 * x3434;
-  const Real x3456 = x3454 - x968 * x3437 - x969 * x3441;
-  // joint 9 "joint10": its acceleration, and that of the link beyond
-  const Real x3462 = x3441 + 0.4 * x3430;
-  // joint 8 "joint09": its acceleration, and that of the link beyond
-  const Real x3457 = x3456 - (5000.0 * x3117 - x1340);
-  w.result[8] = x3457;
-  // joint 9 "joint10": its acceleration, and that of the link beyond
-  const Real x3465 = cosine[9] * x3434 + sine[9] * x3456;
-  const Real x3479 = x849 * (cosine[9] * x3462 + sine[9] * x3420);
-  const Real x3477 = x847 * (cosine[9] * x3456 - sine[9] * x3434);
-  const Real x3483 = x844 * (x845 - x3294) - x3479 + x3477 - x3430;
-  w.result[9] = x3483;
-  // joint 10 "joint11": its acceleration, and that of the link beyond
-  const Real x3501 = cosine[10] * (x3437 - 0.4 * x3434 - 0.4 * x3465);
-  const Real x3502 = x3501 - sine[10] * (cosine[9] * x3420 - sine[9] * x3462);
-  const Real x3506 = 18.714921219539125 * (x765 - x3257) + 3.742984243907825 * x3502 - x3465;
-  w.result[10] = x3506;
+ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
+  const Real* const P = joint.rotation;
+  return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
 }
 
-// =================================================================================================
-// Process 2: 790 products, 635 sums, 9 quotients
-// =================================================================================================
-
-ADAGEN_NOINLINE void part_2_0(Workspace& w) {
-  ADAGEN_INPUTS
-  // joint 1 "joint02": placement, velocity and reference acceleration of its link
-  const Real x18 = v[0] * sine[1];
-  const Real x19 = v[0] * cosine[1];
-  const Real x20 = v[1] * x19;
-  const Real x21 = v[1] * x18;
-  const Real x26 = cosine[0] * 9.81 + v[0] * v[0] * 0.4;
-  // joint 2 "joint03": placement, velocity and reference acceleration of its link
-  const Real x52 = x19 * cosine[2] + v[1] * sine[2];
-  const Real x56 = v[1] * cosine[2] - x19 * sine[2];
-  const Real x57 = x18 + v[2];
-  const Real x63 = v[2] * x56 - x21 * cosine[2];
-  const Real x66 = x21 * sine[2] - v[2] * x52;
-  const Real x67 = 0.4 * (x19 * x19 + v[1] * v[1]);
-  const Real x72 = sine[1] * x26 + 0.4 * (x18 * x19);
-  const Real x76 = sine[0] * 9.81 - 0.4 * (x21 * 2.0);
-  // joint 3 "joint04": placement, velocity and reference acceleration of its link
-  const Real x112 = x56 * cosine[3] + x57 * sine[3];
-  const Real x116 = x57 * cosine[3] - x56 * sine[3];
-  const Real x117 = x52 + v[3];
-  const Real x126 = x66 * cosine[3] + x20 * sine[3] + v[3] * x116;
-  const Real x129 = x20 * cosine[3] - x66 * sine[3] - v[3] * x112;
-  // joint 2 "joint03": placement, velocity and reference acceleration of its link
-  const Real x80 = sine[2] * x76 - cosine[2] * x72;
-  const Real x84 = sine[2] * x72 + cosine[2] * x76;
-  // joint 3 "joint04": placement, velocity and reference acceleration of its link
-  const Real x135 = x84 - 0.4 * (x56 * x57 - x63);
-  const Real x136 = 0.4 * (x52 * x52 + x56 * x56);
-  const Real x138 = cosine[1] * x26 + x67 + x136;
-  // joint 4 "joint05": placement, velocity and reference acceleration of its link
-  const Real x173 = x116 * cosine[4] + x117 * sine[4];
-  const Real x177 = x117 * cosine[4] - x116 * sine[4];
-  const Real x178 = x112 + v[4];
-  const Real x187 = x129 * cosine[4] + x63 * sine[4] + v[4] * x177;
-  const Real x190 = x63 * cosine[4] - x129 * sine[4] - v[4] * x173;
-  // joint 3 "joint04": placement, velocity and reference acceleration of its link
-  const Real x141 = cosine[3] * x135 + sine[3] * x138;
-  // joint 4 "joint05": placement, velocity and reference acceleration of its link
-  const Real x194 = 0.4 * (x112 * x112 + x117 * x117);
-  const Real x196 = cosine[3] * x138 - sine[3] * x135 + x194;
-  // joint 3 "joint04": placement, velocity and reference acceleration of its link
-  const Real x132 = x80 - 0.4 * (x66 + x52 * x57);
-  // joint 4 "joint05": placement, velocity and reference acceleration of its link
-  const Real x199 = x132 - 0.4 * (x126 + x116 * x117);
-  // joint 5 "joint06": placement, velocity and reference acceleration of its link
-  const Real x234 = x177 * cosine[5] + x178 * sine[5];
-  const Real x238 = x178 * cosine[5] - x177 * sine[5];
-  const Real x239 = x173 + v[5];
-  const Real x248 = x190 * cosine[5] + x126 * sine[5] + v[5] * x238;
-  const Real x251 = x126 * cosine[5] - x190 * sine[5] - v[5] * x234;
-  const Real x252 = 0.4 * (x177 * x177 + x178 * x178);
-  // joint 4 "joint05": placement, velocity and reference acceleration of its link
-  const Real x206 = cosine[4] * x199 - sine[4] * x196;
-  // joint 5 "joint06": placement, velocity and reference acceleration of its link
-  const Real x257 = x206 - 0.4 * (x126 + x173 * x177);
-  // joint 4 "joint05": placement, velocity and reference acceleration of its link
-  const Real x193 = x141 - 0.4 * (x112 * x116 - x63);
-  // joint 5 "joint06": placement, velocity and reference acceleration of its link
-  const Real x260 = x193 - 0.4 * (x173 * x178 - x190);
-  // joint 6 "joint07": placement, velocity and reference acceleration of its link
-  const Real x295 = x238 * cosine[6] + x239 * sine[6];
-  const Real x299 = x239 * cosine[6] - x238 * sine[6];
-  const Real x300 = x234 + v[6];
-  const Real x309 = x251 * cosine[6] + x187 * sine[6] + v[6] * x299;
-  const Real x312 = x187 * cosine[6] - x251 * sine[6] - v[6] * x295;
-  // joint 5 "joint06": placement, velocity and reference acceleration of its link
-  const Real x263 = cosine[5] * x257 + sine[5] * x260;
-  const Real x267 = cosine[5] * x260 - sine[5] * x257;
-  // joint 6 "joint07": placement, velocity and reference acceleration of its link
-  const Real x318 = x267 - 0.4 * (x238 * x239 - x248);
-  // joint 5 "joint06": placement, velocity and reference acceleration of its link
-  const Real x254 = cosine[4] * x196 + sine[4] * x199 + x252;
-  // joint 6 "joint07": placement, velocity and reference acceleration of its link
-  const Real x321 = x254 + 0.4 * (x234 * x234 + x238 * x238);
-  // joint 7 "joint08": placement, velocity and reference acceleration of its link
-  const Real x356 = x299 * cosine[7] + x300 * sine[7];
-  const Real x360 = x300 * cosine[7] - x299 * sine[7];
-  const Real x361 = x295 + v[7];
-  const Real x370 = x312 * cosine[7] + x248 * sine[7] + v[7] * x360;
-  const Real x373 = x248 * cosine[7] - x312 * sine[7] - v[7] * x356;
-  // joint 6 "joint07": placement, velocity and reference acceleration of its link
-  const Real x324 = cosine[6] * x318 + sine[6] * x321;
-  // joint 7 "joint08": placement, velocity and reference acceleration of its link
-  const Real x377 = 0.4 * (x295 * x295 + x300 * x300);
-  const Real x379 = cosine[6] * x321 - sine[6] * x318 + x377;
-  // joint 6 "joint07": placement, velocity and reference acceleration of its link
-  const Real x315 = x263 - 0.4 * (x251 + x234 * x239);
-  // joint 7 "joint08": placement, velocity and reference acceleration of its link
-  const Real x382 = x315 - 0.4 * (x309 + x299 * x300);
-  // joint 8 "joint09": placement, velocity and reference acceleration of its link
-  const Real x417 = x360 * cosine[8] + x361 * sine[8];
-  const Real x421 = x361 * cosine[8] - x360 * sine[8];
-  const Real x422 = x356 + v[8];
-  const Real x431 = x373 * cosine[8] + x309 * sine[8] + v[8] * x421;
-  const Real x434 = x309 * cosine[8] - x373 * sine[8] - v[8] * x417;
-  const Real x435 = 0.4 * (x360 * x360 + x361 * x361);
-  // joint 7 "joint08": placement, velocity and reference acceleration of its link
-  const Real x389 = cosine[7] * x382 - sine[7] * x379;
-  // joint 8 "joint09": placement, velocity and reference acceleration of its link
-  const Real x440 = x389 - 0.4 * (x309 + x356 * x360);
-  // joint 7 "joint08": placement, velocity and reference acceleration of its link
-  const Real x376 = x324 - 0.4 * (x295 * x299 - x248);
-  // joint 8 "joint09": placement, velocity and reference acceleration of its link
-  const Real x443 = x376 - 0.4 * (x356 * x361 - x373);
-  // joint 9 "joint10": placement, velocity and reference acceleration of its link
-  const Real x478 = x421 * cosine[9] + x422 * sine[9];
-  const Real x482 = x422 * cosine[9] - x421 * sine[9];
-  const Real x483 = x417 + v[9];
-  const Real x492 = x434 * cosine[9] + x370 * sine[9] + v[9] * x482;
-  const Real x495 = x370 * cosine[9] - x434 * sine[9] - v[9] * x478;
-  // joint 8 "joint09": placement, velocity and reference acceleration of its link
-  const Real x446 = cosine[8] * x440 + sine[8] * x443;
-  const Real x450 = cosine[8] * x443 - sine[8] * x440;
-  // joint 9 "joint10": placement, velocity and reference acceleration of its link
-  const Real x501 = x450 - 0.4 * (x421 * x422 - x431);
-  // joint 8 "joint09": placement, velocity and reference acceleration of its link
-  const Real x437 = cosine[7] * x379 + sine[7] * x382 + x435;
-  // joint 9 "joint10": placement, velocity and reference acceleration of its link
-  const Real x504 = x437 + 0.4 * (x417 * x417 + x421 * x421);
-  // joint 10 "joint11": placement, velocity and reference acceleration of its link
-  const Real x539 = x482 * cosine[10] + x483 * sine[10];
-  const Real x543 = x483 * cosine[10] - x482 * sine[10];
-  const Real x544 = x478 + v[10];
-  const Real x553 = x495 * cosine[10] + x431 * sine[10] + v[10] * x543;
-  const Real x556 = x431 * cosine[10] - x495 * sine[10] - v[10] * x539;
-  // joint 9 "joint10": placement, velocity and reference acceleration of its link
-  const Real x507 = cosine[9] * x501 + sine[9] * x504;
-  // joint 10 "joint11": placement, velocity and reference acceleration of its link
-  const Real x560 = 0.4 * (x478 * x478 + x483 * x483);
-  const Real x562 = cosine[9] * x504 - sine[9] * x501 + x560;
-  // joint 9 "joint10": placement, velocity and reference acceleration of its link
-  const Real x498 = x446 - 0.4 * (x434 + x417 * x422);
-  // joint 10 "joint11": placement, velocity and reference acceleration of its link
-  const Real x565 = x498 - 0.4 * (x492 + x482 * x483);
-  // joint 11 "joint12": placement, velocity and reference acceleration of its link
-  const Real x600 = x543 * cosine[11] + x544 * sine[11];
-  const Real x604 = x544 * cosine[11] - x543 * sine[11];
-  const Real x605 = x539 + v[11];
-  const Real x614 = x556 * cosine[11] + x492 * sine[11] + v[11] * x604;
-  const Real x617 = x492 * cosine[11] - x556 * sine[11] - v[11] * x600;
-  const Real x618 = 0.4 * (x543 * x543 + x544 * x544);
-  const Real x620 = cosine[10] * x562 + sine[10] * x565 + x618;
-  // joint 10 "joint11": placement, velocity and reference acceleration of its link
-  const Real x572 = cosine[10] * x565 - sine[10] * x562;
-  // joint 11 "joint12": placement, velocity and reference acceleration of its link
-  const Real x623 = x572 - 0.4 * (x492 + x539 * x543);
-  // joint 10 "joint11": placement, velocity and reference acceleration of its link
-  const Real x559 = x507 - 0.4 * (x478 * x482 - x431);
-  // joint 11 "joint12": placement, velocity and reference acceleration of its link
-  const Real x626 = x559 - 0.4 * (x539 * x544 - x556);
-  const Real x629 = cosine[11] * x623 + sine[11] * x626;
-  const Real x633 = cosine[11] * x626 - sine[11] * x623;
-  const Real x646 = x604 * x605;
-  const Real x647 = x646 - x614;
-  const Real x649 = x600 * x600 + x604 * x604;
-  const Real x651 = x600 * x605;
-  const Real x653 = x617 + x651;
-  // link 12 "rod12": force that the reference field takes
-  const Real x904 = x614 * 0.0534333;
-  // joint 12 "joint13": placement, velocity and reference acceleration of its link
-  const Real x661 = x604 * cosine[12] + x605 * sine[12];
-  const Real x665 = x605 * cosine[12] - x604 * sine[12];
-  const Real x666 = x600 + v[12];
-  const Real x675 = x617 * cosine[12] + x553 * sine[12] + v[12] * x665;
-  const Real x678 = x553 * cosine[12] - x617 * sine[12] - v[12] * x661;
-  const Real x681 = x629 - 0.4 * x653;
-  const Real x684 = x633 - 0.4 * x647;
-  const Real x687 = x620 + 0.4 * x649;
-  const Real x690 = cosine[12] * x684 + sine[12] * x687;
-  const Real x694 = cosine[12] * x687 - sine[12] * x684;
-  const Real x702 = x661 * x665;
-  const Real x703 = x702 - x614;
-  const Real x705 = x661 * x661 + x666 * x666;
-  const Real x707 = x665 * x666;
-  const Real x709 = x675 + x707;
-  // link 13 "rod13": force that the reference field takes
-  const Real x932 = x675 * 0.0534333;
-  // joint 13 "joint14": placement, velocity and reference acceleration of its link
-  const Real x722 = x665 * cosine[13] + x666 * sine[13];
-  const Real x726 = x666 * cosine[13] - x665 * sine[13];
-  const Real x727 = x661 + v[13];
-  const Real x736 = x678 * cosine[13] + x614 * sine[13] + v[13] * x726;
-  const Real x739 = x614 * cosine[13] - x678 * sine[13] - v[13] * x722;
-  const Real x742 = x690 - 0.4 * x703;
-  const Real x745 = x694 + 0.4 * x705;
-  const Real x748 = x681 - 0.4 * x709;
-  const Real x751 = cosine[13] * x745 + sine[13] * x748;
-  const Real x755 = cosine[13] * x748 - sine[13] * x745;
-  const Real x761 = x726 * x726 + x727 * x727;
-  const Real x763 = x722 * x726;
-  const Real x765 = x675 + x763;
-  const Real x773 = x722 * x727;
-  const Real x774 = x773 - x739;
-  // link 14 "rod14": force that the reference field takes
-  const Real x957 = x736 * 0.0002;
-  // joint 14 "joint15": placement, velocity and reference acceleration of its link
-  const Real x783 = x726 * cosine[14] + x727 * sine[14];
-  const Real x787 = x727 * cosine[14] - x726 * sine[14];
-  const Real x788 = x722 + v[14];
-  const Real x797 = x739 * cosine[14] + x675 * sine[14] + v[14] * x787;
-  const Real x800 = x675 * cosine[14] - x739 * sine[14] - v[14] * x783;
-  const Real x803 = x751 + 0.4 * x761;
-  const Real x806 = x755 - 0.4 * x765;
-  const Real x809 = x742 - 0.4 * x774;
-  const Real x812 = cosine[14] * x806 + sine[14] * x809;
-  const Real x816 = cosine[14] * x809 - sine[14] * x806;
-  const Real x829 = x787 * x788;
-  const Real x830 = x829 - x797;
-  const Real x832 = x783 * x783 + x787 * x787;
-  const Real x834 = x783 * x788;
-  const Real x836 = x800 + x834;
-  // link 15 "rod15": force that the reference field takes
-  const Real x982 = x797 * 0.0534333;
-  // joint 15 "joint16": placement, velocity and reference acceleration of its link
-  const Real x844 = x787 * cosine[15] + x788 * sine[15];
-  const Real x848 = x788 * cosine[15] - x787 * sine[15];
-  const Real x849 = x783 + v[15];
-  const Real x858 = x800 * cosine[15] + x736 * sine[15] + v[15] * x848;
-  const Real x864 = x812 - 0.4 * x836;
-  const Real x867 = x816 - 0.4 * x830;
-  const Real x870 = x803 + 0.4 * x832;
-  const Real x873 = cosine[15] * x867 + sine[15] * x870;
-  const Real x885 = x844 * x848;
-  const Real x890 = x848 * x849;
-  const Real x861 = x736 * cosine[15] - x800 * sine[15] - v[15] * x844;
-  // link 16 "rod16": force that the reference field takes
-  const Real x1011 = x861 * 0.0002;
-  const Real x1019 = x858 * 0.0534333 + x890 * 0.053233300000000004 - x864 * 0.2;
-  const Real x1026 = (x844 * x844 + x849 * x849) * 0.2;
-  const Real x1028 = cosine[15] * x870 - sine[15] * x867 + x1026;
-  const Real x1031 = x864 - (x858 + x890) * 0.2;
-  // joint 15 "joint16": articulated-body inertia and bias force through it
-  const Real x1034 = tau[15] - (x982 - x885 * 0.053233300000000004 + x873 * 0.2);
-  const Real x1035 = 18.714921219539125 * x1034;
-  w.x[0] = x1035;
-  const Real x1041 = x873 - (x885 - x797) * 0.2 + 0.2 * x1035;
-  const Real x1042 = cosine[15] * 0.2;
-  const Real x1044 = sine[15] * 0.2;
-  const Real x1048 = cosine[15] * 0.053233300000000004;
-  const Real x1051 = cosine[15] * x1048;
-  const Real x1054 = cosine[15] * 0.7485968487815651;
-  const Real x1056 = sine[15] * x1054;
-  const Real x1058 = cosine[15] * x1054;
-  const Real x1060 = 1.0 - x1058;
-  const Real x1062 = -0.4 - x1042;
-  const Real x1063 = 0.4 * x1060;
-  const Real x1065 = 0.4 * x1056;
-  const Real x1077 = sine[15] * x1048 + 0.4 * x1044;
-  const Real x1088 = cosine[15] * x1041 - sine[15] * x1028;
-  const Real x1098 = 0.0534333 + 0.4 * x1063;
-  const Real x1099 = 0.2 + x1063;
-  const Real x1074 = 0.0002 + x1051 + 0.4 * x1042 - 0.4 * x1062;
-  const Real x1102 = 0.0534333 - x1051 + 0.0002;
-  require_more(w, x1102, 0.0, kFactorization, 14);
-  const Real x1103 = 1.0 + x1060;
-  // link 15 "rod15": force that the reference field takes
-  const Real x994 = x982 - x829 * 0.053233300000000004 + x816 * 0.2;
-  // joint 15 "joint16": articulated-body inertia and bias force through it
-  const Real x1105 = tau[15] + 0.4 * x1088 + x994;
-  // link 15 "rod15": force that the reference field takes
-  const Real x997 = x800 * 0.0534333 + x834 * 0.053233300000000004 - x812 * 0.2;
-  // joint 15 "joint16": articulated-body inertia and bias force through it
-  const Real x1097 = cosine[15] * x1019 - sine[15] * x1011 - 0.4 * x1031;
-  const Real x1109 = x816 - x830 * 0.2 + x1088;
-  const Real x1091 = sine[15] * x1041 + cosine[15] * x1028;
-  // joint 14 "joint15": articulated-body inertia and bias force through it
-  const Real x1112 = 1 / x1102;
-  const Real x1113 = tau[14] - (sine[15] * x1019 + cosine[15] * x1011 + x957);
-  const Real x1114 = x1112 * x1113;
-  w.x[1] = x1114;
-  const Real x1115 = x1077 * x1112;
-  w.x[2] = x1115;
-  const Real x1116 = x1044 * x1112;
-  w.x[3] = x1116;
-  const Real x1120 = 0.0534333 + x1074 - x1077 * x1115;
-  const Real x1123 = -0.2 + x1062 + x1077 * x1116;
-  const Real x1126 = 2.0 - x1044 * x1116;
-  const Real x1128 = x997 + x1097 + x1077 * x1114;
-  const Real x1131 = x812 - x836 * 0.2 + x1031 - x1044 * x1114;
-  const Real x1137 = sine[14] * (x1099 + x1123);
-  const Real x1139 = sine[14] * x1137;
-  const Real x1141 = x1099 - x1139;
-  const Real x1142 = x1123 - x1139;
-  const Real x1143 = cosine[14] * x1137;
-  const Real x1146 = cosine[14] * (x1098 - x1120);
-  const Real x1151 = cosine[14] * x1146;
-  const Real x1154 = sine[14] * x1056;
-  const Real x1156 = cosine[14] * x1056;
-  const Real x1159 = cosine[14] * (x1126 - x1103);
-  const Real x1160 = sine[14] * x1159;
-  const Real x1162 = cosine[14] * x1159;
-  const Real x1163 = x1103 + x1162;
-  const Real x1164 = x1126 - x1162;
-  const Real x1171 = sine[14] * x1065 + 0.4 * x1154;
-  const Real x1175 = 0.4 * x1160 - x1143;
-  const Real x1178 = x1142 - 0.4 * x1163;
-  const Real x1181 = x1141 + 0.4 * x1164;
-  const Real x1194 = sine[14] * x1146 + 0.4 * x1143 - 0.4 * x1175;
-  const Real x1211 = cosine[14] * x1131 - sine[14] * x1109;
-  const Real x1214 = sine[14] * x1131 + cosine[14] * x1109;
-  const Real x1188 = x1120 + x1151 + 0.4 * x1141 + 0.4 * x1181;
-  const Real x1200 = x1098 - x1151 - 0.4 * x1142 - 0.4 * x1178;
-  const Real x1223 = 0.0534333 + x1200;
-  require_more(w, x1223, 0.0, kFactorization, 13);
-  const Real x1224 = -0.2 + x1178;
-  const Real x1228 = x957 + tau[14];
-  // link 14 "rod14": force that the reference field takes
-  const Real x969 = x739 * 0.0534333 - x773 * 0.053233300000000004 + x742 * 0.2;
-  // joint 14 "joint15": articulated-body inertia and bias force through it
-  const Real x1217 = cosine[14] * x1105 - sine[14] * x1128 + 0.4 * x1214;
-  const Real x1220 = sine[14] * x1105 + cosine[14] * x1128 - 0.4 * x1211;
-  // joint 15 "joint16": articulated-body inertia and bias force through it
-  const Real x1110 = x803 + x832 * 0.2 + x1091;
-  // joint 13 "joint14": articulated-body inertia and bias force through it
-  const Real x1235 = 1 / x1223;
-  // joint 14 "joint15": articulated-body inertia and bias force through it
-  const Real x1230 = x932 + x763 * 0.053233300000000004 - x755 * 0.2 + x1220;
-  // joint 13 "joint14": articulated-body inertia and bias force through it
-  const Real x1237 = x1235 * (tau[13] - x1230);
-  w.x[4] = x1237;
-  const Real x1238 = x1194 * x1235;
-  w.x[5] = x1238;
-  const Real x1239 = x1171 * x1235;
-  w.x[6] = x1239;
-  const Real x1241 = x1224 * x1235;
-  w.x[7] = x1241;
-  const Real x1242 = x1175 * x1235;
-  w.x[8] = x1242;
-  const Real x1246 = 0.0534333 + x1188 - x1194 * x1238;
-  const Real x1249 = x1194 * x1239 - (cosine[14] * x1065 + 0.4 * x1156);
-  const Real x1252 = x1175 - x1194 * x1241;
-  const Real x1255 = 0.2 + x1181 + x1194 * x1242;
-  const Real x1258 = 0.25140315121843493 + x1058 + 1.0 + 1.0 - x1171 * x1239;
-  const Real x1261 = x1154 + x1171 * x1241;
-  const Real x1264 = x1156 + x1171 * x1242;
-  const Real x1268 = 1.0 + x1163 - x1224 * x1241;
-  const Real x1271 = x1160 + x1224 * x1242;
-  const Real x1274 = 1.0 + x1164 - x1175 * x1242;
-  const Real x1276 = x969 + x1217 + x1194 * x1237;
-  const Real x1279 = x751 + x761 * 0.2 + x1110 - x1171 * x1237;
-  const Real x1281 = x755 - x765 * 0.2 + x1211 + x1224 * x1237;
-  const Real x1284 = x742 - x774 * 0.2 + x1214 - x1175 * x1237;
-  const Real x1285 = sine[13] * x1255;
-  const Real x1287 = cosine[13] * x1255;
-  const Real x1293 = cosine[13] * x1252 + sine[13] * x1249;
-  const Real x1295 = sine[13] * x1293;
-  const Real x1298 = cosine[13] * x1293;
-  const Real x1302 = cosine[13] * (0.0002 - x1246);
-  const Real x1307 = cosine[13] * x1302;
-  const Real x1314 = cosine[13] * x1264 + sine[13] * x1271;
-  const Real x1319 = cosine[13] * x1271 - sine[13] * x1264;
-  const Real x1324 = cosine[13] * (x1258 - x1268) - x1261 * (2.0 * sine[13]);
-  const Real x1327 = x1261 + sine[13] * x1324;
-  const Real x1328 = cosine[13] * x1324;
-  const Real x1330 = x1258 - x1328;
-  const Real x1331 = 0.4 * x1319;
-  const Real x1335 = x1287 + 0.4 * x1274;
-  const Real x1340 = x1249 - x1295 - 0.4 * x1314;
-  const Real x1341 = 0.4 * x1330;
-  const Real x1343 = x1298 + x1331;
-  const Real x1352 = 0.4 * x1298 + 0.4 * x1331;
-  const Real x1356 = sine[13] * x1302 - 0.4 * x1285;
-  const Real x1376 = sine[13] * x1279 + cosine[13] * x1281;
-  const Real x1362 = 0.0002 - x1307 + (0.4 * x1287 + 0.4 * x1335);
-  const Real x1386 = 0.0534333 + x1362;
-  require_more(w, x1386, 0.0, kFactorization, 12);
-  const Real x1387 = 0.2 + x1335;
-  // link 13 "rod13": force that the reference field takes
-  const Real x944 = x932 + x707 * 0.053233300000000004 - x681 * 0.2;
-  // joint 13 "joint14": articulated-body inertia and bias force through it
-  const Real x1382 = sine[13] * x1228 + cosine[13] * x1276 + 0.4 * x1284;
-  const Real x1373 = cosine[13] * x1279 - sine[13] * x1281;
-  // joint 12 "joint13": articulated-body inertia and bias force through it
-  const Real x1398 = 1 / x1386;
-  // joint 13 "joint14": articulated-body inertia and bias force through it
-  const Real x1393 = x904 - x702 * 0.053233300000000004 + x690 * 0.2 + x1382;
-  // joint 12 "joint13": articulated-body inertia and bias force through it
-  const Real x1400 = x1398 * (tau[12] - x1393);
-  w.x[9] = x1400;
-  const Real x1401 = x1352 * x1398;
-  w.x[10] = x1401;
-  const Real x1403 = x1356 * x1398;
-  w.x[11] = x1403;
-  const Real x1404 = x1387 * x1398;
-  w.x[12] = x1404;
-  const Real x1405 = x1340 * x1398;
-  w.x[13] = x1405;
-  const Real x1406 = x1343 * x1398;
-  w.x[14] = x1406;
-  const Real x1409 = 0.0534333 + 0.4 * x1341 - x1352 * x1401;
-  const Real x1412 = 0.4 * x1295 + x1352 * x1403;
-  const Real x1415 = x1352 * x1404 - x1331;
-  const Real x1418 = x1352 * x1405 - 0.4 * x1327;
-  const Real x1421 = -0.2 - x1341 + x1352 * x1406;
-  const Real x1424 = x1246 + x1307 + 0.0002 - x1356 * x1403;
-  const Real x1427 = x1285 + x1356 * x1404;
-  const Real x1431 = x1252 - x1298 - x1356 * x1405;
-  const Real x1434 = x1295 + x1356 * x1406;
-  const Real x1438 = 1.0 + x1274 - x1387 * x1404;
-  const Real x1441 = x1314 + x1387 * x1405;
-  const Real x1445 = x1319 - x1387 * x1406;
-  const Real x1448 = x1268 + x1328 + 1.0 - x1340 * x1405;
-  const Real x1451 = x1327 - x1340 * x1406;
-  const Real x1454 = 1.0 + x1330 - x1343 * x1406;
-  const Real x1457 = tau[13] - 0.4 * x1376 + x944 - x1352 * x1400;
-  // joint 13 "joint14": articulated-body inertia and bias force through it
-  const Real x1392 = cosine[13] * x1228 - sine[13] * x1276 + x678 * 0.0002;
-  // joint 12 "joint13": articulated-body inertia and bias force through it
-  const Real x1459 = x1392 + x1356 * x1400;
-  const Real x1461 = x690 - x703 * 0.2 + x1284 + x1387 * x1400;
-  const Real x1463 = x694 + x705 * 0.2 + x1373 + x1340 * x1400;
-  const Real x1465 = x681 - x709 * 0.2 + x1376 + x1343 * x1400;
-  const Real x1469 = cosine[12] * x1421 + sine[12] * x1434;
-  const Real x1473 = sine[12] * x1421 - cosine[12] * x1434;
-  w.x[15] = x1473;
-  const Real x1479 = cosine[12] * (x1415 - x1431) - sine[12] * (x1418 - x1427);
-  const Real x1480 = sine[12] * x1479;
-  const Real x1483 = x1480 - x1427;
-  w.x[16] = x1483;
-  const Real x1484 = cosine[12] * x1479;
-  const Real x1485 = x1431 + x1484;
-  const Real x1486 = x1415 - x1484;
-  w.x[17] = x1486;
-  const Real x1489 = 2.0 * sine[12];
-  const Real x1493 = cosine[12] * (x1409 - x1424) - x1412 * x1489;
-  const Real x1497 = cosine[12] * x1493;
-  const Real x1503 = cosine[12] * x1445 - sine[12] * x1451;
-  w.x[18] = x1503;
-  const Real x1506 = sine[12] * x1445 + cosine[12] * x1451;
-  w.x[19] = x1506;
-  const Real x1511 = cosine[12] * (x1438 - x1448) + x1441 * x1489;
-  const Real x1514 = sine[12] * x1511 - x1441;
-  w.x[20] = x1514;
-  const Real x1515 = cosine[12] * x1511;
-  const Real x1516 = x1448 + x1515;
-  const Real x1518 = 0.4 * x1503;
-  w.x[21] = x1518;
-  const Real x1522 = x1469 - 0.4 * x1454;
-  const Real x1523 = 0.4 * x1516;
-  const Real x1525 = x1485 - x1518;
-  w.x[22] = x1525;
-  const Real x1526 = 0.4 * x1514;
-  w.x[23] = x1526;
-  const Real x1530 = x1418 + x1480 - 0.4 * x1506;
-  w.x[24] = x1530;
-  const Real x1537 = 0.4 * x1485 - 0.4 * x1518;
-  w.x[25] = x1537;
-  const Real x1538 = 0.4 * x1483;
-  w.x[26] = x1538;
-  const Real x1549 = x1412 + sine[12] * x1493 - 0.4 * x1473;
-  w.x[27] = x1549;
-  const Real x1560 = cosine[12] * x1461 - sine[12] * x1463;
-  const Real x1570 = 0.0534333 + 0.4 * x1523;
-  require_more(w, x1570, 0.0, kFactorization, 11);
-  const Real x1571 = 0.2 + x1523;
-  w.x[28] = x1571;
-  const Real x1546 = x1424 + x1497 - (0.4 * x1469 + 0.4 * x1522);
-  const Real x1572 = 0.0534333 + x1546;
-  w.x[29] = x1572;
-  const Real x1573 = -0.2 + x1522;
-  w.x[30] = x1573;
-  const Real x1574 = x1409 - x1497 + 0.0002;
-  w.x[31] = x1574;
-  const Real x1575 = 1.0 + x1454;
-  w.x[32] = x1575;
-  const Real x1576 = 1.0 + x1516;
-  w.x[33] = x1576;
-  const Real x1577 = x1438 - x1515 + 1.0;
-  w.x[34] = x1577;
-  // link 12 "rod12": force that the reference field takes
-  const Real x919 = x904 - x646 * 0.053233300000000004 + x633 * 0.2;
-  // joint 12 "joint13": articulated-body inertia and bias force through it
-  const Real x1578 = tau[12] + 0.4 * x1560 + x919;
-  w.x[35] = x1578;
-  // link 12 "rod12": force that the reference field takes
-  const Real x922 = x617 * 0.0534333 + x651 * 0.053233300000000004 - x629 * 0.2;
-  // joint 12 "joint13": articulated-body inertia and bias force through it
-  const Real x1569 = cosine[12] * x1457 - sine[12] * x1459 - 0.4 * x1465;
-  const Real x1579 = x922 + x1569;
-  w.x[36] = x1579;
-  const Real x1580 = sine[12] * x1457 + cosine[12] * x1459 + x553 * 0.0002;
-  w.x[37] = x1580;
-  const Real x1581 = x629 - x653 * 0.2 + x1465;
-  w.x[38] = x1581;
-  const Real x1582 = x633 - x647 * 0.2 + x1560;
-  w.x[39] = x1582;
-  const Real x1563 = sine[12] * x1461 + cosine[12] * x1463;
-  const Real x1583 = x620 + x649 * 0.2 + x1563;
-  w.x[40] = x1583;
-  // link 12 "rod12": mobility from its articulated-body inertia
-  const Real x1584 = 1 / x1570;
-  w.x[41] = x1584;
-  const Real x1585 = x1537 * x1584;
-  w.x[42] = x1585;
-  const Real x1586 = x1538 * x1584;
-  w.x[43] = x1586;
-  const Real x1587 = x1518 * x1584;
-  w.x[44] = x1587;
-  const Real x1588 = x1571 * x1584;
-  w.x[45] = x1588;
-  const Real x1589 = x1526 * x1584;
-  w.x[46] = x1589;
+// One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
+// with later is kept.
+template <bool kept, class T>
+ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
+                                Frame<T>& at) {
+  const JointConstants& joint = joints.any();
+  const auto moved = [&](const Value* x, int JointConstants::* place) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
+  };
+  const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
+  const Vector<T> axis{R.x.z, R.y.z, R.z.z};
+  Vector<T> r = at.R * origin_of(joints);
+  const Vector<T> omega = at.omega;
+  const auto turn_with = [&](const Vector<T>& relative) {
+    at.omega += relative;
+    return cross(omega, relative);
+  };
+  const auto ride_along = [&] {
+    at.a += cross(omega, cross(omega, r));
+    at.a += cross(at.alpha, r);
+  };
+  const auto slide_and_spin = [&](const Vector<T>& q, const Vector<T>& slide,
+                                  const Vector<T>& spin) {
+    const Matrix<Real> P = placement(joint);
+    r += at.R * Vector<T>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
+    ride_along();
+    at.a += cross(omega + omega + spin, slide);
+    at.alpha += turn_with(spin);
+  };
+  switch (kind) {
+    case JointKind::kRevolute:
+      ride_along();
+      at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
+      break;
+    case JointKind::kPrismatic: {
+      r += axis * moved(w.q, &JointConstants::q);
+      ride_along();
+      const T v = moved(w.v, &JointConstants::v);
+      at.a += cross(omega, axis * (v + v));
+      break;
+    }
+    case JointKind::kSpherical:
+      ride_along();
+      if constexpr (kAnySpherical)
+        at.alpha += turn_with(R * each_vector(joints, w.v, &JointConstants::v));
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        const Vector<T> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
+        slide_and_spin(Vector<T>{q[0], q[1], T{}}, x * v[0] + y * v[1], axis * v[2]);
+      }
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        slide_and_spin(Vector<T>{q[0], q[1], q[2]}, R * Vector<T>{v[0], v[1], v[2]},
+                       R * Vector<T>{v[3], v[4], v[5]});
+      }
+      break;
+  }
+  at.R = R;
+  if constexpr (!kept) return;
+  w.memory(joints).r = r;
+  if constexpr (kWithAxis<T>) w.memory(joints).axis = axis;
+  keep(w, joints.slot, at);
 }
 
-ADAGEN_NOINLINE void part_2_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x1473 = w.x[15];
-  const Real x1483 = w.x[16];
-  const Real x1486 = w.x[17];
-  const Real x1503 = w.x[18];
-  const Real x1506 = w.x[19];
-  const Real x1514 = w.x[20];
-  const Real x1518 = w.x[21];
-  const Real x1525 = w.x[22];
-  const Real x1526 = w.x[23];
-  const Real x1530 = w.x[24];
-  const Real x1537 = w.x[25];
-  const Real x1538 = w.x[26];
-  const Real x1549 = w.x[27];
-  const Real x1571 = w.x[28];
-  const Real x1572 = w.x[29];
-  const Real x1573 = w.x[30];
-  const Real x1574 = w.x[31];
-  const Real x1575 = w.x[32];
-  const Real x1576 = w.x[33];
-  const Real x1577 = w.x[34];
-  const Real x1578 = w.x[35];
-  const Real x1579 = w.x[36];
-  const Real x1580 = w.x[37];
-  const Real x1581 = w.x[38];
-  const Real x1582 = w.x[39];
-  const Real x1583 = w.x[40];
-  const Real x1584 = w.x[41];
-  const Real x1585 = w.x[42];
-  const Real x1586 = w.x[43];
-  const Real x1587 = w.x[44];
-  const Real x1588 = w.x[45];
-  const Real x1589 = w.x[46];
-  // link 12 "rod12": mobility from its articulated-body inertia
-  const Real x1592 = x1572 - x1537 * x1585;
-  w.x[47] = x1592;
-  const Real x1595 = x1549 - x1538 * x1585;
-  const Real x1598 = x1573 - x1518 * x1585;
-  const Real x1601 = x1525 - x1571 * x1585;
-  const Real x1604 = x1530 - x1526 * x1585;
-  const Real x1605 = 1 / x1592;
-  const Real x1606 = x1595 * x1605;
-  const Real x1607 = x1598 * x1605;
-  const Real x1608 = x1601 * x1605;
-  const Real x1609 = x1604 * x1605;
-  const Real x1615 = x1574 - x1538 * x1586 - x1595 * x1606;
-  w.x[48] = x1615;
-  const Real x1621 = x1473 - x1518 * x1586 - x1598 * x1606;
-  const Real x1627 = x1483 - x1571 * x1586 - x1601 * x1606;
-  const Real x1633 = x1486 - x1526 * x1586 - x1604 * x1606;
-  const Real x1634 = 1 / x1615;
-  const Real x1635 = x1621 * x1634;
-  const Real x1636 = x1627 * x1634;
-  const Real x1637 = x1633 * x1634;
-  const Real x1645 = x1575 - x1518 * x1587 - x1598 * x1607;
-  const Real x1646 = x1645 - x1621 * x1635;
-  w.x[49] = x1646;
-  const Real x1654 = x1503 - x1571 * x1587 - x1601 * x1607;
-  const Real x1655 = x1654 - x1627 * x1635;
-  const Real x1663 = x1506 - x1526 * x1587 - x1604 * x1607;
-  const Real x1664 = x1663 - x1633 * x1635;
-  const Real x1665 = 1 / x1646;
-  const Real x1666 = x1655 * x1665;
-  const Real x1667 = x1664 * x1665;
-  const Real x1677 = x1576 - x1571 * x1588 - x1601 * x1608;
-  const Real x1679 = x1677 - x1627 * x1636 - x1655 * x1666;
-  w.x[50] = x1679;
-  const Real x1689 = x1514 - x1526 * x1588 - x1604 * x1608;
-  const Real x1691 = x1689 - x1633 * x1636 - x1664 * x1666;
-  const Real x1692 = 1 / x1679;
-  const Real x1693 = x1691 * x1692;
-  const Real x1705 = x1577 - x1526 * x1589 - x1604 * x1609;
-  const Real x1707 = x1705 - x1633 * x1637 - x1664 * x1667;
-  const Real x1708 = x1707 - x1691 * x1693;
-  w.x[51] = x1708;
-  const Real x1709 = 1 / x1708;
-  w.x[52] = x1709;
-  w.to[0][20] = x1709;
-  const Real x1720 = x1585 * x1606 - x1586;
-  const Real x1728 = x1585 * x1607 - x1587 - x1635 * x1720;
-  const Real x1732 = x1606 * x1635 - x1607;
-  const Real x1742 = x1585 * x1608 - x1588 - x1636 * x1720;
-  const Real x1743 = x1742 - x1666 * x1728;
-  const Real x1750 = x1606 * x1636 - x1608 - x1666 * x1732;
-  const Real x1754 = x1635 * x1666 - x1636;
-  const Real x1766 = x1585 * x1609 - x1589 - x1637 * x1720;
-  const Real x1768 = x1766 - x1667 * x1728 - x1693 * x1743;
-  const Real x1777 = x1606 * x1637 - x1609 - x1667 * x1732;
-  const Real x1778 = x1777 - x1693 * x1750;
-  const Real x1785 = x1635 * x1667 - x1637 - x1693 * x1754;
-  const Real x1789 = x1666 * x1693 - x1667;
-  const Real x1791 = x1585 * x1605;
-  const Real x1793 = x1634 * x1720;
-  const Real x1794 = x1606 * x1634;
-  const Real x1796 = x1665 * x1728;
-  const Real x1797 = x1665 * x1732;
-  const Real x1798 = x1635 * x1665;
-  const Real x1800 = x1692 * x1743;
-  const Real x1801 = x1692 * x1750;
-  const Real x1802 = x1692 * x1754;
-  const Real x1803 = x1666 * x1692;
-  const Real x1805 = x1709 * x1768;
-  w.x[53] = x1805;
-  w.to[0][5] = x1805;
-  const Real x1806 = x1709 * x1778;
-  w.x[54] = x1806;
-  w.to[0][10] = x1806;
-  const Real x1807 = x1709 * x1785;
-  w.x[55] = x1807;
-  w.to[0][14] = x1807;
-  const Real x1808 = x1709 * x1789;
-  w.x[56] = x1808;
-  w.to[0][17] = x1808;
-  const Real x1809 = x1693 * x1709;
-  w.x[57] = x1809;
-  const Real x1810 = -x1809;
-  w.to[0][19] = x1810;
-  const Real x1818 = x1584 + x1585 * x1791 + x1720 * x1793;
-  const Real x1820 = x1728 * x1796 + x1818 + x1743 * x1800;
-  const Real x1821 = x1768 * x1805 + x1820;
-  w.x[58] = x1821;
-  w.to[0][0] = x1821;
-  const Real x1829 = x1728 * x1797 - (x1791 + x1720 * x1794);
-  const Real x1831 = x1743 * x1801 + x1829 + x1768 * x1806;
-  w.x[59] = x1831;
-  w.to[0][1] = x1831;
-  const Real x1837 = x1793 - x1728 * x1798 + x1743 * x1802;
-  const Real x1838 = x1768 * x1807 + x1837;
-  w.x[60] = x1838;
-  w.to[0][2] = x1838;
-  const Real x1843 = x1796 - x1743 * x1803 + x1768 * x1808;
-  w.x[61] = x1843;
-  w.to[0][3] = x1843;
-  const Real x1846 = x1800 - x1768 * x1809;
-  w.x[62] = x1846;
-  w.to[0][4] = x1846;
-  const Real x1853 = x1605 + x1606 * x1794 + x1732 * x1797;
-  const Real x1855 = x1750 * x1801 + x1853 + x1778 * x1806;
-  w.x[63] = x1855;
-  w.to[0][6] = x1855;
-  const Real x1862 = x1750 * x1802 - (x1794 + x1732 * x1798);
-  const Real x1863 = x1778 * x1807 + x1862;
-  w.x[64] = x1863;
-  w.to[0][7] = x1863;
-  const Real x1868 = x1797 - x1750 * x1803 + x1778 * x1808;
-  w.x[65] = x1868;
-  w.to[0][8] = x1868;
-  const Real x1871 = x1801 - x1778 * x1809;
-  w.x[66] = x1871;
-  w.to[0][9] = x1871;
-  const Real x1877 = x1634 + x1635 * x1798 + x1754 * x1802;
-  const Real x1878 = x1785 * x1807 + x1877;
-  w.x[67] = x1878;
-  w.to[0][11] = x1878;
-  const Real x1884 = x1785 * x1808 - (x1798 + x1754 * x1803);
-  w.x[68] = x1884;
-  w.to[0][12] = x1884;
-  const Real x1887 = x1802 - x1785 * x1809;
-  w.x[69] = x1887;
-  w.to[0][13] = x1887;
-  const Real x1892 = x1665 + x1666 * x1803 + x1789 * x1808;
-  w.x[70] = x1892;
-  w.to[0][15] = x1892;
-  const Real x1895 = x1803 + x1789 * x1809;
-  w.x[71] = x1895;
-  const Real x1896 = -x1895;
-  w.to[0][16] = x1896;
-  const Real x1899 = x1692 + x1693 * x1809;
-  w.x[72] = x1899;
-  w.to[0][18] = x1899;
-  const Real x1907 = x1578 * x1821 + x1583 * x1805 + x1579 * x1831;
-  const Real x1909 = x1580 * x1838 + x1907 + x1581 * x1843;
-  const Real x1910 = x1582 * x1846 + x1909;
-  w.x[73] = x1910;
-  const Real x1918 = x1578 * x1831 + x1583 * x1806 + x1579 * x1855;
-  const Real x1920 = x1580 * x1863 + x1918 + x1581 * x1868;
-  const Real x1921 = x1582 * x1871 + x1920;
-  w.x[74] = x1921;
-  const Real x1929 = x1578 * x1838 + x1583 * x1807 + x1579 * x1863;
-  const Real x1931 = x1580 * x1878 + x1929 + x1581 * x1884;
-  const Real x1932 = x1582 * x1887 + x1931;
-  w.x[75] = x1932;
-  const Real x1941 = x1578 * x1843 + x1583 * x1808 + x1579 * x1868;
-  const Real x1943 = x1580 * x1884 + x1941 + x1581 * x1892;
-  const Real x1944 = x1943 - x1582 * x1895;
-  w.x[76] = x1944;
-  const Real x1954 = x1578 * x1846 - x1583 * x1809 + x1579 * x1871;
-  const Real x1956 = x1580 * x1887 + x1954 - x1581 * x1895;
-  const Real x1957 = x1582 * x1899 + x1956;
-  w.x[77] = x1957;
-  const Real x1966 = x1578 * x1805 + x1583 * x1709 + x1579 * x1806;
-  const Real x1968 = x1580 * x1807 + x1966 + x1581 * x1808;
-  const Real x1969 = x1968 - x1582 * x1809;
-  w.x[78] = x1969;
-  const Real x1970 = -x1910;
-  w.to[0][21] = x1970;
-  const Real x1971 = -x1921;
-  w.to[0][22] = x1971;
-  const Real x1972 = -x1932;
-  w.to[0][23] = x1972;
-  const Real x1973 = -x1944;
-  w.to[0][24] = x1973;
-  const Real x1974 = -x1957;
-  w.to[0][25] = x1974;
-  const Real x1975 = -x1969;
-  w.to[0][26] = x1975;
+// The frame of the link that a joint is on.
+template <int j>
+ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
+  constexpr int parent = kJoints[j].parent - 1;
+  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
 }
 
-ADAGEN_NOINLINE void part_2_2(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x1572 = w.x[29];
-  const Real x1574 = w.x[31];
-  const Real x1575 = w.x[32];
-  const Real x1576 = w.x[33];
-  const Real x1577 = w.x[34];
-  const Real x1592 = w.x[47];
-  const Real x1615 = w.x[48];
-  const Real x1646 = w.x[49];
-  const Real x1679 = w.x[50];
-  const Real x1708 = w.x[51];
-  // link 12 "rod12": mobility from its articulated-body inertia
-  const Real x1713 = x1575 * 1.7763568394002505e-15;
-  require_more(w, x1646, x1713, kFactorization, 11);
-  const Real x1712 = x1574 * 1.7763568394002505e-15;
-  require_more(w, x1615, x1712, kFactorization, 11);
-  const Real x1714 = x1576 * 1.7763568394002505e-15;
-  require_more(w, x1679, x1714, kFactorization, 11);
-  const Real x1715 = x1577 * 1.7763568394002505e-15;
-  require_more(w, x1708, x1715, kFactorization, 11);
-  const Real x1711 = x1572 * 1.7763568394002505e-15;
-  require_more(w, x1592, x1711, kFactorization, 11);
+// Joints first .. last, each on the link of the one before.
+template <int first, int last>
+void outward(Workspace& w) {
+  Frame<Value> at = frame_near<first>(w);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, single(first + k), kind, at); });
 }
 
-ADAGEN_NOINLINE void part_2_3(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x1035 = w.x[0];
-  const Real x1114 = w.x[1];
-  const Real x1115 = w.x[2];
-  const Real x1116 = w.x[3];
-  const Real x1237 = w.x[4];
-  const Real x1238 = w.x[5];
-  const Real x1239 = w.x[6];
-  const Real x1241 = w.x[7];
-  const Real x1242 = w.x[8];
-  const Real x1400 = w.x[9];
-  const Real x1401 = w.x[10];
-  const Real x1403 = w.x[11];
-  const Real x1404 = w.x[12];
-  const Real x1405 = w.x[13];
-  const Real x1406 = w.x[14];
-  const Real x1709 = w.x[52];
-  const Real x1805 = w.x[53];
-  const Real x1806 = w.x[54];
-  const Real x1807 = w.x[55];
-  const Real x1808 = w.x[56];
-  const Real x1809 = w.x[57];
-  const Real x1821 = w.x[58];
-  const Real x1831 = w.x[59];
-  const Real x1838 = w.x[60];
-  const Real x1843 = w.x[61];
-  const Real x1846 = w.x[62];
-  const Real x1855 = w.x[63];
-  const Real x1863 = w.x[64];
-  const Real x1868 = w.x[65];
-  const Real x1871 = w.x[66];
-  const Real x1878 = w.x[67];
-  const Real x1884 = w.x[68];
-  const Real x1887 = w.x[69];
-  const Real x1892 = w.x[70];
-  const Real x1895 = w.x[71];
-  const Real x1899 = w.x[72];
-  const Real x1910 = w.x[73];
-  const Real x1921 = w.x[74];
-  const Real x1932 = w.x[75];
-  const Real x1944 = w.x[76];
-  const Real x1957 = w.x[77];
-  const Real x1969 = w.x[78];
-  // message received
-  const Real x1976 = w.from[3][0];
-  const Real x1981 = w.from[3][5];
-  const Real x1977 = w.from[3][1];
-  const Real x1978 = w.from[3][2];
-  const Real x1979 = w.from[3][3];
-  const Real x1980 = w.from[3][4];
-  // link 12 "rod12": acceleration under the handle forces
-  const Real x2000 = x1831 * x1976 + x1806 * x1981 + x1855 * x1977;
-  const Real x2011 = x1838 * x1976 + x1807 * x1981 + x1863 * x1977;
-  const Real x1989 = x1821 * x1976 + x1805 * x1981 + x1831 * x1977;
-  const Real x2036 = x1846 * x1976 - x1809 * x1981 + x1871 * x1977;
-  const Real x2048 = x1805 * x1976 + x1709 * x1981 + x1806 * x1977;
-  const Real x2023 = x1843 * x1976 + x1808 * x1981 + x1868 * x1977;
-  const Real x2002 = x1863 * x1978 + x2000 + x1868 * x1979;
-  const Real x2013 = x1878 * x1978 + x2011 + x1884 * x1979;
-  const Real x1991 = x1838 * x1978 + x1989 + x1843 * x1979;
-  const Real x2038 = x1887 * x1978 + x2036 - x1895 * x1979;
-  const Real x2050 = x1807 * x1978 + x2048 + x1808 * x1979;
-  const Real x2053 = x1871 * x1980 + x2002 - x1921;
-  const Real x2054 = x1887 * x1980 + x2013 - x1932;
-  const Real x2052 = x1846 * x1980 + x1991 - x1910;
-  const Real x2025 = x1884 * x1978 + x2023 + x1892 * x1979;
-  const Real x2057 = x2050 - x1809 * x1980 - x1969;
-  // joint 12 "joint13": its acceleration, and that of the link beyond
-  const Real x2065 = cosine[12] * x2053 + sine[12] * x2054;
-  const Real x2062 = x1899 * x1980 + x2038 - x1957 + 0.4 * x2052;
-  const Real x2069 = cosine[12] * x2054 - sine[12] * x2053;
-  const Real x2060 = x2025 - x1895 * x1980 - x1944 - 0.4 * x2053;
-  const Real x2072 = cosine[12] * x2062 + sine[12] * x2057;
-  const Real x2076 = cosine[12] * x2057 - sine[12] * x2062;
-  const Real x2088 = x1400 + x1401 * x2065 - x1403 * x2069;
-  const Real x2090 = x2088 - x1406 * x2060 - x1404 * x2072;
-  const Real x2091 = x2090 - x1405 * x2076;
-  const Real x2092 = x2091 - x2052;
-  w.result[12] = x2092;
-  // joint 13 "joint14": its acceleration, and that of the link beyond
-  const Real x2097 = x2060 - 0.4 * x2065;
-  const Real x2107 = cosine[13] * x2076 + sine[13] * x2097;
-  const Real x2111 = cosine[13] * x2097 - sine[13] * x2076;
-  const Real x2104 = cosine[13] * x2091 - sine[13] * x2069;
-  const Real x2094 = x2072 + 0.4 * x2091;
-  const Real x2121 = x1237 + x1239 * x2107 - x1241 * x2111;
-  const Real x2123 = x2121 - x1238 * x2104 + x1242 * x2094;
-  const Real x2124 = x2123 - x2065;
-  w.result[13] = x2124;
-  // joint 14 "joint15": its acceleration, and that of the link beyond
-  const Real x2129 = x2094 + 0.4 * x2104;
-  const Real x2127 = x2111 - 0.4 * x2123;
-  const Real x2132 = cosine[14] * x2104 + sine[14] * x2123;
-  const Real x2148 = x1114 - x1115 * (cosine[14] * x2123 - sine[14] * x2104);
-  const Real x2149 = x1116 * (cosine[14] * x2127 + sine[14] * x2129) + x2148;
-  const Real x2150 = x2149 - (cosine[13] * x2069 + sine[13] * x2091);
-  w.result[14] = x2150;
-  // joint 15 "joint16": its acceleration, and that of the link beyond
-  const Real x2155 = cosine[14] * x2129 - sine[14] * x2127 + 0.4 * x2132;
-  const Real x2172 = x1035 - 3.742984243907825 * (cosine[15] * x2155 + sine[15] * x2107);
-  const Real x2173 = x2172 - x2132;
-  w.result[15] = x2173;
+// The same on the way to joints that are treated: only the last link's frame is kept.
+template <int first, int last>
+void pass_outward(Workspace& w) {
+  Frame<Value> at = frame_near<first>(w);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
+  keep(w, slot_of(last), at);
+}
+
+// Symmetric matrices of three rows, eliminated.
+
+// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21. Without fractions (Bareiss) the three
+// divisions need not wait for each other: with m = xx yy - xy^2 and so on the pivots are xx, m / xx
+// and (m m' - t^2) / (xx m), as exact as by turns while fourth powers of A keep their digits: in
+// float they would not. All numbers that checks gets are positive if A could be factorized.
+template <class T>
+ADAGEN_INLINE void factorize(const Symmetric<T>& A, T* factors, T (&checks)[4]) {
+  using Limits = std::numeric_limits<Real>;
+  T* const l = factors + 3;
+  const T d0 = 1 / A.xx;
+  l[0] = A.xy * d0, l[1] = A.xz * d0;
+  T p1, p2;
+  if constexpr (Limits::min_exponent10 < -300) {
+    const T m = A.xx * A.yy - A.xy * A.xy, t = A.xx * A.yz - A.xy * A.xz;
+    p1 = m, p2 = m * (A.xx * A.zz - A.xz * A.xz) - t * t;
+    const T inverse = 1 / m;
+    factors[1] = A.xx * inverse, factors[2] = A.xx * m / p2;
+    l[2] = t * inverse;
+    checks[2] = p2 - Limits::min() / Limits::epsilon();
+  } else {
+    const T t = A.yz - l[1] * A.xy;
+    p1 = A.yy - l[0] * A.xy;
+    factors[1] = 1 / p1, l[2] = t * factors[1];
+    p2 = A.zz - l[1] * A.xz - l[2] * t;
+    factors[2] = 1 / p2;
+    checks[2] = p2;
+  }
+  factors[0] = d0;
+  checks[0] = A.xx, checks[1] = p1, checks[3] = Limits::max() - p2;
+}
+
+// A^-1 b, by the factors of A.
+template <class F, class T>
+ADAGEN_INLINE Vector<T> solved(const F* factors, const Vector<T>& b) {
+  const F *d = factors, *l = factors + 3;
+  const T y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
+  const T z = y2 * d[2], y = y1 * d[1] - l[2] * z;
+  return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
+}
+
+// C becomes C - B^T A^-1 B, by the factors of A; returns A^-1 B. With L Y = B what is subtracted is
+// Y^T D^-1 Y, which waits for no more than the last division.
+template <class T>
+ADAGEN_INLINE Matrix<T> complement(Symmetric<T>& C, const Matrix<T>& B, const T* factors) {
+  const T *d = factors, *l = factors + 3;
+  const Vector<T> Yx = B.x, Yy = B.y - B.x * l[0], Yz = (B.z - B.x * l[1]) - Yy * l[2];
+  const Vector<T> Zx = Yx * d[0], Zy = Yy * d[1], Zz = Yz * d[2];
+  using V = Vector<T>;
+  const auto subtract = [&](T& c, T V::* i, T V::* k) ADAGEN_ALWAYS {
+    c = ((c - Yx.*i * Zx.*k) - Yy.*i * Zy.*k) - Yz.*i * Zz.*k;
+  };
+  subtract(C.xx, &V::x, &V::x), subtract(C.xy, &V::x, &V::y), subtract(C.xz, &V::x, &V::z);
+  subtract(C.yy, &V::y, &V::y), subtract(C.yz, &V::y, &V::z), subtract(C.zz, &V::z, &V::z);
+  const Vector<T> Ky = Zy - Zz * l[2];
+  return {(Zx - Zz * l[1]) - Ky * l[0], Ky, Zz};
+}
+
+// Spherical joints: three rotations at once. Damping and a rotor are the same about all axes.
+[[maybe_unused]] constexpr bool any_spherical_rotor() {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == JointKind::kSpherical && joint.passive.rotor != 0) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kSphericalRotors = any_spherical_rotor();
+
+// The torque that reaches the links, in the child link's axes: less damping.
+template <class T>
+ADAGEN_INLINE Vector<T> spherical_torque(const Workspace& w, const Joints<T>& joints) {
+  const Vector<T> tau = each_vector(joints, w.tau, &JointConstants::v);
+  if constexpr (!kAnyPassive) return tau;
+  const T damping = each(joints, [](const JointConstants& own) { return own.passive.damping; });
+  return tau - each_vector(joints, w.v, &JointConstants::v) * damping;
+}
+
+template <class T>
+ADAGEN_INLINE T rotor_of(const Joints<T>& joints) {
+  return each(joints, [](const JointConstants& own) { return own.passive.rotor; });
+}
+
+template <class T>
+ADAGEN_INLINE Symmetric<T> with_rotor(Symmetric<T> A, const T& rotor) {
+  A.xx += rotor, A.yy += rotor, A.zz += rotor;
+  return A;
+}
+
+// Takes the three rotations out of the body at the joint's origin: what is left of it is C and f,
+// and the torque, so that no rounding stays behind. e gets K = A^-1 B, y = A^-1 (torque - n) and
+// the factors of A. With a rotor J, which is the same about all axes, A + J is in the place of A
+// there, and J K, J (A + J)^-1 A and torque - J y are left, too.
+template <bool reversed, class T>
+ADAGEN_INLINE void take_out_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  T* const e = w.memory(joints).e;
+  Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
+  if constexpr (reversed) torque = -torque;
+  T* const factors = e + 12;
+  T checks[4];
+  const T rotor = rotor_of(joints);
+  factorize(kSphericalRotors ? with_rotor(X.A, rotor) : X.A, factors, checks);
+  for (const T& check : checks)
+    if (__builtin_expect(!all_positive(check), 0)) fail_one(w, joints, check);
+  const Matrix<T>& B = X.B;
+  const Matrix<T> K = complement(X.C, B, factors);
+  const Vector<T> y = solved(factors, torque - X.n);
+  e[0] = K.x.x, e[1] = K.x.y, e[2] = K.x.z, e[3] = K.y.x, e[4] = K.y.y, e[5] = K.y.z;
+  e[6] = K.z.x, e[7] = K.z.y, e[8] = K.z.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
+  X.f += transposed_times(B, y);
+  X.n = torque;
+  if constexpr (kSphericalRotors) {
+    const Symmetric<T>& A = X.A;
+    const Vector<T> x = solved(factors, Vector<T>{A.xx, A.xy, A.xz});
+    const Vector<T> z = solved(factors, Vector<T>{A.xz, A.yz, A.zz});
+    const T yy = solved(factors, Vector<T>{A.xy, A.yy, A.yz}).y;
+    X.A = {x.x * rotor, x.y * rotor, x.z * rotor, yy * rotor, z.y * rotor, z.z * rotor};
+    X.B = {K.x * rotor, K.y * rotor, K.z * rotor};
+    X.n += -(y * rotor);
+  } else {
+    X.A = Symmetric<T>{}, X.B = Matrix<T>{};
+  }
+}
+
+// The same, from the far link's side to the near link's origin.
+template <bool reversed, class T>
+ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Vector<T>& r = w.memory(joints).r;
+  if constexpr (reversed) shift(X, -r);
+  take_out_rotations<reversed>(w, joints, X);
+  if constexpr (!reversed && kSphericalRotors) shift(X, r);
+  if constexpr (!reversed && !kSphericalRotors) shift_mass(X, r);
+}
+
+// Whether joints first .. last leave of a body no more than its mass.
+[[maybe_unused]] constexpr bool leave_mass_alone(int first, int last) {
+  for (int j = first; j <= last; ++j)
+    if (kJoints[j].kind != JointKind::kSpherical) return false;
+  return !kSphericalRotors;
+}
+
+// Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
+// is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
+// near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
+
+template <class T>
+ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Value* const A = w.at(joints.slot, kRotational);
+  const auto mass = mass_of(joints);
+  const Vector<T> c = vector_at<T>(w.at(joints.slot, kMoments));
+  const Vector<T> Ax = vector_at<T>(A), Ay = vector_at<T>(A + 3 * kPerBlock);
+  X.A += Symmetric<T>{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};  // xx xy xz yy yz zz
+  X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
+  X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
+  X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
+  X.n += vector_at<T>(w.at(joints.slot, kTorque));
+  X.f += vector_at<T>(w.at(joints.slot, kForce));
+}
+
+// A bare link told about the point at -r from its origin: A - (rx dx + dx rx), d = c + m r / 2.
+template <class T>
+ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, const Vector<T>& r) {
+  Body<T> X{};
+  add_bare_link(w, joints, X);
+  const Vector<T> c{X.B.z.y, X.B.x.z, X.B.y.x};
+  const T m = X.C.xx;
+  const Vector<T> d = c + r * (m / 2), moved = c + r * m;
+  const T xx = 2 * d.x * r.x, yy = 2 * d.y * r.y, zz = 2 * d.z * r.z;
+  X.A += Symmetric<T>{yy + zz, -(d.x * r.y + d.y * r.x), -(d.x * r.z + d.z * r.x),
+                      xx + zz, -(d.y * r.z + d.z * r.y), xx + yy};
+  const T none{};
+  X.B = {{none, -moved.z, moved.y}, {moved.z, none, -moved.x}, {-moved.y, moved.x, none}};
+  X.n += cross(r, X.f);
+  return X;
+}
+
+constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
+
+// Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
+// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near
+// link's origin: outwards the joint has the acceleration u / D - (U / D) a, a being the near
+// link's.
+template <bool along, bool reversed, class T, class Arrive>
+ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, const Vector<T>& s,
+                             const Vector<T>& r, const T& tau, T* e, const Arrive& arrive) {
+  if constexpr (reversed) shift(X, -r);
+  Vector<T> n = along ? X.B * s : X.A * s;
+  const Vector<T> f = along ? X.C * s : transposed_times(X.B, s);
+  T D = dot(s, along ? f : n);
+  if constexpr (kAnyPassive)
+    D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1) D += each(joints, immovable);
+  const T inverse = 1 / D;
+  T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1)
+    u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
+  const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
+  const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
+  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
+  if constexpr (!reversed) {
+    shift(X, r);
+    n += cross(r, f);
+  }
+  arrive(X);
+  const Vector<T> e_n = n * inverse, e_f = f * inverse;
+  e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
+  e[7] = inverse;
+  subtract(X, n, f, e_n, e_f);
+  X.n += n * u;
+  X.f += f * u;
+}
+
+// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), A and what it leaves of C
+// by their factors. Whether that could be done.
+ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
+  Value turning[6], sliding[6], checks[2][4];
+  factorize(X.A, turning, checks[0]);
+  Symmetric<Value> C = X.C;
+  const Matrix<Value> K = complement(C, X.B, turning);
+  factorize(C, sliding, checks[1]);
+  const Vector<Value> y = solved(turning, -X.n);
+  a.linear = solved(sliding, -(X.f + transposed_times(X.B, y)));
+  a.angular = y - K * a.linear;
+  bool fine = true;
+  for (const auto& of : checks)
+    for (const Value& check : of) fine &= all_positive(check);
+  return fine;
+}
+
+// A joint with all freedoms hands on its force alone; e gets the acceleration of the body beyond.
+template <bool reversed>
+ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
+                            const Value* tau, Value* e) {
+  if constexpr (reversed) shift(X, -r);
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
+  Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) n = -n, f = -f;
+  X.n += -n, X.f += -f;
+  Motion<Value> a;
+  if (!solve_free(X, a)) fail(w, kFactorization, j);
+  e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
+  e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
+  X = Body<Value>{};
+  X.n = n, X.f = f;
+  if constexpr (!reversed) shift(X, r);
+}
+
+// A planar joint: along x and y, then about z.
+template <bool reversed>
+ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, Body<Value>& X) {
+  Memory& memory = w.memory(joints);
+  const Value* tau = w.tau + joints.any().v;
+  const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
+  const Vector<Value> none{};
+  const auto told = [](const Value& torque) { return reversed ? -torque : torque; };
+  if constexpr (reversed) shift(X, -memory.r);
+  const auto nothing = [](const Body<Value>&) {};
+  eliminate<true, false>(w, joints, X, x, none, told(tau[0]), memory.e, nothing);
+  eliminate<true, false>(w, joints, X, y, none, told(tau[1]), memory.e + 8, nothing);
+  eliminate<false, false>(w, joints, X, z, none, told(tau[2]), memory.e + 16, nothing);
+  if constexpr (!reversed) shift(X, memory.r);
+}
+
+// One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
+template <bool reversed, class T, class Arrive>
+ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind kind, Body<T>& X,
+                               const Arrive& arrive) {
+  const JointConstants& joint = joints.any();
+  Eliminated<T>& memory = w.memory(joints);
+  const Value* R = w.at(joints.slot, kAxes);
+  const auto freedom = [&] {
+    return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
+  };
+  switch (kind) {
+    case JointKind::kRevolute:
+      eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
+                                 arrive);
+      return;
+    case JointKind::kPrismatic:
+      eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e, arrive);
+      return;
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, joints, X);
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) eliminate_planar<reversed>(w, joints, X);
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating && kWidth<T> == 1)
+        set_free<reversed>(w, joints.joint[0], X, memory.r, w.tau + joint.v, memory.e);
+      break;
+  }
+  arrive(X);
+}
+
+// Adds to a body what the sweep finds at a link.
+template <int p>
+ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
+  if (role.adds_own) add_bare_link(w, single(link - 1), X);
+}
+
+// What is found at a link.
+template <int p>
+ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
+  Body<Value> X{};
+  meet<p>(w, link, X);
+  return X;
+}
+
+template <bool starts>
+ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
+  Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
+  if constexpr (starts)
+    body = X;
+  else
+    body += X;
+}
+
+// Whether nothing but the links themselves is found at links first .. last.
+template <int p>
+constexpr bool bare(int first, int last) {
+  for (int link = first; link <= last; ++link) {
+    const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+    if (role.gathers || !role.adds_own) return false;
+  }
+  return true;
+}
+
+// Process p takes joints last .. first inwards, each on the link of the one before.
+template <int p, int first, int last, bool starts>
+void inward(Workspace& w) {
+  Body<Value> X{};
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick) meet<p>(w, last + 1, X);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, j + 1, X);
+    step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
+      if (quick && j > first) add_bare_link(w, single(j - 1), near);
+    });
+  });
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave<starts>(w, near, X);
+}
+
+// The next for spherical joints with bare links between them: a link is told at the next joint's
+// origin before what is left of the body gets there.
+template <int p, int first, int last>
+ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
+  Body<Value> X{};
+  meet<p>(w, kJoints[first].parent, X);
+  shift(X, -w.joints[first].r);
+  take_out_rotations<true>(w, single(first), X);
+  for (int j = first + 1; j <= last; ++j) {
+    const Vector<Value> r = -w.joints[static_cast<std::size_t>(j)].r;
+    shift_mass(X, r);
+    X += bare_link_from(w, single(j - 1), r);
+    take_out_rotations<true>(w, single(j), X);
+  }
+  return X;
+}
+
+// The same for a root beyond joint last: from the parent link of joint first to the child of last.
+template <int p, int first, int last, bool starts>
+void inward_reversed(Workspace& w) {
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick && leave_mass_alone(first, last))
+    return leave<starts>(w, last + 1, turn_inward_reversed<p, first, last>(w));
+  Body<Value> X{};
+  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
+      if (quick && j < last) add_bare_link(w, single(j), near);
+    });
+  });
+  leave<starts>(w, last + 1, X);
+}
+
+// Adds a link itself to what was found at it.
+template <int link, bool starts>
+void place(Workspace& w) {
+  Body<Value> X{};
+  add_bare_link(w, single(link - 1), X);
+  leave<starts>(w, link, X);
+}
+
+// A floating joint on the ground only adds its torque to the link.
+template <int j, bool starts>
+void free_base(Workspace& w) {
+  const Value* tau = w.tau + kJoints[j].v;
+  Body<Value> X{};
+  X.n = {-tau[3], -tau[4], -tau[5]};
+  X.f = {-tau[0], -tau[1], -tau[2]};
+  leave<starts>(w, j + 1, X);
+}
+
+// Acceleration of a root that nothing holds.
+template <int p, int link>
+void solve_root(Workspace& w) {
+  if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
+}
+
+// Numbers of x, or beyond its last one of y.
+template <int... k, class V>
+ADAGEN_INLINE V shuffled(const V& x, const V& y) {
+#if defined(__clang__)
+  return __builtin_shufflevector(x, y, k...);
+#else
+  return __builtin_shuffle(x, y, decltype(x < y){k...});
+#endif
+}
+
+// Rows x and y of a square: what lies in columns apart by a distance changes places.
+template <int distance, class V, std::size_t... column>
+ADAGEN_INLINE void exchange(V& x, V& y, std::index_sequence<column...>) {
+  constexpr int n = sizeof...(column);
+  const V row = shuffled<(column & distance ? n + column - distance : column)...>(x, y);
+  y = shuffled<(column & distance ? n + column : column + distance)...>(x, y);
+  x = row;
+}
+
+// A square of as many rows as each has numbers becomes its transpose: blocks of one number, then of
+// two by two, and so on.
+template <int distance = 1, class V, std::size_t n>
+ADAGEN_INLINE void transpose(V (&rows)[n]) {
+  if constexpr (distance < static_cast<int>(n)) {
+    ADAGEN_FOR (k, 0, static_cast<int>(n))
+      if ((k & distance) == 0)
+        exchange<distance>(rows[k], rows[k + distance], std::make_index_sequence<n>{});
+    transpose<2 * distance>(rows);
+  }
+}
+
+// A body by columns of eight lanes, for what takes one joint at a time: each column a register.
+typedef Real Column __attribute__((vector_size(8 * sizeof(Real))));  // [angular, -, linear, -]
+
+#if defined(__AVX512F__)
+constexpr bool kInColumns = sizeof(Column) <= 64;
+#elif defined(__AVX2__)
+constexpr bool kInColumns = sizeof(Column) <= 32;
+#else
+constexpr bool kInColumns = false;
+#endif
+
+// An articulated body about a point: the columns of its inertia along three rotations and three
+// translations, and its bias force.
+struct Columns {
+  Column angular[3]{}, linear[3]{}, force{};
+};
+
+ADAGEN_INLINE void operator+=(Columns& a, const Columns& b) {
+  ADAGEN_FOR (k, 0, 3) {
+    a.angular[k] += b.angular[k];
+    a.linear[k] += b.linear[k];
+  }
+  a.force += b.force;
+}
+
+ADAGEN_INLINE Column column(const Vector<Real>& angular, const Vector<Real>& linear) {
+  return Column{angular.x, angular.y, angular.z, 0, linear.x, linear.y, linear.z, 0};
+}
+ADAGEN_INLINE Columns columns(const Body<Real>& X) {
+  const auto& [A, B, C, n, f] = X;
+  return {{column({A.xx, A.xy, A.xz}, B.x), column({A.xy, A.yy, A.yz}, B.y),
+           column({A.xz, A.yz, A.zz}, B.z)},
+          {column({B.x.x, B.y.x, B.z.x}, {C.xx, C.xy, C.xz}),
+           column({B.x.y, B.y.y, B.z.y}, {C.xy, C.yy, C.yz}),
+           column({B.x.z, B.y.z, B.z.z}, {C.xz, C.yz, C.zz})},
+          column(n, f)};
+}
+ADAGEN_INLINE Body<Real> body(const Columns& X) {
+  const Column &x = X.angular[0], &y = X.angular[1], &z = X.angular[2];
+  const Column &u = X.linear[0], &v = X.linear[1], &w = X.linear[2], &p = X.force;
+  return {{x[0], x[1], x[2], y[1], y[2], z[2]},
+          {{x[4], x[5], x[6]}, {y[4], y[5], y[6]}, {z[4], z[5], z[6]}},
+          {u[4], u[5], u[6], v[5], v[6], w[6]},
+          {p[0], p[1], p[2]},
+          {p[4], p[5], p[6]}};
+}
+
+// Eight lanes of a register that may hold more.
+template <int first>
+ADAGEN_INLINE Column eight(const Lanes& x) {
+  Real numbers[kLanes];
+  std::memcpy(numbers, &x, sizeof x);
+  Column result;
+  std::memcpy(&result, numbers + first, sizeof result);
+  return result;
+}
+
+// One number of a column in all lanes.
+template <int k>
+ADAGEN_INLINE Column spread(const Column& x) {
+  return shuffled<k, k, k, k, k, k, k, k>(x, x);
+}
+
+// The lever arm r of a force: [n; f] becomes [n + r x f; f].
+struct Arm {
+  Column ahead, behind;  // y z x and z x y of r in the angular lanes
+  Vector<Real> r;
+};
+ADAGEN_INLINE Arm arm(const Vector<Real>& r) {
+  return {Column{r.y, r.z, r.x}, Column{r.z, r.x, r.y}, r};
+}
+// The same where x, too, has r as its linear half.
+ADAGEN_INLINE Arm arm(const Column& x, const Vector<Real>& r) {
+  return {shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x), shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x), r};
+}
+ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
+  return x + arm.ahead * shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x) -
+         arm.behind * shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x);
+}
+
+// The body told about the point at -r from the one that it is told about: what forces become, then
+// what motions were.
+ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
+  ADAGEN_FOR (k, 0, 3) {
+    X.angular[k] = carried(arm, X.angular[k]);
+    X.linear[k] = carried(arm, X.linear[k]);
+  }
+  const auto& [x, y, z] = arm.r;
+  X.angular[0] += X.linear[2] * y - X.linear[1] * z;
+  X.angular[1] += X.linear[0] * z - X.linear[2] * x;
+  X.angular[2] += X.linear[1] * x - X.linear[0] * y;
+  X.force = carried(arm, X.force);
+}
+
+// U and 1 / D of the joint before: what is still to be subtracted from the body. So the next D need
+// not wait for that.
+struct Due {
+  Column U{};
+  Real inverse = 0;
+};
+
+// The inertia less e U^T.
+ADAGEN_INLINE void subtract(Columns& X, const Column& U, const Column& e) {
+  X.angular[0] -= e * spread<0>(U);
+  X.angular[1] -= e * spread<1>(U);
+  X.angular[2] -= e * spread<2>(U);
+  X.linear[0] -= e * spread<4>(U);
+  X.linear[1] -= e * spread<5>(U);
+  X.linear[2] -= e * spread<6>(U);
+}
+ADAGEN_INLINE void settle(Columns& X, Due& due) {
+  subtract(X, due.U, due.U * due.inverse);
+  due = {};
+}
+
+// Inwards by columns: a joint takes a few instructions for each. For runs of joints that nothing
+// lies beside; where no register holds a column, such runs are taken number by number.
+
+// The joint that fills a slot.
+const std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
+  std::array<std::size_t, kBlockCount * kPerBlock> result;
+  result.fill(kJointCount);
+  for (int j = 0; j < kJointCount; ++j)
+    result[static_cast<std::size_t>(slot_of(j))] = static_cast<std::size_t>(j);
+  return result;
+}();
+
+// What set_up_links found of the links of blocks first .. last - 1, as it is added to columns.
+template <int first, int last>
+void set_up_columns(Workspace& w) {
+  if constexpr (!kInColumns) return;
+  for (int slot = first * kPerBlock; slot < last * kPerBlock; slot += 8) {
+    const auto row = [&](int entry) {
+      return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
+    };
+    const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
+      ADAGEN_FOR (k, 0, 8) {
+        LinkColumns& link = w.columns[kJointAt[static_cast<std::size_t>(slot + k)]];
+        std::memcpy(link.*place, &found[k], sizeof found[k]);
+      }
+    };
+    const auto& all = kBlockConstants[static_cast<std::size_t>(slot / kPerBlock)];
+    const Column mass = number_at<Column>(&all.mass[static_cast<std::size_t>(slot % kPerBlock)]);
+    const Column x = row(kMoments), y = row(kMoments + 1), z = row(kMoments + 2);
+    const Column none = mass - mass;  // a zero unknown to gcc 12, which errs in shuffles with it
+    constexpr int A = kRotational, n = kTorque, f = kForce;
+    Column tensor[]{row(A), row(A + 1), row(A + 2), row(A + 3), row(A + 4), row(A + 5), mass, none};
+    transpose(tensor);
+    put(&LinkColumns::tensor, tensor);
+    Column moments[]{x, y, z, -x, -y, -z, none, none};
+    transpose(moments);
+    put(&LinkColumns::moments, moments);
+    Column force[]{row(n), row(n + 1), row(n + 2), none, row(f), row(f + 1), row(f + 2), none};
+    transpose(force);
+    put(&LinkColumns::force, force);
+  }
+}
+
+ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Columns& X) {
+  const LinkColumns& own = w.columns[static_cast<std::size_t>(link - 1)];
+  const Column a = number_at<Column>(own.tensor);   // xx xy xz yy yz zz m 0
+  const Column b = number_at<Column>(own.moments);  // x y z -x -y -z 0 0
+  X.angular[0] += shuffled<0, 1, 2, 7, 7, 13, 9, 7>(a, b);
+  X.angular[1] += shuffled<1, 3, 4, 7, 10, 7, 11, 7>(a, b);
+  X.angular[2] += shuffled<2, 4, 5, 7, 12, 8, 7, 7>(a, b);
+  X.linear[0] += shuffled<7, 10, 12, 7, 6, 7, 7, 7>(a, b);
+  X.linear[1] += shuffled<13, 7, 8, 7, 7, 6, 7, 7>(a, b);
+  X.linear[2] += shuffled<9, 11, 7, 7, 7, 7, 6, 7>(a, b);
+  X.force += number_at<Column>(own.force);
+}
+
+template <int p>
+ADAGEN_INLINE void meet(Workspace& w, int link, Columns& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += columns(w.bodies[static_cast<std::size_t>(link)]);
+  if (role.adds_own) add_bare_link(w, link, X);
+}
+
+// S^T x with S = [s; 0] or [0; s].
+template <bool along>
+ADAGEN_INLINE Real component(const Column& s, const Column& x) {
+  constexpr int first = along ? 4 : 0;
+  const Column part = s * x;
+  return (part[first] + part[first + 1]) + part[first + 2];
+}
+
+// See eliminate in inward.hpp. With X less U U^T / D due, S^T X S is less (S^T U)^2 / D.
+template <bool along, bool reversed, class Arrive>
+ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Arrive& arrive) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Vector<Real>& axis = memory.axis;
+  Column both;  // [axis, -, r, -]
+  std::memcpy(&both, &memory, sizeof both);
+  const Column s = shuffled<0, 1, 2, 3, 0, 1, 2, 3>(both, both);
+  if constexpr (reversed) both = -both;
+  const Arm lever = arm(both, reversed ? -memory.r : memory.r);
+  if constexpr (reversed) {
+    shift(X, lever);
+    due.U = carried(lever, due.U);
+  }
+  const Column(&side)[3] = along ? X.linear : X.angular;
+  const Column V = side[0] * axis.x + side[1] * axis.y + side[2] * axis.z;
+  const Real q = component<along>(s, due.U);
+  Real D = component<along>(s, V) - q * q * due.inverse;
+  if constexpr (kAnyPassive) D += joint.passive.rotor;
+  const Real inverse = 1 / D;
+  const Column before = due.U * due.inverse;
+  subtract(X, due.U, before);
+  Column U = V - before * q;
+  const Real tau = torque(w, joint);
+  const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
+  constexpr int first = along ? 4 : 0;  // D beside the trace tells what digits are left
+  const Real left = D - kLeast * (side[0][first] + side[1][first + 1] + side[2][first + 2]);
+  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, j);
+  if constexpr (!reversed) {
+    shift(X, lever);
+    U = carried(lever, U);
+  }
+  arrive(X);
+  const Column e = U * inverse;
+  Column kept = shuffled<0, 1, 2, 4, 5, 6, 3, 7>(e, e);
+  kept[6] = u, kept[7] = inverse;
+  std::memcpy(memory.e, &kept, sizeof kept);
+  due = {U, inverse};
+  X.force += U * u;
+}
+
+template <bool reversed, class Arrive>
+ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, Due& due,
+                               const Arrive& arrive) {
+  [[maybe_unused]] const auto number_by_number = [&] {
+    settle(X, due);
+    Body<Real> whole = body(X);
+    step_inward<reversed>(w, single(j), kind, whole, [](const Body<Real>&) {});
+    X = columns(whole);
+  };
+  switch (kind) {
+    case JointKind::kRevolute:
+      eliminate<false, reversed>(w, j, X, due, arrive);
+      return;
+    case JointKind::kPrismatic:
+      if constexpr (any_of(JointKind::kPrismatic)) eliminate<true, reversed>(w, j, X, due, arrive);
+      return;
+    default:
+      if constexpr (kAnySpherical || kAnyPlanar || kAnyFloating) number_by_number();
+  }
+  arrive(X);
+}
+
+// See inward in inward.hpp.
+template <int p, int first, int last, bool starts>
+void inward_in_columns(Workspace& w) {
+  if constexpr (!kInColumns) return inward<p, first, last, starts>(w);
+  constexpr bool quick = bare<p>(first + 1, last);
+  Columns X;
+  Due due;
+  if constexpr (quick) meet<p>(w, last + 1, X);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, j + 1, X);
+    step_inward<false>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
+      if (quick && j > first) add_bare_link(w, j, near);
+    });
+  });
+  settle(X, due);
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave<starts>(w, near, body(X));
+}
+
+// See inward_reversed in inward.hpp.
+template <int p, int first, int last, bool starts>
+void inward_in_columns_reversed(Workspace& w) {
+  if constexpr (!kInColumns) return inward_reversed<p, first, last, starts>(w);
+  constexpr bool quick = bare<p>(first + 1, last);
+  Columns X;
+  Due due;
+  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    step_inward<true>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
+      if (quick && j < last) add_bare_link(w, j + 1, near);
+    });
+  });
+  settle(X, due);
+  leave<starts>(w, last + 1, body(X));
+}
+
+// Outwards again: the joints' accelerations.
+
+template <class T>
+ADAGEN_INLINE T freedom(const T* e, const Motion<T>& a) {
+  return (e[6] - (e[0] * a.angular.x + e[1] * a.angular.y)) -
+         ((e[2] * a.angular.z + e[3] * a.linear.x) + (e[4] * a.linear.y + e[5] * a.linear.z));
+}
+
+// Gives the k-th acceleration of each of the joints.
+template <class T>
+ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T& x) {
+  const auto place = [&](int lane) -> Value& {
+    const int v = kJoints[static_cast<std::size_t>(joints.joint[lane])].v;
+    return w.answer[static_cast<std::size_t>(v + k)];
+  };
+  if constexpr (kWidth<T> == 1)
+    place(0) = x;
+  else
+    ADAGEN_FOR (lane, 0, kWidth<T>) place(lane) = x[lane];
+}
+
+// The same for joints with several freedoms, told at the joint's origin throughout.
+template <bool reversed>
+ADAGEN_INLINE void move_at_joint(Workspace& w, const Joints<Value>& joints, Motion<Value>& a) {
+  const JointConstants& joint = joints.any();
+  [[maybe_unused]] const Value* const e = w.memory(joints).e;
+  [[maybe_unused]] const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  [[maybe_unused]] Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+  if constexpr (kAnyPlanar) {
+    if (joint.kind == JointKind::kPlanar) {
+      const Value spin = freedom(e + 16, a);
+      a.angular += Vector<Value>{R.x.z, R.y.z, R.z.z} * spin;
+      const Value y = freedom(e + 8, a);
+      a.linear += Vector<Value>{R.x.y, R.y.y, R.z.y} * y;
+      const Value x = freedom(e, a);
+      a.linear += Vector<Value>{R.x.x, R.y.x, R.z.x} * x;
+      qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
+    }
+  }
+  if constexpr (kAnyFloating) {
+    if (joint.kind == JointKind::kFloating) {
+      const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+      const Vector<Value> slide = transposed_times(R, far.linear - a.linear);
+      const Vector<Value> spin = transposed_times(R, far.angular - a.angular);
+      const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
+      ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
+      a = far;
+    }
+  }
+}
+
+// The same for spherical joints.
+template <bool reversed, class T>
+ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
+  const T* const e = w.memory(joints).e;
+  const Matrix<T> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+  Vector<T> far = Vector<T>{e[9], e[10], e[11]} - K * a.linear;
+  if constexpr (kSphericalRotors) far += solved(e + 12, a.angular) * rotor_of(joints);
+  const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
+  const Vector<T> x = transposed_times(R, far - a.angular);
+  answer(w, joints, 0, reversed ? -x.x : x.x);
+  answer(w, joints, 1, reversed ? -x.y : x.y);
+  answer(w, joints, 2, reversed ? -x.z : x.z);
+  a.angular = far;
+}
+
+// A joint's acceleration from the near link's, which becomes the far link's; each is told at its
+// own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
+template <bool reversed, class T>
+ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
+  const T* const e = w.memory(joints).e;
+  const Vector<T>& r = w.memory(joints).r;
+  switch (kind) {
+    case JointKind::kRevolute: {
+      const Vector<T> axis = axis_of(w, joints);
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
+      carry(a, reversed ? -r : r);
+      a.angular += axis * x;
+      if constexpr (reversed) a.linear += cross(r, axis) * x;
+      break;
+    }
+    case JointKind::kPrismatic: {
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
+      carry(a, reversed ? -r : r);
+      a.linear += axis_of(w, joints) * x;
+      break;
+    }
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) {
+        if constexpr (!reversed) carry(a, r);
+        turn_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+      break;
+    default:
+      if constexpr (kWidth<T> == 1) {
+        if constexpr (!reversed) carry(a, r);
+        move_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+  }
+}
+
+// Joints first .. last outwards; what moves along with a link is kept where other paths start.
+template <int p, int first, int last>
+void accelerate(Workspace& w) {
+  Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    move<false>(w, single(first + k), kind, a);
+    const std::size_t far = static_cast<std::size_t>(first + k + 1);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
+}
+
+// Six numbers that follow from each other are no work for lanes: g++ takes a fifth longer with
+// them.
+#if defined(__clang__)
+#define ADAGEN_ONE_BY_ONE
+#else
+#define ADAGEN_ONE_BY_ONE __attribute__((optimize("no-tree-slp-vectorize")))
+#endif
+template <int p, int first, int last>
+ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
+  Motion<Value> a = w.motions[last + 1];
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    move<true>(w, single(j), kind, a);
+    const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
+}
+
+// The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
+template <int j>
+void as_joint_acceleration(Workspace& w) {
+  const Value* v = w.v + kJoints[j].v;
+  Value* qdd = &w.answer[kJoints[j].v];
+  const Vector<Value> turned =
+      cross(Vector<Value>{v[3], v[4], v[5]}, Vector<Value>{v[0], v[1], v[2]});
+  qdd[0] -= turned.x, qdd[1] -= turned.y, qdd[2] -= turned.z;
+}
+
+// A floating base's joint acceleration, [linear; angular] in its own axes.
+template <int j>
+void free_acceleration(Workspace& w) {
+  const Motion<Value>& a = w.motions[j + 1];
+  Value* qdd = &w.answer[kJoints[j].v];
+  qdd[0] = a.linear.x, qdd[1] = a.linear.y, qdd[2] = a.linear.z;
+  qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
+  as_joint_acceleration<j>(w);
+}
+
+
+// Nothing on the ground moves beyond its Frame, and the ground does not yield.
+const Mat6 kZero = Mat6::Zero();
+const Columns6 kGround = Columns6::Zero();
+
+// Mobility: what a segment shows at its handles, and what forces there do inside it. Phi and b are
+// in the axes of the base about the handles' origins; b are accelerations beyond those of a Frame.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+
+ADAGEN_INLINE Motion<Value> motion_of(const Columns6& a) {
+  return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
+}
+ADAGEN_INLINE Columns6 columns_of(const Motion<Value>& a) {
+  Columns6 result;
+  result << a.angular.x, a.angular.y, a.angular.z, a.linear.x, a.linear.y, a.linear.z;
+  return result;
+}
+
+inline Mat6 inertia_of(const Body<Value>& X) {
+  Mat6 I;
+  I << X.A.xx, X.A.xy, X.A.xz, X.B.x.x, X.B.x.y, X.B.x.z,  //
+      X.A.xy, X.A.yy, X.A.yz, X.B.y.x, X.B.y.y, X.B.y.z,   //
+      X.A.xz, X.A.yz, X.A.zz, X.B.z.x, X.B.z.y, X.B.z.z,   //
+      X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx, X.C.xy, X.C.xz,   //
+      X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy, X.C.yz,   //
+      X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz;
+  return I;
+}
+inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
+
+// The inverse of a symmetric matrix of six rows, and as symmetric: L^-T D^-1 L^-1, L^-1 by
+// elimination of all six unit vectors at once. Where masses differ much, subtracting on the way
+// back instead would cost digits. Whether each pivot exceeds what it must at least.
+ADAGEN_INLINE bool invert(const Mat6& m, const Real (&least)[6], Mat6& inverse) {
+  Lanes rows[6]{}, X[6]{};
+  Real over[6];
+  bool good = true;
+  ADAGEN_FOR (i, 0, 6) {
+    std::memcpy(&rows[i], m.data() + 6 * i, 6 * sizeof(Real));
+    X[i][i] = 1;
+  }
+  ADAGEN_FOR (c, 0, 6) {
+    const Real pivot = rows[c][c];
+    good = good && pivot > least[c] && pivot <= std::numeric_limits<Real>::max();
+    over[c] = 1 / pivot;
+    ADAGEN_FOR (i, c + 1, 6) {
+      const Real l = rows[i][c] * over[c];
+      rows[i] -= rows[c] * l;
+      X[i] -= X[c] * l;
+    }
+  }
+  ADAGEN_FOR (i, 0, 6) {
+    Lanes sum{};
+    ADAGEN_FOR (k, i, 6) sum += X[k] * (X[k][i] * over[k]);
+    std::memcpy(inverse.data() + 6 * i, &sum, 6 * sizeof(Real));
+  }
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, 0, i) inverse(k, i) = inverse(i, k);
+  return good;
+}
+
+// Phi = (I^A)^-1 and b = -Phi p^A of a segment's root.
+[[maybe_unused]] inline bool invert(const Body<Value>& X, Mat6& Phi, Columns6& b) {
+  constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+  const Mat6 I = inertia_of(X);
+  Real least[6];
+  ADAGEN_FOR (k, 0, 6) least[k] = kRounding * I(k, k);
+  const bool good = invert(I, least, Phi);
+  b.noalias() = -Phi * force_of(X);
+  return good;
+}
+
+template <int p, int link>
+void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
+  if (!invert(whole<p>(w, link), Phi, b)) fail(w, kFactorization, link - 1);
+}
+
+// Motions of a link, side by side: what the far link does, with what drives the joint beyond L a
+// (of a joint with one freedom x).
+template <bool reversed>
+ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a,
+                        const Vector<Lanes>& drive = Vector<Lanes>{}) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value> axis = axis_at(w.of(j, kAxes));
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      if constexpr (!reversed) carry(a, memory.r);
+      const Vector<Lanes> v = a.linear, spin = a.angular;
+      a.angular = {drive.x - (e[0] * v.x + e[1] * v.y + e[2] * v.z),
+                   drive.y - (e[3] * v.x + e[4] * v.y + e[5] * v.z),
+                   drive.z - (e[6] * v.x + e[7] * v.y + e[8] * v.z)};
+      if constexpr (kSphericalRotors) a.angular += solved(e + 12, spin) * rotor_of(single(j));
+      if constexpr (reversed) carry(a, -memory.r);
+    }
+    return;
+  }
+  const Lanes x = drive.x - ((e[0] * a.angular.x + e[1] * a.angular.y) +
+                             (e[2] * a.angular.z + e[3] * a.linear.x) +
+                             (e[4] * a.linear.y + e[5] * a.linear.z));
+  const Vector<Lanes> moved{axis.x * x, axis.y * x, axis.z * x};
+  if constexpr (!reversed) carry(a, memory.r);
+  if (kind == JointKind::kPrismatic)
+    a.linear += moved;
+  else
+    a.angular += moved;
+  if constexpr (reversed) carry(a, -memory.r);
+}
+
+ADAGEN_INLINE Motion<Lanes> rows_of(const Mat6& transposed) {
+  const auto row = [&transposed](int k) {
+    Lanes result{};
+    std::memcpy(&result, transposed.data() + 6 * k, 6 * sizeof(Real));
+    return result;
+  };
+  return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}};
+}
+ADAGEN_INLINE Mat6 from_rows(const Motion<Lanes>& a) {  // transposed
+  Mat6 result;
+  const Lanes* rows[6] = {&a.angular.x, &a.angular.y, &a.angular.z,
+                          &a.linear.x,  &a.linear.y,  &a.linear.z};
+  for (int k = 0; k < 6; ++k) std::memcpy(result.data() + 6 * k, rows[k], 6 * sizeof(Real));
+  return result;
+}
+
+// L m, m being told with the near link in its rows.
+template <bool reversed>
+Mat6 passed(Workspace& w, int j, const Mat6& m) {
+  Motion<Lanes> rows = rows_of(m.transpose());
+  pass<reversed>(w, j, rows);
+  return from_rows(rows).transpose();
+}
+
+// S D^-1 S^T at the far link's origin.
+template <bool reversed>
+Mat6 own_mobility(Workspace& w, int j) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  Mat6 result = Mat6::Zero();
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      for (int k = 0; k < 3; ++k) {
+        const Vector<Value> unit{Value(k == 0), Value(k == 1), Value(k == 2)};
+        const Vector<Value> x = solved(memory.e + 12, unit);
+        result(0, k) = x.x, result(1, k) = x.y, result(2, k) = x.z;
+      }
+    }
+    if constexpr (reversed) {
+      Mat6 shifted = Mat6::Identity();
+      const Vector<Value> r = -memory.r;  // linear += angular x r
+      shifted(3, 1) = r.z, shifted(3, 2) = -r.y, shifted(4, 0) = -r.z;
+      shifted(4, 2) = r.x, shifted(5, 0) = r.y, shifted(5, 1) = -r.x;
+      result = shifted * result * shifted.transpose();
+    }
+    return result;
+  }
+  Motion<Value> S{};
+  (kind == JointKind::kPrismatic ? S.linear : S.angular) = axis_at(w.of(j, kAxes));
+  if constexpr (reversed) carry(S, -memory.r);
+  const Columns6 s = columns_of(S);
+  return s * memory.e[7] * s.transpose();
+}
+
+// Omega and b outwards across a joint: L Omega L^T + S D^-1 S^T. Nothing is subtracted.
+template <bool reversed>
+void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias, Mat6& far,
+               Columns6& far_bias) {
+  const Mat6 half = passed<reversed>(w, j, near);
+  far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
+  Motion<Value> a = motion_of(near_bias);
+  move<reversed>(w, single(j), kJoints[static_cast<std::size_t>(j)].kind, a);
+  far_bias = columns_of(a);
+}
+
+// A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
+template <int link>
+void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  const Body<Value>& X = w.bodies[link];
+  const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
+  w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
+}
+
+// The force that what was left at a link needs to move as the link does.
+template <int link>
+Columns6 force_on(Workspace& w) {
+  const Body<Value>& X = w.bodies[link];
+  return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
+}
+
+// --- joins: adapters to the joints' own frames ---------------------------------------------------
+
+// From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
+[[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  X.E << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
+  Y.E = X.E;
+  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  X.r << r.x, r.y, r.z;
+  Y.r.setZero();
+}
+
+template <std::size_t n>
+void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
+  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
+}
+
+template <std::size_t n>
+void store_acceleration(Workspace& w, int, int v,
+                        const std::array<std::array<Real, kColumns>, n>& qdd) {
+  for (std::size_t k = 0; k < n; ++k) w.answer[static_cast<std::size_t>(v) + k] = qdd[k][0];
+}
+
+// Forces at handles: what they do inside a run.
+
+// A wrench on the far link becomes what the near link feels of it, L^T times it; what it drives the
+// joint with, D^-1 S^T times it, is returned.
+template <bool reversed, class T>
+ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value>& r = memory.r;
+  if constexpr (reversed) n += cross(f, r);
+  Vector<T> driven{};
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      driven = solved(e + 12, n);
+      f.x -= e[0] * n.x + e[3] * n.y + e[6] * n.z;
+      f.y -= e[1] * n.x + e[4] * n.y + e[7] * n.z;
+      f.z -= e[2] * n.x + e[5] * n.y + e[8] * n.z;
+      n = kSphericalRotors ? driven * rotor_of(single(j)) : Vector<T>{};
+      if constexpr (!reversed) n += -cross(f, r);
+    }
+    return driven;
+  }
+  const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_at(w.of(j, kAxes)));
+  driven.x = x * e[7];
+  if constexpr (!reversed) n += -cross(f, r);
+  n.x -= e[0] * x, n.y -= e[1] * x, n.z -= e[2] * x;
+  f.x -= e[3] * x, f.y -= e[4] * x, f.z -= e[5] * x;
+  return driven;
+}
+
+// What a link is loaded with is added to what is handed on to it.
+ADAGEN_INLINE void take_load(const Workspace& w, int link, Vector<Value>& n, Vector<Value>& f) {
+  const Columns6& load = w.loads[static_cast<std::size_t>(link)];
+  n += Vector<Value>{load[0], load[1], load[2]};
+  f += Vector<Value>{load[3], load[4], load[5]};
+}
+
+// A wrench on the far link: the joint is told, and what the near link feels is left.
+template <bool reversed>
+ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
+  Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
+  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
+  } else {
+    e[6] += driven.x;
+  }
+}
+
+// The loads of links beyond joints first .. last, each on the link of the one before, from the last
+// link to the one that the first joint is on.
+template <int first, int last>
+void deliver(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = last; j >= first; --j) {
+    take_load(w, j + 1, n, f);
+    deliver<false>(w, j, n, f);
+  }
+  w.loads[kJoints[first].parent] += columns_of({n, f});
+}
+// The same where the ground's side lies beyond: from the first joint's link to the last one's.
+template <int first, int last>
+void deliver_reversed(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = first; j <= last; ++j) {
+    take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
+    deliver<true>(w, j, n, f);
+  }
+  w.loads[last + 1] += columns_of({n, f});
+}
+
+// What goes into a message, and out of one.
+template <class M>
+Number* put(Number* to, const M& m) {
+  Eigen::Map<Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>>{to} =
+      m.template cast<Number>();
+  return to + M::SizeAtCompileTime;
+}
+
+template <class M>
+const Number* get(const Number* from, M& m) {
+  using Content = Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>;
+  m = Eigen::Map<const Content>(from).template cast<Real>();
+  return from + M::SizeAtCompileTime;
+}
+
+template <std::size_t n>
+Number* put(Number* to, const std::array<Real, n>& x) {
+  return std::copy(x.begin(), x.end(), to);
+}
+
+template <std::size_t n>
+const Number* get(const Number* from, std::array<Real, n>& x) {
+  std::transform(from, from + n, x.begin(), [](Number value) { return Real(value); });
+  return from + n;
 }
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
 // Process 0: 8 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...
-constexpr std::array<int, 8> kRead_0{0, 1, 2, 3, 4, 5, 6, 7};
-constexpr std::array<int, 8> kOwned_0{0, 1, 2, 3, 4, 5, 6, 7};
-
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  ADAGEN_INPUTS
+  require_finite(w, w.q, 0, 8, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 8, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 8, &JointConstants::v, kNotFinite);
   stamp(0);
-  if (!all(unlike_zero(q + 0, 8) + unlike_zero(v + 0, 8) + unlike_zero(tau + 0, 8) == 0))
-    name_what_is_not_finite(w, kRead_0, kOwned_0);
-  w.to[2] = channel.outgoing(2, w.status);
-  take_sines_and_cosines<8>(q + 0, w.sine.data(), w.cosine.data());
-  w.to[2][2] = tau[7];
-  part_0_0(w);
-  part_0_1(w);
+  std::copy_n(w.q + 0, 8, w.angle.data() + 0);
+  turn<block(0), block(7) + 1>(w);
+  outward<0, 7>(w);  // "joint01" .. "joint08"
   stamp(1);
+  set_up_links<block(0), block(6) + 1>(w);
+  set_up_columns<block(0), block(6) + 1>(w);
+  inward_in_columns<0, 0, 6, true>(w);  // "joint01" .. "joint07"
+  propagate<false>(w, 0, kZero, kGround, w.j_joint04.Phi_rod01, w.j_joint04.b_rod01);
+  propagate<false>(w, 1, w.j_joint04.Phi_rod01, w.j_joint04.b_rod01, w.j_joint04.Phi_rod02, w.j_joint04.b_rod02);
+  propagate<false>(w, 2, w.j_joint04.Phi_rod02, w.j_joint04.b_rod02, w.j_joint04.Phi_rod03, w.j_joint04.b_rod03);
+  propagate<false>(w, 3, w.j_joint04.Phi_rod03, w.j_joint04.b_rod03, w.j_joint04.Phi_rod04, w.j_joint04.b_rod04);
+  propagate<false>(w, 4, w.j_joint04.Phi_rod04, w.j_joint04.b_rod04, w.j_joint04.Phi_rod05, w.j_joint04.b_rod05);
+  propagate<false>(w, 5, w.j_joint04.Phi_rod05, w.j_joint04.b_rod05, w.j_joint04.Phi_rod06, w.j_joint04.b_rod06);
+  propagate<false>(w, 6, w.j_joint04.Phi_rod06, w.j_joint04.b_rod06, w.j_joint04.Phi_rod07, w.j_joint04.b_rod07);
   stamp(2);
-  w.from[1] = channel.receive(1, w.status);  // from process 1: assembled: chain of "joint12"
+  {  // from process 1: assembled: chain of "joint12"
+    const Real* from = channel.receive(1, w.status);
+    from = get(from, w.j_joint12.Phi_rod08);
+    from = get(from, w.j_joint12.b_rod08);
+  }
   stamp(3);
-  part_0_2(w);
+  {
+    auto& i = w.j_joint08;
+    set_transforms(w, 7, i.X, i.Y);
+    load_torque(w, 7, 7, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_joint04.Phi_rod07;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_joint12.Phi_rod08, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_joint04.b_rod07, i.Y * w.j_joint12.b_rod08, c))
+      fail(w, kFactorization, 7);
+  }
   stamp(4);
+  {
+    auto& i = w.j_joint08;
+    Release<Revolute> release(i.joined);
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    store_acceleration(w, 7, 7, release.qdd());  // Eq. (9)
+    w.j_joint04.F_on_rod07 = -i.X.transposed_times(f);
+    w.j_joint12.F_on_rod08 = i.Y.transposed_times(f);
+  }
   stamp(5);
-  channel.send(2, w.status);  // to process 1: forces on: chain of "joint12"
+  {  // to process 1: forces on: chain of "joint12"
+    Real* to = channel.outgoing(2, w.status);
+    to = put(to, w.j_joint12.F_on_rod08);
+    channel.send(2, w.status);
+  }
   stamp(6);
-  part_0_3(w);
+  w.loads[1] = Columns6::Zero();
+  w.loads[2] = Columns6::Zero();
+  w.loads[3] = Columns6::Zero();
+  w.loads[4] = Columns6::Zero();
+  w.loads[5] = Columns6::Zero();
+  w.loads[6] = Columns6::Zero();
+  w.loads[7] = w.j_joint04.F_on_rod07;
+  deliver<0, 6>(w);  // "joint01" .. "joint07"
+  accelerate<0, 0, 6>(w);  // "joint01" .. "joint07"
   stamp(7);
-  if (!all(unlike_zero(w.result.data() + 0, 8) == 0)) name_what_overflows(w, kOwned_0);
-  if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 0, 8, w.qdd + 0);
+  require_finite(w, w.answer.data(), 0, 8, &JointConstants::v, kOverflow);
+  give(w, 0, 8);
 }
 
 // Process 1: 4 of 16 joints: "joint09", "joint10", "joint11", "joint12"; kinematics of 8 more on the way to the ground
-constexpr std::array<int, 12> kRead_1{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
-constexpr std::array<int, 4> kOwned_1{8, 9, 10, 11};
-
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  ADAGEN_INPUTS
+  require_finite(w, w.q, 0, 12, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 12, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 8, 4, &JointConstants::v, kNotFinite);
   stamp(0);
-  if (!all(unlike_zero(q + 0, 12) + unlike_zero(v + 0, 12) + unlike_zero(tau + 8, 4) == 0))
-    name_what_is_not_finite(w, kRead_1, kOwned_1);
-  w.to[1] = channel.outgoing(1, w.status);
-  w.to[3] = channel.outgoing(3, w.status);
-  take_sines_and_cosines<12>(q + 0, w.sine.data(), w.cosine.data());
-  w.to[3][2] = tau[11];
-  part_1_0(w);
-  part_1_1(w);
+  std::copy_n(w.q + 0, 12, w.angle.data() + 0);
+  turn<block(0), block(11) + 1>(w);
+  pass_outward<0, 7>(w);  // "joint01" .. "joint08"
+  outward<8, 11>(w);  // "joint09" .. "joint12"
   stamp(1);
+  set_up_links<block(7), block(10) + 1>(w);
+  inward<1, 8, 10, true>(w);  // "joint09" .. "joint11"
+  invert_root<1, 8>(w, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08);
+  propagate<false>(w, 8, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08, w.j_joint10.Phi_rod09, w.j_joint10.b_rod09);
+  w.j_joint10.Phi_rod08_rod09 = passed<false>(w, 8, w.j_joint10.Phi_rod08).transpose();  // with link "rod08"
+  propagate<false>(w, 9, w.j_joint10.Phi_rod09, w.j_joint10.b_rod09, w.j_joint10.Phi_rod10, w.j_joint10.b_rod10);
+  w.j_joint10.Phi_rod08_rod10 = passed<false>(w, 9, w.j_joint10.Phi_rod08_rod09.transpose()).transpose();  // with link "rod08"
+  propagate<false>(w, 10, w.j_joint10.Phi_rod10, w.j_joint10.b_rod10, w.j_joint10.Phi_rod11, w.j_joint10.b_rod11);
+  w.j_joint10.Phi_rod08_rod11 = passed<false>(w, 10, w.j_joint10.Phi_rod08_rod10.transpose()).transpose();  // with link "rod08"
   stamp(2);
-  w.from[0] = channel.receive(0, w.status);  // from process 2: assembled: chain of "joint14"
+  {  // from process 2: assembled: chain of "joint14"
+    const Real* from = channel.receive(0, w.status);
+    from = get(from, w.j_joint14.Phi_rod12);
+    from = get(from, w.j_joint14.b_rod12);
+  }
   stamp(3);
-  part_1_2(w);
+  {
+    auto& i = w.j_joint12;
+    set_transforms(w, 11, i.X, i.Y);
+    load_torque(w, 11, 11, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_joint10.Phi_rod11;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_joint14.Phi_rod12, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_joint10.b_rod11, i.Y * w.j_joint14.b_rod12, c))
+      fail(w, kFactorization, 11);
+    couple(i.joined, times_transposed(i.X, w.j_joint10.Phi_rod08_rod11), i.at_rod08);
+    i.Phi_rod08 = w.j_joint10.Phi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (3)
+    i.b_rod08 = w.j_joint10.b_rod08 - bias_change(i.joined, i.at_rod08);  // Eq. (6)
+  }
   stamp(4);
-  channel.send(1, w.status);  // to process 0: assembled: chain of "joint12"
+  {  // to process 0: assembled: chain of "joint12"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.j_joint12.Phi_rod08);
+    to = put(to, w.j_joint12.b_rod08);
+    channel.send(1, w.status);
+  }
   stamp(5);
-  part_1_3(w);
-  w.from[2] = channel.receive(2, w.status);  // from process 0: forces on: chain of "joint12"
+  {  // from process 0: forces on: chain of "joint12"
+    const Real* from = channel.receive(2, w.status);
+    from = get(from, w.j_joint12.F_on_rod08);
+  }
   stamp(6);
-  part_1_4(w);
+  {
+    auto& i = w.j_joint12;
+    Release<Revolute> release(i.joined);
+    release.feel_A(i.at_rod08, w.j_joint12.F_on_rod08);
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    store_acceleration(w, 11, 11, release.qdd());  // Eq. (9)
+    w.j_joint10.F_on_rod11 = -i.X.transposed_times(f);
+    w.j_joint14.F_on_rod12 = i.Y.transposed_times(f);
+  }
   stamp(7);
-  channel.send(3, w.status);  // to process 2: forces on: chain of "joint14"
+  {  // to process 2: forces on: chain of "joint14"
+    Real* to = channel.outgoing(3, w.status);
+    to = put(to, w.j_joint14.F_on_rod12);
+    channel.send(3, w.status);
+  }
   stamp(8);
-  part_1_5(w);
+  w.loads[8] = w.j_joint12.F_on_rod08;
+  w.loads[9] = Columns6::Zero();
+  w.loads[10] = Columns6::Zero();
+  w.loads[11] = w.j_joint10.F_on_rod11;
+  deliver<8, 10>(w);  // "joint09" .. "joint11"
+  w.motions[8] = motion_of(w.j_joint10.b_rod08 + w.j_joint10.Phi_rod08 * w.loads[8]);
+  accelerate<1, 8, 10>(w);  // "joint09" .. "joint11"
   stamp(9);
-  if (!all(unlike_zero(w.result.data() + 8, 4) == 0)) name_what_overflows(w, kOwned_1);
-  if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 8, 4, w.qdd + 8);
+  require_finite(w, w.answer.data(), 8, 4, &JointConstants::v, kOverflow);
+  give(w, 8, 4);
 }
 
 // Process 2: 4 of 16 joints: "joint13", "joint14", "joint15", "joint16"; kinematics of 12 more on the way to the ground
-constexpr std::array<int, 16> kRead_2{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr std::array<int, 4> kOwned_2{12, 13, 14, 15};
-
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  ADAGEN_INPUTS
+  require_finite(w, w.q, 0, 16, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 16, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 12, 4, &JointConstants::v, kNotFinite);
   stamp(0);
-  if (!all(unlike_zero(q + 0, 16) + unlike_zero(v + 0, 16) + unlike_zero(tau + 12, 4) == 0))
-    name_what_is_not_finite(w, kRead_2, kOwned_2);
-  w.to[0] = channel.outgoing(0, w.status);
-  take_sines_and_cosines<16>(q + 0, w.sine.data(), w.cosine.data());
-  part_2_0(w);
-  part_2_1(w);
+  std::copy_n(w.q + 0, 16, w.angle.data() + 0);
+  turn<block(0), block(15) + 1>(w);
+  pass_outward<0, 11>(w);  // "joint01" .. "joint12"
+  outward<12, 15>(w);  // "joint13" .. "joint16"
   stamp(1);
+  set_up_links<block(11), block(15) + 1>(w);
+  set_up_columns<block(12), block(15) + 1>(w);
+  inward_in_columns<2, 12, 15, true>(w);  // "joint13" .. "joint16"
+  invert_root<2, 12>(w, w.j_joint14.Phi_rod12, w.j_joint14.b_rod12);
   stamp(2);
-  channel.send(0, w.status);  // to process 1: assembled: chain of "joint14"
+  {  // to process 1: assembled: chain of "joint14"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.j_joint14.Phi_rod12);
+    to = put(to, w.j_joint14.b_rod12);
+    channel.send(0, w.status);
+  }
   stamp(3);
-  part_2_2(w);
-  w.from[3] = channel.receive(3, w.status);  // from process 1: forces on: chain of "joint14"
+  {  // from process 1: forces on: chain of "joint14"
+    const Real* from = channel.receive(3, w.status);
+    from = get(from, w.j_joint14.F_on_rod12);
+  }
   stamp(4);
-  part_2_3(w);
+  w.loads[12] = w.j_joint14.F_on_rod12;
+  w.motions[12] = motion_of(w.j_joint14.b_rod12 + w.j_joint14.Phi_rod12 * w.loads[12]);
+  accelerate<2, 12, 15>(w);  // "joint13" .. "joint16"
   stamp(5);
-  if (!all(unlike_zero(w.result.data() + 12, 4) == 0)) name_what_overflows(w, kOwned_2);
-  if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 12, 4, w.qdd + 12);
+  require_finite(w, w.answer.data(), 12, 4, &JointConstants::v, kOverflow);
+  give(w, 12, 4);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};

@@ -1,11 +1,11 @@
 // Forward dynamics of "human40" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
-// options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// program   4 processes, joined at cuts; 0.817 us predicted (default profile)
+// options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// program   4 processes, joined at cuts; 1.1 us predicted (default profile)
 //           process 0: root .. left_hip, right_hip .. spine
 //           process 1: left_knee .. left_ankle
-//           process 2: left_shoulder, neck .. right_wrist
+//           process 2: neck | right_wrist in 2 lanes, left_shoulder, right_shoulder .. right_elbow
 //           process 3: left_elbow .. left_wrist
 // schedule  spine@0-3(left_hip@0-1(right_hip@0(root | right_knee(|right_ankle)) | left_knee@1(|left_ankle)) | left_shoulder@2-3(right_shoulder@2(neck | right_elbow(|right_wrist)) | left_elbow@3(|left_wrist)))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
@@ -15,7 +15,7 @@
 // accelerations come back. Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura
 // joins them: Phi = (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent
 // link's side) and chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
-// Spatial vectors are [angular; linear], in link frames turned so that every joint axis is z.
+// Spatial vectors are [angular; linear], in the axes of the base, about each link's origin.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls
@@ -93,6 +93,10 @@ void human40_p4_close(human40_p4_solver* solver);
 
 #include <csignal>
 #endif
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
 #define ADAGEN_HOT [[gnu::hot]] ADAGEN_NOINLINE  // called in each step of a simulation; main is cold
@@ -387,6 +391,638 @@ std::string describe(int status) {
   }
   return "unknown failure";
 }
+
+// Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
+constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
+typedef Real Lanes __attribute__((vector_size(64)));
+typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
+typedef Bits LaneBits __attribute__((vector_size(64)));
+
+// Where registers are narrower, gcc tells that vectors are passed in other ways; none is, all is
+// inlined.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+#define ADAGEN_ALWAYS __attribute__((always_inline))
+#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
+#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
+
+ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
+ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
+
+// Whether any bit is set. Half by half: compilers take lanes apart one by one if left to it.
+typedef std::int64_t FourWords __attribute__((vector_size(32)));
+typedef std::int64_t TwoWords __attribute__((vector_size(16)));
+template <class T>
+ADAGEN_INLINE bool any_of(const T& x) {
+  if constexpr (sizeof x > sizeof(TwoWords)) {
+    typedef std::conditional_t<sizeof x == sizeof(FourWords), TwoWords, FourWords> Half;
+    Half halves[2];
+    std::memcpy(halves, &x, sizeof x);
+    const Half either = halves[0] | halves[1];
+    return any_of(either);
+  } else {
+    std::int64_t words[2]{};
+    std::memcpy(words, &x, sizeof x);
+    return (words[0] | words[1]) != 0;
+  }
+}
+
+// Whether all numbers are positive: false for NaN.
+ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
+template <class T>
+ADAGEN_INLINE bool all_positive(const T& x) {
+  return !any_of(~(x > T{}));
+}
+
+// One number or the other, lane by lane.
+ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
+  const LaneBits bits =
+      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
+  return reinterpret_cast<Lanes>(bits);
+}
+
+ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
+ADAGEN_INLINE bool all_zero(const Lanes& x) { return !any_of(x != Lanes{}); }
+
+ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
+ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
+  Lanes result = x;
+  for (int k = 0; k < kLanes; ++k) result[k] = std::tanh(x[k]);
+  return result;
+}
+
+// Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
+// three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
+// kLargestAngle; beyond, each lane is left to the C library.
+template <class R>
+struct Trigonometry;
+
+template <>
+struct Trigonometry<double> {
+  [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
+  [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
+  [[maybe_unused]] static constexpr double kParts[3] = {
+      1.57079632673412561417e+00, 6.07710050630396597660e-11, 2.02226624871116645580e-21};
+  [[maybe_unused]] static constexpr double kSine[6] = {
+      1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
+      -1.98412698295895385996e-4, 8.33333333332211858878e-3,  -1.66666666666666307295e-1};
+  [[maybe_unused]] static constexpr double kCosine[6] = {
+      -1.13585365213876817300e-11, 2.08757008419747316778e-9,  -2.75573141792967388112e-7,
+      2.48015872888517045348e-5,   -1.38888888888730564116e-3, 4.16666666666665929218e-2};
+};
+
+template <>
+struct Trigonometry<float> {
+  [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
+  [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
+  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f,
+                                                       7.54978995489188216e-8f};
+  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f,
+                                                      -1.6666654611e-1f};
+  [[maybe_unused]] static constexpr float kCosine[3] = {
+      2.443315711809948e-5f, -1.388731625493765e-3f, 4.166664568298827e-2f};
+};
+
+template <std::size_t n>
+ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
+  Lanes result = Lanes{} + coefficients[0];
+  ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
+  return result;
+}
+
+ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
+                                         Lanes& cosine) {
+  for (int k = 0; k < kLanes; ++k)
+    if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
+// Of angles that are not too large.
+ADAGEN_INLINE void near_sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  using Table = Trigonometry<Real>;
+  const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
+  const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
+  const Lanes turns = shifted - Table::kRound;
+  const Lanes rest =
+      ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
+  const Lanes square = rest * rest;
+  const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
+  const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
+  const LaneBits swapped = -(quadrant & 1);
+  const LaneBits s_bits = reinterpret_cast<LaneBits>(s);
+  const LaneBits c_bits = reinterpret_cast<LaneBits>(c);
+  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
+  const LaneBits sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
+  const LaneBits cosine_bits =
+      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
+  sine = reinterpret_cast<Lanes>(sine_bits);
+  cosine = reinterpret_cast<Lanes>(cosine_bits);
+}
+
+ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
+  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
+  return (angle > kLargest) | (angle < -kLargest);
+}
+
+ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  near_sine_and_cosine(angle, sine, cosine);
+  const LaneBits beyond = too_large(angle);
+  if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
+}
+
+// Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
+// computed with: one number, or one for each of several states or links.
+template <class T>
+struct Vector {
+  T x, y, z;
+};
+
+template <class T>
+struct Matrix {
+  Vector<T> x, y, z;  // rows
+};
+
+template <class T>
+struct Symmetric {
+  T xx, xy, xz, yy, yz, zz;
+};
+
+template <class T>
+ADAGEN_INLINE Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Vector<T>& a, const S& s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Vector<T>& a, const Vector<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+template <class T, class S>
+ADAGEN_INLINE T dot(const Vector<T>& a, const Vector<S>& b) {
+  return a.x * b.x + (a.y * b.y + a.z * b.z);
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> cross(const Vector<T>& a, const Vector<S>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Matrix<T>& m, const Vector<S>& a) {
+  return {dot(m.x, a), dot(m.y, a), dot(m.z, a)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> transposed_times(const Matrix<T>& m, const Vector<T>& a) {
+  return {m.x.x * a.x + (m.y.x * a.y + m.z.x * a.z), m.x.y * a.x + (m.y.y * a.y + m.z.y * a.z),
+          m.x.z * a.x + (m.y.z * a.y + m.z.z * a.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> row_times(const Vector<T>& a, const Matrix<S>& m) {
+  return {a.x * m.x.x + (a.y * m.y.x + a.z * m.z.x), a.x * m.x.y + (a.y * m.y.y + a.z * m.z.y),
+          a.x * m.x.z + (a.y * m.y.z + a.z * m.z.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Matrix<T> operator*(const Matrix<T>& a, const Matrix<S>& b) {
+  return {row_times(a.x, b), row_times(a.y, b), row_times(a.z, b)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator*(const Symmetric<T>& m, const Vector<T>& a) {
+  return {m.xx * a.x + (m.xy * a.y + m.xz * a.z), m.xy * a.x + (m.yy * a.y + m.yz * a.z),
+          m.xz * a.x + (m.yz * a.y + m.zz * a.z)};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Symmetric<T>& a, const Symmetric<T>& b) {
+  a.xx += b.xx, a.xy += b.xy, a.xz += b.xz, a.yy += b.yy, a.yz += b.yz, a.zz += b.zz;
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Matrix<T>& a, const Matrix<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+
+// A body about a point: spatial inertia [[A, B], [B^T, C]] (A rotational, C of mass) and bias force
+// [n; f]. It is a link, or a link with all that hangs on it.
+template <class T>
+struct Body {
+  Symmetric<T> A;
+  Matrix<T> B;
+  Symmetric<T> C;
+  Vector<T> n, f;
+};
+
+template <class T>
+ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
+  a.A += b.A, a.B += b.B, a.C += b.C, a.n += b.n, a.f += b.f;
+}
+
+// The body told about the point at -r from the one that it is told about: B + rx C, and
+// A + rx B^T - (B + rx C) rx.
+template <class T>
+ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Matrix<T> B{{X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
+                     X.B.x.z + (r.y * C.zz - r.z * C.yz)},
+                    {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
+                     X.B.y.z + (r.z * C.xz - r.x * C.zz)},
+                    {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
+                     X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
+  X.A.xx += (r.y * X.B.x.z - r.z * X.B.x.y) - (B.x.y * r.z - B.x.z * r.y);
+  X.A.xy += (r.y * X.B.y.z - r.z * X.B.y.y) - (B.x.z * r.x - B.x.x * r.z);
+  X.A.xz += (r.y * X.B.z.z - r.z * X.B.z.y) - (B.x.x * r.y - B.x.y * r.x);
+  X.A.yy += (r.z * X.B.y.x - r.x * X.B.y.z) - (B.y.z * r.x - B.y.x * r.z);
+  X.A.yz += (r.z * X.B.z.x - r.x * X.B.z.z) - (B.y.x * r.y - B.y.y * r.x);
+  X.A.zz += (r.x * X.B.z.y - r.y * X.B.z.x) - (B.z.x * r.y - B.z.y * r.x);
+  X.B = B;
+  X.n += cross(r, X.f);
+}
+
+// The same for a body whose A and B are zero, as a point mass's: B = rx C, A = -B rx.
+template <class T>
+ADAGEN_INLINE void shift_mass(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Vector<T> Cx{C.xx, C.xy, C.xz}, Cy{C.xy, C.yy, C.yz}, Cz{C.xz, C.yz, C.zz};
+  X.B = {Cz * r.y - Cy * r.z, Cx * r.z - Cz * r.x, Cy * r.x - Cx * r.y};
+  const Vector<T> Ax = cross(r, X.B.x), Ay = cross(r, X.B.y), Az = cross(r, X.B.z);
+  X.A = {Ax.x, Ax.y, Ax.z, Ay.y, Ay.z, Az.z};
+  X.n += cross(r, X.f);
+}
+
+// The inertia less U U^T / D, U = [n; f] and e = U / D.
+template <class T>
+ADAGEN_INLINE void subtract(Body<T>& X, const Vector<T>& n, const Vector<T>& f,
+                            const Vector<T>& e_n, const Vector<T>& e_f) {
+  X.A.xx -= e_n.x * n.x, X.A.xy -= e_n.x * n.y, X.A.xz -= e_n.x * n.z;
+  X.A.yy -= e_n.y * n.y, X.A.yz -= e_n.y * n.z, X.A.zz -= e_n.z * n.z;
+  X.B.x.x -= e_n.x * f.x, X.B.x.y -= e_n.x * f.y, X.B.x.z -= e_n.x * f.z;
+  X.B.y.x -= e_n.y * f.x, X.B.y.y -= e_n.y * f.y, X.B.y.z -= e_n.y * f.z;
+  X.B.z.x -= e_n.z * f.x, X.B.z.y -= e_n.z * f.y, X.B.z.z -= e_n.z * f.z;
+  X.C.xx -= e_f.x * f.x, X.C.xy -= e_f.x * f.y, X.C.xz -= e_f.x * f.z;
+  X.C.yy -= e_f.y * f.y, X.C.yz -= e_f.y * f.z, X.C.zz -= e_f.z * f.z;
+}
+
+// Where a point moves that is at r from one that moves as [angular; linear].
+template <class T>
+struct Motion {
+  Vector<T> angular, linear;
+};
+
+template <class T, class S>
+ADAGEN_INLINE void carry(Motion<T>& a, const Vector<S>& r) {
+  a.linear += cross(a.angular, r);
+}
+
+// The rotation that a quaternion x y z w of any length stands for, and its squared length.
+template <class T>
+ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<T>& R) {
+  const T squared = (x * x + y * y) + (z * z + w * w);
+  const T s = 2 / squared;
+  const T xx = s * x * x, yy = s * y * y, zz = s * z * z, xy = s * x * y, xz = s * x * z,
+          yz = s * y * z, xw = s * x * w, yw = s * y * w, zw = s * z * w;
+  R = {{1 - (yy + zz), xy - zw, xz + yw},
+       {xy + zw, 1 - (xx + zz), yz - xw},
+       {xz - yw, yz + xw, 1 - (xx + yy)}};
+  return squared;
+}
+
+// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
+// the motion itself, and one for each slaved joint's coupling torque.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+using Mat3 = Eigen::Matrix<Real, 3, 3>;
+using Vec6 = Eigen::Matrix<Real, 6, 1>;
+using Mat6 = Eigen::Matrix<Real, 6, 6>;
+using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
+
+// Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
+struct Transform {
+  Mat3 E;  // rotates parent coordinates into child coordinates
+  Vec3 r;  // origin of the child frame in parent coordinates
+
+  template <class M>
+  void times(const M& m, M& result) const {
+    for (int k = 0; k < M::ColsAtCompileTime; ++k) {
+      const Vec3 angular = m.col(k).template head<3>();
+      const Vec3 linear = m.col(k).template tail<3>();
+      result.col(k).template head<3>().noalias() = E * angular;
+      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
+    }
+  }
+
+  // X^T m: takes a wrench on the child to the same wrench on the parent.
+  Columns6 transposed_times(const Columns6& m) const {
+    Columns6 result;
+    for (int k = 0; k < kColumns; ++k) {
+      const Vec3 force = E.transpose() * m.col(k).template tail<3>();
+      result.col(k).template head<3>() =
+          E.transpose() * m.col(k).template head<3>() + r.cross(force);
+      result.col(k).template tail<3>() = force;
+    }
+    return result;
+  }
+};
+
+ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
+  Mat6 result;
+  X.times(m, result);
+  return result;
+}
+
+ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
+  Mat6 transposed, result;
+  transposed.noalias() = m.transpose();
+  X.times(transposed, result);
+  return result;
+}
+
+// m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
+ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
+  Mat6 result = times_transposed(X, m);
+  result.transposeInPlace();
+  return result;
+}
+
+template <int columns>
+Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
+                                          const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
+  X.times(m, result);
+  return result;
+}
+
+// Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
+// quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
+[[maybe_unused]] Real conjugate_rotation(const Number* quaternion, Mat3& E) {
+  const Real x = Real(quaternion[0]), y = Real(quaternion[1]);
+  const Real z = Real(quaternion[2]), w = Real(quaternion[3]);
+  const Real squared = x * x + y * y + z * z + w * w;
+  const Real s = 2 / squared;
+  E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
+      s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w),   //
+      s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y);
+  return squared;
+}
+
+// b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
+ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
+  using Constant3 = Eigen::Map<const Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>>;
+  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 c(Real(link.com[0]), Real(link.com[1]), Real(link.com[2]));
+  const Vec3 momentum = Constant3(link.tensor).cast<Real>() * omega;
+  const Vec3 alpha = Constant3(link.tensor_inverse).cast<Real>() * momentum.cross(omega);
+  b.setZero();
+  b.col(0).template head<3>() = alpha;
+  b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
+}
+
+// Joint kinds in their canonical frames: the rows of a spatial vector that a joint frees (R, S) and
+// those it constrains (N). Both are selections, so N and R cost nothing and round nothing.
+template <int... Rows>
+struct Selection {
+  static constexpr int count = sizeof...(Rows);
+  static constexpr std::array<int, sizeof...(Rows)> row{Rows...};
+};
+
+struct Revolute {
+  using Free = Selection<2>;
+  using Constrained = Selection<0, 1, 3, 4, 5>;
+};
+struct Prismatic {
+  using Free = Selection<5>;
+  using Constrained = Selection<0, 1, 2, 3, 4>;
+};
+struct Spherical {
+  using Free = Selection<0, 1, 2>;
+  using Constrained = Selection<3, 4, 5>;
+};
+struct Planar {
+  using Free = Selection<3, 4, 2>;
+  using Constrained = Selection<0, 1, 5>;
+};
+struct Floating {
+  using Free = Selection<3, 4, 5, 0, 1, 2>;
+  using Constrained = Selection<>;
+};
+
+template <class Kind>
+[[maybe_unused]] constexpr int kFree = Kind::Free::count;
+template <class Kind>
+[[maybe_unused]] constexpr int kConstrained = Kind::Constrained::count;
+
+// S qd, the velocity across a joint.
+template <class Kind>
+Vec6 joint_velocity(const Number* qd) {
+  Vec6 result = Vec6::Zero();
+  for (int k = 0; k < kFree<Kind>; ++k) result[Kind::Free::row[k]] = Real(qd[k]);
+  return result;
+}
+
+// c_i = v_i x S qd, the part of the acceleration across a joint that qdd has no say in.
+template <class Kind>
+Columns6 velocity_product(const Vec6& velocity, const Number* qd) {
+  const Vec6 motion = joint_velocity<Kind>(qd);
+  Columns6 result = Columns6::Zero();
+  result.col(0).template head<3>() = velocity.head<3>().cross(motion.head<3>());
+  result.col(0).template tail<3>() =
+      velocity.head<3>().cross(motion.tail<3>()) + velocity.tail<3>().cross(motion.head<3>());
+  return result;
+}
+
+// What disassembly needs of a joint i that was assembled.
+template <class Kind>
+struct Joined {
+  static constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  std::array<std::array<Real, m>, m> L;         // Cholesky factor of V_i^-1; its diagonal inverted
+  std::array<std::array<Real, m>, n> RPN;       // R_i (Phi_Ai + Phi_Bi) N_i^T
+  std::array<std::array<Real, kColumns>, m> z;  // L^-1 N_i beta_i
+  std::array<std::array<Real, kColumns>, n> R_beta;  // R_i beta_i
+  std::array<std::array<Real, kColumns>, n> tau;
+};
+
+// How a joint i and a handle j of one chain feel each other: Z = L^-1 N_i Phi_ij, Y = R_i Phi_ij.
+template <class Kind>
+struct Coupled {
+  std::array<std::array<Real, 6>, kConstrained<Kind>> Z;
+  std::array<std::array<Real, 6>, kFree<Kind>> Y;
+};
+
+// x <- L^-1 x, row by row.
+template <std::size_t m, std::size_t k>
+void forward_substitute(const std::array<std::array<Real, m>, m>& L,
+                        std::array<std::array<Real, k>, m>& x) {
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t c = 0; c < k; ++c) x[i][c] -= L[i][j] * x[j][c];
+    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
+  }
+}
+
+// x <- L^-T x.
+template <std::size_t m, std::size_t k>
+void backward_substitute(const std::array<std::array<Real, m>, m>& L,
+                         std::array<std::array<Real, k>, m>& x) {
+  for (std::size_t i = m; i-- > 0;) {
+    for (std::size_t c = 0; c < k; ++c) x[i][c] *= L[i][i];
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t c = 0; c < k; ++c) x[j][c] -= L[i][j] * x[i][c];
+  }
+}
+
+// Cholesky's factorization in place, the inverse of the diagonal in its place. False where a pivot
+// has lost every digit, or was none to begin with.
+template <std::size_t m>
+bool factorize(std::array<std::array<Real, m>, m>& L) {
+  bool good = true;
+  for (std::size_t j = 0; j < m; ++j) {
+    Real pivot = L[j][j];
+    const Real least = 8 * std::numeric_limits<Real>::epsilon() * pivot;
+    for (std::size_t k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
+    good = good && pivot > least && pivot <= std::numeric_limits<Real>::max();
+    const Real inverse = 1 / std::sqrt(pivot);
+    L[j][j] = inverse;
+    for (std::size_t i = j + 1; i < m; ++i) {
+      for (std::size_t k = 0; k < j; ++k) L[i][j] -= L[i][k] * L[j][k];
+      L[i][j] *= inverse;
+    }
+  }
+  return good;
+}
+
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
+// each row, is 64 eps times that.
+template <class Kind>
+bool keeps_digits(const Mat6& Phi_A, const Mat6& Phi_B, const std::array<Real, 6>& least) {
+  bool good = true;
+  for (int k : Kind::Constrained::row)
+    good = good && Phi_A(k, k) + Phi_B(k, k) > least[static_cast<std::size_t>(k)];
+  return good;
+}
+
+// V_i and beta_i of Eq. (3)-(7): Phi_A and Phi_B are those of the joint's two sides in its frame,
+// b_A, b_B and c the accelerations there. Returns false where the factorization fails.
+template <class Kind>
+ADAGEN_NOINLINE bool join(Joined<Kind>& i, const Mat6& Phi_A, const Mat6& Phi_B,
+                          const Columns6& b_A, const Columns6& b_B, const Columns6& c) {
+  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
+  constexpr auto& free = Kind::Free::row;
+  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
+  const Mat6 Phi = Phi_A + Phi_B;
+  Columns6 beta = b_A - b_B + c;
+  for (int k = 0; k < n; ++k)
+    for (int column = 0; column < kColumns; ++column)
+      beta.col(column) -= Phi.col(free[k]) * i.tau[k][column];
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column < kColumns; ++column)
+      i.R_beta[row][column] = beta(free[row], column);
+    for (int k = 0; k < m; ++k) i.RPN[row][k] = Phi(free[row], constrained[k]);
+  }
+  if constexpr (m > 0) {
+    for (int row = 0; row < m; ++row) {
+      for (int k = 0; k <= row; ++k) i.L[row][k] = Phi(constrained[row], constrained[k]);
+      for (int column = 0; column < kColumns; ++column)
+        i.z[row][column] = beta(constrained[row], column);
+    }
+    const bool good = factorize(i.L);
+    forward_substitute(i.L, i.z);
+    return good;
+  }
+  return true;
+}
+
+// Z and Y of a handle j, Phi_ij being given with the joint's frame on its left.
+template <class Kind>
+ADAGEN_NOINLINE void couple(const Joined<Kind>& i, const Mat6& Phi_ij, Coupled<Kind>& j) {
+  for (int row = 0; row < kFree<Kind>; ++row)
+    for (int k = 0; k < 6; ++k) j.Y[row][k] = Phi_ij(Kind::Free::row[row], k);
+  if constexpr (kConstrained<Kind> > 0) {
+    for (int row = 0; row < kConstrained<Kind>; ++row)
+      for (int k = 0; k < 6; ++k) j.Z[row][k] = Phi_ij(Kind::Constrained::row[row], k);
+    forward_substitute(i.L, j.Z);
+  }
+}
+
+// Phi_Aji W_i Phi_Aik = Z_j^T Z_k: what Eq. (3) and (4) subtract and Eq. (5) is.
+template <class Kind>
+ADAGEN_NOINLINE Mat6 product([[maybe_unused]] const Coupled<Kind>& j,
+                             [[maybe_unused]] const Coupled<Kind>& k) {
+  Mat6 result = Mat6::Zero();
+  if constexpr (kConstrained<Kind> > 0) {
+    for (int row = 0; row < kConstrained<Kind>; ++row) {
+      const Vec6 left = Eigen::Map<const Vec6>(j.Z[row].data());
+      const Vec6 right = Eigen::Map<const Vec6>(k.Z[row].data());
+      result.noalias() += left * right.transpose();
+    }
+  }
+  return result;
+}
+
+// Phi_ji gamma_i = Z^T z + Y^T tau: the change of b_j in Eq. (6) and (7).
+template <class Kind>
+Columns6 bias_change(const Joined<Kind>& i, const Coupled<Kind>& j) {
+  Columns6 result = Columns6::Zero();
+  for (int column = 0; column < kColumns; ++column) {
+    for (int row = 0; row < kConstrained<Kind>; ++row)
+      result.col(column) += Eigen::Map<const Vec6>(j.Z[row].data()) * i.z[row][column];
+    for (int row = 0; row < kFree<Kind>; ++row)
+      result.col(column) += Eigen::Map<const Vec6>(j.Y[row].data()) * i.tau[row][column];
+  }
+  return result;
+}
+
+// Disassembly of a joint: collects what the outer forces do to it, then gives its acceleration and
+// its force.
+template <class Kind>
+class Release {
+ public:
+  explicit Release(const Joined<Kind>& i) : i_(i), z_(i.z), qdd_(i.R_beta) {
+    for (auto& row : qdd_)
+      for (Real& x : row) x = -x;
+  }
+
+  void feel_A(const Coupled<Kind>& j, const Columns6& f) { feel(j, f, Real(1)); }
+  void feel_B(const Coupled<Kind>& k, const Columns6& f) { feel(k, f, Real(-1)); }
+
+  // f_i, Eq. (10); on the way n_i, Eq. (8), and qdd_i, Eq. (9).
+  Columns6 force() {
+    if constexpr (kConstrained<Kind> > 0) backward_substitute(i_.L, z_);
+    Columns6 f;
+    for (int column = 0; column < kColumns; ++column) {
+      for (int k = 0; k < kConstrained<Kind>; ++k)
+        f(Kind::Constrained::row[k], column) = z_[k][column];
+      for (int k = 0; k < kFree<Kind>; ++k) {
+        f(Kind::Free::row[k], column) = i_.tau[k][column];
+        for (int l = 0; l < kConstrained<Kind>; ++l)
+          qdd_[k][column] += i_.RPN[k][l] * z_[l][column];
+      }
+    }
+    return f;
+  }
+
+  const std::array<std::array<Real, kColumns>, kFree<Kind>>& qdd() const { return qdd_; }
+
+ private:
+  void feel(const Coupled<Kind>& j, const Columns6& f, Real sign) {
+    for (int column = 0; column < kColumns; ++column) {
+      const Vec6 signed_f = sign * f.col(column);
+      for (int row = 0; row < kConstrained<Kind>; ++row)
+        z_[row][column] += Eigen::Map<const Vec6>(j.Z[row].data()).dot(signed_f);
+      for (int row = 0; row < kFree<Kind>; ++row)
+        qdd_[row][column] -= Eigen::Map<const Vec6>(j.Y[row].data()).dot(signed_f);
+    }
+  }
+
+  const Joined<Kind>& i_;
+  std::array<std::array<Real, kColumns>, kConstrained<Kind>> z_;
+  std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
+};
 
 constexpr std::array<MessageInfo, 12> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "left_knee"
@@ -735,4962 +1371,2138 @@ std::chrono::steady_clock::rep* trace_stamps =
   if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
 }
 
-// ---- 4. joints ----------------------------------------------------------------------------------
+// ---- 4. kernels ---------------------------------------------------------------------------------
+// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
+// base's link), about each link's own origin. Links move as they would were all joint accelerations
+// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
 
 // What is computed with.
 using Value = Real;
 
-// The memory of a process: the state, angles with sine and cosine, what messages hold, and values
-// that one function leaves to another.
-struct Workspace {
+// A link's mass, that times its centre of mass, and its pseudo-inertia, sum of m x x^T: xx xy xz yy
+// yz zz. About the link's origin.
+struct LinkInertia {
+  Real mass, moments[3], tensor[6];
+};
+constexpr std::array<LinkInertia, kJointCount> kInertias{ {
+    {9.6, {0.0, 0.0, 0.288},
+     {0.020480000000000005, 0.0, 0.0, 0.07200000000000001, 0.0, 0.040639999999999996}},
+    {8.4, {0.0, 0.0, -1.596},
+     {0.01344, 0.0, 0.0, 0.01344, 0.0, 0.41524}},
+    {3.2, {-0.576, 0.0, 0.0},
+     {0.1463467, 0.0, 0.0, 0.002, 0.0, 0.002}},
+    {1.0, {0.06, 0.0, -0.04},
+     {0.008808335, 0.0, -0.0024, 0.0006749950000000001, 0.0, 0.002008335}},
+    {8.4, {0.0, 0.0, -1.596},
+     {0.01344, 0.0, 0.0, 0.01344, 0.0, 0.41524}},
+    {3.2, {-0.576, 0.0, 0.0},
+     {0.1463467, 0.0, 0.0, 0.002, 0.0, 0.002}},
+    {1.0, {0.06, 0.0, -0.04},
+     {0.008808335, 0.0, -0.0024, 0.0006749950000000001, 0.0, 0.002008335}},
+    {23.0, {0.0, 0.0, 5.29},
+     {0.06210050000000003, 0.0, 0.0, 0.19626649999999998, 0.0, 1.6222665}},
+    {1.9, {0.0, 0.0, -0.266},
+     {0.000961875, 0.0, 0.0, 0.000961875, 0.0, 0.049653325000000005}},
+    {1.1, {-0.132, 0.0, 0.0},
+     {0.021569165, 0.0, 0.0, 0.000336875, 0.0, 0.000336875}},
+    {0.42, {0.0, 0.0, -0.0336},
+     {3.150000000000001e-05, 0.0, 0.0, 0.00022399999999999997, 0.0, 0.0036995}},
+    {4.9, {0.049, 0.0, 0.6860000000000002},
+     {0.01029, 0.0, 0.0068600000000000015, 0.0098, 0.0, 0.10584000000000003}},
+    {1.9, {0.0, 0.0, -0.266},
+     {0.000961875, 0.0, 0.0, 0.000961875, 0.0, 0.049653325000000005}},
+    {1.1, {-0.132, 0.0, 0.0},
+     {0.021569165, 0.0, 0.0, 0.000336875, 0.0, 0.000336875}},
+    {0.42, {0.0, 0.0, -0.0336},
+     {3.150000000000001e-05, 0.0, 0.0, 0.00022399999999999997, 0.0, 0.0036995}},
+} };
+
+// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
+// segments of long runs.
+constexpr int kSlotCount = 26;
+constexpr bool kAbreast = true;  // whether there are such
+constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
+constexpr bool kReordered = true;  // whether joints lie in another order than they have
+constexpr int kSlots[kJointCount]{ 0, 1, 8, 9, 2, 3, 4, 5, 18, 24, 25, 16, 19, 20, 17 };
+constexpr bool kByColumns = false;  // whether runs are taken by columns
+
+// What a process does at a link.
+struct LinkRole {
+  bool gathers;   // paths meet at it inwards
+  bool adds_own;  // its own inertia is this process's to add
+  bool parts;     // paths part at it outwards
+  bool oriented;  // the quaternion of the joint above it is this process's to take
+};
+constexpr LinkRole kRoles[4][kLinkCount]{
+    {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 0, 1}, {1, 1, 1, 0}, {0, 1, 0, 1}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+};
+
+// What is kept where segments meet, with the joint that it belongs to.
+struct Joint_left_hip {
+  Mat6 Phi_pelvis;
+  Columns6 b_pelvis;
+  Transform X, Y;  // to the joint's frame, about its two links' origins
+  Joined<Spherical> joined;
+  Coupled<Spherical> at_pelvis;
+  Columns6 F_on_pelvis;
+};
+struct Joint_left_knee {
+  Mat6 Phi_left_thigh;
+  Columns6 b_left_thigh;
+  Columns6 F_on_left_thigh;
+};
+struct Joint_right_hip {
+  Mat6 Phi_pelvis;
+  Columns6 b_pelvis;
+  Columns6 F_on_pelvis;
+};
+struct Joint_spine {
+  Transform X, Y;  // to the joint's frame, about its two links' origins
+  Joined<Spherical> joined;
+};
+struct Joint_left_shoulder {
+  Mat6 Phi_trunk;
+  Columns6 b_trunk;
+  Transform X, Y;  // to the joint's frame, about its two links' origins
+  Joined<Spherical> joined;
+  Coupled<Spherical> at_trunk;
+  Columns6 F_on_trunk;
+};
+struct Joint_left_elbow {
+  Mat6 Phi_left_upper_arm;
+  Columns6 b_left_upper_arm;
+  Columns6 F_on_left_upper_arm;
+};
+struct Joint_right_shoulder {
+  Mat6 Phi_trunk;
+  Columns6 b_trunk;
+  Columns6 F_on_trunk;
+};
+struct Cuts {
+  Joint_left_hip j_left_hip;
+  Joint_left_knee j_left_knee;
+  Joint_right_hip j_right_hip;
+  Joint_spine j_spine;
+  Joint_left_shoulder j_left_shoulder;
+  Joint_left_elbow j_left_elbow;
+  Joint_right_shoulder j_right_shoulder;
+  std::array<Columns6, kLinkCount> loads;  // wrenches on links, from handle forces
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+// The memory of a process. What is set up for many links at once lies in blocks, side by side.
+constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
+constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
+
+// Joints that are treated together, one in each lane of T; their slots follow each other.
+template <class T>
+[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Value));
+template <class T>
+struct Joints {
+  int slot;  // of the first one
+  int joint[kWidth<T>];
+
+  constexpr const JointConstants& any() const {
+    return kJoints[static_cast<std::size_t>(joint[0])];
+  }
+};
+constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
+ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
+
+// The lanes of limbs side by side.
+typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+
+// A number of each of the joints.
+template <class T, class Number, std::size_t... lane>
+ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
+                        std::index_sequence<lane...>) {
+  return T{number(kJoints[static_cast<std::size_t>(joints.joint[lane])])...};
+}
+template <class T, class Number>
+ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
+  if constexpr (kWidth<T> == 1) {
+    const auto one = number(kJoints[static_cast<std::size_t>(joints.joint[0])]);
+    if constexpr (std::is_same_v<decltype(one), const T>)
+      return one;
+    else
+      return T{} + one;
+  } else {
+    return each_of(joints, number, std::make_index_sequence<kWidth<T>>{});
+  }
+}
+
+// What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
+enum Entry : int {
+  kTurn = 0,           // rotation from the child's to the parent link's axes, row by row
+  kAxes = 9,           // the link's orientation R, row by row: its z is the joint's axis
+  kOmega = 18,         // angular velocity
+  kAlpha = 21,         // angular acceleration and
+  kAcceleration = 24,  // acceleration of its origin less gravity, were all joint accelerations zero
+  kRotational = 27,    // A of the bare link
+  kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
+  kTorque = 36,        // bias force n
+  kForce = 39,         // and f of the bare link
+  kEntries = 42
+};
+
+struct alignas(64) Block {
+  Value entries[kEntries][kPerBlock];
+};
+
+// Three numbers of each of the joints, that follow each other in x.
+template <class T>
+ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
+                                    int JointConstants::* place) {
+  const auto number = [&](int k) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
+  };
+  return {number(0), number(1), number(2)};
+}
+
+// Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
+[[maybe_unused]] constexpr bool any_of(JointKind kind) {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
+[[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
+[[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
+[[maybe_unused]] constexpr bool any_passive() {
+  for (const JointConstants& joint : kJoints) {
+    const Passive& own = joint.passive;
+    if (own.damping != 0 || own.friction != 0 || own.stiffness != 0 || own.rotor != 0) return true;
+  }
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnyPassive = any_passive();
+
+// Whether a joint's axis lies beside what it is treated with, and not with those of its block.
+template <class T>
+constexpr bool kWithAxis = kByColumns && kWidth<T> == 1;
+// Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
+constexpr int kMostFactors = kAnyPlanar ? 24 : kAnySpherical ? 18 : 8;
+
+// What is kept of a joint from the inward to the outward sweep.
+template <class T, bool with_axis = kWithAxis<T>>
+struct Eliminated {
+  Vector<T> r;  // from the parent link's origin to the child link's
+  T e[kMostFactors];
+};
+template <class T>
+struct alignas(64) Eliminated<T, true> {
+  Vector<T> axis;
+  T none;  // so that axis and r lie as the halves of a column
+  Vector<T> r;
+  T nothing;
+  T e[kMostFactors];
+};
+using Memory = Eliminated<Value>;
+
+// A bare link as it is added to columns (see inward_columns.hpp).
+struct alignas(64) LinkColumns {
+  Real tensor[8], moments[8], force[8];
+};
+
+// A link's orientation and how it moves, were all joint accelerations zero.
+template <class T>
+struct Frame {
+  Matrix<T> R;
+  Vector<T> omega, alpha, a;
+};
+
+struct Workspace : Cuts {
   const Value* q = nullptr;
   const Value* v = nullptr;
   const Value* tau = nullptr;
   Value* qdd = nullptr;
   int status = kFine;
-  alignas(kCacheLine) std::array<Value, 1> angle{}, sine{}, cosine{};
-  std::array<Value, kNv> result{};
-  std::array<Real*, kPlanMessages> to{};          // messages to be sent
-  std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Value, 195> x{};
+  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
+  std::array<Block, kBlockCount> blocks{};
+  std::array<Memory, kJointCount> joints{};
+  std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
+  std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
+  // Of the link beyond each joint, and one for slots that are not filled.
+  std::array<LinkColumns, kByColumns ? kJointCount + 1 : 0> columns{};
+  std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
+  std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
+  std::array<Value, kNv> answer{};
+
+  Workspace() {
+    for (Block& block : blocks)  // slots that are not filled do not turn
+      for (const int k : {0, 4, 8}) std::fill_n(block.entries[kTurn + k], kPerBlock, Value{} + 1);
+    for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
+      for (int k = 0; k < 9; ++k)
+        of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
+  }
+
+  Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
+  Value* at(int slot, Entry entry) {
+    return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
+  }
+
+  template <class T>
+  Eliminated<T>& memory(const Joints<T>& of) {
+    if constexpr (kWidth<T> == 1)
+      return joints[static_cast<std::size_t>(of.joint[0])];
+    else if constexpr (kWidth<T> == 2)
+      return twos[static_cast<std::size_t>(of.slot / 2)];
+    else
+      return fours[static_cast<std::size_t>(of.slot / 4)];
+  }
 };
 
-// What straight lines of numbers need.
-inline bool all(bool good, bool also = true) { return good && also; }
-
-// Zero for finite numbers only: x - x is.
-inline Real unlike_zero(const Real* x, int count) {
-  Real sum = 0;
-  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
-  return sum;
+template <class T = Value>
+ADAGEN_INLINE T number_at(const Value* x) {
+  T result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const T& number) {
+  std::memcpy(x, &number, sizeof number);
+}
+template <class T = Value>
+ADAGEN_INLINE Vector<T> vector_at(const Value* x, int stride = kPerBlock) {
+  return {number_at<T>(x), number_at<T>(x + stride), number_at<T>(x + 2 * stride)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Vector<T>& a) {
+  put_at(x, a.x), put_at(x + kPerBlock, a.y), put_at(x + 2 * kPerBlock, a.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Matrix<T> matrix_at(const Value* x) {
+  return {vector_at<T>(x), vector_at<T>(x + 3 * kPerBlock), vector_at<T>(x + 6 * kPerBlock)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Matrix<T>& m) {
+  put_at(x, m.x), put_at(x + 3 * kPerBlock, m.y), put_at(x + 6 * kPerBlock, m.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
+  return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
+}
+template <class T>
+ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
+  if constexpr (kWithAxis<T>)
+    return w.memory(joints).axis;
+  else
+    return axis_at<T>(w.at(joints.slot, kAxes));
 }
 
-// Sine and cosine by the polynomials of fdlibm on [-pi/4, pi/4], after taking multiples of pi/2
-// away in three parts. No branch: a loop over it is done in SIMD lanes.
-inline void sine_and_cosine(double angle, double& sine, double& cosine) {
-  constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
-  const double n = (angle * 0.63661977236758134308 + kRound) - kRound;
-  const double r = ((angle - n * 1.57079632673412561417e+00) - n * 6.07710050630396597660e-11) -
-                   n * 2.02226624871116645580e-21;
-  const double z = r * r, z2 = z * z, z4 = z2 * z2;
-  const double s = r + r * z *
-                           ((-1.66666666666666307295e-1 + z * 8.33333333332211858878e-3) +
-                            z2 * (-1.98412698295895385996e-4 + z * 2.75573136213857245213e-6) +
-                            z4 * (-2.50507477628578072866e-8 + z * 1.58962301576546568060e-10));
-  const double c =
-      (1 - 0.5 * z) + z2 * ((4.16666666666665929218e-2 - z * 1.38888888888730564116e-3) +
-                            z2 * (2.48015872888517045348e-5 - z * 2.75573141792967388112e-7) +
-                            z4 * (2.08757008419747316778e-9 - z * 1.13585365213876817300e-11));
-  const double half = std::floor(n * 0.5), odd = n - 2 * half;
-  const double sign = 1 - 2 * (half - 2 * std::floor(half * 0.5));
-  sine = sign * (odd != 0 ? c : s);
-  cosine = sign * (odd != 0 ? -s : c);
+// A body in a message.
+[[maybe_unused]] constexpr int kBodyNumbers = 27;
+template <class T>
+ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
+  static_assert(sizeof X == kBodyNumbers * sizeof(Real));
+  std::memcpy(to, &X, sizeof X);
+  return to + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* get(const Real* from, Body<T>& X) {
+  std::memcpy(&X, from, sizeof X);
+  return from + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* add(const Real* from, Body<T>& X) {
+  Body<T> other;
+  from = get(from, other);
+  X += other;
+  return from;
 }
 
-template <int count>
-inline void take_sines_and_cosines(const Real* angle, Real* sine, Real* cosine) {
-  constexpr double kFar = 1e5;  // beyond, the three parts of pi/2 would lose digits
-  Real farthest = 0;
-  for (int k = 0; k < count; ++k) {
-    double s, c;
-    sine_and_cosine(angle[k], s, c);
-    sine[k] = Real(s), cosine[k] = Real(c);
+ADAGEN_INLINE Lanes wide(const Value* x) {
+  Lanes result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+
+// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
+  Value tau = w.tau[joint.v];
+  if constexpr (kAnyPassive) {
+    const Passive& own = joint.passive;
+    const Value& qd = w.v[joint.v];
+    if (own.damping != 0) tau -= own.damping * qd;
+    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
   }
-  for (int k = 0; k < count; ++k) farthest = std::max(farthest, std::abs(angle[k]));
-  if (farthest <= kFar) return;
-  for (int k = 0; k < count; ++k) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+  return tau;
 }
 
-// What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
-// results.
-#define ADAGEN_INPUTS                                                              \
-  [[maybe_unused]] const Value *const q = w.q, *const v = w.v, *const tau = w.tau; \
-  [[maybe_unused]] const Value *const sine = w.sine.data(), *const cosine = w.cosine.data();
+// A joint of prescribed motion among limbs side by side gives way to nothing and moves as told.
+ADAGEN_INLINE Real immovable(const JointConstants& joint) {
+  return joint.passive.prescribed ? std::numeric_limits<Real>::infinity() : 0;
+}
+ADAGEN_INLINE Value prescribed(const Workspace& w, const JointConstants& joint) {
+  return joint.passive.prescribed ? w.tau[joint.v] : Value{};
+}
 
-[[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+// Accelerations are given only where all went well.
+inline void give(Workspace& w, int first, int count) {
+  if (w.status == kFine)
+    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
+}
 
-inline void fail(Workspace& w, Failure kind, int joint) {
+[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
+[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
+  for (int k = 0; k < 9; ++k)
+    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
+  return true;
+}
+
+// What cannot be solved is refused, with the joint at fault.
+
+ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
-// A state was found not to be finite: which joint's?
-template <std::size_t reads, std::size_t owns>
-[[gnu::cold]] ADAGEN_NOINLINE void name_what_is_not_finite(Workspace& w,
-                                                           const std::array<int, reads>& read,
-                                                           const std::array<int, owns>& owned) {
-  for (const int j : read) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!all(unlike_zero(w.q + joint.q, joint.nq) + unlike_zero(w.v + joint.v, joint.nv) == 0))
-      fail(w, kNotFinite, j);
-  }
-  for (const int j : owned) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!all(unlike_zero(w.tau + joint.v, joint.nv) == 0)) fail(w, kNotFinite, j);
-  }
+// x - x is zero, in all bits, for finite x only.
+ADAGEN_INLINE LaneBits unlike_zero(const Value* x) {
+  return reinterpret_cast<LaneBits>(wide(x) - wide(x));
+}
+ADAGEN_INLINE bool finite(const Value* x, int count) {
+  LaneBits found{};
+  int k = 0;
+  for (; k + kPerBlock <= count; k += kPerBlock) found |= unlike_zero(x + k);
+  if (k > 0 && k < count)
+    found |= unlike_zero(x + count - kPerBlock);  // some of them once more
+  else
+    for (; k < count; ++k)
+      if (!all_zero(x[k] - x[k])) return false;
+  return !any_of(found);
 }
 
-[[maybe_unused]] inline void require_length(Workspace& w, const Value& squared, int joint) {
-  if (!all(squared >= std::numeric_limits<Real>::min(),
-           squared <= std::numeric_limits<Real>::max()))
-    fail(w, kZeroQuaternion, joint);
+// Tells which of entries first .. is the first that is not finite; place says where a joint's
+// entries start.
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
+                               Failure kind) {
+  while (finite(x + first, 1)) ++first;
+  int joint = 0;
+  for (int j = 0; j < kJointCount; ++j)
+    if (kJoints[static_cast<std::size_t>(j)].*place <= first) joint = j;
+  fail(w, kind, joint);
 }
 
-// A pivot or a mobility has to be more than what rounding may have left of it.
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::* place, Failure kind) {
+  if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
+}
+
+// Whether nothing failed, and entries first .. first + count - 1 of the answer are finite.
+ADAGEN_INLINE bool went_well(const Workspace& w, int first, int count) {
+  return __builtin_expect(
+      w.status == kFine && finite(&w.answer[static_cast<std::size_t>(first)], count), 1);
+}
+
 template <class T>
-[[maybe_unused]] void require_more(Workspace& w, const Value& x, const T& least, Failure kind,
-                                   int joint) {
-  if (!all(x > least, x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
+ADAGEN_INLINE bool has_length(const T& squared) {
+  return all_positive(squared - std::numeric_limits<Real>::min()) &&
+         all_positive(std::numeric_limits<Real>::max() - squared);
+}
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!has_length(squared)) fail(w, kZeroQuaternion, joint);
 }
 
-// A result was found not to be finite: which joint's?
-template <std::size_t owns>
-[[gnu::cold]] ADAGEN_NOINLINE void name_what_overflows(Workspace& w,
-                                                       const std::array<int, owns>& owned) {
-  for (const int j : owned) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!all(unlike_zero(w.result.data() + joint.v, joint.nv) == 0)) fail(w, kOverflow, j);
+// An elimination failed for one of the joints: for that whose number is not positive.
+template <class T>
+ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]] const T& x) {
+  int lane = 0;
+  if constexpr (kWidth < T >> 1)
+    while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
+  fail(w, kFactorization, joints.joint[lane]);
+}
+
+// Loops over rows of joints: a run's joints, or those of limbs side by side, of one kind each.
+// Where few stretches of one kind follow each other, each is a loop of its own that knows its kind.
+template <int first, int last>
+struct RunRows {
+  static constexpr int kCount = last - first + 1;
+  static constexpr JointKind kind(int k) {
+    return kJoints[static_cast<std::size_t>(first + k)].kind;
+  }
+};
+
+constexpr int kMostStretches = 8;
+
+// Where the stretch ends that begins with the k-th row of an order.
+template <class Rows, bool backwards>
+constexpr int end_of_stretch(int k) {
+  const auto kind = [](int i) { return Rows::kind(backwards ? Rows::kCount - 1 - i : i); };
+  int end = k + 1;
+  while (end < Rows::kCount && kind(end) == kind(k)) ++end;
+  return end;
+}
+template <class Rows>
+constexpr bool few_stretches() {
+  int count = 0;
+  for (int k = 0; k < Rows::kCount; ++count) k = end_of_stretch<Rows, false>(k);
+  return count <= kMostStretches;
+}
+
+// Calls step(row, kind) for each row, the last one first if backwards.
+template <class Rows, bool backwards, int begin = 0, class Step>
+ADAGEN_INLINE void each_row(const Step& step) {
+  constexpr auto row = [](int k) { return backwards ? Rows::kCount - 1 - k : k; };
+  if constexpr (few_stretches<Rows>()) {
+    constexpr int end = end_of_stretch<Rows, backwards>(begin);
+    constexpr std::integral_constant<JointKind, Rows::kind(row(begin))> kind;
+    for (int k = begin; k < end; ++k) step(row(k), kind);
+    if constexpr (end < Rows::kCount) each_row<Rows, backwards, end>(step);
+  } else {
+    for (int k = 0; k < Rows::kCount; ++k) step(row(k), Rows::kind(row(k)));
   }
 }
 
-// Each function is a straight line. A value is called x and its number in the expression graph; zeros
-// and constants are folded in, nothing is computed twice, and what nobody needs is not there.
-// Frames are the links' own; accelerations are deviations from the field that the links would have
-// with all joint accelerations zero.
+// What needs no recursion, for as many links at once as a register holds.
 
-// =================================================================================================
-// Process 0: 1541 products, 1274 sums, 21 quotients
-// =================================================================================================
+// A number of each joint of a block, as constants of the model are kept.
+using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
 
-ADAGEN_NOINLINE void part_0_0(Workspace& w) {
-  ADAGEN_INPUTS
-  // joint 0 "root": placement, velocity and reference acceleration of its link
-  const Real x70 = v[3] * v[3];
-  const Real x75 = v[3] * v[4];
-  const Real x78 = v[4] * v[5];
-  const Real x81 = v[3] * v[5];
-  const Real x79 = x70 + v[4] * v[4];
-  const Real x20 = q[3] * q[3] + q[4] * q[4] + q[5] * q[5];
-  const Real x21 = q[6] * q[6] + x20;
-  require_length(w, x21, 0);
-  const Real x58 = v[2] * v[4] - v[1] * v[5];
-  w.x[0] = x58;
-  const Real x63 = v[0] * v[5] - v[2] * v[3];
-  w.x[1] = x63;
-  const Real x68 = v[1] * v[3] - v[0] * v[4];
-  w.x[2] = x68;
-  const Real x24 = 1 / x21 * 2.0;
-  w.x[3] = x24;
-  // joint 1 "left_hip": placement, velocity and reference acceleration of its link
-  const Real x94 = q[7] * q[7] + q[8] * q[8] + q[9] * q[9];
-  const Real x95 = q[10] * q[10] + x94;
-  require_length(w, x95, 1);
-  const Real x96 = 1 / x95;
-  w.x[4] = x96;
-  // joint 4 "right_hip": placement, velocity and reference acceleration of its link
-  const Real x280 = x75 * 0.09 + x81 * 0.04;
-  const Real x220 = q[16] * q[16] + q[17] * q[17] + q[18] * q[18];
-  const Real x221 = q[19] * q[19] + x220;
-  require_length(w, x221, 4);
-  const Real x284 = x79 * 0.04 - x78 * 0.09;
-  const Real x282 = (x70 + v[5] * v[5]) * 0.09 - x78 * 0.04;
-  const Real x223 = 2.0 * (1 / x221);
-  const Real x224 = q[16] * x223;
-  const Real x225 = q[17] * x223;
-  const Real x226 = q[18] * x223;
-  const Real x227 = q[17] * x225;
-  const Real x228 = q[18] * x226;
-  // joint 6 "right_ankle": placement, velocity and reference acceleration of its link
-  const Real x400 = q[21] * q[21] + q[22] * q[22] + q[23] * q[23];
-  const Real x401 = q[24] * q[24] + x400;
-  require_length(w, x401, 6);
-  const Real x403 = 2.0 * (1 / x401);
-  const Real x405 = q[22] * x403;
-  const Real x406 = q[23] * x403;
-  const Real x404 = q[21] * x403;
-  const Real x407 = q[22] * x405;
-  const Real x408 = q[23] * x406;
-  const Real x414 = q[23] * x404;
-  const Real x415 = q[24] * x405;
-  const Real x411 = q[22] * x404;
-  const Real x412 = q[24] * x406;
-  const Real x418 = q[21] * x404;
-  const Real x421 = q[23] * x405;
-  const Real x422 = q[24] * x404;
-  // joint 7 "spine": placement, velocity and reference acceleration of its link
-  const Real x533 = q[25] * q[25] + q[26] * q[26] + q[27] * q[27];
-  const Real x534 = q[28] * q[28] + x533;
-  require_length(w, x534, 7);
-  const Real x535 = 1 / x534;
-  w.x[5] = x535;
-  // joint 0 "root": its torque on the base
-  const Real x814 = x78 * 0.031360000000000006 - tau[3];
-  w.x[6] = x814;
-  const Real x812 = x79 * 0.288 + tau[2];
-  w.x[7] = x812;
-  const Real x815 = x81 * 0.020159999999999987 - tau[4];
-  w.x[8] = x815;
-  const Real x816 = x75 * 0.051519999999999996 + tau[5];
-  w.x[9] = x816;
-  const Real x810 = x81 * 0.288 - tau[0];
-  w.x[10] = x810;
-  const Real x811 = x78 * 0.288 - tau[1];
-  w.x[11] = x811;
-  // joint 4 "right_hip": placement, velocity and reference acceleration of its link
-  const Real x231 = q[17] * x224;
-  const Real x232 = q[19] * x226;
-  const Real x234 = q[18] * x224;
-  const Real x235 = q[19] * x225;
-  const Real x238 = q[16] * x224;
-  const Real x241 = q[18] * x225;
-  const Real x242 = q[19] * x224;
-  const Real x233 = x231 - x232;
-  w.x[12] = x233;
-  const Real x236 = x234 + x235;
-  w.x[13] = x236;
-  const Real x237 = x231 + x232;
-  w.x[14] = x237;
-  const Real x243 = x241 - x242;
-  w.x[15] = x243;
-  const Real x244 = x234 - x235;
-  w.x[16] = x244;
-  const Real x245 = x241 + x242;
-  w.x[17] = x245;
-  const Real x230 = 1.0 - (x227 + x228);
-  w.x[18] = x230;
-  const Real x240 = 1.0 - (x228 + x238);
-  w.x[19] = x240;
-  // joint 6 "right_ankle": placement, velocity and reference acceleration of its link
-  const Real x416 = x414 + x415;
-  w.x[20] = x416;
-  const Real x424 = x414 - x415;
-  w.x[21] = x424;
-  const Real x413 = x411 - x412;
-  w.x[22] = x413;
-  const Real x417 = x411 + x412;
-  w.x[23] = x417;
-  const Real x423 = x421 - x422;
-  w.x[24] = x423;
-  const Real x425 = x421 + x422;
-  w.x[25] = x425;
-  const Real x410 = 1.0 - (x407 + x408);
-  w.x[26] = x410;
-  const Real x420 = 1.0 - (x408 + x418);
-  w.x[27] = x420;
-  const Real x427 = 1.0 - (x407 + x418);
-  w.x[28] = x427;
-  // joint 6 "right_ankle": articulated-body inertia and bias force through it
-  const Real x889 = x413 * 0.3237476001746317;
-  const Real x880 = x425 * 0.3237476001746317;
-  const Real x888 = x410 * 0.8520801688504872 - x416 * 0.2218797467242691;
-  const Real x893 = x416 * 0.6671803799135964 - x410 * 0.2218797467242691;
-  const Real x879 = x424 * 0.8520801688504872 - x427 * 0.2218797467242691;
-  const Real x884 = x427 * 0.6671803799135964 - x424 * 0.2218797467242691;
-  const Real x928 = x417 * (x417 * 0.8520801688504872 - x423 * 0.2218797467242691);
-  const Real x930 = x423 * (x423 * 0.6671803799135964 - x417 * 0.2218797467242691);
-  const Real x932 = x928 + x420 * (x420 * 0.3237476001746317) + x930;
-  const Real x922 = x410 * x888 + x413 * x889 + x416 * x893;
-  const Real x927 = x417 * x888 + x420 * x889 + x423 * x893;
-  const Real x941 = 0.41 * x932;
-  const Real x912 = x410 * x879 + x413 * x880 + x416 * x884;
-  const Real x939 = 0.41 * x922;
-  const Real x937 = 0.41 * x927;
-  const Real x917 = x417 * x879 + x420 * x880 + x423 * x884;
-  const Real x935 = 0.41 * x912;
-  const Real x988 = -0.576 - x939;
-  const Real x945 = 0.41 * x937;
-  const Real x907 = x424 * x879 + x425 * x880 + x427 * x884;
-  const Real x987 = 0.1483467 + 0.41 * x939;
-  require_more(w, x987, 0.0, kFactorization, 5);
-  // joint 4 "right_hip": placement, velocity and reference acceleration of its link
-  const Real x247 = 1.0 - (x227 + x238);
-  w.x[29] = x247;
-  const Real x253 = v[4] * x237 + v[5] * x244 + v[3] * x230;
-  const Real x258 = v[3] * x233 + v[5] * x245 + v[4] * x240;
-  const Real x263 = v[3] * x236 + v[4] * x243 + v[5] * x247;
-  const Real x290 = x237 * x282 + x244 * x284 - x230 * x280;
-  const Real x264 = v[13] + x253;
-  const Real x265 = v[14] + x258;
-  const Real x266 = v[15] + x263;
-  const Real x302 = x243 * x282 - x236 * x280 + x247 * x284;
-  const Real x270 = v[15] * x258 - v[14] * x263;
-  const Real x274 = v[13] * x263 - v[15] * x253;
-  const Real x278 = v[14] * x253 - v[13] * x258;
-  const Real x321 = x264 * x266;
-  // joint 5 "right_knee": articulated-body inertia and bias force through it
-  const Real x999 = 1 / x987;
-  const Real x1002 = x945 * x999;
-  w.x[30] = x1002;
-  const Real x1007 = x937 * x999;
-  w.x[31] = x1007;
-  const Real x1004 = x935 * x999;
-  w.x[32] = x1004;
-  const Real x1006 = x988 * x999;
-  w.x[33] = x1006;
-  const Real x1011 = 0.1483467 + 0.41 * x941 - x945 * x1002;
-  const Real x1020 = 0.576 + x941 - x945 * x1007;
-  const Real x1038 = 3.2 + x932 - x937 * x1007;
-  const Real x1023 = 3.2 + x907 - x935 * x1004;
-  const Real x1032 = 3.2 + x922 - x988 * x1006;
-  const Real x1014 = 0.41 * x917 - x945 * x1004;
-  const Real x1017 = x937 + x945 * x1006;
-  const Real x1026 = x912 + x935 * x1006;
-  const Real x1029 = x917 - x935 * x1007;
-  const Real x1035 = x927 + x988 * x1007;
-  const Real x1052 = cosine[0] * x1020;
-  const Real x1050 = sine[0] * x1020;
-  const Real x1067 = cosine[0] * (0.004 - x1011);
-  const Real x1100 = x1052 + 0.41 * x1038;
-  const Real x1058 = cosine[0] * x1017 + sine[0] * x1014;
-  const Real x1081 = sine[0] * x1029 + cosine[0] * x1035;
-  const Real x1072 = cosine[0] * x1067;
-  const Real x1142 = 1.596 + x1100;
-  const Real x1086 = cosine[0] * (x1023 - x1032) - x1026 * (2.0 * sine[0]);
-  const Real x1063 = cosine[0] * x1058;
-  const Real x1060 = sine[0] * x1058;
-  const Real x1078 = cosine[0] * x1029 - sine[0] * x1035;
-  const Real x1093 = 0.41 * x1081;
-  const Real x1116 = sine[0] * x1067 - 0.41 * x1050;
-  // joint 4 "right_hip": placement, velocity and reference acceleration of its link
-  const Real x319 = x264 * x264 + x265 * x265;
-  const Real x323 = x274 + x321;
-  const Real x316 = x265 * x266;
-  const Real x317 = x316 - x270;
-  // joint 5 "right_knee": placement, velocity and reference acceleration of its link
-  const Real x332 = x266 * cosine[0] + x264 * sine[0];
-  const Real x336 = x264 * cosine[0] - x266 * sine[0];
-  const Real x337 = x265 + v[16];
-  const Real x353 = x290 - x323 * 0.41;
-  const Real x346 = x278 * cosine[0] + x270 * sine[0] + v[16] * x336;
-  const Real x359 = x302 + x319 * 0.41;
-  const Real x375 = x332 * x336;
-  const Real x349 = x270 * cosine[0] - x278 * sine[0] - v[16] * x332;
-  const Real x373 = x336 * x336 + x337 * x337;
-  const Real x377 = x274 + x375;
-  // joint 5 "right_knee": articulated-body inertia and bias force through it
-  const Real x1090 = cosine[0] * x1086;
-  const Real x1065 = x1017 - x1063;
-  const Real x1095 = x1063 + x1093;
-  const Real x1145 = x1011 + x1072 + 0.02688;
-  w.x[34] = x1145;
-  const Real x1092 = x1023 - x1090;
-  const Real x1089 = x1026 + sine[0] * x1086;
-  const Real x1112 = 0.41 * x1095;
-  const Real x1103 = x1014 - x1060 + 0.41 * x1078;
-  const Real x1111 = 0.004 - x1072 + (0.41 * x1052 + 0.41 * x1100);
-  const Real x1141 = 0.42868 + x1111;
-  require_more(w, x1141, 0.0, kFactorization, 4);
-  const Real x1096 = 0.41 * x1092;
-  const Real x1104 = 0.41 * x1089;
-  const Real x1144 = -1.596 - x1096;
-  const Real x1143 = 0.42868 + 0.41 * x1096;
-  w.x[35] = x1143;
-  // joint 4 "right_hip": articulated-body inertia and bias force through it
-  const Real x1158 = 1 / x1141;
-  const Real x1159 = x1112 * x1158;
-  w.x[36] = x1159;
-  const Real x1161 = x1116 * x1158;
-  w.x[37] = x1161;
-  const Real x1234 = x1095 * x1158;
-  w.x[38] = x1234;
-  const Real x1235 = x1142 * x1158;
-  w.x[39] = x1235;
-  const Real x1236 = x1103 * x1158;
-  w.x[40] = x1236;
-  const Real x1164 = x1143 - x1112 * x1159;
-  w.x[41] = x1164;
-  const Real x1167 = 0.41 * x1060 + x1116 * x1159;
-  const Real x1205 = x1144 + x1095 * x1159;
-  const Real x1208 = x1142 * x1159 - x1093;
-  const Real x1211 = x1103 * x1159 - x1104;
-  const Real x1168 = 1 / x1164;
-  // joint 4 "right_hip": placement, velocity and reference acceleration of its link
-  const Real x296 = x245 * x284 - x233 * x280 + x240 * x282;
-  // joint 5 "right_knee": placement, velocity and reference acceleration of its link
-  const Real x385 = x332 * x337;
-  const Real x362 = cosine[0] * x359 + sine[0] * x353;
-  const Real x366 = cosine[0] * x353 - sine[0] * x359;
-  const Real x386 = x385 - x349;
-  const Real x356 = x296 - x317 * 0.41;
-  // joint 6 "right_ankle": placement, velocity and reference acceleration of its link
-  const Real x432 = x332 * x424 + x337 * x417 + x336 * x410;
-  const Real x437 = x332 * x425 + x337 * x420 + x336 * x413;
-  const Real x442 = x332 * x427 + x337 * x423 + x336 * x416;
-  const Real x443 = v[17] + x432;
-  const Real x444 = v[18] + x437;
-  const Real x445 = v[19] + x442;
-  const Real x478 = x362 + 0.41 * x373;
-  const Real x481 = x366 - 0.41 * x377;
-  const Real x508 = x443 * x444;
-  const Real x450 = x346 * x424 + x274 * x417 + x349 * x410;
-  const Real x465 = v[19] * x437 - v[18] * x442 + x450;
-  const Real x460 = x346 * x427 + x274 * x423 + x349 * x416;
-  const Real x475 = v[18] * x432 - v[17] * x437 + x460;
-  const Real x484 = x356 - 0.41 * x386;
-  const Real x513 = x444 * x445;
-  const Real x504 = x444 * x444;
-  const Real x510 = x475 + x508;
-  const Real x455 = x346 * x425 + x274 * x420 + x349 * x413;
-  const Real x470 = v[17] * x442 - v[19] * x432 + x455;
-  const Real x514 = x513 - x465;
-  const Real x506 = x504 + x445 * x445;
-  const Real x516 = x443 * x443 + x504;
-  const Real x518 = x443 * x445;
-  const Real x494 = x425 * x478 + x413 * x481 + x420 * x484;
-  // joint 4 "right_hip": articulated-body inertia and bias force through it
-  const Real x1169 = x1167 * x1168;
-  w.x[42] = x1169;
-  const Real x1237 = x1168 * x1205;
-  w.x[43] = x1237;
-  const Real x1238 = x1168 * x1208;
-  w.x[44] = x1238;
-  const Real x1239 = x1168 * x1211;
-  w.x[45] = x1239;
-  const Real x1175 = x1145 - x1116 * x1161 - x1167 * x1169;
-  w.x[46] = x1175;
-  const Real x1218 = x1060 + x1095 * x1161 + x1169 * x1205;
-  const Real x1226 = x1050 + x1142 * x1161 + x1169 * x1208;
-  const Real x1233 = x1065 - x1103 * x1161 - x1169 * x1211;
-  const Real x1323 = x1032 + x1090 + 8.4 - x1103 * x1236;
-  const Real x1176 = 1 / x1175;
-  const Real x1240 = x1176 * x1218;
-  w.x[47] = x1240;
-  const Real x1242 = x1176 * x1226;
-  w.x[48] = x1242;
-  const Real x1244 = x1176 * x1233;
-  w.x[49] = x1244;
-  // joint 6 "right_ankle": placement, velocity and reference acceleration of its link
-  const Real x489 = x424 * x478 + x410 * x481 + x417 * x484;
-  // joint 4 "right_hip": articulated-body inertia and bias force through it
-  const Real x1279 = 8.4 + x1092 - x1095 * x1234 - x1205 * x1237;
-  const Real x1280 = x1279 - x1218 * x1240;
-  const Real x1288 = x1081 - x1095 * x1235 - x1205 * x1238;
-  const Real x1289 = x1288 - x1218 * x1242;
-  const Real x1306 = 8.4 + x1038 - x1142 * x1235 - x1208 * x1238;
-  const Real x1307 = x1306 - x1226 * x1242;
-  const Real x1297 = x1089 - x1095 * x1236 - x1205 * x1239;
-  const Real x1298 = x1218 * x1244 + x1297;
-  const Real x1315 = x1078 - x1142 * x1236 - x1208 * x1239;
-  const Real x1316 = x1226 * x1244 + x1315;
-  const Real x1325 = x1323 - x1211 * x1239 - x1233 * x1244;
-  const Real x1367 = x237 * x1280 + x240 * x1289 + x243 * x1298;
-  const Real x1372 = x237 * x1289 + x240 * x1307 + x243 * x1316;
-  const Real x1377 = x237 * x1298 + x240 * x1316 + x243 * x1325;
-  const Real x1382 = x244 * x1280 + x245 * x1289 + x247 * x1298;
-  const Real x1387 = x244 * x1289 + x245 * x1307 + x247 * x1316;
-  const Real x1392 = x244 * x1298 + x245 * x1316 + x247 * x1325;
-  const Real x1352 = x230 * x1280 + x233 * x1289 + x236 * x1298;
-  const Real x1412 = x237 * x1367 + x240 * x1372 + x243 * x1377;
-  const Real x1417 = x244 * x1367 + x245 * x1372 + x247 * x1377;
-  const Real x1357 = x230 * x1289 + x233 * x1307 + x236 * x1316;
-  const Real x1422 = x244 * x1382 + x245 * x1387 + x247 * x1392;
-  const Real x1362 = x230 * x1298 + x233 * x1316 + x236 * x1325;
-  // joint 6 "right_ankle": placement, velocity and reference acceleration of its link
-  const Real x499 = x427 * x478 + x416 * x481 + x423 * x484;
-  // link 7 "right_foot": force that the reference field takes
-  const Real x759 = x465 * 0.00268333 - x513 * 0.00133334 + x510 * 0.0024;
-  const Real x767 = x470 * 0.01081667 - x518 * 0.0068;
-  const Real x776 = x475 * 0.00948333 + x508 * 0.00813334 - x514 * 0.0024;
-  const Real x784 = 0.0024 * (x506 - x516) + x767 - 0.04 * x489;
-  // joint 6 "right_ankle": articulated-body inertia and bias force through it
-  const Real x830 = tau[17] - (x759 + 0.04 * x494);
-  const Real x835 = tau[19] - (x776 + x494 * 0.06) - 0.8944110489578248 * x830;
-  const Real x838 = 136.30025397304513 * x835;
-  w.x[50] = x838;
-  const Real x837 = 92.44989446844546 * (tau[18] - (x784 - x499 * 0.06));
-  w.x[51] = x837;
-  const Real x841 = 372.67127039909366 * x830 - 0.8944110489578248 * x838;
-  w.x[52] = x841;
-  // link 7 "right_foot": force that the reference field takes
-  const Real x798 = x494 + x510 * 0.06 - 0.04 * x514;
-  const Real x793 = x489 - x506 * 0.06 - 0.04 * (x470 + x518);
-  // joint 6 "right_ankle": articulated-body inertia and bias force through it
-  const Real x868 = x793 - 0.04 * x837;
-  // link 7 "right_foot": force that the reference field takes
-  const Real x803 = x499 + 0.04 * x516 + (x518 - x470) * 0.06;
-  // joint 6 "right_ankle": articulated-body inertia and bias force through it
-  const Real x875 = x803 - 0.06 * x837;
-  const Real x872 = x798 + 0.06 * x838 + 0.04 * x841;
-  // joint 4 "right_hip": articulated-body inertia and bias force through it
-  const Real x1436 = 0.04 * x1412 - 0.09 * x1417;
-  const Real x1443 = 0.04 * x1417 - 0.09 * x1422;
-  const Real x1402 = x237 * x1352 + x240 * x1357 + x243 * x1362;
-  const Real x1407 = x244 * x1352 + x245 * x1357 + x247 * x1362;
-  const Real x1425 = 0.04 * x1402;
-  const Real x1423 = 0.09 * x1407;
-  const Real x1503 = 0.04 * x1436 - 0.09 * x1443 + 0.11263999999999999;
-  require_more(w, x1503, 0.0, kFactorization, 0);
-  const Real x1397 = x230 * x1352 + x233 * x1357 + x236 * x1362;
-  const Real x1427 = x1425 - x1423;
-  const Real x1428 = 0.04 * x1397;
-  const Real x1451 = 0.04 * x1427;
-  const Real x1453 = 0.09 * x1427;
-  const Real x1430 = 0.09 * x1397;
-  const Real x1505 = 0.06112 + 0.04 * x1428;
-  w.x[53] = x1505;
-  const Real x1507 = 0.09248 + 0.09 * x1430;
-  w.x[54] = x1507;
-  // link 1 "pelvis": mobility from its articulated-body inertia
-  const Real x1517 = 1 / x1503;
-  const Real x1518 = x1451 * x1517;
-  const Real x1520 = x1453 * x1517;
-  // joint 6 "right_ankle": articulated-body inertia and bias force through it
-  const Real x973 = x410 * x868 + x416 * x875 + x413 * x872;
-  const Real x978 = x417 * x868 + x423 * x875 + x420 * x872;
-  const Real x963 = x417 * tau[17] + x423 * tau[19] + x420 * tau[18];
-  const Real x958 = x413 * tau[18] + x416 * tau[19] + x410 * tau[17];
-  const Real x968 = x424 * x868 + x427 * x875 + x425 * x872;
-  // link 6 "right_shank": force that the reference field takes
-  const Real x725 = x274 * 0.1483467 + x375 * 0.1443467 - x366 * 0.576;
-  const Real x722 = x349 * 0.1483467 - x385 * 0.1443467 + x356 * 0.576;
-  // joint 6 "right_ankle": articulated-body inertia and bias force through it
-  const Real x953 = x424 * tau[17] + x425 * tau[18] + x427 * tau[19];
-  const Real x992 = x346 * 0.004 + x953;
-  // joint 5 "right_knee": articulated-body inertia and bias force through it
-  const Real x1001 = x999 * (tau[16] - (x963 - 0.41 * x973 + x725));
-  w.x[55] = x1001;
-  const Real x1041 = x958 + 0.41 * x978 + x722 - x945 * x1001;
-  // joint 6 "right_ankle": articulated-body inertia and bias force through it
-  const Real x995 = x362 * 3.2 + x373 * 0.576 + x968;
-  // joint 5 "right_knee": articulated-body inertia and bias force through it
-  const Real x1044 = x995 - x935 * x1001;
-  // joint 6 "right_ankle": articulated-body inertia and bias force through it
-  const Real x996 = x366 * 3.2 - x377 * 0.576 + x973;
-  // joint 5 "right_knee": articulated-body inertia and bias force through it
-  const Real x1046 = x996 + x988 * x1001;
-  // joint 6 "right_ankle": articulated-body inertia and bias force through it
-  const Real x997 = x356 * 3.2 - x386 * 0.576 + x978;
-  // joint 5 "right_knee": articulated-body inertia and bias force through it
-  const Real x1049 = x997 - x937 * x1001;
-  // joint 4 "right_hip": articulated-body inertia and bias force through it
-  const Real x1508 = 9.6 + x1397;
-  w.x[56] = x1508;
-  const Real x1504 = -0.288 + x1436;
-  const Real x1509 = 9.6 + x1412;
-  w.x[57] = x1509;
-  // link 1 "pelvis": mobility from its articulated-body inertia
-  const Real x1526 = x1505 - x1451 * x1518;
-  w.x[58] = x1526;
-  const Real x1529 = x1453 * x1518 - 0.09 * x1428;
-  const Real x1539 = 1 / x1526;
-  w.x[59] = x1539;
-  const Real x1532 = 0.288 - x1428 + x1427 * x1518;
-  const Real x1521 = x1427 * x1517;
-  const Real x1540 = x1529 * x1539;
-  const Real x1541 = x1532 * x1539;
-  const Real x1535 = x1504 * x1518 - x1425;
-  const Real x1549 = x1507 - x1453 * x1520 - x1529 * x1540;
-  w.x[60] = x1549;
-  const Real x1555 = x1430 - x1427 * x1520 - x1532 * x1540;
-  const Real x1522 = x1504 * x1517;
-  const Real x1568 = 1 / x1549;
-  w.x[61] = x1568;
-  const Real x1542 = x1535 * x1539;
-  const Real x1561 = 0.09 * x1402 - x1504 * x1520 - x1535 * x1540;
-  // joint 5 "right_knee": articulated-body inertia and bias force through it
-  const Real x1134 = sine[0] * x1044 + cosine[0] * x1046;
-  // link 5 "right_thigh": force that the reference field takes
-  const Real x683 = x270 * 0.42868 - x316 * 0.4018 + x296 * 1.596;
-  // joint 5 "right_knee": articulated-body inertia and bias force through it
-  const Real x1137 = sine[0] * x992 + cosine[0] * x1041 + 0.41 * x1049;
-  // link 5 "right_thigh": force that the reference field takes
-  const Real x686 = x274 * 0.42868 + x321 * 0.4018 - x290 * 1.596;
-  const Real x698 = x302 * 8.4 + x319 * 1.596;
-  // joint 4 "right_hip": articulated-body inertia and bias force through it
-  const Real x1510 = 9.6 + x1422;
-  w.x[62] = x1510;
-  // joint 5 "right_knee": articulated-body inertia and bias force through it
-  const Real x1151 = cosine[0] * x992 - sine[0] * x1041 + x278 * 0.02688;
-  // joint 4 "right_hip": articulated-body inertia and bias force through it
-  const Real x1179 = tau[13] - (x683 + x1137);
-  const Real x1180 = tau[14] - (tau[16] - 0.41 * x1134 + x686);
-  const Real x1184 = x1180 + x1159 * x1179;
-  // link 1 "pelvis": mobility from its articulated-body inertia
-  const Real x1538 = x1443 * x1518 - 0.04 * x1407;
-  const Real x1523 = x1443 * x1517;
-  const Real x1569 = x1555 * x1568;
-  w.x[63] = x1569;
-  const Real x1570 = x1561 * x1568;
-  const Real x1567 = x1423 - x1443 * x1520 - x1538 * x1540;
-  const Real x1543 = x1538 * x1539;
-  const Real x1579 = x1508 - x1427 * x1521 - x1532 * x1541;
-  const Real x1580 = x1579 - x1555 * x1569;
-  w.x[64] = x1580;
-  const Real x1588 = x1402 - x1504 * x1521 - x1535 * x1541;
-  const Real x1589 = x1588 - x1561 * x1569;
-  const Real x1611 = x1509 - x1504 * x1522 - x1535 * x1542;
-  const Real x1597 = x1407 - x1443 * x1521 - x1538 * x1541;
-  const Real x1598 = x1597 - x1567 * x1569;
-  const Real x1599 = 1 / x1580;
-  w.x[65] = x1599;
-  const Real x1571 = x1567 * x1568;
-  const Real x1623 = x1417 - x1443 * x1522 - x1538 * x1542;
-  const Real x1652 = x1520 + x1518 * x1540;
-  const Real x1666 = x1540 * x1569 - x1541;
-  w.x[66] = x1666;
-  const Real x1639 = x1510 - x1443 * x1523 - x1538 * x1543;
-  const Real x1727 = x1518 * x1539;
-  const Real x1600 = x1589 * x1599;
-  w.x[67] = x1600;
-  const Real x1601 = x1598 * x1599;
-  const Real x1728 = x1568 * x1652;
-  w.x[68] = x1728;
-  const Real x1730 = x1540 * x1568;
-  w.x[69] = x1730;
-  // joint 4 "right_hip": articulated-body inertia and bias force through it
-  const Real x1190 = tau[15] - x1151 - x1161 * x1179 - x1169 * x1184;
-  const Real x1193 = x1176 * x1190;
-  w.x[70] = x1193;
-  const Real x1196 = x1168 * x1184 - x1169 * x1193;
-  w.x[71] = x1196;
-  // joint 5 "right_knee": articulated-body inertia and bias force through it
-  const Real x1152 = x290 * 8.4 - x323 * 1.596 + x1134;
-  const Real x1153 = x296 * 8.4 - x317 * 1.596 + x1049;
-  const Real x1154 = cosine[0] * x1044 - sine[0] * x1046 + x698;
-  // joint 4 "right_hip": articulated-body inertia and bias force through it
-  const Real x1202 = x1158 * x1179 - x1161 * x1193 + x1159 * x1196;
-  w.x[72] = x1202;
-  const Real x1465 = x233 * tau[14] + x236 * tau[15] + x230 * tau[13];
-  w.x[73] = x1465;
-  const Real x1467 = x240 * tau[14];
-  w.x[74] = x1467;
-  const Real x1331 = x1152 - x1060 * x1193 + x1144 * x1196;
-  const Real x1332 = x1095 * x1202 + x1331;
-  const Real x1339 = x1153 - x1050 * x1193 - x1093 * x1196;
-  const Real x1340 = x1142 * x1202 + x1339;
-  const Real x1346 = x1154 + x1065 * x1193 - x1104 * x1196;
-  const Real x1347 = x1103 * x1202 + x1346;
-  const Real x1469 = x237 * tau[13] + x243 * tau[15];
-  w.x[75] = x1469;
-  const Real x1471 = x244 * tau[13];
-  w.x[76] = x1471;
-  const Real x1472 = x245 * tau[14];
-  w.x[77] = x1472;
-  const Real x1488 = x247 * x1347;
-  w.x[78] = x1488;
-  const Real x1483 = x243 * x1347;
-  w.x[79] = x1483;
-  const Real x1478 = x236 * x1347;
-  w.x[80] = x1478;
-  const Real x1489 = x244 * x1332 + x245 * x1340;
-  w.x[81] = x1489;
-  const Real x1484 = x237 * x1332 + x240 * x1340;
-  w.x[82] = x1484;
-  const Real x1479 = x230 * x1332 + x233 * x1340;
-  w.x[83] = x1479;
-  // link 1 "pelvis": mobility from its articulated-body inertia
-  const Real x1662 = x1569 * x1652 - (x1521 + x1518 * x1541);
-  const Real x1613 = x1611 - x1561 * x1570 - x1589 * x1600;
-  w.x[84] = x1613;
-  const Real x1625 = x1623 - x1567 * x1570 - x1598 * x1600;
-  const Real x1685 = x1540 * x1570 - x1542 - x1600 * x1666;
-  w.x[85] = x1685;
-  const Real x1689 = x1569 * x1600 - x1570;
-  w.x[86] = x1689;
-  const Real x1626 = 1 / x1613;
-  w.x[87] = x1626;
-  const Real x1677 = x1570 * x1652 - (x1522 + x1518 * x1542);
-  const Real x1678 = x1677 - x1600 * x1662;
-  w.x[88] = x1678;
-  const Real x1702 = x1571 * x1652 - (x1523 + x1518 * x1543);
-  const Real x1732 = x1599 * x1662;
-  w.x[89] = x1732;
-  const Real x1733 = x1599 * x1666;
-  w.x[90] = x1733;
-  const Real x1734 = x1569 * x1599;
-  w.x[91] = x1734;
-  const Real x1627 = x1625 * x1626;
-  w.x[92] = x1627;
-  const Real x1736 = x1626 * x1678;
-  w.x[93] = x1736;
-  const Real x1737 = x1626 * x1685;
-  w.x[94] = x1737;
-  const Real x1738 = x1626 * x1689;
-  w.x[95] = x1738;
-  const Real x1739 = x1600 * x1626;
-  w.x[96] = x1739;
-  const Real x1767 = x1662 * x1734;
-  w.x[97] = x1767;
-  const Real x1783 = x1540 * x1730;
-  w.x[98] = x1783;
-  const Real x1641 = x1639 - x1567 * x1571 - x1598 * x1601;
-  const Real x1642 = x1641 - x1625 * x1627;
-  w.x[99] = x1642;
-  const Real x1704 = x1702 - x1601 * x1662 - x1627 * x1678;
-  w.x[100] = x1704;
-  const Real x1713 = x1540 * x1571 - x1543 - x1601 * x1666;
-  const Real x1714 = x1713 - x1627 * x1685;
-  w.x[101] = x1714;
-  const Real x1643 = 1 / x1642;
-  w.x[102] = x1643;
-  const Real x1721 = x1569 * x1601 - x1571 - x1627 * x1689;
-  w.x[103] = x1721;
-  const Real x1725 = x1600 * x1627 - x1601;
-  w.x[104] = x1725;
-  const Real x1751 = x1678 * x1736;
-  w.x[105] = x1751;
-  const Real x1754 = x1517 + x1518 * x1727 + x1652 * x1728;
-  const Real x1755 = x1662 * x1732 + x1754;
-  w.x[106] = x1755;
-  const Real x1761 = x1678 * x1737;
-  w.x[107] = x1761;
-  const Real x1764 = x1727 + x1652 * x1730 + x1662 * x1733;
-  w.x[108] = x1764;
+struct alignas(64) BlockConstants {
+  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
+  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
+  PerJoint mass, moments[3], tensor[6];
+};
+
+const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
+  std::array<BlockConstants, kBlockCount> result{};
+  for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
+    for (const int k : {0, 4}) block.rotation[k].fill(1);
+    block.mass.fill(1);
+    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
+  }
+  for (int j = 0; j < kJointCount; ++j) {
+    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
+    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
+    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
+    block.x[lane] = joint.translation[0];
+    block.y[lane] = joint.translation[1];
+    block.z[lane] = joint.translation[2];
+    block.mass[lane] = link.mass;
+    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
+    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
+  }
+  return result;
+}();
+
+// Constants of each of the joints.
+template <class T>
+ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
+  const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+  return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
+}
+template <class T>
+ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1)
+    return kInertias[static_cast<std::size_t>(joints.joint[0])].mass;
+  else
+    return constant(joints, &BlockConstants::mass);
+}
+template <class T>
+ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1) {
+    const Real* const x = joints.any().translation;
+    return Vector<Real>{x[0], x[1], x[2]};
+  } else {
+    return Vector<T>{constant(joints, &BlockConstants::x), constant(joints, &BlockConstants::y),
+                     constant(joints, &BlockConstants::z)};
+  }
 }
 
-ADAGEN_NOINLINE void part_0_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x24 = w.x[3];
-  const Real x58 = w.x[0];
-  const Real x63 = w.x[1];
-  const Real x68 = w.x[2];
-  const Real x96 = w.x[4];
-  const Real x247 = w.x[29];
-  const Real x535 = w.x[5];
-  const Real x810 = w.x[10];
-  const Real x811 = w.x[11];
-  const Real x812 = w.x[7];
-  const Real x814 = w.x[6];
-  const Real x815 = w.x[8];
-  const Real x816 = w.x[9];
-  const Real x1143 = w.x[35];
-  const Real x1145 = w.x[34];
-  const Real x1159 = w.x[36];
-  const Real x1161 = w.x[37];
-  const Real x1164 = w.x[41];
-  const Real x1169 = w.x[42];
-  const Real x1175 = w.x[46];
-  const Real x1234 = w.x[38];
-  const Real x1235 = w.x[39];
-  const Real x1236 = w.x[40];
-  const Real x1237 = w.x[43];
-  const Real x1238 = w.x[44];
-  const Real x1239 = w.x[45];
-  const Real x1240 = w.x[47];
-  const Real x1242 = w.x[48];
-  const Real x1244 = w.x[49];
-  const Real x1465 = w.x[73];
-  const Real x1467 = w.x[74];
-  const Real x1469 = w.x[75];
-  const Real x1471 = w.x[76];
-  const Real x1472 = w.x[77];
-  const Real x1478 = w.x[80];
-  const Real x1479 = w.x[83];
-  const Real x1483 = w.x[79];
-  const Real x1484 = w.x[82];
-  const Real x1488 = w.x[78];
-  const Real x1489 = w.x[81];
-  const Real x1505 = w.x[53];
-  const Real x1507 = w.x[54];
-  const Real x1508 = w.x[56];
-  const Real x1509 = w.x[57];
-  const Real x1510 = w.x[62];
-  const Real x1526 = w.x[58];
-  const Real x1539 = w.x[59];
-  const Real x1549 = w.x[60];
-  const Real x1568 = w.x[61];
-  const Real x1569 = w.x[63];
-  const Real x1580 = w.x[64];
-  const Real x1599 = w.x[65];
-  const Real x1600 = w.x[67];
-  const Real x1613 = w.x[84];
-  const Real x1626 = w.x[87];
-  const Real x1627 = w.x[92];
-  const Real x1642 = w.x[99];
-  const Real x1643 = w.x[102];
-  const Real x1666 = w.x[66];
-  const Real x1678 = w.x[88];
-  const Real x1685 = w.x[85];
-  const Real x1689 = w.x[86];
-  const Real x1704 = w.x[100];
-  const Real x1714 = w.x[101];
-  const Real x1721 = w.x[103];
-  const Real x1725 = w.x[104];
-  const Real x1728 = w.x[68];
-  const Real x1730 = w.x[69];
-  const Real x1732 = w.x[89];
-  const Real x1733 = w.x[90];
-  const Real x1734 = w.x[91];
-  const Real x1736 = w.x[93];
-  const Real x1737 = w.x[94];
-  const Real x1738 = w.x[95];
-  const Real x1739 = w.x[96];
-  const Real x1751 = w.x[105];
-  const Real x1755 = w.x[106];
-  const Real x1761 = w.x[107];
-  const Real x1764 = w.x[108];
-  const Real x1767 = w.x[97];
-  const Real x1783 = w.x[98];
-  // joint 0 "root": placement, velocity and reference acceleration of its link
-  const Real x25 = q[3] * x24;
-  const Real x26 = q[4] * x24;
-  // joint 1 "left_hip": placement, velocity and reference acceleration of its link
-  const Real x97 = 2.0 * x96;
-  // joint 7 "spine": placement, velocity and reference acceleration of its link
-  const Real x536 = 2.0 * x535;
-  // joint 4 "right_hip": articulated-body inertia and bias force through it
-  const Real x1490 = x1488 + x1489;
-  const Real x1485 = x1483 + x1484;
-  const Real x1480 = x1478 + x1479;
-  const Real x1516 = x1490 - x812;
-  const Real x1511 = x1465 - 0.09 * x1490 + 0.04 * x1485 + x814;
-  const Real x1512 = x1467 + x1469 - 0.04 * x1480 + x815;
-  const Real x1502 = x1471 + x1472 + x247 * tau[15] + 0.09 * x1480;
-  const Real x1513 = x1502 - x816;
-  // link 1 "pelvis": mobility from its articulated-body inertia
-  const Real x1741 = x1643 * x1704;
-  w.x[109] = x1741;
-  const Real x1742 = x1643 * x1714;
-  w.x[110] = x1742;
-  const Real x1743 = x1643 * x1721;
-  w.x[111] = x1743;
-  const Real x1744 = x1643 * x1725;
-  w.x[112] = x1744;
-  const Real x1745 = x1627 * x1643;
-  w.x[113] = x1745;
-  const Real x1757 = x1751 + x1755 + x1704 * x1741;
-  w.x[114] = x1757;
-  const Real x1766 = x1761 + x1764 + x1704 * x1742;
-  w.x[115] = x1766;
-  const Real x1774 = x1678 * x1738 - (x1728 + x1767) + x1704 * x1743;
-  w.x[116] = x1774;
-  const Real x1779 = x1732 - x1678 * x1739 + x1704 * x1744;
-  w.x[117] = x1779;
-  const Real x1782 = x1736 - x1704 * x1745;
-  w.x[118] = x1782;
-  const Real x1790 = x1539 + x1783 + x1666 * x1733 + x1685 * x1737;
-  const Real x1791 = x1714 * x1742 + x1790;
-  w.x[119] = x1791;
-  const Real x1798 = x1685 * x1738 - (x1730 + x1666 * x1734);
-  const Real x1799 = x1714 * x1743 + x1798;
-  w.x[120] = x1799;
-  const Real x1804 = x1733 - x1685 * x1739 + x1714 * x1744;
-  w.x[121] = x1804;
-  const Real x1807 = x1737 - x1714 * x1745;
-  w.x[122] = x1807;
-  const Real x1813 = x1568 + x1569 * x1734 + x1689 * x1738;
-  const Real x1814 = x1721 * x1743 + x1813;
-  w.x[123] = x1814;
-  const Real x1820 = x1721 * x1744 - (x1734 + x1689 * x1739);
-  w.x[124] = x1820;
-  const Real x1823 = x1738 - x1721 * x1745;
-  w.x[125] = x1823;
-  // joint 1 "left_hip": placement, velocity and reference acceleration of its link
-  const Real x98 = q[7] * x97;
-  const Real x99 = q[8] * x97;
-  const Real x100 = q[9] * x97;
-  const Real x101 = q[8] * x99;
-  const Real x102 = q[9] * x100;
-  const Real x112 = q[7] * x98;
-  const Real x105 = q[8] * x98;
-  const Real x106 = q[10] * x100;
-  const Real x108 = q[9] * x98;
-  const Real x109 = q[10] * x99;
-  const Real x115 = q[9] * x99;
-  const Real x116 = q[10] * x98;
-  // joint 7 "spine": placement, velocity and reference acceleration of its link
-  const Real x537 = q[25] * x536;
-  const Real x538 = q[26] * x536;
-  const Real x539 = q[27] * x536;
-  const Real x540 = q[26] * x538;
-  const Real x541 = q[27] * x539;
-  const Real x551 = q[25] * x537;
-  const Real x544 = q[26] * x537;
-  const Real x545 = q[28] * x539;
-  const Real x547 = q[27] * x537;
-  const Real x548 = q[28] * x538;
-  const Real x554 = q[27] * x538;
-  const Real x555 = q[28] * x537;
-  // joint 4 "right_hip": articulated-body inertia and bias force through it
-  const Real x1514 = x810 + x1480;
-  const Real x1247 = x1237 + x1169 * x1240;
-  w.x[126] = x1247;
-  const Real x1250 = x1238 + x1169 * x1242;
-  w.x[127] = x1250;
-  const Real x1253 = x1239 - x1169 * x1244;
-  w.x[128] = x1253;
-  const Real x1515 = x811 + x1485;
-  // link 1 "pelvis": mobility from its articulated-body inertia
-  const Real x1828 = x1599 + x1600 * x1739 + x1725 * x1744;
-  w.x[129] = x1828;
-  const Real x1831 = x1739 + x1725 * x1745;
-  w.x[130] = x1831;
-  const Real x1835 = x1626 + x1627 * x1745;
-  w.x[131] = x1835;
-  const Real x1843 = x1511 * x1757 + x1516 * x1741 + x1512 * x1766;
-  const Real x1854 = x1511 * x1766 + x1516 * x1742 + x1512 * x1791;
-  const Real x1865 = x1511 * x1774 + x1516 * x1743 + x1512 * x1799;
-  const Real x1877 = x1511 * x1779 + x1516 * x1744 + x1512 * x1804;
-  const Real x1890 = x1511 * x1782 - x1516 * x1745 + x1512 * x1807;
-  const Real x1902 = x1511 * x1741 + x1516 * x1643 + x1512 * x1742;
-  // joint 0 "root": placement, velocity and reference acceleration of its link
-  const Real x59 = (q[5] * x25 - q[6] * x26) * 9.81 + x58;
-  w.x[132] = x59;
-  const Real x64 = (q[5] * x26 + q[6] * x25) * 9.81 + x63;
-  w.x[133] = x64;
-  const Real x54 = (1.0 - (q[4] * x26 + q[3] * x25)) * 9.81;
-  const Real x69 = x54 + x68;
-  w.x[134] = x69;
-  // joint 1 "left_hip": placement, velocity and reference acceleration of its link
-  const Real x104 = 1.0 - (x101 + x102);
-  w.x[135] = x104;
-  const Real x107 = x105 - x106;
-  w.x[136] = x107;
-  const Real x110 = x108 + x109;
-  w.x[137] = x110;
-  const Real x111 = x105 + x106;
-  w.x[138] = x111;
-  const Real x114 = 1.0 - (x102 + x112);
-  w.x[139] = x114;
-  const Real x117 = x115 - x116;
-  w.x[140] = x117;
-  const Real x118 = x108 - x109;
-  w.x[141] = x118;
-  const Real x119 = x115 + x116;
-  w.x[142] = x119;
-  const Real x121 = 1.0 - (x101 + x112);
-  w.x[143] = x121;
-  // joint 7 "spine": placement, velocity and reference acceleration of its link
-  const Real x543 = 1.0 - (x540 + x541);
-  w.x[144] = x543;
-  const Real x546 = x544 - x545;
-  w.x[145] = x546;
-  const Real x549 = x547 + x548;
-  w.x[146] = x549;
-  const Real x550 = x544 + x545;
-  w.x[147] = x550;
-  const Real x553 = 1.0 - (x541 + x551);
-  w.x[148] = x553;
-  const Real x556 = x554 - x555;
-  w.x[149] = x556;
-  const Real x557 = x547 - x548;
-  w.x[150] = x557;
-  const Real x558 = x554 + x555;
-  w.x[151] = x558;
-  const Real x560 = 1.0 - (x540 + x551);
-  w.x[152] = x560;
-  // joint 4 "right_hip": articulated-body inertia and bias force through it
-  const Real x1177 = 1.7763568394002505e-15 * x1143;
-  require_more(w, x1164, x1177, kFactorization, 4);
-  const Real x1178 = 1.7763568394002505e-15 * x1145;
-  require_more(w, x1175, x1178, kFactorization, 4);
-  const Real x1259 = x1234 + x1161 * x1240 + x1159 * x1247;
-  w.x[153] = x1259;
-  const Real x1265 = x1235 + x1161 * x1242 + x1159 * x1250;
-  w.x[154] = x1265;
-  const Real x1271 = x1236 - x1161 * x1244 + x1159 * x1253;
-  w.x[155] = x1271;
-  // link 1 "pelvis": mobility from its articulated-body inertia
-  const Real x1644 = 1.7763568394002505e-15 * x1505;
-  require_more(w, x1526, x1644, kFactorization, 0);
-  const Real x1645 = 1.7763568394002505e-15 * x1507;
-  require_more(w, x1549, x1645, kFactorization, 0);
-  const Real x1646 = 1.7763568394002505e-15 * x1508;
-  require_more(w, x1580, x1646, kFactorization, 0);
-  const Real x1647 = 1.7763568394002505e-15 * x1509;
-  require_more(w, x1613, x1647, kFactorization, 0);
-  const Real x1648 = 1.7763568394002505e-15 * x1510;
-  require_more(w, x1642, x1648, kFactorization, 0);
-  const Real x1845 = x1513 * x1774 + x1843 + x1514 * x1779;
-  const Real x1846 = x1515 * x1782 + x1845;
-  w.x[156] = x1846;
-  const Real x1856 = x1513 * x1799 + x1854 + x1514 * x1804;
-  const Real x1857 = x1515 * x1807 + x1856;
-  w.x[157] = x1857;
-  const Real x1867 = x1513 * x1814 + x1865 + x1514 * x1820;
-  const Real x1868 = x1515 * x1823 + x1867;
-  w.x[158] = x1868;
-  const Real x1879 = x1513 * x1820 + x1877 + x1514 * x1828;
-  const Real x1880 = x1879 - x1515 * x1831;
-  w.x[159] = x1880;
-  const Real x1892 = x1513 * x1823 + x1890 - x1514 * x1831;
-  const Real x1893 = x1515 * x1835 + x1892;
-  w.x[160] = x1893;
-  const Real x1904 = x1513 * x1743 + x1902 + x1514 * x1744;
-  const Real x1905 = x1904 - x1515 * x1745;
-  w.x[161] = x1905;
+ADAGEN_INLINE Lanes wide(const PerJoint& x) {
+  Lanes result;
+  if constexpr (sizeof(PerJoint) == sizeof(Lanes))
+    std::memcpy(&result, x.data(), sizeof result);
+  else
+    result = x[0] + Lanes{};
+  return result;
+}
+ADAGEN_INLINE void narrow(const Lanes& x, Value* to) { std::memcpy(to, &x, sizeof x); }
+ADAGEN_INLINE Vector<Lanes> wide_vector(const Value (*x)[kPerBlock]) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE Vector<Lanes> wide_vector(const PerJoint* x) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE void narrow(const Vector<Lanes>& a, Value (*x)[kPerBlock]) {
+  narrow(a.x, x[0]), narrow(a.y, x[1]), narrow(a.z, x[2]);
 }
 
-ADAGEN_NOINLINE void part_0_2(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x104 = w.x[135];
-  const Real x107 = w.x[136];
-  const Real x110 = w.x[137];
-  const Real x111 = w.x[138];
-  const Real x114 = w.x[139];
-  const Real x117 = w.x[140];
-  const Real x118 = w.x[141];
-  const Real x119 = w.x[142];
-  const Real x121 = w.x[143];
-  const Real x1643 = w.x[102];
-  const Real x1741 = w.x[109];
-  const Real x1742 = w.x[110];
-  const Real x1743 = w.x[111];
-  const Real x1744 = w.x[112];
-  const Real x1745 = w.x[113];
-  const Real x1757 = w.x[114];
-  const Real x1766 = w.x[115];
-  const Real x1774 = w.x[116];
-  const Real x1779 = w.x[117];
-  const Real x1782 = w.x[118];
-  const Real x1791 = w.x[119];
-  const Real x1799 = w.x[120];
-  const Real x1804 = w.x[121];
-  const Real x1807 = w.x[122];
-  const Real x1814 = w.x[123];
-  const Real x1820 = w.x[124];
-  const Real x1823 = w.x[125];
-  const Real x1828 = w.x[129];
-  const Real x1831 = w.x[130];
-  const Real x1835 = w.x[131];
-  const Real x1846 = w.x[156];
-  const Real x1857 = w.x[157];
-  const Real x1868 = w.x[158];
-  const Real x1880 = w.x[159];
-  const Real x1893 = w.x[160];
-  const Real x1905 = w.x[161];
-  // message received
-  const Real x1927 = w.from[0][15];
-  const Real x1928 = w.from[0][16];
-  const Real x1930 = w.from[0][18];
-  const Real x1929 = w.from[0][17];
-  const Real x1931 = w.from[0][19];
-  const Real x1915 = w.from[0][3];
-  const Real x1920 = w.from[0][8];
-  const Real x1916 = w.from[0][4];
-  const Real x1921 = w.from[0][9];
-  const Real x1924 = w.from[0][12];
-  const Real x1932 = w.from[0][20];
-  const Real x1917 = w.from[0][5];
-  const Real x1922 = w.from[0][10];
-  const Real x1925 = w.from[0][13];
-  const Real x1926 = w.from[0][14];
-  const Real x1936 = w.from[0][24];
-  const Real x1937 = w.from[0][25];
-  const Real x1938 = w.from[0][26];
-  const Real x1912 = w.from[0][0];
-  const Real x1913 = w.from[0][1];
-  const Real x1914 = w.from[0][2];
-  const Real x1918 = w.from[0][6];
-  const Real x1919 = w.from[0][7];
-  const Real x1923 = w.from[0][11];
-  const Real x1933 = w.from[0][21];
-  const Real x1934 = w.from[0][22];
-  const Real x1935 = w.from[0][23];
-  // joint 1 "left_hip": assembly: its two sides become one chain
-  const Real x2010 = 0.04 * x1741 - x1745;
-  const Real x2016 = x1643 + 0.09 * x1741;
-  const Real x1942 = 0.09 * x1774;
-  const Real x1944 = 0.04 * x1766;
-  const Real x1949 = x1782 + 0.04 * x1757;
-  const Real x1952 = x1741 + 0.09 * x1757;
-  const Real x2005 = x1835 + 0.04 * x1782;
-  const Real x2001 = x1744 - 0.09 * x1743 - 0.04 * x1742;
-  const Real x1947 = x1779 - x1942 - x1944;
-  const Real x1968 = x1820 - 0.09 * x1814 - 0.04 * x1799;
-  const Real x1958 = x1804 - 0.09 * x1799 - 0.04 * x1791;
-  const Real x1981 = x1828 - 0.09 * x1820 - 0.04 * x1804;
-  const Real x1991 = x1831 + 0.09 * x1823 + 0.04 * x1807;
-  const Real x1959 = x1807 + x1944;
-  const Real x2006 = 0.04 * x1949 + x2005;
-  const Real x2011 = 0.09 * x1949 + x2010;
-  const Real x2017 = 0.09 * x1952 + x2016;
-  const Real x1962 = x1742 + 0.09 * x1766;
-  const Real x1971 = x1743 + x1942;
-  const Real x1970 = x1823 + 0.04 * x1774;
-  const Real x1993 = 0.04 * x1947 - x1991;
-  const Real x2002 = 0.09 * x1947 + x2001;
-  const Real x1983 = x1981 - 0.09 * x1968 - 0.04 * x1958;
-  const Real x2192 = x111 * x2006 + x118 * x2011 + x104 * x1993;
-  const Real x2197 = x111 * x2011 + x118 * x2017 + x104 * x2002;
-  const Real x2024 = x111 * x1959;
-  const Real x2207 = x114 * x2006 + x119 * x2011 + x107 * x1993;
-  const Real x2212 = x114 * x2011 + x119 * x2017 + x107 * x2002;
-  const Real x2187 = x111 * x1993 + x118 * x2002 + x104 * x1983;
-  const Real x2202 = x114 * x1993 + x119 * x2002 + x107 * x1983;
-  const Real x2039 = x114 * x1959;
-  const Real x2018 = x104 * x1947;
-  const Real x2030 = x118 * x1971;
-  const Real x2033 = x107 * x1947;
-  const Real x2045 = x119 * x1971;
-  const Real x2054 = x117 * x1959;
-  const Real x2232 = x111 * x2192 + x118 * x2197 + x104 * x2187;
-  const Real x2273 = x1927 + x2232;
-  require_more(w, x2273, 0.0, kFactorization, 1);
-  const Real x2237 = x114 * x2192 + x119 * x2197 + x107 * x2187;
-  const Real x2274 = x1928 + x2237;
-  const Real x2027 = x104 * x1949 + x2024 + x118 * x1970;
-  const Real x2395 = 1 / x2273;
-  w.x[98] = x2395;
-  const Real x2032 = x104 * x1952 + x111 * x1962 + x2030;
-  const Real x2042 = x107 * x1949 + x2039 + x119 * x1970;
-  const Real x2047 = x107 * x1952 + x114 * x1962 + x2045;
-  const Real x2048 = x110 * x1947;
-  const Real x2060 = x121 * x1971;
-  const Real x2247 = x114 * x2207 + x119 * x2212 + x107 * x2202;
-  const Real x2276 = x1930 + x2247;
-  const Real x2022 = x2018 + x111 * x1958 + x118 * x1968;
-  const Real x2037 = x2033 + x114 * x1958 + x119 * x1968;
-  const Real x2057 = x110 * x1949 + x2054 + x121 * x1970;
-  const Real x2062 = x110 * x1952 + x117 * x1962 + x2060;
-  const Real x2396 = x2274 * x2395;
-  w.x[97] = x2396;
-  const Real x2052 = x2048 + x117 * x1958 + x121 * x1968;
-  const Real x2400 = x2276 - x2274 * x2396;
-  const Real x2222 = x117 * x2006 + x121 * x2011 + x110 * x1993;
-  const Real x2227 = x117 * x2011 + x121 * x2017 + x110 * x2002;
-  const Real x2242 = x117 * x2192 + x121 * x2197 + x110 * x2187;
-  const Real x2275 = x1929 + x2242;
-  const Real x2404 = 1 / x2400;
-  w.x[108] = x2404;
-  const Real x2287 = x1893 + 0.04 * x1846;
-  const Real x2291 = x1905 + 0.09 * x1846;
-  const Real x2217 = x117 * x1993 + x121 * x2002 + x110 * x1983;
-  const Real x2252 = x117 * x2207 + x121 * x2212 + x110 * x2202;
-  const Real x2067 = x111 * x2027 + x118 * x2032 + x104 * x2022;
-  const Real x2261 = x1915 + x2067;
-  w.x[107] = x2261;
-  const Real x2082 = x111 * x2042 + x118 * x2047 + x104 * x2037;
-  const Real x2266 = x1920 + x2082;
-  w.x[106] = x2266;
-  const Real x2284 = 0.09 * x1868 - x1880 + 0.04 * x1857;
-  const Real x2461 = 0.04 * x1779 - x1831;
-  const Real x2464 = x1744 + 0.09 * x1779;
-  const Real x2497 = 0.09 * x1782 - x1745;
-  const Real x2397 = x2275 * x2395;
-  w.x[105] = x2397;
-  const Real x2403 = x1931 + x2252 - x2275 * x2396;
-  const Real x2072 = x114 * x2027 + x119 * x2032 + x107 * x2022;
-  const Real x2262 = x1916 + x2072;
-  w.x[96] = x2262;
-  const Real x2087 = x114 * x2042 + x119 * x2047 + x107 * x2037;
-  const Real x2267 = x1921 + x2087;
-  w.x[95] = x2267;
-  const Real x2097 = x111 * x2057 + x118 * x2062 + x104 * x2052;
-  const Real x2270 = x1924 + x2097;
-  w.x[94] = x2270;
-  const Real x2257 = x117 * x2222 + x121 * x2227 + x110 * x2217;
-  const Real x2278 = x1932 + x2257;
-  const Real x2405 = x2403 * x2404;
-  w.x[93] = x2405;
-  const Real x2077 = x117 * x2027 + x121 * x2032 + x110 * x2022;
-  const Real x2263 = x1917 + x2077;
-  w.x[91] = x2263;
-  const Real x2092 = x117 * x2042 + x121 * x2047 + x110 * x2037;
-  const Real x2268 = x1922 + x2092;
-  w.x[90] = x2268;
-  const Real x2102 = x114 * x2057 + x119 * x2062 + x107 * x2052;
-  const Real x2271 = x1925 + x2102;
-  w.x[89] = x2271;
-  const Real x2107 = x117 * x2057 + x121 * x2062 + x110 * x2052;
-  const Real x2272 = x1926 + x2107;
-  w.x[69] = x2272;
-  const Real x2330 = x104 * x2284 - (x111 * x2287 + x118 * x2291);
-  const Real x2427 = x111 * x1949 + x118 * x1952 + x2018;
-  w.x[68] = x2427;
-  const Real x2439 = x2024 + x118 * x1962 + x104 * x1958;
-  w.x[104] = x2439;
-  const Real x2451 = x2030 + x111 * x1970 + x104 * x1968;
-  w.x[103] = x2451;
-  const Real x2484 = x111 * x2461 + x118 * x2464 + x104 * x1981;
-  w.x[101] = x2484;
-  const Real x2518 = x111 * x2005 + x118 * x2497 - x104 * x1991;
-  w.x[100] = x2518;
-  const Real x2550 = x111 * x2010 + x118 * x2016 + x104 * x2001;
-  w.x[86] = x2550;
-  const Real x2411 = x2278 - x2275 * x2397 - x2403 * x2405;
-  const Real x2112 = x104 * x1757 + x111 * x1766 + x118 * x1774;
-  w.x[85] = x2112;
-  const Real x2117 = x104 * x1766 + x111 * x1791 + x118 * x1799;
-  w.x[88] = x2117;
-  const Real x2127 = x107 * x1757 + x114 * x1766 + x119 * x1774;
-  w.x[66] = x2127;
-  const Real x2132 = x107 * x1766 + x114 * x1791 + x119 * x1799;
-  w.x[99] = x2132;
-  const Real x2338 = x107 * x2284 - (x114 * x2287 + x119 * x2291);
-  const Real x2375 = tau[6] * x2261 + tau[7] * x2266 + tau[8] * x2270;
-  const Real x2392 = x2330 - x1936 - x2375;
-  w.x[92] = x2392;
-  const Real x2412 = 1 / x2411;
-  w.x[87] = x2412;
-  const Real x2122 = x104 * x1774 + x111 * x1799 + x118 * x1814;
-  w.x[84] = x2122;
-  const Real x2137 = x107 * x1774 + x114 * x1799 + x119 * x1814;
-  w.x[67] = x2137;
-  const Real x2142 = x110 * x1757 + x117 * x1766 + x121 * x1774;
-  w.x[65] = x2142;
-  const Real x2147 = x110 * x1766 + x117 * x1791 + x121 * x1799;
-  w.x[64] = x2147;
-  const Real x2346 = x110 * x2284 - (x117 * x2287 + x121 * x2291);
-  const Real x2380 = tau[6] * x2262 + tau[7] * x2267 + tau[8] * x2271;
-  const Real x2431 = x114 * x1949 + x119 * x1952 + x2033;
-  const Real x2563 = x2431 - x2396 * x2427;
-  w.x[63] = x2563;
-  const Real x2443 = x2039 + x119 * x1962 + x107 * x1958;
-  const Real x2566 = x2443 - x2396 * x2439;
-  w.x[61] = x2566;
-  const Real x2455 = x2045 + x114 * x1970 + x107 * x1968;
-  const Real x2569 = x2455 - x2396 * x2451;
-  w.x[60] = x2569;
-  const Real x2489 = x114 * x2461 + x119 * x2464 + x107 * x1981;
-  const Real x2572 = x2489 - x2396 * x2484;
-  w.x[59] = x2572;
-  const Real x2524 = x114 * x2005 + x119 * x2497 - x107 * x1991;
-  const Real x2575 = x2524 - x2396 * x2518;
-  w.x[58] = x2575;
-  const Real x2555 = x114 * x2010 + x119 * x2016 + x107 * x2001;
-  const Real x2578 = x2555 - x2396 * x2550;
-  w.x[62] = x2578;
-  const Real x2152 = x110 * x1774 + x117 * x1799 + x121 * x1814;
-  w.x[57] = x2152;
-  const Real x2385 = tau[6] * x2263 + tau[7] * x2268 + tau[8] * x2272;
-  const Real x2417 = x2338 - x1937 - x2380 - x2392 * x2396;
-  w.x[56] = x2417;
-  const Real x2435 = x117 * x1949 + x121 * x1952 + x2048;
-  const Real x2447 = x2054 + x121 * x1962 + x110 * x1958;
-  const Real x2459 = x2060 + x117 * x1970 + x110 * x1968;
-  const Real x2494 = x117 * x2461 + x121 * x2464 + x110 * x1981;
-  const Real x2530 = x117 * x2005 + x121 * x2497 - x110 * x1991;
-  const Real x2560 = x117 * x2010 + x121 * x2016 + x110 * x2001;
-  const Real x2469 = x104 * x1779 + x111 * x1804 + x118 * x1820;
-  w.x[54] = x2469;
-  const Real x2474 = x107 * x1779 + x114 * x1804 + x119 * x1820;
-  w.x[53] = x2474;
-  const Real x2502 = x104 * x1782 + x111 * x1807 + x118 * x1823;
-  w.x[81] = x2502;
-  const Real x2507 = x107 * x1782 + x114 * x1807 + x119 * x1823;
-  w.x[78] = x2507;
-  const Real x2535 = x104 * x1741 + x111 * x1742 + x118 * x1743;
-  w.x[82] = x2535;
-  const Real x2540 = x107 * x1741 + x114 * x1742 + x119 * x1743;
-  w.x[79] = x2540;
-  const Real x2584 = x2435 - x2397 * x2427 - x2405 * x2563;
-  w.x[83] = x2584;
-  const Real x2590 = x2447 - x2397 * x2439 - x2405 * x2566;
-  w.x[80] = x2590;
-  const Real x2596 = x2459 - x2397 * x2451 - x2405 * x2569;
-  w.x[77] = x2596;
-  const Real x2602 = x2494 - x2397 * x2484 - x2405 * x2572;
-  w.x[76] = x2602;
-  const Real x2608 = x2530 - x2397 * x2518 - x2405 * x2575;
-  w.x[75] = x2608;
-  const Real x2614 = x2560 - x2397 * x2550 - x2405 * x2578;
-  w.x[74] = x2614;
-  const Real x2615 = x2395 * x2427;
-  const Real x2616 = x2395 * x2439;
-  const Real x2617 = x2395 * x2451;
-  const Real x2618 = x2395 * x2484;
-  const Real x2619 = x2395 * x2518;
-  const Real x2620 = x2395 * x2550;
-  const Real x2621 = x2404 * x2563;
-  const Real x2622 = x2404 * x2566;
-  const Real x2623 = x2404 * x2569;
-  const Real x2624 = x2404 * x2572;
-  const Real x2625 = x2404 * x2575;
-  const Real x2626 = x2404 * x2578;
-  const Real x2157 = x104 * x2112 + x111 * x2117 + x118 * x2122;
-  const Real x2162 = x107 * x2112 + x114 * x2117 + x119 * x2122;
-  const Real x2259 = x1913 + x2162;
-  const Real x2167 = x110 * x2112 + x117 * x2117 + x121 * x2122;
-  const Real x2260 = x1914 + x2167;
-  const Real x2172 = x107 * x2127 + x114 * x2132 + x119 * x2137;
-  const Real x2177 = x110 * x2127 + x117 * x2132 + x121 * x2137;
-  const Real x2265 = x1919 + x2177;
-  const Real x2422 = x2346 - x1938 - x2385 - x2392 * x2397;
-  const Real x2423 = x2422 - x2405 * x2417;
-  w.x[73] = x2423;
-  const Real x2479 = x110 * x1779 + x117 * x1804 + x121 * x1820;
-  w.x[45] = x2479;
-  const Real x2512 = x110 * x1782 + x117 * x1807 + x121 * x1823;
-  w.x[44] = x2512;
-  const Real x2545 = x110 * x1741 + x117 * x1742 + x121 * x1743;
-  w.x[43] = x2545;
-  const Real x2627 = x2412 * x2584;
-  const Real x2628 = x2412 * x2590;
-  const Real x2629 = x2412 * x2596;
-  const Real x2630 = x2412 * x2602;
-  const Real x2631 = x2412 * x2608;
-  const Real x2632 = x2412 * x2614;
-  const Real x2182 = x110 * x2142 + x117 * x2147 + x121 * x2152;
-  const Real x2301 = x104 * x1846 + x111 * x1857 + x118 * x1868;
-  const Real x2311 = x107 * x1846 + x114 * x1857 + x119 * x1868;
-  const Real x2321 = x110 * x1846 + x117 * x1857 + x121 * x1868;
-  const Real x2359 = tau[6] * (x1912 + x2157) + tau[7] * x2259;
-  const Real x2364 = tau[6] * x2259 + tau[7] * (x1918 + x2172);
-  const Real x2369 = tau[6] * x2260 + tau[7] * x2265;
-  const Real x2832 = tau[6] * x2112 + tau[7] * x2127 + tau[8] * x2142;
-  const Real x2862 = x2392 * x2615 + x2417 * x2621 + x2423 * x2627;
-  const Real x2837 = tau[6] * x2117 + tau[7] * x2132 + tau[8] * x2147;
-  const Real x2867 = x2392 * x2616 + x2417 * x2622 + x2423 * x2628;
-  const Real x2842 = tau[6] * x2122 + tau[7] * x2137 + tau[8] * x2152;
-  const Real x2872 = x2392 * x2617 + x2417 * x2623 + x2423 * x2629;
-  const Real x2847 = tau[6] * x2469 + tau[7] * x2474 + tau[8] * x2479;
-  const Real x2877 = x2392 * x2618 + x2417 * x2624 + x2423 * x2630;
-  const Real x2852 = tau[6] * x2502 + tau[7] * x2507 + tau[8] * x2512;
-  const Real x2882 = x2392 * x2619 + x2417 * x2625 + x2423 * x2631;
-  const Real x2857 = tau[6] * x2535 + tau[7] * x2540 + tau[8] * x2545;
-  const Real x2887 = x2392 * x2620 + x2417 * x2626 + x2423 * x2632;
-  const Real x2386 = x1933 + x2301 + (tau[8] * x2260 + x2359);
-  w.x[40] = x2386;
-  const Real x2388 = x1934 + x2311 + (tau[8] * x2265 + x2364);
-  w.x[39] = x2388;
-  const Real x2390 = x1935 + x2321 + (tau[8] * (x1923 + x2182) + x2369);
-  w.x[38] = x2390;
-  const Real x2413 = 1.7763568394002505e-15 * x2276;
-  require_more(w, x2400, x2413, kFactorization, 1);
-  const Real x2414 = 1.7763568394002505e-15 * x2278;
-  require_more(w, x2411, x2414, kFactorization, 1);
-  const Real x2640 = x1757 - x2427 * x2615 - x2563 * x2621;
-  const Real x2641 = x2640 - x2584 * x2627;
-  w.x[46] = x2641;
-  const Real x2649 = x1766 - x2427 * x2616 - x2563 * x2622;
-  const Real x2650 = x2649 - x2584 * x2628;
-  w.x[42] = x2650;
-  const Real x2658 = x1774 - x2427 * x2617 - x2563 * x2623;
-  const Real x2659 = x2658 - x2584 * x2629;
-  w.x[41] = x2659;
-  const Real x2667 = x1779 - x2427 * x2618 - x2563 * x2624;
-  const Real x2668 = x2667 - x2584 * x2630;
-  w.x[37] = x2668;
-  const Real x2676 = x1782 - x2427 * x2619 - x2563 * x2625;
-  const Real x2677 = x2676 - x2584 * x2631;
-  w.x[36] = x2677;
-  const Real x2685 = x1741 - x2427 * x2620 - x2563 * x2626;
-  const Real x2686 = x2685 - x2584 * x2632;
-  w.x[34] = x2686;
-  const Real x2694 = x1791 - x2439 * x2616 - x2566 * x2622;
-  const Real x2695 = x2694 - x2590 * x2628;
-  w.x[35] = x2695;
-  const Real x2703 = x1799 - x2439 * x2617 - x2566 * x2623;
-  const Real x2704 = x2703 - x2590 * x2629;
-  w.x[9] = x2704;
-  const Real x2712 = x1804 - x2439 * x2618 - x2566 * x2624;
-  const Real x2713 = x2712 - x2590 * x2630;
-  w.x[8] = x2713;
-  const Real x2721 = x1807 - x2439 * x2619 - x2566 * x2625;
-  const Real x2722 = x2721 - x2590 * x2631;
-  w.x[6] = x2722;
-  const Real x2730 = x1742 - x2439 * x2620 - x2566 * x2626;
-  const Real x2731 = x2730 - x2590 * x2632;
-  w.x[7] = x2731;
-  const Real x2739 = x1814 - x2451 * x2617 - x2569 * x2623;
-  const Real x2740 = x2739 - x2596 * x2629;
-  w.x[11] = x2740;
-  const Real x2748 = x1820 - x2451 * x2618 - x2569 * x2624;
-  const Real x2749 = x2748 - x2596 * x2630;
-  w.x[10] = x2749;
-  const Real x2757 = x1823 - x2451 * x2619 - x2569 * x2625;
-  const Real x2758 = x2757 - x2596 * x2631;
-  w.x[5] = x2758;
-  const Real x2766 = x1743 - x2451 * x2620 - x2569 * x2626;
-  const Real x2767 = x2766 - x2596 * x2632;
-  w.x[4] = x2767;
-  const Real x2775 = x1828 - x2484 * x2618 - x2572 * x2624;
-  const Real x2776 = x2775 - x2602 * x2630;
-  w.x[2] = x2776;
-  const Real x2785 = x1831 + x2484 * x2619 + x2572 * x2625;
-  const Real x2787 = x2602 * x2631 + x2785;
-  w.x[1] = x2787;
-  const Real x2796 = x1744 - x2484 * x2620 - x2572 * x2626;
-  const Real x2797 = x2796 - x2602 * x2632;
-  w.x[0] = x2797;
-  const Real x2805 = x1835 - x2518 * x2619 - x2575 * x2625;
-  const Real x2806 = x2805 - x2608 * x2631;
-  w.x[3] = x2806;
-  const Real x2815 = x1745 + x2518 * x2620 + x2575 * x2626;
-  const Real x2817 = x2608 * x2632 + x2815;
-  w.x[162] = x2817;
-  const Real x2826 = x1643 - x2550 * x2620 - x2578 * x2626;
-  const Real x2827 = x2826 - x2614 * x2632;
-  w.x[163] = x2827;
-  const Real x2894 = x2832 + x2862 + x1846;
-  w.x[164] = x2894;
-  const Real x2896 = x2837 + x2867 + x1857;
-  w.x[165] = x2896;
-  const Real x2898 = x2842 + x2872 + x1868;
-  w.x[166] = x2898;
-  const Real x2900 = x2847 + x2877 + x1880;
-  w.x[167] = x2900;
-  const Real x2902 = x2852 + x2882 + x1893;
-  w.x[168] = x2902;
-  const Real x2904 = x2857 + x2887 + x1905;
-  w.x[169] = x2904;
+// Copies the angles of those of joints first .. last that turn.
+template <int first, int last>
+void take_angles(Workspace& w) {
+  ADAGEN_FOR (j, first, last + 1) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    const int place = joint.q + (joint.kind == JointKind::kPlanar ? 2 : 0);
+    if (joint.kind == JointKind::kRevolute || joint.kind == JointKind::kPlanar)
+      w.angle[static_cast<std::size_t>(slot_of(j))] = w.q[place];
+  }
 }
 
-ADAGEN_NOINLINE void part_0_3(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x543 = w.x[144];
-  const Real x546 = w.x[145];
-  const Real x549 = w.x[146];
-  const Real x550 = w.x[147];
-  const Real x553 = w.x[148];
-  const Real x556 = w.x[149];
-  const Real x557 = w.x[150];
-  const Real x558 = w.x[151];
-  const Real x560 = w.x[152];
-  const Real x2641 = w.x[46];
-  const Real x2650 = w.x[42];
-  const Real x2659 = w.x[41];
-  const Real x2668 = w.x[37];
-  const Real x2677 = w.x[36];
-  const Real x2686 = w.x[34];
-  const Real x2695 = w.x[35];
-  const Real x2704 = w.x[9];
-  const Real x2713 = w.x[8];
-  const Real x2722 = w.x[6];
-  const Real x2731 = w.x[7];
-  const Real x2749 = w.x[10];
-  const Real x2758 = w.x[5];
-  const Real x2767 = w.x[4];
-  const Real x2776 = w.x[2];
-  const Real x2787 = w.x[1];
-  const Real x2797 = w.x[0];
-  const Real x2806 = w.x[3];
-  const Real x2817 = w.x[162];
-  const Real x2827 = w.x[163];
-  const Real x2894 = w.x[164];
-  const Real x2896 = w.x[165];
-  const Real x2900 = w.x[167];
-  const Real x2902 = w.x[168];
-  const Real x2904 = w.x[169];
-  // message received
-  const Real x2921 = w.from[2][15];
-  const Real x2922 = w.from[2][16];
-  const Real x2924 = w.from[2][18];
-  const Real x2923 = w.from[2][17];
-  const Real x2909 = w.from[2][3];
-  const Real x2914 = w.from[2][8];
-  const Real x2925 = w.from[2][19];
-  const Real x2910 = w.from[2][4];
-  const Real x2915 = w.from[2][9];
-  const Real x2918 = w.from[2][12];
-  const Real x2911 = w.from[2][5];
-  const Real x2916 = w.from[2][10];
-  const Real x2919 = w.from[2][13];
-  const Real x2926 = w.from[2][20];
-  const Real x2920 = w.from[2][14];
-  const Real x2930 = w.from[2][24];
-  const Real x2931 = w.from[2][25];
-  const Real x2932 = w.from[2][26];
-  const Real x2906 = w.from[2][0];
-  w.x[170] = x2906;
-  const Real x2907 = w.from[2][1];
-  w.x[171] = x2907;
-  const Real x2908 = w.from[2][2];
-  w.x[172] = x2908;
-  const Real x2912 = w.from[2][6];
-  w.x[173] = x2912;
-  const Real x2913 = w.from[2][7];
-  w.x[174] = x2913;
-  const Real x2917 = w.from[2][11];
-  w.x[175] = x2917;
-  const Real x2927 = w.from[2][21];
-  w.x[176] = x2927;
-  const Real x2928 = w.from[2][22];
-  w.x[177] = x2928;
-  const Real x2929 = w.from[2][23];
-  w.x[178] = x2929;
-  // joint 7 "spine": assembly: its two sides become one chain
-  const Real x2937 = 0.13 * x2650;
-  const Real x2945 = x2713 + 0.13 * x2695;
-  const Real x2939 = x2668 + x2937;
-  const Real x2942 = x2677 - 0.13 * x2641;
-  const Real x2967 = x2797 + 0.13 * x2731;
-  const Real x2976 = x2817 + 0.13 * x2686;
-  const Real x2946 = x2722 - x2937;
-  const Real x2949 = x2749 + 0.13 * x2704;
-  const Real x2958 = x2776 + 0.13 * x2713 + 0.13 * x2945;
-  const Real x2964 = 0.13 * x2722 - x2787 - 0.13 * x2939;
-  const Real x2973 = x2806 - 0.13 * x2677 - 0.13 * x2942;
-  const Real x3159 = x543 * x2967 + x557 * x2827 - x550 * x2976;
-  const Real x3176 = x546 * x2967 + x558 * x2827 - x553 * x2976;
-  const Real x2952 = x2758 - 0.13 * x2659;
-  const Real x3147 = x543 * x2958 + x557 * x2967 + x550 * x2964;
-  const Real x3153 = x543 * x2964 - x557 * x2976 + x550 * x2973;
-  const Real x3164 = x546 * x2958 + x558 * x2967 + x553 * x2964;
-  const Real x3170 = x546 * x2964 - x558 * x2976 + x553 * x2973;
-  const Real x2982 = x543 * x2939 + x550 * x2945 + x557 * x2949;
-  const Real x2992 = x543 * x2686 + x550 * x2731 + x557 * x2767;
-  const Real x2997 = x546 * x2939 + x553 * x2945 + x558 * x2949;
-  const Real x3007 = x546 * x2686 + x553 * x2731 + x558 * x2767;
-  const Real x3198 = x543 * x3147 + x557 * x3159 + x550 * x3153;
-  const Real x3239 = x2921 + x3198;
-  require_more(w, x3239, 0.0, kFactorization, 7);
-  const Real x3203 = x546 * x3147 + x558 * x3159 + x553 * x3153;
-  const Real x3240 = x2922 + x3203;
-  const Real x2987 = x543 * x2942 + x550 * x2946 + x557 * x2952;
-  const Real x3002 = x546 * x2942 + x553 * x2946 + x558 * x2952;
-  const Real x3012 = x549 * x2939 + x556 * x2945 + x560 * x2949;
-  const Real x3354 = 1 / x3239;
-  const Real x3022 = x549 * x2686 + x556 * x2731 + x560 * x2767;
-  const Real x3213 = x546 * x3164 + x558 * x3176 + x553 * x3170;
-  const Real x3242 = x2924 + x3213;
-  w.x[179] = x3242;
-  const Real x3017 = x549 * x2942 + x556 * x2946 + x560 * x2952;
-  const Real x3355 = x3240 * x3354;
-  const Real x3247 = x2900 + 0.13 * x2896;
-  const Real x3359 = x3242 - x3240 * x3355;
-  w.x[180] = x3359;
-  const Real x3181 = x549 * x2958 + x560 * x2967 + x556 * x2964;
-  const Real x3193 = x549 * x2967 + x560 * x2827 - x556 * x2976;
-  const Real x3208 = x549 * x3147 + x560 * x3159 + x556 * x3153;
-  const Real x3241 = x2923 + x3208;
-  const Real x3363 = 1 / x3359;
-  const Real x3027 = x543 * x2982 + x557 * x2992 + x550 * x2987;
-  const Real x3227 = x2909 + x3027;
-  w.x[181] = x3227;
-  const Real x3042 = x543 * x2997 + x557 * x3007 + x550 * x3002;
-  const Real x3232 = x2914 + x3042;
-  w.x[182] = x3232;
-  const Real x3251 = 0.13 * x2894 - x2902;
-  const Real x3187 = x549 * x2964 - x560 * x2976 + x556 * x2973;
-  const Real x3218 = x549 * x3164 + x560 * x3176 + x556 * x3170;
-  const Real x3032 = x546 * x2982 + x558 * x2992 + x553 * x2987;
-  const Real x3228 = x2910 + x3032;
-  w.x[183] = x3228;
-  const Real x3047 = x546 * x2997 + x558 * x3007 + x553 * x3002;
-  const Real x3233 = x2915 + x3047;
-  w.x[184] = x3233;
-  const Real x3057 = x543 * x3012 + x557 * x3022 + x550 * x3017;
-  const Real x3236 = x2918 + x3057;
-  w.x[185] = x3236;
-  const Real x3356 = x3241 * x3354;
-  const Real x3362 = x2925 + x3218 - x3241 * x3355;
-  const Real x3037 = x549 * x2982 + x560 * x2992 + x556 * x2987;
-  const Real x3229 = x2911 + x3037;
-  w.x[186] = x3229;
-  const Real x3052 = x549 * x2997 + x560 * x3007 + x556 * x3002;
-  const Real x3234 = x2916 + x3052;
-  w.x[187] = x3234;
-  const Real x3062 = x546 * x3012 + x558 * x3022 + x553 * x3017;
-  const Real x3237 = x2919 + x3062;
-  w.x[188] = x3237;
-  const Real x3223 = x549 * x3181 + x560 * x3193 + x556 * x3187;
-  const Real x3244 = x2926 + x3223;
-  w.x[189] = x3244;
-  const Real x3364 = x3362 * x3363;
-  const Real x3067 = x549 * x3012 + x560 * x3022 + x556 * x3017;
-  const Real x3238 = x2920 + x3067;
-  w.x[190] = x3238;
-  const Real x3289 = x550 * x3251 - (x543 * x3247 + x557 * x2904);
-  const Real x3297 = x553 * x3251 - (x546 * x3247 + x558 * x2904);
-  const Real x3334 = tau[20] * x3227 + tau[21] * x3232 + tau[22] * x3236;
-  const Real x3351 = x3289 - x2930 - x3334;
-  const Real x3370 = x3244 - x3241 * x3356 - x3362 * x3364;
-  w.x[191] = x3370;
-  const Real x3305 = x556 * x3251 - (x549 * x3247 + x560 * x2904);
-  const Real x3339 = tau[20] * x3228 + tau[21] * x3233 + tau[22] * x3237;
-  const Real x3376 = x3297 - x2931 - x3339 - x3351 * x3355;
-  const Real x3344 = tau[20] * x3229 + tau[21] * x3234 + tau[22] * x3238;
-  const Real x3381 = x3305 - x2932 - x3344 - x3351 * x3356;
-  // joint 7 "spine": disassembly: its acceleration and force
-  const Real x3385 = 1 / x3370 * (x3381 - x3364 * x3376);
-  w.x[192] = x3385;
-  w.to[3][5] = x3385;
-  const Real x3388 = x3363 * x3376 - x3364 * x3385;
-  w.x[193] = x3388;
-  w.to[3][4] = x3388;
-  const Real x3394 = x3351 * x3354 - x3356 * x3385 - x3355 * x3388;
-  w.x[194] = x3394;
-  w.to[3][3] = x3394;
+// Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
+template <int first, int last>
+void turn(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    Lanes s, c;
+    sine_and_cosine(wide(&w.angle[static_cast<std::size_t>(b * kPerBlock)]), s, c);
+    ADAGEN_FOR (k, 0, 3) {
+      const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
+      narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
+      narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
+    }
+  }
 }
 
-ADAGEN_NOINLINE void part_0_4(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x543 = w.x[144];
-  const Real x546 = w.x[145];
-  const Real x549 = w.x[146];
-  const Real x550 = w.x[147];
-  const Real x553 = w.x[148];
-  const Real x556 = w.x[149];
-  const Real x557 = w.x[150];
-  const Real x558 = w.x[151];
-  const Real x560 = w.x[152];
-  const Real x2392 = w.x[92];
-  const Real x2395 = w.x[98];
-  const Real x2396 = w.x[97];
-  const Real x2397 = w.x[105];
-  const Real x2404 = w.x[108];
-  const Real x2405 = w.x[93];
-  const Real x2412 = w.x[87];
-  const Real x2417 = w.x[56];
-  const Real x2423 = w.x[73];
-  const Real x2427 = w.x[68];
-  const Real x2439 = w.x[104];
-  const Real x2451 = w.x[103];
-  const Real x2484 = w.x[101];
-  const Real x2518 = w.x[100];
-  const Real x2550 = w.x[86];
-  const Real x2563 = w.x[63];
-  const Real x2566 = w.x[61];
-  const Real x2569 = w.x[60];
-  const Real x2572 = w.x[59];
-  const Real x2575 = w.x[58];
-  const Real x2578 = w.x[62];
-  const Real x2584 = w.x[83];
-  const Real x2590 = w.x[80];
-  const Real x2596 = w.x[77];
-  const Real x2602 = w.x[76];
-  const Real x2608 = w.x[75];
-  const Real x2614 = w.x[74];
-  const Real x3385 = w.x[192];
-  const Real x3388 = w.x[193];
-  const Real x3394 = w.x[194];
-  // joint 7 "spine": disassembly: its acceleration and force
-  const Real x3427 = x557 * tau[20] + x558 * tau[21] + x560 * tau[22];
-  w.x[169] = x3427;
-  const Real x3432 = x546 * x3388 + x549 * x3385 + x543 * x3394;
-  w.x[168] = x3432;
-  const Real x3437 = x553 * x3388 + x556 * x3385 + x550 * x3394;
-  w.x[167] = x3437;
-  const Real x3442 = x558 * x3388 + x560 * x3385 + x557 * x3394;
-  w.x[163] = x3442;
-  const Real x3417 = x546 * tau[21] + x549 * tau[22] + x543 * tau[20];
-  const Real x3445 = x3417 - 0.13 * x3437;
-  w.x[162] = x3445;
-  const Real x3422 = x550 * tau[20] + x556 * tau[22] + x553 * tau[21];
-  const Real x3447 = x3422 + 0.13 * x3432;
-  w.x[3] = x3447;
-  // joint 1 "left_hip": disassembly: its acceleration and force
-  const Real x3512 = x2596 * x3427 + x2602 * x3432 + x2608 * x3437;
-  const Real x3490 = x2569 * x3427 + x2572 * x3432 + x2575 * x3437;
-  const Real x3468 = x2451 * x3427 + x2484 * x3432 + x2518 * x3437;
-  const Real x3516 = x2614 * x3442 + x3512 + x2584 * x3445;
-  const Real x3494 = x2578 * x3442 + x3490 + x2563 * x3445;
-  const Real x3472 = x2550 * x3442 + x3468 + x2427 * x3445;
-  const Real x3594 = x2412 * (x2423 - (x2590 * x3447 + x3516));
-  w.x[0] = x3594;
-  w.to[4][5] = x3594;
-  const Real x3593 = x2404 * (x2417 - (x2566 * x3447 + x3494));
-  const Real x3597 = x3593 - x2405 * x3594;
-  w.x[1] = x3597;
-  w.to[4][4] = x3597;
-  const Real x3592 = x2395 * (x2392 - (x2439 * x3447 + x3472));
-  const Real x3603 = x3592 - x2397 * x3594 - x2396 * x3597;
-  w.x[2] = x3603;
-  w.to[4][3] = x3603;
+// Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
+// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J, and the bias
+// force is that of the acceleration field a + H x, H = alpha x + omega x omega x.
+template <int first, int last>
+void set_up_links(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const auto& entries = block.entries;
+    const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
+                          wide_vector(entries + kAxes + 6)};
+    const Symmetric<Lanes> T{wide(constants.tensor[0]), wide(constants.tensor[1]),
+                             wide(constants.tensor[2]), wide(constants.tensor[3]),
+                             wide(constants.tensor[4]), wide(constants.tensor[5])};
+    const Matrix<Lanes> RT{T * R.x, T * R.y, T * R.z};  // rows of R T
+    const Symmetric<Lanes> J{dot(RT.x, R.x), dot(RT.x, R.y), dot(RT.x, R.z),
+                             dot(RT.y, R.y), dot(RT.y, R.z), dot(RT.z, R.z)};
+    narrow(J.yy + J.zz, block.entries[kRotational]);
+    narrow(-J.xy, block.entries[kRotational + 1]);
+    narrow(-J.xz, block.entries[kRotational + 2]);
+    narrow(J.xx + J.zz, block.entries[kRotational + 3]);
+    narrow(-J.yz, block.entries[kRotational + 4]);
+    narrow(J.xx + J.yy, block.entries[kRotational + 5]);
+    const Vector<Lanes> c = R * wide_vector(constants.moments);
+    narrow(c, block.entries + kMoments);
+
+    const Vector<Lanes> w_ = wide_vector(entries + kOmega), al = wide_vector(entries + kAlpha);
+    const Lanes xx = w_.x * w_.x, yy = w_.y * w_.y, zz = w_.z * w_.z;
+    const Lanes xy = w_.x * w_.y, xz = w_.x * w_.z, yz = w_.y * w_.z;
+    const Matrix<Lanes> H{{-(yy + zz), xy - al.z, xz + al.y},
+                          {xy + al.z, -(xx + zz), yz - al.x},
+                          {xz - al.y, yz + al.x, -(xx + yy)}};
+    const Vector<Lanes> a = wide_vector(entries + kAcceleration);
+    const Vector<Lanes> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
+    Vector<Lanes> n = cross(c, a);
+    n += Vector<Lanes>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
+                       dot(H.y, Jx) - dot(H.x, Jy)};
+    narrow(n, block.entries + kTorque);
+    narrow(a * wide(constants.mass) + H * c, block.entries + kForce);
+  }
 }
 
-ADAGEN_NOINLINE void part_0_5(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x59 = w.x[132];
-  const Real x64 = w.x[133];
-  const Real x69 = w.x[134];
-  const Real x104 = w.x[135];
-  const Real x107 = w.x[136];
-  const Real x110 = w.x[137];
-  const Real x111 = w.x[138];
-  const Real x114 = w.x[139];
-  const Real x117 = w.x[140];
-  const Real x118 = w.x[141];
-  const Real x119 = w.x[142];
-  const Real x121 = w.x[143];
-  const Real x230 = w.x[18];
-  const Real x233 = w.x[12];
-  const Real x236 = w.x[13];
-  const Real x237 = w.x[14];
-  const Real x240 = w.x[19];
-  const Real x243 = w.x[15];
-  const Real x244 = w.x[16];
-  const Real x245 = w.x[17];
-  const Real x247 = w.x[29];
-  const Real x410 = w.x[26];
-  const Real x413 = w.x[22];
-  const Real x416 = w.x[20];
-  const Real x417 = w.x[23];
-  const Real x420 = w.x[27];
-  const Real x423 = w.x[24];
-  const Real x424 = w.x[21];
-  const Real x425 = w.x[25];
-  const Real x427 = w.x[28];
-  const Real x543 = w.x[144];
-  const Real x546 = w.x[145];
-  const Real x549 = w.x[146];
-  const Real x550 = w.x[147];
-  const Real x553 = w.x[148];
-  const Real x556 = w.x[149];
-  const Real x557 = w.x[150];
-  const Real x558 = w.x[151];
-  const Real x560 = w.x[152];
-  const Real x837 = w.x[51];
-  const Real x838 = w.x[50];
-  const Real x841 = w.x[52];
-  const Real x1001 = w.x[55];
-  const Real x1002 = w.x[30];
-  const Real x1004 = w.x[32];
-  const Real x1006 = w.x[33];
-  const Real x1007 = w.x[31];
-  const Real x1193 = w.x[70];
-  const Real x1196 = w.x[71];
-  const Real x1202 = w.x[72];
-  const Real x1240 = w.x[47];
-  const Real x1242 = w.x[48];
-  const Real x1244 = w.x[49];
-  const Real x1247 = w.x[126];
-  const Real x1250 = w.x[127];
-  const Real x1253 = w.x[128];
-  const Real x1259 = w.x[153];
-  const Real x1265 = w.x[154];
-  const Real x1271 = w.x[155];
-  const Real x1643 = w.x[102];
-  const Real x1741 = w.x[109];
-  const Real x1742 = w.x[110];
-  const Real x1743 = w.x[111];
-  const Real x1744 = w.x[112];
-  const Real x1745 = w.x[113];
-  const Real x1757 = w.x[114];
-  const Real x1766 = w.x[115];
-  const Real x1774 = w.x[116];
-  const Real x1779 = w.x[117];
-  const Real x1782 = w.x[118];
-  const Real x1791 = w.x[119];
-  const Real x1799 = w.x[120];
-  const Real x1804 = w.x[121];
-  const Real x1807 = w.x[122];
-  const Real x1814 = w.x[123];
-  const Real x1820 = w.x[124];
-  const Real x1823 = w.x[125];
-  const Real x1828 = w.x[129];
-  const Real x1831 = w.x[130];
-  const Real x1835 = w.x[131];
-  const Real x1846 = w.x[156];
-  const Real x1857 = w.x[157];
-  const Real x1868 = w.x[158];
-  const Real x1880 = w.x[159];
-  const Real x1893 = w.x[160];
-  const Real x1905 = w.x[161];
-  const Real x2112 = w.x[85];
-  const Real x2117 = w.x[88];
-  const Real x2122 = w.x[84];
-  const Real x2127 = w.x[66];
-  const Real x2132 = w.x[99];
-  const Real x2137 = w.x[67];
-  const Real x2142 = w.x[65];
-  const Real x2147 = w.x[64];
-  const Real x2152 = w.x[57];
-  const Real x2261 = w.x[107];
-  const Real x2262 = w.x[96];
-  const Real x2263 = w.x[91];
-  const Real x2266 = w.x[106];
-  const Real x2267 = w.x[95];
-  const Real x2268 = w.x[90];
-  const Real x2270 = w.x[94];
-  const Real x2271 = w.x[89];
-  const Real x2272 = w.x[69];
-  const Real x2386 = w.x[40];
-  const Real x2388 = w.x[39];
-  const Real x2390 = w.x[38];
-  const Real x2469 = w.x[54];
-  const Real x2474 = w.x[53];
-  const Real x2479 = w.x[45];
-  const Real x2502 = w.x[81];
-  const Real x2507 = w.x[78];
-  const Real x2512 = w.x[44];
-  const Real x2535 = w.x[82];
-  const Real x2540 = w.x[79];
-  const Real x2545 = w.x[43];
-  const Real x2641 = w.x[46];
-  const Real x2650 = w.x[42];
-  const Real x2659 = w.x[41];
-  const Real x2695 = w.x[35];
-  const Real x2704 = w.x[9];
-  const Real x2740 = w.x[11];
-  const Real x2894 = w.x[164];
-  const Real x2896 = w.x[165];
-  const Real x2898 = w.x[166];
-  const Real x2906 = w.x[170];
-  const Real x2907 = w.x[171];
-  const Real x2908 = w.x[172];
-  const Real x2912 = w.x[173];
-  const Real x2913 = w.x[174];
-  const Real x2917 = w.x[175];
-  const Real x2927 = w.x[176];
-  const Real x2928 = w.x[177];
-  const Real x2929 = w.x[178];
-  const Real x3227 = w.x[181];
-  const Real x3228 = w.x[183];
-  const Real x3229 = w.x[186];
-  const Real x3232 = w.x[182];
-  const Real x3233 = w.x[184];
-  const Real x3234 = w.x[187];
-  const Real x3236 = w.x[185];
-  const Real x3237 = w.x[188];
-  const Real x3238 = w.x[190];
-  const Real x3242 = w.x[179];
-  const Real x3244 = w.x[189];
-  const Real x3359 = w.x[180];
-  const Real x3370 = w.x[191];
-  const Real x3385 = w.x[192];
-  const Real x3388 = w.x[193];
-  const Real x3394 = w.x[194];
-  const Real x3427 = w.x[169];
-  const Real x3432 = w.x[168];
-  const Real x3437 = w.x[167];
-  const Real x3442 = w.x[163];
-  const Real x3445 = w.x[162];
-  const Real x3447 = w.x[3];
-  const Real x3594 = w.x[0];
-  const Real x3597 = w.x[1];
-  const Real x3603 = w.x[2];
-  // joint 7 "spine": assembly: its two sides become one chain
-  const Real x3072 = x543 * x2641 + x550 * x2650 + x557 * x2659;
-  const Real x3077 = x543 * x2650 + x550 * x2695 + x557 * x2704;
-  const Real x3087 = x546 * x2641 + x553 * x2650 + x558 * x2659;
-  const Real x3092 = x546 * x2650 + x553 * x2695 + x558 * x2704;
-  const Real x3082 = x543 * x2659 + x550 * x2704 + x557 * x2740;
-  const Real x3097 = x546 * x2659 + x553 * x2704 + x558 * x2740;
-  const Real x3102 = x549 * x2641 + x556 * x2650 + x560 * x2659;
-  const Real x3107 = x549 * x2650 + x556 * x2695 + x560 * x2704;
-  const Real x3112 = x549 * x2659 + x556 * x2704 + x560 * x2740;
-  const Real x3117 = x543 * x3072 + x550 * x3077 + x557 * x3082;
-  const Real x3122 = x546 * x3072 + x553 * x3077 + x558 * x3082;
-  const Real x3225 = x2907 + x3122;
-  const Real x3127 = x549 * x3072 + x556 * x3077 + x560 * x3082;
-  const Real x3226 = x2908 + x3127;
-  const Real x3132 = x546 * x3087 + x553 * x3092 + x558 * x3097;
-  const Real x3137 = x549 * x3087 + x556 * x3092 + x560 * x3097;
-  const Real x3231 = x2913 + x3137;
-  const Real x3142 = x549 * x3102 + x556 * x3107 + x560 * x3112;
-  const Real x3260 = x543 * x2894 + x550 * x2896 + x557 * x2898;
-  const Real x3270 = x546 * x2894 + x553 * x2896 + x558 * x2898;
-  const Real x3372 = 1.7763568394002505e-15 * x3242;
-  require_more(w, x3359, x3372, kFactorization, 7);
-  const Real x3373 = 1.7763568394002505e-15 * x3244;
-  require_more(w, x3370, x3373, kFactorization, 7);
-  const Real x3280 = x549 * x2894 + x556 * x2896 + x560 * x2898;
-  const Real x3318 = tau[20] * (x2906 + x3117) + tau[21] * x3225;
-  const Real x3323 = tau[20] * x3225 + tau[21] * (x2912 + x3132);
-  const Real x3328 = tau[20] * x3226 + tau[21] * x3231;
-  // joint 7 "spine": disassembly: its acceleration and force
-  const Real x3399 = x3228 * x3388 + x3229 * x3385 + x3227 * x3394;
-  const Real x3410 = x2927 + x3260 + (tau[22] * x3226 + x3318) + x3399;
-  w.result[20] = x3410;
-  const Real x3404 = x3233 * x3388 + x3234 * x3385 + x3232 * x3394;
-  const Real x3411 = x2928 + x3270 + (tau[22] * x3231 + x3323) + x3404;
-  w.result[21] = x3411;
-  // joint 7 "spine": assembly: its two sides become one chain
-  const Real x3349 = x2929 + x3280 + (tau[22] * (x2917 + x3142) + x3328);
-  // joint 7 "spine": disassembly: its acceleration and force
-  const Real x3409 = x3237 * x3388 + x3238 * x3385 + x3236 * x3394;
-  const Real x3412 = x3349 + x3409;
-  w.result[22] = x3412;
-  // joint 1 "left_hip": disassembly: its acceleration and force
-  const Real x3537 = x2122 * x3427 + x2469 * x3432 + x2502 * x3437;
-  const Real x3559 = x2137 * x3427 + x2474 * x3432 + x2507 * x3437;
-  const Real x3581 = x2152 * x3427 + x2479 * x3432 + x2512 * x3437;
-  const Real x3541 = x2535 * x3442 + x3537 + x2112 * x3445;
-  const Real x3563 = x2540 * x3442 + x3559 + x2127 * x3445;
-  const Real x3585 = x2545 * x3442 + x3581 + x2142 * x3445;
-  const Real x3641 = x107 * x3597 + x110 * x3594 + x104 * x3603;
-  const Real x3646 = x114 * x3597 + x117 * x3594 + x111 * x3603;
-  const Real x3651 = x119 * x3597 + x121 * x3594 + x118 * x3603;
-  const Real x3675 = x3432 + x3641;
-  const Real x3677 = x3437 + x3646;
-  const Real x3679 = x3442 + x3651;
-  const Real x3608 = x2262 * x3597 + x2263 * x3594 + x2261 * x3603;
-  const Real x3619 = x2117 * x3447 + x3541 + x2386 + x3608;
-  w.result[6] = x3619;
-  const Real x3613 = x2267 * x3597 + x2268 * x3594 + x2266 * x3603;
-  const Real x3620 = x2132 * x3447 + x3563 + x2388 + x3613;
-  w.result[7] = x3620;
-  const Real x3618 = x2271 * x3597 + x2272 * x3594 + x2270 * x3603;
-  const Real x3621 = x2147 * x3447 + x3585 + x2390 + x3618;
-  w.result[8] = x3621;
-  const Real x3631 = x111 * tau[6] + x117 * tau[8] + x114 * tau[7];
-  const Real x3626 = x107 * tau[7] + x110 * tau[8] + x104 * tau[6];
-  const Real x3636 = x118 * tau[6] + x119 * tau[7] + x121 * tau[8];
-  const Real x3671 = x3631 - 0.04 * x3641 + x3447;
-  const Real x3673 = x3636 - 0.09 * x3641 + x3427;
-  const Real x3669 = x3626 + 0.09 * x3651 + 0.04 * x3646 + x3445;
-  // link 1 "pelvis": acceleration under the handle forces
-  const Real x3695 = x1779 * x3675 + x1782 * x3677 + x1741 * x3679;
-  const Real x3739 = x1820 * x3675 + x1823 * x3677 + x1743 * x3679;
-  const Real x3717 = x1804 * x3675 + x1807 * x3677 + x1742 * x3679;
-  const Real x3760 = x1831 * x3677 - x1828 * x3675 - x1744 * x3679;
-  const Real x3777 = x1831 * x3675 - x1835 * x3677 + x1745 * x3679;
-  const Real x3794 = x1745 * x3677 - x1744 * x3675 - x1643 * x3679;
-  const Real x3699 = x1766 * x3671 + x3695 + x1774 * x3673;
-  const Real x3743 = x1799 * x3671 + x3739 + x1814 * x3673;
-  const Real x3798 = x1757 * x3669 + x3699 + x1846;
-  const Real x3721 = x1791 * x3671 + x3717 + x1799 * x3673;
-  const Real x3802 = x1774 * x3669 + x3743 + x1868;
-  const Real x3762 = x3760 - x1804 * x3671 - x1820 * x3673;
-  const Real x3779 = x3777 - x1807 * x3671 - x1823 * x3673;
-  const Real x3796 = x3794 - x1742 * x3671 - x1743 * x3673;
-  const Real x3800 = x1766 * x3669 + x3721 + x1857;
-  const Real x3804 = x3762 - x1779 * x3669 - x1880;
-  const Real x3805 = x3779 - x1782 * x3669 - x1893;
-  const Real x3806 = x3796 - x1741 * x3669 - x1905;
-  const Real x3799 = -x3798;
-  w.result[3] = x3799;
-  const Real x3801 = -x3800;
-  w.result[4] = x3801;
-  const Real x3803 = -x3802;
-  w.result[5] = x3803;
-  // joint 4 "right_hip": its acceleration, and that of the link beyond
-  const Real x3815 = x3805 - 0.04 * x3798;
-  const Real x3818 = x3806 + 0.09 * x3798;
-  const Real x3812 = x3804 - 0.09 * x3802 + 0.04 * x3800;
-  const Real x3853 = x237 * x3815 + x244 * x3818 + x230 * x3812;
-  const Real x3858 = x240 * x3815 + x245 * x3818 + x233 * x3812;
-  const Real x3863 = x243 * x3815 + x247 * x3818 + x236 * x3812;
-  const Real x3871 = x1202 - x1259 * x3853 - x1265 * x3858;
-  const Real x3872 = x3871 - x1271 * x3863;
-  const Real x3880 = x1196 - x1247 * x3853 - x1250 * x3858;
-  const Real x3881 = x3880 - x1253 * x3863;
-  const Real x3889 = x1193 + x1240 * x3853 + x1242 * x3858;
-  const Real x3890 = x3889 - x1244 * x3863;
-  const Real x3827 = x230 * x3798 + x237 * x3800 + x244 * x3802;
-  const Real x3891 = x3827 + x3872;
-  w.result[13] = x3891;
-  const Real x3837 = x233 * x3798 + x240 * x3800 + x245 * x3802;
-  const Real x3892 = x3837 + x3881;
-  w.result[14] = x3892;
-  const Real x3847 = x236 * x3798 + x243 * x3800 + x247 * x3802;
-  const Real x3893 = x3847 + x3890;
-  w.result[15] = x3893;
-  // joint 5 "right_knee": its acceleration, and that of the link beyond
-  const Real x3896 = x3853 - 0.41 * x3881;
-  const Real x3905 = cosine[0] * x3872 - sine[0] * x3890;
-  const Real x3898 = x3858 + 0.41 * x3872;
-  const Real x3901 = cosine[0] * x3890 + sine[0] * x3872;
-  const Real x3908 = cosine[0] * x3863 + sine[0] * x3896;
-  const Real x3912 = cosine[0] * x3896 - sine[0] * x3863;
-  // joint 6 "right_ankle": its acceleration, and that of the link beyond
-  const Real x3930 = x3898 + 0.41 * x3905;
-  // joint 0 "root": acceleration of the base
-  const Real x3978 = x3804 - x59;
-  w.result[0] = x3978;
-  const Real x3979 = x3805 - x64;
-  w.result[1] = x3979;
-  const Real x3980 = x3806 - x69;
-  w.result[2] = x3980;
-  // joint 5 "right_knee": its acceleration, and that of the link beyond
-  const Real x3922 = x1001 + x1002 * x3905 + x1007 * x3898;
-  const Real x3924 = x1004 * x3908 + x3922 - x1006 * x3912;
-  const Real x3925 = x3924 - x3881;
-  w.result[16] = x3925;
-  // joint 6 "right_ankle": its acceleration, and that of the link beyond
-  const Real x3928 = x3912 - 0.41 * x3924;
-  const Real x3955 = x425 * x3908 + x420 * x3930 + x413 * x3928;
-  const Real x3950 = x424 * x3908 + x417 * x3930 + x410 * x3928;
-  const Real x3960 = x427 * x3908 + x423 * x3930 + x416 * x3928;
-  const Real x3935 = x424 * x3901 + x410 * x3905 + x417 * x3924;
-  const Real x3975 = x841 - 11.953794325815098 * x3955 - x3935;
-  w.result[17] = x3975;
-  const Real x3945 = x427 * x3901 + x416 * x3905 + x423 * x3924;
-  const Real x3977 = x838 - 3.301677113212739 * x3955 - x3945;
-  w.result[19] = x3977;
-  const Real x3940 = x425 * x3901 + x413 * x3905 + x420 * x3924;
-  const Real x3976 = x837 + x3950 * 3.697995778737819 + x3960 * 5.546993668106728 - x3940;
-  w.result[18] = x3976;
+// Turns of joints with a quaternion, for as many at once as a register holds.
+
+// Where in q the quaternion of each joint of a block begins, for those that a process turns.
+// Others, which keep the turn that they have, are given that of a neighbour.
+struct QuaternionPlaces {
+  PerJoint own{};  // 1 for a joint with a quaternion, else 0
+  std::array<int, kPerBlock> q{};
+};
+template <int p>
+const std::array<QuaternionPlaces, kBlockCount> kQuaternionPlaces = [] {
+  std::array<int, kBlockCount * kPerBlock> found;
+  found.fill(-1);
+  for (int j = 0; j < kJointCount; ++j) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    const LinkRole role = kRoles[p][static_cast<std::size_t>(j + 1)];
+    if (role.oriented) found[static_cast<std::size_t>(slot_of(j))] = joint.q + joint.nq - 4;
+  }
+  std::array<QuaternionPlaces, kBlockCount> result;
+  int last = *std::max_element(found.begin(), found.end());
+  for (std::size_t slot = 0; slot < found.size(); ++slot) {
+    if (found[slot] >= 0) last = found[slot];
+    result[slot / kPerBlock].own[slot % kPerBlock] = found[slot] >= 0;
+    result[slot / kPerBlock].q[slot % kPerBlock] = last;
+  }
+  return result;
+}();
+
+template <std::size_t... lane>
+ADAGEN_INLINE void take_quaternions(const Workspace& w, const QuaternionPlaces& places,
+                                    Lanes (&to)[4], std::index_sequence<lane...>) {
+  if constexpr (kPerBlock == 1) {
+    ADAGEN_FOR (k, 0, 4) std::memcpy(&to[k], w.q + places.q[0] + k, sizeof to[k]);
+  } else {
+    const Four each[]{number_at<Four>(w.q + places.q[lane])...};
+    ADAGEN_FOR (k, 0, 4) to[k] = Lanes{each[lane][k]...};
+  }
 }
 
-// =================================================================================================
-// Process 1: 549 products, 437 sums, 9 quotients
-// =================================================================================================
-
-ADAGEN_NOINLINE void part_1_0(Workspace& w) {
-  ADAGEN_INPUTS
-  // joint 0 "root": placement, velocity and reference acceleration of its link
-  const Real x70 = v[3] * v[3];
-  const Real x78 = v[4] * v[5];
-  // joint 1 "left_hip": placement, velocity and reference acceleration of its link
-  const Real x158 = v[3] * v[4] * 0.09 - v[3] * v[5] * 0.04;
-  const Real x94 = q[7] * q[7] + q[8] * q[8] + q[9] * q[9];
-  const Real x95 = q[10] * q[10] + x94;
-  require_length(w, x95, 1);
-  const Real x168 = x78 * 0.09 + (x70 + v[4] * v[4]) * 0.04;
-  const Real x163 = (x70 + v[5] * v[5]) * 0.09 + x78 * 0.04;
-  const Real x97 = 2.0 * (1 / x95);
-  const Real x98 = q[7] * x97;
-  const Real x99 = q[8] * x97;
-  const Real x100 = q[9] * x97;
-  const Real x101 = q[8] * x99;
-  const Real x102 = q[9] * x100;
-  const Real x105 = q[8] * x98;
-  const Real x106 = q[10] * x100;
-  const Real x108 = q[9] * x98;
-  const Real x109 = q[10] * x99;
-  // joint 3 "left_ankle": placement, velocity and reference acceleration of its link
-  const Real x284 = q[12] * q[12] + q[13] * q[13] + q[14] * q[14];
-  const Real x285 = q[15] * q[15] + x284;
-  require_length(w, x285, 3);
-  const Real x287 = 2.0 * (1 / x285);
-  const Real x289 = q[13] * x287;
-  const Real x290 = q[14] * x287;
-  const Real x288 = q[12] * x287;
-  const Real x291 = q[13] * x289;
-  const Real x292 = q[14] * x290;
-  const Real x298 = q[14] * x288;
-  const Real x299 = q[15] * x289;
-  const Real x295 = q[13] * x288;
-  const Real x296 = q[15] * x290;
-  const Real x302 = q[12] * x288;
-  const Real x305 = q[14] * x289;
-  const Real x306 = q[15] * x288;
-  const Real x300 = x298 + x299;
-  w.x[0] = x300;
-  const Real x308 = x298 - x299;
-  w.x[1] = x308;
-  const Real x297 = x295 - x296;
-  w.x[2] = x297;
-  const Real x301 = x295 + x296;
-  w.x[3] = x301;
-  const Real x307 = x305 - x306;
-  w.x[4] = x307;
-  const Real x309 = x305 + x306;
-  w.x[5] = x309;
-  const Real x294 = 1.0 - (x291 + x292);
-  w.x[6] = x294;
-  const Real x304 = 1.0 - (x292 + x302);
-  w.x[7] = x304;
-  const Real x311 = 1.0 - (x291 + x302);
-  w.x[8] = x311;
-  // joint 3 "left_ankle": articulated-body inertia and bias force through it
-  const Real x620 = x297 * 0.3237476001746317;
-  const Real x611 = x309 * 0.3237476001746317;
-  const Real x619 = x294 * 0.8520801688504872 - x300 * 0.2218797467242691;
-  const Real x624 = x300 * 0.6671803799135964 - x294 * 0.2218797467242691;
-  const Real x610 = x308 * 0.8520801688504872 - x311 * 0.2218797467242691;
-  // joint 1 "left_hip": placement, velocity and reference acceleration of its link
-  const Real x112 = q[7] * x98;
-  const Real x115 = q[9] * x99;
-  const Real x116 = q[10] * x98;
-  const Real x107 = x105 - x106;
-  const Real x110 = x108 + x109;
-  const Real x111 = x105 + x106;
-  const Real x117 = x115 - x116;
-  const Real x118 = x108 - x109;
-  const Real x119 = x115 + x116;
-  const Real x104 = 1.0 - (x101 + x102);
-  const Real x114 = 1.0 - (x102 + x112);
-  const Real x121 = 1.0 - (x101 + x112);
-  const Real x128 = v[4] * x111 + v[5] * x118 + v[3] * x104;
-  const Real x133 = v[3] * x107 + v[5] * x119 + v[4] * x114;
-  const Real x138 = v[3] * x110 + v[4] * x117 + v[5] * x121;
-  const Real x139 = v[6] + x128;
-  const Real x140 = v[7] + x133;
-  const Real x141 = v[8] + x138;
-  const Real x174 = x118 * x168 - x111 * x163 + x104 * x158;
-  const Real x145 = v[8] * x133 - v[7] * x138;
-  const Real x149 = v[6] * x138 - v[8] * x128;
-  const Real x153 = v[7] * x128 - v[6] * x133;
-  // joint 3 "left_ankle": articulated-body inertia and bias force through it
-  const Real x615 = x311 * 0.6671803799135964 - x308 * 0.2218797467242691;
-  const Real x659 = x301 * (x301 * 0.8520801688504872 - x307 * 0.2218797467242691);
-  const Real x661 = x307 * (x307 * 0.6671803799135964 - x301 * 0.2218797467242691);
-  const Real x663 = x659 + x304 * (x304 * 0.3237476001746317) + x661;
-  const Real x653 = x294 * x619 + x297 * x620 + x300 * x624;
-  const Real x658 = x301 * x619 + x304 * x620 + x307 * x624;
-  const Real x672 = 0.41 * x663;
-  const Real x670 = 0.41 * x653;
-  const Real x643 = x294 * x610 + x297 * x611 + x300 * x615;
-  const Real x668 = 0.41 * x658;
-  const Real x648 = x301 * x610 + x304 * x611 + x307 * x615;
-  const Real x666 = 0.41 * x643;
-  const Real x676 = 0.41 * x668;
-  const Real x719 = -0.576 - x670;
-  const Real x638 = x308 * x610 + x309 * x611 + x311 * x615;
-  const Real x718 = 0.1483467 + 0.41 * x670;
-  require_more(w, x718, 0.0, kFactorization, 2);
-  // joint 2 "left_knee": articulated-body inertia and bias force through it
-  const Real x730 = 1 / x718;
-  const Real x733 = x676 * x730;
-  w.x[9] = x733;
-  const Real x738 = x668 * x730;
-  w.x[10] = x738;
-  const Real x735 = x666 * x730;
-  w.x[11] = x735;
-  const Real x737 = x719 * x730;
-  w.x[12] = x737;
-  // joint 1 "left_hip": placement, velocity and reference acceleration of its link
-  const Real x205 = x139 * x141;
-  const Real x203 = x139 * x139 + x140 * x140;
-  const Real x207 = x149 + x205;
-  const Real x186 = x110 * x158 - x117 * x163 + x121 * x168;
-  const Real x200 = x140 * x141;
-  const Real x201 = x200 - x145;
-  // joint 2 "left_knee": placement, velocity and reference acceleration of its link
-  const Real x216 = x141 * cosine[0] + x139 * sine[0];
-  const Real x220 = x139 * cosine[0] - x141 * sine[0];
-  const Real x221 = x140 + v[9];
-  const Real x230 = x153 * cosine[0] + x145 * sine[0] + v[9] * x220;
-  const Real x237 = x174 - x207 * 0.41;
-  const Real x243 = x186 + x203 * 0.41;
-  const Real x259 = x216 * x220;
-  // joint 2 "left_knee": articulated-body inertia and bias force through it
-  const Real x742 = 0.1483467 + 0.41 * x672 - x676 * x733;
-  const Real x751 = 0.576 + x672 - x676 * x738;
-  const Real x769 = 3.2 + x663 - x668 * x738;
-  const Real x754 = 3.2 + x638 - x666 * x735;
-  const Real x763 = 3.2 + x653 - x719 * x737;
-  const Real x745 = 0.41 * x648 - x676 * x735;
-  const Real x748 = x668 + x676 * x737;
-  const Real x757 = x643 + x666 * x737;
-  const Real x760 = x648 - x666 * x738;
-  const Real x766 = x658 + x719 * x738;
-  const Real x783 = cosine[0] * x751;
-  const Real x781 = sine[0] * x751;
-  const Real x798 = cosine[0] * (0.004 - x742);
-  const Real x831 = x783 + 0.41 * x769;
-  const Real x789 = cosine[0] * x748 + sine[0] * x745;
-  const Real x812 = sine[0] * x760 + cosine[0] * x766;
-  const Real x803 = cosine[0] * x798;
-  const Real x817 = cosine[0] * (x754 - x763) - x757 * (2.0 * sine[0]);
-  const Real x794 = cosine[0] * x789;
-  const Real x824 = 0.41 * x812;
-  const Real x821 = cosine[0] * x817;
-  const Real x791 = sine[0] * x789;
-  const Real x847 = sine[0] * x798 - 0.41 * x781;
-  const Real x826 = x794 + x824;
-  const Real x823 = x754 - x821;
-  const Real x843 = 0.41 * x826;
-  const Real x842 = 0.004 - x803 + (0.41 * x783 + 0.41 * x831);
-  const Real x872 = 0.42868 + x842;
-  require_more(w, x872, 0.0, kFactorization, 1);
-  const Real x827 = 0.41 * x823;
-  const Real x874 = 0.42868 + 0.41 * x827;
-  w.x[13] = x874;
-  // link 2 "left_thigh": mobility from its articulated-body inertia
-  const Real x886 = 1 / x872;
-  // joint 1 "left_hip": placement, velocity and reference acceleration of its link
-  const Real x180 = x107 * x158 + x119 * x168 - x114 * x163;
-  // joint 2 "left_knee": placement, velocity and reference acceleration of its link
-  const Real x233 = x145 * cosine[0] - x153 * sine[0] - v[9] * x216;
-  const Real x257 = x220 * x220 + x221 * x221;
-  const Real x261 = x149 + x259;
-  const Real x269 = x216 * x221;
-  const Real x246 = cosine[0] * x243 + sine[0] * x237;
-  const Real x250 = cosine[0] * x237 - sine[0] * x243;
-  const Real x270 = x269 - x233;
-  const Real x240 = x180 - x201 * 0.41;
-  // joint 3 "left_ankle": placement, velocity and reference acceleration of its link
-  const Real x316 = x216 * x308 + x221 * x301 + x220 * x294;
-  const Real x321 = x216 * x309 + x221 * x304 + x220 * x297;
-  const Real x326 = x216 * x311 + x221 * x307 + x220 * x300;
-  const Real x327 = v[10] + x316;
-  const Real x328 = v[11] + x321;
-  const Real x329 = v[12] + x326;
-  const Real x362 = x246 + 0.41 * x257;
-  const Real x365 = x250 - 0.41 * x261;
-  const Real x334 = x230 * x308 + x149 * x301 + x233 * x294;
-  const Real x349 = v[12] * x321 - v[11] * x326 + x334;
-  const Real x344 = x230 * x311 + x149 * x307 + x233 * x300;
-  const Real x359 = v[11] * x316 - v[10] * x321 + x344;
-  const Real x368 = x240 - 0.41 * x270;
-  const Real x392 = x327 * x328;
-  const Real x397 = x328 * x329;
-  const Real x388 = x328 * x328;
-  const Real x394 = x359 + x392;
-  const Real x339 = x230 * x309 + x149 * x304 + x233 * x297;
-  const Real x354 = v[10] * x326 - v[12] * x316 + x339;
-  const Real x378 = x309 * x362 + x297 * x365 + x304 * x368;
-  const Real x390 = x388 + x329 * x329;
-  const Real x398 = x397 - x349;
-  const Real x400 = x327 * x327 + x388;
-  const Real x402 = x327 * x329;
-  // joint 2 "left_knee": articulated-body inertia and bias force through it
-  const Real x876 = x742 + x803 + 0.02688;
-  w.x[14] = x876;
-  const Real x877 = 8.4 + x823;
-  w.x[15] = x877;
-  // link 2 "left_thigh": mobility from its articulated-body inertia
-  const Real x887 = x843 * x886;
-  const Real x889 = x847 * x886;
-  const Real x895 = x874 - x843 * x887;
-  w.x[16] = x895;
-  const Real x898 = 0.41 * x791 + x847 * x887;
-  const Real x908 = 1 / x895;
-  const Real x901 = -1.596 - x827 + x826 * x887;
-  const Real x890 = x826 * x886;
-  const Real x909 = x898 * x908;
-  const Real x910 = x901 * x908;
-  // joint 3 "left_ankle": placement, velocity and reference acceleration of its link
-  const Real x373 = x308 * x362 + x294 * x365 + x301 * x368;
-  const Real x383 = x311 * x362 + x300 * x365 + x307 * x368;
-  // link 4 "left_foot": force that the reference field takes
-  const Real x504 = x349 * 0.00268333 - x397 * 0.00133334 + x394 * 0.0024;
-  const Real x512 = x354 * 0.01081667 - x402 * 0.0068;
-  const Real x521 = x359 * 0.00948333 + x392 * 0.00813334 - x398 * 0.0024;
-  const Real x529 = 0.0024 * (x390 - x400) + x512 - 0.04 * x373;
-  // joint 3 "left_ankle": articulated-body inertia and bias force through it
-  const Real x561 = tau[10] - (x504 + 0.04 * x378);
-  const Real x566 = tau[12] - (x521 + x378 * 0.06) - 0.8944110489578248 * x561;
-  const Real x569 = 136.30025397304513 * x566;
-  w.x[17] = x569;
-  const Real x568 = 92.44989446844546 * (tau[11] - (x529 - x383 * 0.06));
-  w.x[18] = x568;
-  const Real x572 = 372.67127039909366 * x561 - 0.8944110489578248 * x569;
-  w.x[19] = x572;
-  // joint 2 "left_knee": articulated-body inertia and bias force through it
-  const Real x873 = 1.596 + x831;
-  const Real x809 = cosine[0] * x760 - sine[0] * x766;
-  const Real x820 = x757 + sine[0] * x817;
-  const Real x834 = x745 - x791 + 0.41 * x809;
-  const Real x878 = 8.4 + x769;
-  w.x[20] = x878;
-  // link 2 "left_thigh": mobility from its articulated-body inertia
-  const Real x918 = x876 - x847 * x889 - x898 * x909;
-  w.x[21] = x918;
-  const Real x925 = x791 + x826 * x889 + x901 * x909;
-  const Real x941 = 1 / x918;
-  const Real x904 = x873 * x887 - x824;
-  const Real x891 = x873 * x886;
-  const Real x942 = x925 * x941;
-  const Real x933 = x781 + x873 * x889 + x904 * x909;
-  const Real x911 = x904 * x908;
-  const Real x954 = x877 - x826 * x890 - x901 * x910;
-  const Real x955 = x954 - x925 * x942;
-  w.x[22] = x955;
-  const Real x974 = 1 / x955;
-  const Real x944 = x933 * x941;
-  const Real x963 = x812 - x873 * x890 - x904 * x910;
-  const Real x964 = x963 - x933 * x942;
-  const Real x907 = x834 * x887 - 0.41 * x820;
-  // link 4 "left_foot": force that the reference field takes
-  const Real x538 = x373 - x390 * 0.06 - 0.04 * (x354 + x402);
-  // joint 3 "left_ankle": articulated-body inertia and bias force through it
-  const Real x599 = x538 - 0.04 * x568;
-  // link 4 "left_foot": force that the reference field takes
-  const Real x543 = x378 + x394 * 0.06 - 0.04 * x398;
-  const Real x548 = x383 + 0.04 * x400 + (x402 - x354) * 0.06;
-  // joint 3 "left_ankle": articulated-body inertia and bias force through it
-  const Real x606 = x548 - 0.06 * x568;
-  const Real x603 = x543 + 0.06 * x569 + 0.04 * x572;
-  const Real x704 = x294 * x599 + x300 * x606 + x297 * x603;
-  const Real x694 = x301 * tau[10] + x307 * tau[12] + x304 * tau[11];
-  const Real x709 = x301 * x599 + x307 * x606 + x304 * x603;
-  // link 3 "left_shank": force that the reference field takes
-  const Real x470 = x149 * 0.1483467 + x259 * 0.1443467 - x250 * 0.576;
-  // joint 2 "left_knee": articulated-body inertia and bias force through it
-  const Real x879 = x763 + x821 + 8.4;
-  w.x[23] = x879;
-  // link 2 "left_thigh": mobility from its articulated-body inertia
-  const Real x986 = x878 - x873 * x891 - x904 * x911;
-  const Real x940 = x748 - x794 - x834 * x889 - x907 * x909;
-  const Real x892 = x834 * x886;
-  const Real x975 = x964 * x974;
-  const Real x912 = x907 * x908;
-  const Real x972 = x820 - x834 * x890 - x907 * x910;
-  const Real x973 = x940 * x942 + x972;
-  const Real x946 = x940 * x941;
-  const Real x988 = x986 - x933 * x944 - x964 * x975;
-  w.x[24] = x988;
-  const Real x998 = x809 - x834 * x891 - x907 * x911;
-  const Real x1001 = 1 / x988;
-  const Real x976 = x973 * x974;
-  const Real x1000 = x940 * x944 + x998 - x973 * x975;
-  const Real x1027 = x889 + x887 * x909;
-  const Real x1014 = x879 - x834 * x892 - x907 * x912;
-  const Real x1002 = x1000 * x1001;
-  const Real x1037 = x890 + x887 * x910 + x942 * x1027;
-  const Real x1042 = x910 + x909 * x942;
-  // joint 3 "left_ankle": articulated-body inertia and bias force through it
-  const Real x689 = x297 * tau[11] + x300 * tau[12] + x294 * tau[10];
-  // link 3 "left_shank": force that the reference field takes
-  const Real x467 = x233 * 0.1483467 - x269 * 0.1443467 + x240 * 0.576;
-  // joint 3 "left_ankle": articulated-body inertia and bias force through it
-  const Real x699 = x308 * x599 + x311 * x606 + x309 * x603;
-  const Real x684 = x308 * tau[10] + x309 * tau[11] + x311 * tau[12];
-  const Real x723 = x230 * 0.004 + x684;
-  // joint 2 "left_knee": articulated-body inertia and bias force through it
-  const Real x732 = x730 * (tau[9] - (x694 - 0.41 * x704 + x470));
-  w.x[25] = x732;
-  const Real x772 = x689 + 0.41 * x709 + x467 - x676 * x732;
-  // joint 3 "left_ankle": articulated-body inertia and bias force through it
-  const Real x726 = x246 * 3.2 + x257 * 0.576 + x699;
-  // joint 2 "left_knee": articulated-body inertia and bias force through it
-  const Real x775 = x726 - x666 * x732;
-  // joint 3 "left_ankle": articulated-body inertia and bias force through it
-  const Real x727 = x250 * 3.2 - x261 * 0.576 + x704;
-  // joint 2 "left_knee": articulated-body inertia and bias force through it
-  const Real x777 = x727 + x719 * x732;
-  // joint 3 "left_ankle": articulated-body inertia and bias force through it
-  const Real x728 = x240 * 3.2 - x270 * 0.576 + x709;
-  // joint 2 "left_knee": articulated-body inertia and bias force through it
-  const Real x780 = x728 - x668 * x732;
-  const Real x865 = sine[0] * x775 + cosine[0] * x777;
-  // link 2 "left_thigh": mobility from its articulated-body inertia
-  const Real x1016 = x1014 - x940 * x946 - x973 * x976;
-  const Real x1017 = x1016 - x1000 * x1002;
-  w.x[26] = x1017;
-  const Real x1106 = x887 * x908;
-  const Real x1018 = 1 / x1017;
-  w.x[27] = x1018;
-  w.to[0][20] = x1018;
-  const Real x1053 = x891 + x887 * x911 + x944 * x1027;
-  const Real x1055 = x975 * x1037 - x1053;
-  const Real x1063 = x975 * x1042 - (x911 + x909 * x944);
-  const Real x1066 = x944 - x942 * x975;
-  const Real x1107 = x941 * x1027;
-  const Real x1109 = x909 * x941;
-  const Real x1079 = x946 * x1027 - (x892 + x887 * x912);
-  const Real x1111 = x974 * x1037;
-  const Real x1113 = x974 * x1042;
-  const Real x1115 = x942 * x974;
-  const Real x1081 = x976 * x1037 + x1079 - x1002 * x1055;
-  const Real x1090 = x909 * x946 - x912 + x976 * x1042;
-  const Real x1091 = x1090 - x1002 * x1063;
-  const Real x1099 = x946 + x942 * x976 + x1002 * x1066;
-  const Real x1104 = x975 * x1002 - x976;
-  const Real x1116 = x1001 * x1055;
-  const Real x1117 = x1001 * x1063;
-  const Real x1118 = x1001 * x1066;
-  const Real x1119 = x975 * x1001;
-  const Real x1121 = x1018 * x1081;
-  w.x[28] = x1121;
-  w.to[0][5] = x1121;
-  const Real x1122 = x1018 * x1091;
-  w.x[29] = x1122;
-  w.to[0][10] = x1122;
-  const Real x1123 = x1018 * x1099;
-  w.x[30] = x1123;
-  const Real x1125 = x1018 * x1104;
-  w.x[31] = x1125;
-  w.to[0][17] = x1125;
-  const Real x1126 = x1002 * x1018;
-  w.x[32] = x1126;
-  const Real x1136 = x886 + x887 * x1106 + x1027 * x1107;
-  // link 2 "left_thigh": force that the reference field takes
-  const Real x428 = x145 * 0.42868 - x200 * 0.4018 + x180 * 1.596;
-  // joint 2 "left_knee": articulated-body inertia and bias force through it
-  const Real x868 = sine[0] * x723 + cosine[0] * x772 + 0.41 * x780;
-  const Real x880 = x428 + x868;
-  // link 2 "left_thigh": force that the reference field takes
-  const Real x443 = x186 * 8.4 + x203 * 1.596;
-  // joint 2 "left_knee": articulated-body inertia and bias force through it
-  const Real x885 = cosine[0] * x775 - sine[0] * x777 + x443;
-  // link 2 "left_thigh": force that the reference field takes
-  const Real x431 = x149 * 0.42868 + x205 * 0.4018 - x174 * 1.596;
-  // joint 2 "left_knee": articulated-body inertia and bias force through it
-  const Real x881 = tau[9] - 0.41 * x865 + x431;
-  const Real x882 = cosine[0] * x723 - sine[0] * x772 + x153 * 0.02688;
-  const Real x883 = x174 * 8.4 - x207 * 1.596 + x865;
-  // link 2 "left_thigh": mobility from its articulated-body inertia
-  const Real x1147 = x1106 + x1027 * x1109 + x1037 * x1113;
-  const Real x1138 = x1037 * x1111 + x1136 + x1055 * x1116;
-  const Real x1139 = x1081 * x1121 + x1138;
-  w.x[33] = x1139;
-  w.to[0][0] = x1139;
-  const Real x1149 = x1055 * x1117 + x1147 + x1081 * x1122;
-  w.x[34] = x1149;
-  w.to[0][1] = x1149;
-  const Real x1157 = x1055 * x1118 - (x1107 + x1037 * x1115);
-  const Real x1158 = x1157 - x1081 * x1123;
-  w.x[35] = x1158;
-  w.to[0][2] = x1158;
-  const Real x1164 = x1081 * x1125 - (x1111 + x1055 * x1119);
-  w.x[36] = x1164;
-  w.to[0][3] = x1164;
-  const Real x1167 = x1116 - x1081 * x1126;
-  w.x[37] = x1167;
-  w.to[0][4] = x1167;
-  const Real x1175 = x908 + x909 * x1109 + x1042 * x1113;
-  const Real x1177 = x1063 * x1117 + x1175 + x1091 * x1122;
-  w.x[38] = x1177;
-  w.to[0][6] = x1177;
-  const Real x1185 = x1063 * x1118 - (x1109 + x1042 * x1115);
-  const Real x1186 = x1185 - x1091 * x1123;
-  w.x[39] = x1186;
-  w.to[0][7] = x1186;
-  const Real x1192 = x1091 * x1125 - (x1113 + x1063 * x1119);
-  w.x[40] = x1192;
-  w.to[0][8] = x1192;
-  const Real x1195 = x1117 - x1091 * x1126;
-  w.x[41] = x1195;
-  w.to[0][9] = x1195;
-  const Real x1201 = x941 + x942 * x1115 + x1066 * x1118;
-  const Real x1202 = x1099 * x1123 + x1201;
-  w.x[42] = x1202;
-  w.to[0][11] = x1202;
-  const Real x1208 = x1115 - x1066 * x1119 - x1099 * x1125;
-  w.x[43] = x1208;
-  w.to[0][12] = x1208;
-  const Real x1211 = x1118 + x1099 * x1126;
-  w.x[44] = x1211;
-  w.to[0][13] = x1211;
-  const Real x1216 = x974 + x975 * x1119 + x1104 * x1125;
-  w.x[45] = x1216;
-  w.to[0][15] = x1216;
-  const Real x1219 = x1119 + x1104 * x1126;
-  w.x[46] = x1219;
-  // joint 2 "left_knee": articulated-body inertia and bias force through it
-  const Real x884 = x180 * 8.4 - x201 * 1.596 + x780;
-  // link 2 "left_thigh": mobility from its articulated-body inertia
-  const Real x1223 = x1001 + x1002 * x1126;
-  w.x[47] = x1223;
-  w.to[0][18] = x1223;
-  const Real x1231 = x880 * x1139 + x885 * x1121 + x881 * x1149;
-  const Real x1242 = x880 * x1149 + x885 * x1122 + x881 * x1177;
-  const Real x1254 = x880 * x1158 - x885 * x1123 + x881 * x1186;
-  const Real x1266 = x880 * x1164 + x885 * x1125 + x881 * x1192;
-  const Real x1279 = x880 * x1167 - x885 * x1126 + x881 * x1195;
-  const Real x1292 = x880 * x1121 + x885 * x1018 + x881 * x1122;
-  const Real x1233 = x882 * x1158 + x1231 + x883 * x1164;
-  const Real x1234 = x884 * x1167 + x1233;
-  w.x[48] = x1234;
-  const Real x1124 = -x1123;
-  w.to[0][14] = x1124;
-  const Real x1244 = x882 * x1186 + x1242 + x883 * x1192;
-  const Real x1245 = x884 * x1195 + x1244;
-  w.x[49] = x1245;
-  const Real x1127 = -x1126;
-  w.to[0][19] = x1127;
-  const Real x1256 = x882 * x1202 + x1254 + x883 * x1208;
-  const Real x1257 = x884 * x1211 + x1256;
-  w.x[50] = x1257;
-  const Real x1220 = -x1219;
-  w.to[0][16] = x1220;
-  const Real x1268 = x882 * x1208 + x1266 + x883 * x1216;
-  const Real x1269 = x1268 - x884 * x1219;
-  w.x[51] = x1269;
-  const Real x1281 = x882 * x1211 + x1279 - x883 * x1219;
-  const Real x1282 = x884 * x1223 + x1281;
-  w.x[52] = x1282;
-  const Real x1294 = x1292 - x882 * x1123 + x883 * x1125;
-  const Real x1295 = x1294 - x884 * x1126;
-  w.x[53] = x1295;
-  const Real x1296 = -x1234;
-  w.to[0][21] = x1296;
-  const Real x1297 = -x1245;
-  w.to[0][22] = x1297;
-  const Real x1298 = -x1257;
-  w.to[0][23] = x1298;
-  const Real x1299 = -x1269;
-  w.to[0][24] = x1299;
-  const Real x1300 = -x1282;
-  w.to[0][25] = x1300;
-  const Real x1301 = -x1295;
-  w.to[0][26] = x1301;
+// Tells which quaternion of a block has no length.
+template <int p>
+ADAGEN_COLD void refuse_quaternion(Workspace& w, int b, const Lanes& squared) {
+  Value each[kPerBlock];
+  std::memcpy(each, &squared, sizeof squared);
+  for (int j = 0; j < kJointCount; ++j)
+    if (slot_of(j) / kPerBlock == b && kRoles[p][static_cast<std::size_t>(j + 1)].oriented)
+      require_length(w, each[slot_of(j) % kPerBlock], j);
 }
 
-ADAGEN_NOINLINE void part_1_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x874 = w.x[13];
-  const Real x876 = w.x[14];
-  const Real x877 = w.x[15];
-  const Real x878 = w.x[20];
-  const Real x879 = w.x[23];
-  const Real x895 = w.x[16];
-  const Real x918 = w.x[21];
-  const Real x955 = w.x[22];
-  const Real x988 = w.x[24];
-  const Real x1017 = w.x[26];
-  // joint 0 "root": placement, velocity and reference acceleration of its link
-  const Real x20 = q[3] * q[3] + q[4] * q[4] + q[5] * q[5];
-  const Real x21 = q[6] * q[6] + x20;
-  require_length(w, x21, 0);
-  // link 2 "left_thigh": mobility from its articulated-body inertia
-  const Real x1022 = 1.7763568394002505e-15 * x878;
-  require_more(w, x988, x1022, kFactorization, 1);
-  const Real x1020 = 1.7763568394002505e-15 * x876;
-  require_more(w, x918, x1020, kFactorization, 1);
-  const Real x1021 = 1.7763568394002505e-15 * x877;
-  require_more(w, x955, x1021, kFactorization, 1);
-  const Real x1023 = 1.7763568394002505e-15 * x879;
-  require_more(w, x1017, x1023, kFactorization, 1);
-  const Real x1019 = 1.7763568394002505e-15 * x874;
-  require_more(w, x895, x1019, kFactorization, 1);
+// Process p turns joints of blocks first .. last - 1.
+template <int p, int first, int last>
+void orient(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const QuaternionPlaces& places = kQuaternionPlaces<p>[static_cast<std::size_t>(b)];
+    Lanes q[4];
+    take_quaternions(w, places, q, std::make_index_sequence<kPerBlock>{});
+    Matrix<Lanes> turn;
+    const Lanes squared = rotation(q[0], q[1], q[2], q[3], turn);
+    if (__builtin_expect(!has_length(squared), 0)) refuse_quaternion<p>(w, b, squared);
+    const Vector<Lanes> x = wide_vector(constants.rotation);
+    const Vector<Lanes> y = wide_vector(constants.rotation + 3), z = cross(x, y);
+    turn = Matrix<Lanes>{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}} * turn;
+    const LaneBits own = wide(places.own) != 0;
+    const Vector<Lanes> rows[3] = {turn.x, turn.y, turn.z};
+    ADAGEN_FOR (k, 0, 3) {
+      const Vector<Lanes> kept = wide_vector(block.entries + kTurn + 3 * k);
+      narrow(Vector<Lanes>{chosen(own, rows[k].x, kept.x), chosen(own, rows[k].y, kept.y),
+                           chosen(own, rows[k].z, kept.z)},
+             block.entries + kTurn + 3 * k);
+    }
+  }
 }
 
-ADAGEN_NOINLINE void part_1_2(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x294 = w.x[6];
-  const Real x297 = w.x[2];
-  const Real x300 = w.x[0];
-  const Real x301 = w.x[3];
-  const Real x304 = w.x[7];
-  const Real x307 = w.x[4];
-  const Real x308 = w.x[1];
-  const Real x309 = w.x[5];
-  const Real x311 = w.x[8];
-  const Real x568 = w.x[18];
-  const Real x569 = w.x[17];
-  const Real x572 = w.x[19];
-  const Real x732 = w.x[25];
-  const Real x733 = w.x[9];
-  const Real x735 = w.x[11];
-  const Real x737 = w.x[12];
-  const Real x738 = w.x[10];
-  const Real x1018 = w.x[27];
-  const Real x1121 = w.x[28];
-  const Real x1122 = w.x[29];
-  const Real x1123 = w.x[30];
-  const Real x1125 = w.x[31];
-  const Real x1126 = w.x[32];
-  const Real x1139 = w.x[33];
-  const Real x1149 = w.x[34];
-  const Real x1158 = w.x[35];
-  const Real x1164 = w.x[36];
-  const Real x1167 = w.x[37];
-  const Real x1177 = w.x[38];
-  const Real x1186 = w.x[39];
-  const Real x1192 = w.x[40];
-  const Real x1195 = w.x[41];
-  const Real x1202 = w.x[42];
-  const Real x1208 = w.x[43];
-  const Real x1211 = w.x[44];
-  const Real x1216 = w.x[45];
-  const Real x1219 = w.x[46];
-  const Real x1223 = w.x[47];
-  const Real x1234 = w.x[48];
-  const Real x1245 = w.x[49];
-  const Real x1257 = w.x[50];
-  const Real x1269 = w.x[51];
-  const Real x1282 = w.x[52];
-  const Real x1295 = w.x[53];
-  // message received
-  const Real x1302 = w.from[4][0];
-  const Real x1307 = w.from[4][5];
-  const Real x1303 = w.from[4][1];
-  const Real x1304 = w.from[4][2];
-  const Real x1305 = w.from[4][3];
-  const Real x1306 = w.from[4][4];
-  // link 2 "left_thigh": acceleration under the handle forces
-  const Real x1315 = x1139 * x1302 + x1121 * x1307 + x1149 * x1303;
-  const Real x1326 = x1149 * x1302 + x1122 * x1307 + x1177 * x1303;
-  const Real x1338 = x1158 * x1302 - x1123 * x1307 + x1186 * x1303;
-  const Real x1350 = x1164 * x1302 + x1125 * x1307 + x1192 * x1303;
-  const Real x1376 = x1121 * x1302 + x1018 * x1307 + x1122 * x1303;
-  const Real x1363 = x1167 * x1302 - x1126 * x1307 + x1195 * x1303;
-  const Real x1317 = x1158 * x1304 + x1315 + x1164 * x1305;
-  const Real x1328 = x1186 * x1304 + x1326 + x1192 * x1305;
-  const Real x1340 = x1202 * x1304 + x1338 + x1208 * x1305;
-  const Real x1352 = x1208 * x1304 + x1350 + x1216 * x1305;
-  const Real x1378 = x1376 - x1123 * x1304 + x1125 * x1305;
-  const Real x1380 = x1167 * x1306 + x1317 - x1234;
-  const Real x1381 = x1195 * x1306 + x1328 - x1245;
-  const Real x1382 = x1211 * x1306 + x1340 - x1257;
-  const Real x1365 = x1211 * x1304 + x1363 - x1219 * x1305;
-  const Real x1385 = x1378 - x1126 * x1306 - x1295;
-  // joint 2 "left_knee": its acceleration, and that of the link beyond
-  const Real x1388 = x1352 - x1219 * x1306 - x1269 - 0.41 * x1381;
-  const Real x1397 = cosine[0] * x1380 - sine[0] * x1382;
-  const Real x1390 = x1223 * x1306 + x1365 - x1282 + 0.41 * x1380;
-  const Real x1393 = cosine[0] * x1382 + sine[0] * x1380;
-  const Real x1400 = cosine[0] * x1385 + sine[0] * x1388;
-  const Real x1404 = cosine[0] * x1388 - sine[0] * x1385;
-  const Real x1414 = x732 + x733 * x1397 + x738 * x1390;
-  const Real x1416 = x735 * x1400 + x1414 - x737 * x1404;
-  const Real x1417 = x1416 - x1381;
-  w.result[9] = x1417;
-  // joint 3 "left_ankle": its acceleration, and that of the link beyond
-  const Real x1422 = x1390 + 0.41 * x1397;
-  const Real x1420 = x1404 - 0.41 * x1416;
-  const Real x1447 = x309 * x1400 + x304 * x1422 + x297 * x1420;
-  const Real x1442 = x308 * x1400 + x301 * x1422 + x294 * x1420;
-  const Real x1452 = x311 * x1400 + x307 * x1422 + x300 * x1420;
-  const Real x1427 = x308 * x1393 + x294 * x1397 + x301 * x1416;
-  const Real x1467 = x572 - 11.953794325815098 * x1447 - x1427;
-  w.result[10] = x1467;
-  const Real x1437 = x311 * x1393 + x300 * x1397 + x307 * x1416;
-  const Real x1469 = x569 - 3.301677113212739 * x1447 - x1437;
-  w.result[12] = x1469;
-  const Real x1432 = x309 * x1393 + x297 * x1397 + x304 * x1416;
-  const Real x1468 = x568 + x1442 * 3.697995778737819 + x1452 * 5.546993668106728 - x1432;
-  w.result[11] = x1468;
+// From the base outwards: where links are and how they would move without joint accelerations.
+
+ADAGEN_INLINE Frame<Value> frame_of(Workspace& w, int joint) {
+  const Value* R = w.of(joint, kAxes);
+  return {matrix_at(R), vector_at(w.of(joint, kOmega)), vector_at(w.of(joint, kAlpha)),
+          vector_at(w.of(joint, kAcceleration))};
 }
 
-// =================================================================================================
-// Process 2: 1483 products, 1221 sums, 18 quotients
-// =================================================================================================
-
-ADAGEN_NOINLINE void part_2_0(Workspace& w) {
-  ADAGEN_INPUTS
-  // joint 0 "root": placement, velocity and reference acceleration of its link
-  const Real x20 = q[3] * q[3] + q[4] * q[4] + q[5] * q[5];
-  const Real x21 = q[6] * q[6] + x20;
-  require_length(w, x21, 0);
-  // joint 7 "spine": placement, velocity and reference acceleration of its link
-  const Real x94 = q[25] * q[25] + q[26] * q[26] + q[27] * q[27];
-  const Real x95 = q[28] * q[28] + x94;
-  require_length(w, x95, 7);
-  const Real x97 = 2.0 * (1 / x95);
-  const Real x98 = q[25] * x97;
-  const Real x99 = q[26] * x97;
-  const Real x100 = q[27] * x97;
-  const Real x101 = q[26] * x99;
-  const Real x102 = q[27] * x100;
-  const Real x104 = 1.0 - (x101 + x102);
-  const Real x105 = q[26] * x98;
-  const Real x106 = q[28] * x100;
-  const Real x107 = x105 - x106;
-  const Real x108 = q[27] * x98;
-  const Real x109 = q[28] * x99;
-  const Real x110 = x108 + x109;
-  const Real x111 = x105 + x106;
-  const Real x112 = q[25] * x98;
-  const Real x114 = 1.0 - (x102 + x112);
-  const Real x115 = q[27] * x99;
-  const Real x116 = q[28] * x98;
-  const Real x117 = x115 - x116;
-  const Real x118 = x108 - x109;
-  const Real x119 = x115 + x116;
-  const Real x121 = 1.0 - (x101 + x112);
-  const Real x127 = v[4] * x111 + v[5] * x118 + v[3] * x104;
-  const Real x132 = v[3] * x107 + v[5] * x119 + v[4] * x114;
-  const Real x137 = v[3] * x110 + v[4] * x117 + v[5] * x121;
-  const Real x138 = v[20] + x127;
-  const Real x139 = v[21] + x132;
-  const Real x140 = v[22] + x137;
-  const Real x144 = v[22] * x132 - v[21] * x137;
-  const Real x148 = v[20] * x137 - v[22] * x127;
-  const Real x152 = v[21] * x127 - v[20] * x132;
-  const Real x153 = v[3] * v[5] * 0.13;
-  const Real x154 = v[4] * v[5] * 0.13;
-  const Real x155 = (v[3] * v[3] + v[4] * v[4]) * 0.13;
-  const Real x162 = x111 * x154 - x118 * x155 + x104 * x153;
-  const Real x168 = x107 * x153 - x119 * x155 + x114 * x154;
-  const Real x174 = x110 * x153 + x117 * x154 - x121 * x155;
-  const Real x178 = x138 * x138;
-  const Real x183 = x138 * x139;
-  const Real x188 = x139 * x140;
-  const Real x189 = x188 - x144;
-  const Real x191 = x178 + x139 * x139;
-  const Real x193 = x138 * x140;
-  const Real x195 = x148 + x193;
-  // link 8 "trunk": force that the reference field takes
-  const Real x828 = x152 * 0.258367 - x183 * 0.13416599999999995;
-  w.x[0] = x828;
-  const Real x831 = x144 * 1.818533 - x188 * 1.4260000000000002 - x168 * 5.29;
-  w.x[1] = x831;
-  const Real x833 = x148 * 1.6843670000000002 + x193 * 1.560166 + x162 * 5.29;
-  w.x[2] = x833;
-  const Real x836 = x162 * 23.0 + x195 * 5.29;
-  w.x[3] = x836;
-  const Real x839 = x168 * 23.0 + x189 * 5.29;
-  w.x[4] = x839;
-  const Real x843 = x174 * 23.0 - x191 * 5.29;
-  w.x[5] = x843;
-  // joint 8 "left_shoulder": placement, velocity and reference acceleration of its link
-  const Real x208 = q[29] * q[29] + q[30] * q[30] + q[31] * q[31];
-  const Real x209 = q[32] * q[32] + x208;
-  require_length(w, x209, 8);
-  const Real x211 = 2.0 * (1 / x209);
-  const Real x212 = q[29] * x211;
-  const Real x213 = q[30] * x211;
-  const Real x214 = q[31] * x211;
-  const Real x215 = q[30] * x213;
-  const Real x216 = q[31] * x214;
-  const Real x218 = 1.0 - (x215 + x216);
-  w.x[6] = x218;
-  const Real x219 = q[30] * x212;
-  const Real x220 = q[32] * x214;
-  const Real x221 = x219 - x220;
-  w.x[7] = x221;
-  const Real x222 = q[31] * x212;
-  const Real x223 = q[32] * x213;
-  const Real x224 = x222 + x223;
-  w.x[8] = x224;
-  const Real x225 = x219 + x220;
-  w.x[9] = x225;
-  const Real x226 = q[29] * x212;
-  const Real x228 = 1.0 - (x216 + x226);
-  w.x[10] = x228;
-  const Real x229 = q[31] * x213;
-  const Real x230 = q[32] * x212;
-  const Real x231 = x229 - x230;
-  w.x[11] = x231;
-  const Real x232 = x222 - x223;
-  w.x[12] = x232;
-  const Real x233 = x229 + x230;
-  w.x[13] = x233;
-  const Real x235 = 1.0 - (x215 + x226);
-  w.x[14] = x235;
-  // joint 11 "neck": placement, velocity and reference acceleration of its link
-  const Real x348 = q[38] * q[38] + q[39] * q[39] + q[40] * q[40];
-  const Real x349 = q[41] * q[41] + x348;
-  require_length(w, x349, 11);
-  const Real x351 = 2.0 * (1 / x349);
-  const Real x352 = q[38] * x351;
-  const Real x353 = q[39] * x351;
-  const Real x354 = q[40] * x351;
-  const Real x355 = q[39] * x353;
-  const Real x356 = q[40] * x354;
-  const Real x358 = 1.0 - (x355 + x356);
-  w.x[15] = x358;
-  const Real x359 = q[39] * x352;
-  const Real x360 = q[41] * x354;
-  const Real x361 = x359 - x360;
-  w.x[16] = x361;
-  const Real x362 = q[40] * x352;
-  const Real x363 = q[41] * x353;
-  const Real x364 = x362 + x363;
-  w.x[17] = x364;
-  const Real x365 = x359 + x360;
-  w.x[18] = x365;
-  const Real x366 = q[38] * x352;
-  const Real x368 = 1.0 - (x356 + x366);
-  w.x[19] = x368;
-  const Real x369 = q[40] * x353;
-  const Real x370 = q[41] * x352;
-  const Real x371 = x369 - x370;
-  w.x[20] = x371;
-  const Real x372 = x362 - x363;
-  w.x[21] = x372;
-  const Real x373 = x369 + x370;
-  w.x[22] = x373;
-  const Real x375 = 1.0 - (x355 + x366);
-  w.x[23] = x375;
-  const Real x381 = x138 * x358 + x139 * x365 + x140 * x372;
-  const Real x386 = x138 * x361 + x139 * x368 + x140 * x373;
-  const Real x391 = x138 * x364 + x139 * x371 + x140 * x375;
-  const Real x392 = v[30] + x381;
-  const Real x393 = v[31] + x386;
-  const Real x394 = v[32] + x391;
-  const Real x399 = x144 * x358 + x148 * x365 + x152 * x372;
-  const Real x414 = x399 + v[32] * x386 - v[31] * x391;
-  const Real x404 = x144 * x361 + x148 * x368 + x152 * x373;
-  const Real x419 = x404 + v[30] * x391 - v[32] * x381;
-  const Real x409 = x144 * x364 + x148 * x371 + x152 * x375;
-  const Real x424 = x409 + v[31] * x381 - v[30] * x386;
-  const Real x426 = x162 + x195 * 0.48;
-  const Real x428 = x168 + x189 * 0.48;
-  const Real x431 = x174 - x191 * 0.48;
-  const Real x436 = x358 * x426 + x365 * x428 + x372 * x431;
-  const Real x441 = x361 * x426 + x368 * x428 + x373 * x431;
-  const Real x446 = x364 * x426 + x371 * x428 + x375 * x431;
-  const Real x451 = x393 * x393;
-  const Real x453 = x451 + x394 * x394;
-  const Real x455 = x392 * x393;
-  const Real x457 = x424 + x455;
-  const Real x460 = x393 * x394;
-  const Real x461 = x460 - x414;
-  const Real x463 = x392 * x392 + x451;
-  const Real x465 = x392 * x394;
-  // link 12 "head": force that the reference field takes
-  const Real x875 = x419 * 0.11613000000000002 + x465 * 0.09555000000000002;
-  const Real x868 = x414 * 0.11564000000000002 - x460 * 0.09604000000000003 - x457 * 0.0068600000000000015;
-  const Real x886 = x868 - x441 * 0.6860000000000002;
-  w.x[24] = x886;
-  const Real x876 = x875 - 0.0068600000000000015 * (x453 - x463);
-  const Real x891 = x436 * 0.6860000000000002 - x446 * 0.049 + x876;
-  w.x[25] = x891;
-  const Real x883 = x424 * 0.02009 + x455 * 0.0004900000000000001 + x461 * 0.0068600000000000015;
-  const Real x893 = x883 + x441 * 0.049;
-  w.x[26] = x893;
-  const Real x898 = x436 * 4.9 - x453 * 0.049;
-  const Real x899 = (x419 + x465) * 0.6860000000000002 + x898;
-  w.x[27] = x899;
-  const Real x904 = x441 * 4.9 + x457 * 0.049 + x461 * 0.6860000000000002;
-  w.x[28] = x904;
-  const Real x909 = x446 * 4.9 - x463 * 0.6860000000000002;
-  const Real x910 = (x465 - x419) * 0.049 + x909;
-  w.x[29] = x910;
-  // joint 12 "right_shoulder": placement, velocity and reference acceleration of its link
-  const Real x480 = q[42] * q[42] + q[43] * q[43] + q[44] * q[44];
-  const Real x481 = q[45] * q[45] + x480;
-  require_length(w, x481, 12);
-  const Real x483 = 2.0 * (1 / x481);
-  const Real x484 = q[42] * x483;
-  const Real x485 = q[43] * x483;
-  const Real x486 = q[44] * x483;
-  const Real x487 = q[43] * x485;
-  const Real x488 = q[44] * x486;
-  const Real x490 = 1.0 - (x487 + x488);
-  w.x[30] = x490;
-  const Real x491 = q[43] * x484;
-  const Real x492 = q[45] * x486;
-  const Real x493 = x491 - x492;
-  w.x[31] = x493;
-  const Real x494 = q[44] * x484;
-  const Real x495 = q[45] * x485;
-  const Real x496 = x494 + x495;
-  w.x[32] = x496;
-  const Real x497 = x491 + x492;
-  w.x[33] = x497;
-  const Real x498 = q[42] * x484;
-  const Real x500 = 1.0 - (x488 + x498);
-  w.x[34] = x500;
-  const Real x501 = q[44] * x485;
-  const Real x502 = q[45] * x484;
-  const Real x503 = x501 - x502;
-  w.x[35] = x503;
-  const Real x504 = x494 - x495;
-  w.x[36] = x504;
-  const Real x505 = x501 + x502;
-  w.x[37] = x505;
-  const Real x507 = 1.0 - (x487 + x498);
-  w.x[38] = x507;
-  const Real x513 = x138 * x490 + x139 * x497 + x140 * x504;
-  const Real x518 = x138 * x493 + x139 * x500 + x140 * x505;
-  const Real x523 = x138 * x496 + x139 * x503 + x140 * x507;
-  const Real x524 = v[33] + x513;
-  const Real x525 = v[34] + x518;
-  const Real x526 = v[35] + x523;
-  const Real x531 = x144 * x490 + x148 * x497 + x152 * x504;
-  const Real x546 = x531 + v[35] * x518 - v[34] * x523;
-  const Real x536 = x144 * x493 + x148 * x500 + x152 * x505;
-  const Real x551 = x536 + v[33] * x523 - v[35] * x513;
-  const Real x541 = x144 * x496 + x148 * x503 + x152 * x507;
-  const Real x556 = x541 + v[34] * x513 - v[33] * x518;
-  const Real x559 = x162 - (x183 - x152) * 0.2 + x195 * 0.42;
-  const Real x560 = x168 + (x178 + x140 * x140) * 0.2;
-  const Real x561 = x189 * 0.42 + x560;
-  const Real x564 = x174 - (x144 + x188) * 0.2 - x191 * 0.42;
-  const Real x569 = x490 * x559 + x497 * x561 + x504 * x564;
-  const Real x574 = x493 * x559 + x500 * x561 + x505 * x564;
-  const Real x579 = x496 * x559 + x503 * x561 + x507 * x564;
-  const Real x593 = x525 * x526;
-  const Real x594 = x593 - x546;
-  const Real x596 = x524 * x524 + x525 * x525;
-  const Real x598 = x524 * x526;
-  const Real x600 = x551 + x598;
-  // joint 13 "right_elbow": placement, velocity and reference acceleration of its link
-  const Real x609 = x526 * cosine[0] + x524 * sine[0];
-  const Real x613 = x524 * cosine[0] - x526 * sine[0];
-  const Real x614 = x525 + v[36];
-  const Real x623 = x556 * cosine[0] + x546 * sine[0] + v[36] * x613;
-  const Real x626 = x546 * cosine[0] - x556 * sine[0] - v[36] * x609;
-  const Real x630 = x569 - x600 * 0.29;
-  const Real x633 = x574 - x594 * 0.29;
-  const Real x636 = x579 + x596 * 0.29;
-  const Real x639 = cosine[0] * x636 + sine[0] * x630;
-  const Real x643 = cosine[0] * x630 - sine[0] * x636;
-  const Real x650 = x613 * x613 + x614 * x614;
-  const Real x652 = x609 * x613;
-  const Real x654 = x551 + x652;
-  const Real x662 = x609 * x614;
-  const Real x663 = x662 - x626;
-  // joint 14 "right_wrist": placement, velocity and reference acceleration of its link
-  const Real x677 = q[47] * q[47] + q[48] * q[48] + q[49] * q[49];
-  const Real x678 = q[50] * q[50] + x677;
-  require_length(w, x678, 14);
-  const Real x680 = 2.0 * (1 / x678);
-  const Real x681 = q[47] * x680;
-  const Real x682 = q[48] * x680;
-  const Real x683 = q[49] * x680;
-  const Real x684 = q[48] * x682;
-  const Real x685 = q[49] * x683;
-  const Real x687 = 1.0 - (x684 + x685);
-  w.x[39] = x687;
-  const Real x688 = q[48] * x681;
-  const Real x689 = q[50] * x683;
-  const Real x690 = x688 - x689;
-  w.x[40] = x690;
-  const Real x691 = q[49] * x681;
-  const Real x692 = q[50] * x682;
-  const Real x693 = x691 + x692;
-  w.x[41] = x693;
-  const Real x694 = x688 + x689;
-  w.x[42] = x694;
-  const Real x695 = q[47] * x681;
-  const Real x697 = 1.0 - (x685 + x695);
-  w.x[43] = x697;
-  const Real x698 = q[49] * x682;
-  const Real x699 = q[50] * x681;
-  const Real x700 = x698 - x699;
-  w.x[44] = x700;
-  const Real x701 = x691 - x692;
-  w.x[45] = x701;
-  const Real x702 = x698 + x699;
-  w.x[46] = x702;
-  const Real x704 = 1.0 - (x684 + x695);
-  w.x[47] = x704;
-  const Real x710 = x609 * x701 + x614 * x694 + x613 * x687;
-  const Real x715 = x609 * x702 + x614 * x697 + x613 * x690;
-  const Real x720 = x609 * x704 + x614 * x700 + x613 * x693;
-  const Real x721 = v[37] + x710;
-  const Real x722 = v[38] + x715;
-  const Real x723 = v[39] + x720;
-  const Real x728 = x623 * x701 + x551 * x694 + x626 * x687;
-  const Real x743 = v[39] * x715 - v[38] * x720 + x728;
-  const Real x733 = x623 * x702 + x551 * x697 + x626 * x690;
-  const Real x748 = v[37] * x720 - v[39] * x710 + x733;
-  const Real x738 = x623 * x704 + x551 * x700 + x626 * x693;
-  const Real x757 = x639 + x650 * 0.26;
-  const Real x760 = x643 - x654 * 0.26;
-  const Real x763 = x633 - x663 * 0.26;
-  const Real x768 = x701 * x757 + x687 * x760 + x694 * x763;
-  const Real x773 = x702 * x757 + x690 * x760 + x697 * x763;
-  const Real x792 = x722 * x723;
-  const Real x797 = x721 * x723;
-  // link 15 "right_hand": force that the reference field takes
-  const Real x1010 = (v[38] * x710 - v[37] * x715 + x738) * 0.0002555;
-  // joint 14 "right_wrist": placement, velocity and reference acceleration of its link
-  const Real x778 = x704 * x757 + x693 * x760 + x700 * x763;
-  // link 15 "right_hand": force that the reference field takes
-  const Real x1032 = (x721 * x721 + x722 * x722) * 0.0336;
-  const Real x1034 = 0.42 * x778 + x1032;
-  const Real x1019 = x743 * 0.0039235 - x792 * 0.0034755000000000003 + x773 * 0.0336;
-  const Real x1022 = x748 * 0.003731 + x797 * 0.0036680000000000003 - x768 * 0.0336;
-  // joint 14 "right_wrist": articulated-body inertia and bias force through it
-  const Real x1044 = 254.87447432139672 * (tau[37] - x1019);
-  w.x[48] = x1044;
-  const Real x1045 = 268.0246582685607 * (tau[38] - x1022);
-  w.x[49] = x1045;
-  const Real x1046 = 3913.894324853229 * (tau[39] - (x1010 - x721 * x722 * 0.00019249999999999996));
-  w.x[50] = x1046;
-  // link 15 "right_hand": force that the reference field takes
-  const Real x1026 = 0.42 * x768 - (x748 + x797) * 0.0336;
-  // joint 14 "right_wrist": articulated-body inertia and bias force through it
-  const Real x1057 = x1026 - 0.0336 * x1045;
-  // link 15 "right_hand": force that the reference field takes
-  const Real x1030 = 0.42 * x773 - (x792 - x743) * 0.0336;
-  // joint 14 "right_wrist": articulated-body inertia and bias force through it
-  const Real x1059 = x1030 + 0.0336 * x1044;
-  const Real x1060 = x701 * 0.1174108818011257;
-  const Real x1061 = x702 * 0.13225691347011598;
-  const Real x1062 = 0.42 * x704;
-  const Real x1063 = x687 * 0.1174108818011257;
-  const Real x1064 = x690 * 0.13225691347011598;
-  const Real x1065 = 0.42 * x693;
-  const Real x1078 = x687 * x1060 + x690 * x1061 + x693 * x1062;
-  const Real x1083 = x694 * x1060 + x697 * x1061 + x700 * x1062;
-  const Real x1088 = x690 * x1064 + x693 * x1065 + x687 * x1063;
-  const Real x1093 = x697 * x1064 + x700 * x1065 + x694 * x1063;
-  const Real x1097 = x694 * (x694 * 0.1174108818011257) + x700 * (0.42 * x700);
-  const Real x1098 = x697 * (x697 * 0.13225691347011598) + x1097;
-  const Real x1101 = 0.26 * x1078;
-  const Real x1103 = 0.26 * x1093;
-  const Real x1105 = 0.26 * x1088;
-  const Real x1107 = 0.26 * x1098;
-  const Real x1111 = 0.26 * x1103;
-  const Real x1139 = x687 * x1057 + x693 * x1034 + x690 * x1059;
-  const Real x1144 = x694 * x1057 + x700 * x1034 + x697 * x1059;
-  const Real x1124 = x690 * tau[38] + x693 * tau[39] + x687 * tau[37];
-  const Real x1129 = x694 * tau[37] + x700 * tau[39] + x697 * tau[38];
-  const Real x1153 = 0.02190604 + 0.26 * x1105;
-  require_more(w, x1153, 0.0, kFactorization, 13);
-  const Real x1154 = -0.132 - x1105;
-  const Real x1073 = x701 * x1060 + x702 * x1061 + x704 * x1062;
-  const Real x1119 = x701 * tau[37] + x702 * tau[38] + x704 * tau[39];
-  const Real x1158 = x623 * 0.00067375 + x1119;
-  // link 14 "right_forearm": force that the reference field takes
-  const Real x973 = x626 * 0.02190604 - x662 * 0.02123229 + x633 * 0.132;
-  const Real x976 = x551 * 0.02190604 + x652 * 0.02123229 - x643 * 0.132;
-  // joint 14 "right_wrist": articulated-body inertia and bias force through it
-  const Real x1134 = x701 * x1057 + x704 * x1034 + x702 * x1059;
-  // joint 13 "right_elbow": articulated-body inertia and bias force through it
-  const Real x1165 = 1 / x1153;
-  const Real x1167 = x1165 * (tau[36] - (x1129 - 0.26 * x1139 + x976));
-  w.x[51] = x1167;
-  const Real x1168 = x1111 * x1165;
-  w.x[52] = x1168;
-  const Real x1170 = x1101 * x1165;
-  w.x[53] = x1170;
-  const Real x1172 = x1154 * x1165;
-  w.x[54] = x1172;
-  const Real x1173 = x1103 * x1165;
-  w.x[55] = x1173;
-  const Real x1177 = 0.02190604 + 0.26 * x1107 - x1111 * x1168;
-  const Real x1180 = 0.26 * x1083 - x1111 * x1170;
-  const Real x1183 = x1103 + x1111 * x1172;
-  const Real x1186 = 0.132 + x1107 - x1111 * x1173;
-  const Real x1189 = 1.1 + x1073 - x1101 * x1170;
-  const Real x1192 = x1078 + x1101 * x1172;
-  const Real x1195 = x1083 - x1101 * x1173;
-  const Real x1198 = 1.1 + x1088 - x1154 * x1172;
-  const Real x1201 = x1093 + x1154 * x1173;
-  const Real x1204 = 1.1 + x1098 - x1103 * x1173;
-  const Real x1207 = x1124 + 0.26 * x1144 + x973 - x1111 * x1167;
-  // joint 14 "right_wrist": articulated-body inertia and bias force through it
-  const Real x1161 = x639 * 1.1 + x650 * 0.132 + x1134;
-  // joint 13 "right_elbow": articulated-body inertia and bias force through it
-  const Real x1210 = x1161 - x1101 * x1167;
-  // joint 14 "right_wrist": articulated-body inertia and bias force through it
-  const Real x1162 = x643 * 1.1 - x654 * 0.132 + x1139;
-  // joint 13 "right_elbow": articulated-body inertia and bias force through it
-  const Real x1212 = x1162 + x1154 * x1167;
-  // joint 14 "right_wrist": articulated-body inertia and bias force through it
-  const Real x1163 = x633 * 1.1 - x663 * 0.132 + x1144;
-  // joint 13 "right_elbow": articulated-body inertia and bias force through it
-  const Real x1215 = x1163 - x1103 * x1167;
-  const Real x1216 = sine[0] * x1186;
-  const Real x1218 = cosine[0] * x1186;
-  const Real x1224 = cosine[0] * x1183 + sine[0] * x1180;
-  const Real x1226 = sine[0] * x1224;
-  const Real x1229 = cosine[0] * x1224;
-  const Real x1231 = x1183 - x1229;
-  const Real x1233 = cosine[0] * (0.00067375 - x1177);
-  const Real x1238 = cosine[0] * x1233;
-  const Real x1244 = cosine[0] * x1195 - sine[0] * x1201;
-  const Real x1247 = sine[0] * x1195 + cosine[0] * x1201;
-  const Real x1252 = cosine[0] * (x1189 - x1198) - x1192 * (2.0 * sine[0]);
-  const Real x1255 = x1192 + sine[0] * x1252;
-  const Real x1256 = cosine[0] * x1252;
-  const Real x1258 = x1189 - x1256;
-  const Real x1259 = 0.29 * x1247;
-  const Real x1261 = x1229 + x1259;
-  const Real x1262 = 0.29 * x1258;
-  const Real x1266 = x1218 + 0.29 * x1204;
-  const Real x1269 = x1180 - x1226 + 0.29 * x1244;
-  const Real x1270 = 0.29 * x1255;
-  const Real x1278 = 0.29 * x1261;
-  const Real x1282 = sine[0] * x1233 - 0.29 * x1216;
-  const Real x1300 = sine[0] * x1210 + cosine[0] * x1212;
-  const Real x1277 = 0.00067375 - x1238 + (0.29 * x1218 + 0.29 * x1266);
-  const Real x1307 = 0.050615200000000006 + x1277;
-  require_more(w, x1307, 0.0, kFactorization, 12);
-  const Real x1308 = 0.266 + x1266;
-  const Real x1309 = 0.050615200000000006 + 0.29 * x1262;
-  const Real x1310 = -0.266 - x1262;
-  const Real x1311 = x1177 + x1238 + 0.00192375;
-  // link 13 "right_upper_arm": force that the reference field takes
-  const Real x934 = x546 * 0.050615200000000006 - x593 * 0.048691450000000004 + x574 * 0.266;
-  // joint 13 "right_elbow": articulated-body inertia and bias force through it
-  const Real x1303 = sine[0] * x1158 + cosine[0] * x1207 + 0.29 * x1215;
-  // link 13 "right_upper_arm": force that the reference field takes
-  const Real x937 = x551 * 0.050615200000000006 + x598 * 0.048691450000000004 - x569 * 0.266;
-  const Real x949 = x579 * 1.9 + x596 * 0.266;
-  // joint 12 "right_shoulder": articulated-body inertia and bias force through it
-  const Real x1324 = 1 / x1307;
-  const Real x1325 = x1278 * x1324;
-  const Real x1327 = x1282 * x1324;
-  const Real x1330 = x1309 - x1278 * x1325;
-  const Real x1333 = 0.29 * x1226 + x1282 * x1325;
-  const Real x1334 = 1 / x1330;
-  const Real x1335 = x1333 * x1334;
-  const Real x1341 = x1311 - x1282 * x1327 - x1333 * x1335;
-  const Real x1342 = 1 / x1341;
-  const Real x1344 = x1309 * 1.7763568394002505e-15;
-  require_more(w, x1330, x1344, kFactorization, 12);
-  const Real x1345 = x1311 * 1.7763568394002505e-15;
-  require_more(w, x1341, x1345, kFactorization, 12);
-  const Real x1346 = tau[33] - (x934 + x1303);
-  // joint 13 "right_elbow": articulated-body inertia and bias force through it
-  const Real x1317 = cosine[0] * x1158 - sine[0] * x1207 + x556 * 0.00192375;
-  // joint 12 "right_shoulder": articulated-body inertia and bias force through it
-  const Real x1347 = tau[34] - (tau[36] - 0.29 * x1300 + x937);
-  const Real x1351 = x1347 + x1325 * x1346;
-  const Real x1357 = tau[35] - x1317 - x1327 * x1346 - x1335 * x1351;
-  const Real x1360 = x1342 * x1357;
-  w.x[56] = x1360;
-  const Real x1363 = x1334 * x1351 - x1335 * x1360;
-  w.x[57] = x1363;
-  const Real x1369 = x1324 * x1346 - x1327 * x1360 + x1325 * x1363;
-  w.x[58] = x1369;
-  const Real x1372 = x1310 + x1261 * x1325;
-  const Real x1375 = x1308 * x1325 - x1259;
-  const Real x1378 = x1269 * x1325 - x1270;
-  const Real x1385 = x1226 + x1261 * x1327 + x1335 * x1372;
-  const Real x1393 = x1216 + x1308 * x1327 + x1335 * x1375;
-  const Real x1400 = x1231 - x1269 * x1327 - x1335 * x1378;
-  const Real x1401 = x1261 * x1324;
-  const Real x1402 = x1308 * x1324;
-  const Real x1403 = x1269 * x1324;
-  const Real x1404 = x1334 * x1372;
-  const Real x1405 = x1334 * x1375;
-  const Real x1406 = x1334 * x1378;
-  const Real x1407 = x1342 * x1385;
-  w.x[59] = x1407;
-  const Real x1409 = x1342 * x1393;
-  w.x[60] = x1409;
-  const Real x1411 = x1342 * x1400;
-  w.x[61] = x1411;
-  const Real x1414 = x1404 + x1335 * x1407;
-  w.x[62] = x1414;
-  const Real x1417 = x1405 + x1335 * x1409;
-  w.x[63] = x1417;
-  const Real x1420 = x1406 - x1335 * x1411;
-  w.x[64] = x1420;
-  const Real x1426 = x1401 + x1327 * x1407 + x1325 * x1414;
-  w.x[65] = x1426;
-  const Real x1432 = x1402 + x1327 * x1409 + x1325 * x1417;
-  w.x[66] = x1432;
-  const Real x1438 = x1403 - x1327 * x1411 + x1325 * x1420;
-  w.x[67] = x1438;
-  const Real x1446 = 1.9 + x1258 - x1261 * x1401 - x1372 * x1404;
-  const Real x1447 = x1446 - x1385 * x1407;
-  w.x[68] = x1447;
-  const Real x1455 = x1247 - x1261 * x1402 - x1372 * x1405;
-  const Real x1456 = x1455 - x1385 * x1409;
-  w.x[69] = x1456;
-  const Real x1464 = x1255 - x1261 * x1403 - x1372 * x1406;
-  const Real x1465 = x1385 * x1411 + x1464;
-  w.x[70] = x1465;
-  const Real x1473 = 1.9 + x1204 - x1308 * x1402 - x1375 * x1405;
-  const Real x1474 = x1473 - x1393 * x1409;
-  w.x[71] = x1474;
-  const Real x1482 = x1244 - x1308 * x1403 - x1375 * x1406;
-  const Real x1483 = x1393 * x1411 + x1482;
-  w.x[72] = x1483;
-  const Real x1490 = x1198 + x1256 + 1.9 - x1269 * x1403;
-  const Real x1492 = x1490 - x1378 * x1406 - x1400 * x1411;
-  w.x[73] = x1492;
-  // joint 13 "right_elbow": articulated-body inertia and bias force through it
-  const Real x1318 = x569 * 1.9 - x600 * 0.266 + x1300;
-  // joint 12 "right_shoulder": articulated-body inertia and bias force through it
-  const Real x1498 = x1318 - x1226 * x1360 + x1310 * x1363;
-  const Real x1499 = x1261 * x1369 + x1498;
-  w.x[74] = x1499;
-  // joint 13 "right_elbow": articulated-body inertia and bias force through it
-  const Real x1319 = x574 * 1.9 - x594 * 0.266 + x1215;
-  // joint 12 "right_shoulder": articulated-body inertia and bias force through it
-  const Real x1506 = x1319 - x1216 * x1360 - x1259 * x1363;
-  const Real x1507 = x1308 * x1369 + x1506;
-  w.x[75] = x1507;
-  // joint 13 "right_elbow": articulated-body inertia and bias force through it
-  const Real x1320 = cosine[0] * x1210 - sine[0] * x1212 + x949;
-  // joint 12 "right_shoulder": articulated-body inertia and bias force through it
-  const Real x1513 = x1320 + x1231 * x1360 - x1270 * x1363;
-  const Real x1514 = x1269 * x1369 + x1513;
-  w.x[76] = x1514;
-  const Real x1519 = x490 * x1447 + x493 * x1456 + x496 * x1465;
-  w.x[77] = x1519;
-  const Real x1524 = x490 * x1456 + x493 * x1474 + x496 * x1483;
-  w.x[78] = x1524;
-  const Real x1529 = x490 * x1465 + x493 * x1483 + x496 * x1492;
-  w.x[79] = x1529;
-  const Real x1534 = x497 * x1447 + x500 * x1456 + x503 * x1465;
-  w.x[80] = x1534;
-  const Real x1539 = x497 * x1456 + x500 * x1474 + x503 * x1483;
-  w.x[81] = x1539;
-  const Real x1540 = x497 * x1465;
-  w.x[82] = x1540;
+template <class T>
+ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
+  put_at(w.at(slot, kAxes), frame.R);
+  put_at(w.at(slot, kOmega), frame.omega);
+  put_at(w.at(slot, kAlpha), frame.alpha);
+  put_at(w.at(slot, kAcceleration), frame.a);
 }
 
-ADAGEN_NOINLINE void part_2_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x358 = w.x[15];
-  const Real x361 = w.x[16];
-  const Real x364 = w.x[17];
-  const Real x365 = w.x[18];
-  const Real x368 = w.x[19];
-  const Real x371 = w.x[20];
-  const Real x372 = w.x[21];
-  const Real x373 = w.x[22];
-  const Real x375 = w.x[23];
-  const Real x490 = w.x[30];
-  const Real x493 = w.x[31];
-  const Real x496 = w.x[32];
-  const Real x497 = w.x[33];
-  const Real x500 = w.x[34];
-  const Real x503 = w.x[35];
-  const Real x504 = w.x[36];
-  const Real x505 = w.x[37];
-  const Real x507 = w.x[38];
-  const Real x828 = w.x[0];
-  const Real x831 = w.x[1];
-  const Real x833 = w.x[2];
-  const Real x836 = w.x[3];
-  const Real x839 = w.x[4];
-  const Real x843 = w.x[5];
-  const Real x886 = w.x[24];
-  const Real x891 = w.x[25];
-  const Real x893 = w.x[26];
-  const Real x899 = w.x[27];
-  const Real x904 = w.x[28];
-  const Real x910 = w.x[29];
-  const Real x1447 = w.x[68];
-  const Real x1456 = w.x[69];
-  const Real x1465 = w.x[70];
-  const Real x1474 = w.x[71];
-  const Real x1483 = w.x[72];
-  const Real x1492 = w.x[73];
-  const Real x1499 = w.x[74];
-  const Real x1507 = w.x[75];
-  const Real x1514 = w.x[76];
-  const Real x1519 = w.x[77];
-  const Real x1524 = w.x[78];
-  const Real x1529 = w.x[79];
-  const Real x1534 = w.x[80];
-  const Real x1539 = w.x[81];
-  const Real x1540 = w.x[82];
-  // joint 12 "right_shoulder": articulated-body inertia and bias force through it
-  const Real x1544 = x1540 + x500 * x1483 + x503 * x1492;
-  const Real x1564 = x490 * x1519 + x493 * x1524 + x496 * x1529;
-  const Real x1569 = x497 * x1519 + x500 * x1524 + x503 * x1529;
-  const Real x1574 = x504 * x1519 + x505 * x1524 + x507 * x1529;
-  const Real x1579 = x497 * x1534 + x500 * x1539 + x503 * x1544;
-  const Real x1584 = x504 * x1534 + x505 * x1539 + x507 * x1544;
-  const Real x1549 = x504 * x1447 + x505 * x1456 + x507 * x1465;
-  const Real x1554 = x504 * x1456 + x505 * x1474 + x507 * x1483;
-  const Real x1559 = x504 * x1465 + x505 * x1483 + x507 * x1492;
-  const Real x1589 = x504 * x1549 + x505 * x1554 + x507 * x1559;
-  const Real x1590 = 0.2 * x1574;
-  const Real x1592 = 0.42 * x1569;
-  const Real x1594 = x1590 + x1592;
-  const Real x1596 = 0.42 * x1564;
-  const Real x1597 = 0.2 * x1564;
-  const Real x1603 = 0.2 * x1584 + 0.42 * x1579;
-  const Real x1611 = 0.2 * x1589 + 0.42 * x1584;
-  const Real x1621 = 0.2 * x1594;
-  const Real x1647 = x490 * x1499 + x493 * x1507 + x496 * x1514;
-  const Real x1652 = x497 * x1499 + x500 * x1507 + x503 * x1514;
-  const Real x1657 = x504 * x1499 + x505 * x1507 + x507 * x1514;
-  const Real x1632 = x493 * tau[34] + x496 * tau[35] + x490 * tau[33];
-  const Real x1637 = x497 * tau[33] + x503 * tau[35] + x500 * tau[34];
-  const Real x1642 = x504 * tau[33] + x505 * tau[34] + x507 * tau[35];
-  const Real x1673 = 0.258367 + 0.2 * x1597;
-  // joint 11 "neck": articulated-body inertia and bias force through it
-  const Real x1694 = tau[30] - x886;
-  const Real x1702 = 8.611039352449838 * (tau[31] - x891);
-  w.x[83] = x1702;
-  const Real x1703 = 50.80513217945406 * (tau[32] - x893 + x1694 * 0.059322033898305086);
-  w.x[84] = x1703;
-  const Real x1706 = 8.6475268073331 * x1694 + 0.059322033898305086 * x1703;
-  w.x[85] = x1706;
-  const Real x1732 = x899 + 0.6860000000000002 * x1702;
-  const Real x1737 = x904 + 0.049 * x1703 - 0.6860000000000002 * x1706;
-  const Real x1740 = x910 - 0.049 * x1702;
-  const Real x1743 = x358 * 0.8476793248945146 + x364 * 0.28945147679324895;
-  const Real x1744 = x361 * 0.8270042194092826;
-  const Real x1747 = x358 * 0.28945147679324895 + x364 * 4.8793248945147685;
-  const Real x1750 = x365 * 0.8476793248945146 + x371 * 0.28945147679324895;
-  const Real x1751 = x368 * 0.8270042194092826;
-  const Real x1754 = x365 * 0.28945147679324895 + x371 * 4.8793248945147685;
-  const Real x1766 = x358 * x1743 + x361 * x1744 + x364 * x1747;
-  const Real x1771 = x365 * x1743 + x368 * x1744 + x371 * x1747;
-  const Real x1776 = x372 * x1743 + x373 * x1744 + x375 * x1747;
-  const Real x1781 = x365 * x1750 + x368 * x1751 + x371 * x1754;
-  const Real x1786 = x372 * x1750 + x373 * x1751 + x375 * x1754;
-  const Real x1787 = x372 * (x372 * 0.8476793248945146 + x375 * 0.28945147679324895);
-  const Real x1789 = x375 * (x372 * 0.28945147679324895 + x375 * 4.8793248945147685);
-  const Real x1792 = 0.48 * x1771;
-  const Real x1794 = 0.48 * x1766;
-  const Real x1795 = 0.48 * x1781;
-  const Real x1824 = x358 * x1732 + x364 * x1740 + x361 * x1737;
-  const Real x1829 = x365 * x1732 + x371 * x1740 + x368 * x1737;
-  const Real x1809 = x361 * tau[31] + x364 * tau[32] + x358 * tau[30];
-  const Real x1814 = x365 * tau[30] + x371 * tau[32] + x368 * tau[31];
-  // joint 12 "right_shoulder": articulated-body inertia and bias force through it
-  const Real x1669 = 0.2 * x1611 + 0.42 * x1603 + 1.818533;
-  // joint 11 "neck": articulated-body inertia and bias force through it
-  const Real x1840 = x1669 + 0.48 * x1795;
-  require_more(w, x1840, 0.0, kFactorization, 7);
-  const Real x1841 = 0.42 * x1594 + 0.48 * x1792;
-  const Real x1843 = x1594 + x1792;
-  const Real x1845 = -5.29 - x1603 - x1795;
-  const Real x1846 = x1611 + 0.48 * x1786;
-  const Real x1848 = 1.6843670000000002 + 0.42 * x1596 + 0.48 * x1794;
-  const Real x1852 = 23.0 + x1564 + x1766;
-  const Real x1855 = 23.0 + x1579 + x1781;
-  const Real x1791 = x1787 + x373 * (x373 * 0.8270042194092826) + x1789;
-  const Real x1857 = 23.0 + x1589 + x1791;
-  // joint 12 "right_shoulder": articulated-body inertia and bias force through it
-  const Real x1677 = x1632 - 0.2 * x1657 - 0.42 * x1652 + x831;
-  // joint 11 "neck": articulated-body inertia and bias force through it
-  const Real x1858 = x1809 - 0.48 * x1829 + x1677;
-  // joint 12 "right_shoulder": articulated-body inertia and bias force through it
-  const Real x1678 = x1637 + 0.42 * x1647 + x833;
-  // joint 11 "neck": articulated-body inertia and bias force through it
-  const Real x1859 = x1814 + 0.48 * x1824 + x1678;
-  const Real x1819 = x372 * tau[30] + x373 * tau[31] + x375 * tau[32];
-  const Real x1860 = x1642 + 0.2 * x1647 + x828 + x1819;
-  const Real x1861 = x836 + x1647 + x1824;
-  const Real x1862 = x839 + x1652 + x1829;
-  const Real x1834 = x372 * x1732 + x375 * x1740 + x373 * x1737;
-  const Real x1863 = x843 + x1657 + x1834;
-  // link 8 "trunk": mobility from its articulated-body inertia
-  const Real x1864 = 1 / x1840;
-  const Real x1865 = x1841 * x1864;
-  const Real x1867 = x1621 * x1864;
-  const Real x1869 = x1843 * x1864;
-  const Real x1871 = x1845 * x1864;
-  const Real x1872 = x1846 * x1864;
-  const Real x1876 = x1848 - x1841 * x1865;
-  const Real x1879 = 0.2 * x1596 - x1621 * x1865;
-  const Real x1882 = 5.29 + x1596 + x1794 - x1843 * x1865;
-  const Real x1885 = x1592 + x1792 + x1845 * x1865;
-  const Real x1888 = 0.42 * x1574 + 0.48 * x1776 - x1846 * x1865;
-  const Real x1889 = 1 / x1876;
-  const Real x1890 = x1879 * x1889;
-  const Real x1891 = x1882 * x1889;
-  const Real x1892 = x1885 * x1889;
-  const Real x1893 = x1888 * x1889;
-  const Real x1899 = x1673 - x1621 * x1867 - x1879 * x1890;
-  const Real x1905 = x1597 - x1843 * x1867 - x1882 * x1890;
-  const Real x1911 = 0.2 * x1569 + x1845 * x1867 - x1885 * x1890;
-  const Real x1917 = x1590 - x1846 * x1867 - x1888 * x1890;
-  const Real x1918 = 1 / x1899;
-  const Real x1919 = x1905 * x1918;
-  const Real x1920 = x1911 * x1918;
-  const Real x1921 = x1917 * x1918;
-  const Real x1929 = x1852 - x1843 * x1869 - x1882 * x1891;
-  const Real x1930 = x1929 - x1905 * x1919;
-  const Real x1938 = x1569 + x1771 + x1845 * x1869 - x1885 * x1891;
-  const Real x1939 = x1938 - x1911 * x1919;
-  const Real x1947 = x1574 + x1776 - x1846 * x1869 - x1888 * x1891;
-  const Real x1948 = x1947 - x1917 * x1919;
-  const Real x1949 = 1 / x1930;
-  const Real x1950 = x1939 * x1949;
-  const Real x1951 = x1948 * x1949;
-  const Real x1961 = x1855 - x1845 * x1871 - x1885 * x1892;
-  const Real x1963 = x1961 - x1911 * x1920 - x1939 * x1950;
-  const Real x1973 = x1584 + x1786 + x1846 * x1871 - x1888 * x1892;
-  const Real x1975 = x1973 - x1917 * x1920 - x1948 * x1950;
-  const Real x1976 = 1 / x1963;
-  const Real x1977 = x1975 * x1976;
-  const Real x1989 = x1857 - x1846 * x1872 - x1888 * x1893;
-  const Real x1991 = x1989 - x1917 * x1921 - x1948 * x1951;
-  const Real x1992 = x1991 - x1975 * x1977;
-  const Real x1993 = 1 / x1992;
-  w.x[86] = x1993;
-  const Real x1994 = 1.7763568394002505e-15 * x1848;
-  require_more(w, x1876, x1994, kFactorization, 7);
-  const Real x1995 = 1.7763568394002505e-15 * x1673;
-  require_more(w, x1899, x1995, kFactorization, 7);
-  const Real x1996 = 1.7763568394002505e-15 * x1852;
-  require_more(w, x1930, x1996, kFactorization, 7);
-  const Real x1997 = 1.7763568394002505e-15 * x1855;
-  require_more(w, x1963, x1997, kFactorization, 7);
-  const Real x1998 = 1.7763568394002505e-15 * x1857;
-  require_more(w, x1992, x1998, kFactorization, 7);
-  const Real x2001 = x1867 - x1865 * x1890;
-  const Real x2008 = x1869 - x1865 * x1891 - x1919 * x2001;
-  const Real x2012 = x1890 * x1919 - x1891;
-  const Real x2023 = x1871 + x1865 * x1892 + x1920 * x2001;
-  const Real x2025 = x1950 * x2008 + x2023;
-  const Real x2033 = x1890 * x1920 - x1892 - x1950 * x2012;
-  const Real x2037 = x1919 * x1950 - x1920;
-  const Real x2048 = x1872 - x1865 * x1893 - x1921 * x2001;
-  const Real x2050 = x2048 - x1951 * x2008 + x1977 * x2025;
-  const Real x2059 = x1890 * x1921 - x1893 - x1951 * x2012;
-  const Real x2060 = x2059 - x1977 * x2033;
-  const Real x2067 = x1919 * x1951 - x1921 - x1977 * x2037;
-  const Real x2071 = x1950 * x1977 - x1951;
-  const Real x2073 = x1865 * x1889;
-  const Real x2074 = x1918 * x2001;
-  const Real x2075 = x1890 * x1918;
-  const Real x2077 = x1949 * x2008;
-  const Real x2078 = x1949 * x2012;
-  const Real x2079 = x1919 * x1949;
-  const Real x2081 = x1976 * x2025;
-  const Real x2083 = x1976 * x2033;
-  const Real x2084 = x1976 * x2037;
-  const Real x2085 = x1950 * x1976;
-  const Real x2087 = x1993 * x2050;
-  w.x[87] = x2087;
-  const Real x2088 = x1993 * x2060;
-  w.x[88] = x2088;
-  const Real x2089 = x1993 * x2067;
-  w.x[89] = x2089;
-  const Real x2090 = x1993 * x2071;
-  w.x[90] = x2090;
-  const Real x2091 = x1977 * x1993;
-  w.x[91] = x2091;
-  const Real x2100 = x1864 + x1865 * x2073 + x2001 * x2074;
-  const Real x2102 = x2008 * x2077 + x2100 + x2025 * x2081;
-  const Real x2103 = x2050 * x2087 + x2102;
-  w.x[92] = x2103;
-  const Real x2111 = x2073 - x2001 * x2075 + x2008 * x2078;
-  const Real x2113 = x2111 - x2025 * x2083 + x2050 * x2088;
-  w.x[93] = x2113;
-  const Real x2120 = x2074 - x2008 * x2079 - x2025 * x2084;
-  const Real x2121 = x2050 * x2089 + x2120;
-  w.x[94] = x2121;
-  const Real x2126 = x2077 + x2025 * x2085 + x2050 * x2090;
-  w.x[95] = x2126;
-  const Real x2129 = x2081 + x2050 * x2091;
-  w.x[96] = x2129;
-  const Real x2137 = x1889 + x1890 * x2075 + x2012 * x2078;
-  const Real x2139 = x2033 * x2083 + x2137 + x2060 * x2088;
-  w.x[97] = x2139;
-  const Real x2146 = x2033 * x2084 - (x2075 + x2012 * x2079);
-  const Real x2147 = x2060 * x2089 + x2146;
-  w.x[98] = x2147;
-  const Real x2152 = x2078 - x2033 * x2085 + x2060 * x2090;
-  w.x[99] = x2152;
-  const Real x2155 = x2083 - x2060 * x2091;
-  w.x[100] = x2155;
-  const Real x2161 = x1918 + x1919 * x2079 + x2037 * x2084;
-  const Real x2162 = x2067 * x2089 + x2161;
-  w.x[101] = x2162;
-  const Real x2168 = x2067 * x2090 - (x2079 + x2037 * x2085);
-  w.x[102] = x2168;
-  const Real x2171 = x2084 - x2067 * x2091;
-  w.x[103] = x2171;
-  const Real x2176 = x1949 + x1950 * x2085 + x2071 * x2090;
-  w.x[104] = x2176;
-  const Real x2179 = x2085 + x2071 * x2091;
-  w.x[105] = x2179;
-  const Real x2183 = x1976 + x1977 * x2091;
-  w.x[106] = x2183;
-  const Real x2192 = x1858 * x2103 + x1863 * x2087 + x1859 * x2113;
-  const Real x2194 = x1860 * x2121 + x2192 + x1861 * x2126;
-  const Real x2195 = x2194 - x1862 * x2129;
-  w.x[107] = x2195;
-  const Real x2203 = x1858 * x2113 + x1863 * x2088 + x1859 * x2139;
-  const Real x2205 = x1860 * x2147 + x2203 + x1861 * x2152;
-  const Real x2206 = x1862 * x2155 + x2205;
-  w.x[108] = x2206;
-  const Real x2214 = x1858 * x2121 + x1863 * x2089 + x1859 * x2147;
-  const Real x2216 = x1860 * x2162 + x2214 + x1861 * x2168;
-  const Real x2217 = x1862 * x2171 + x2216;
-  w.x[109] = x2217;
-  const Real x2226 = x1858 * x2126 + x1863 * x2090 + x1859 * x2152;
-  const Real x2228 = x1860 * x2168 + x2226 + x1861 * x2176;
-  const Real x2229 = x2228 - x1862 * x2179;
-  w.x[110] = x2229;
-  const Real x2241 = x1859 * x2155 - (x1858 * x2129 + x1863 * x2091);
-  const Real x2243 = x1860 * x2171 + x2241 - x1861 * x2179;
-  const Real x2244 = x1862 * x2183 + x2243;
-  w.x[111] = x2244;
-  const Real x2253 = x1858 * x2087 + x1863 * x1993 + x1859 * x2088;
-  const Real x2255 = x1860 * x2089 + x2253 + x1861 * x2090;
-  const Real x2256 = x2255 - x1862 * x2091;
-  w.x[112] = x2256;
+// The ground accelerates against gravity: accelerations are relative to free fall.
+ADAGEN_INLINE Frame<Value> ground() {
+  const Value one = Value{} + 1, none{};
+  return {{{one, none, none}, {none, one, none}, {none, none, one}},
+          {none, none, none},
+          {none, none, none},
+          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
 }
 
-ADAGEN_NOINLINE void part_2_2(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x218 = w.x[6];
-  const Real x221 = w.x[7];
-  const Real x224 = w.x[8];
-  const Real x225 = w.x[9];
-  const Real x228 = w.x[10];
-  const Real x231 = w.x[11];
-  const Real x232 = w.x[12];
-  const Real x233 = w.x[13];
-  const Real x235 = w.x[14];
-  const Real x1993 = w.x[86];
-  const Real x2087 = w.x[87];
-  const Real x2088 = w.x[88];
-  const Real x2089 = w.x[89];
-  const Real x2090 = w.x[90];
-  const Real x2091 = w.x[91];
-  const Real x2103 = w.x[92];
-  const Real x2113 = w.x[93];
-  const Real x2121 = w.x[94];
-  const Real x2126 = w.x[95];
-  const Real x2129 = w.x[96];
-  const Real x2139 = w.x[97];
-  const Real x2147 = w.x[98];
-  const Real x2152 = w.x[99];
-  const Real x2155 = w.x[100];
-  const Real x2162 = w.x[101];
-  const Real x2168 = w.x[102];
-  const Real x2171 = w.x[103];
-  const Real x2176 = w.x[104];
-  const Real x2179 = w.x[105];
-  const Real x2183 = w.x[106];
-  const Real x2195 = w.x[107];
-  const Real x2206 = w.x[108];
-  const Real x2217 = w.x[109];
-  const Real x2229 = w.x[110];
-  const Real x2244 = w.x[111];
-  const Real x2256 = w.x[112];
-  // message received
-  const Real x2278 = w.from[1][15];
-  const Real x2279 = w.from[1][16];
-  const Real x2281 = w.from[1][18];
-  const Real x2280 = w.from[1][17];
-  const Real x2282 = w.from[1][19];
-  const Real x2266 = w.from[1][3];
-  const Real x2271 = w.from[1][8];
-  const Real x2267 = w.from[1][4];
-  const Real x2272 = w.from[1][9];
-  const Real x2275 = w.from[1][12];
-  const Real x2283 = w.from[1][20];
-  const Real x2268 = w.from[1][5];
-  const Real x2273 = w.from[1][10];
-  const Real x2276 = w.from[1][13];
-  const Real x2277 = w.from[1][14];
-  const Real x2287 = w.from[1][24];
-  const Real x2288 = w.from[1][25];
-  const Real x2289 = w.from[1][26];
-  const Real x2263 = w.from[1][0];
-  w.x[82] = x2263;
-  const Real x2264 = w.from[1][1];
-  w.x[81] = x2264;
-  const Real x2265 = w.from[1][2];
-  w.x[80] = x2265;
-  const Real x2269 = w.from[1][6];
-  w.x[79] = x2269;
-  const Real x2270 = w.from[1][7];
-  w.x[78] = x2270;
-  const Real x2274 = w.from[1][11];
-  w.x[77] = x2274;
-  const Real x2284 = w.from[1][21];
-  w.x[76] = x2284;
-  const Real x2285 = w.from[1][22];
-  w.x[75] = x2285;
-  const Real x2286 = w.from[1][23];
-  w.x[74] = x2286;
-  // joint 8 "left_shoulder": assembly: its two sides become one chain
-  const Real x2368 = x2091 + 0.42 * x2087;
-  const Real x2376 = x1993 + 0.2 * x2087;
-  const Real x2294 = 0.2 * x2121;
-  const Real x2296 = 0.42 * x2113;
-  const Real x2302 = x2129 + 0.42 * x2103;
-  const Real x2306 = x2087 + 0.2 * x2103;
-  const Real x2362 = x2183 + 0.42 * x2129;
-  const Real x2356 = x2090 - 0.2 * x2089 + 0.42 * x2088;
-  const Real x2299 = x2126 - x2294 + x2296;
-  const Real x2322 = x2168 - 0.2 * x2162 + 0.42 * x2147;
-  const Real x2312 = x2152 - 0.2 * x2147 + 0.42 * x2139;
-  const Real x2336 = x2176 - 0.2 * x2168 + 0.42 * x2152;
-  const Real x2347 = 0.42 * x2155 - (x2179 + 0.2 * x2171);
-  const Real x2313 = x2155 - x2296;
-  const Real x2363 = 0.42 * x2302 + x2362;
-  const Real x2370 = 0.2 * x2302 + x2368;
-  const Real x2377 = 0.2 * x2306 + x2376;
-  const Real x2316 = x2088 + 0.2 * x2113;
-  const Real x2326 = x2089 + x2294;
-  const Real x2325 = x2171 - 0.42 * x2121;
-  const Real x2348 = x2347 - 0.42 * x2299;
-  const Real x2357 = 0.2 * x2299 + x2356;
-  const Real x2338 = x2336 - 0.2 * x2322 + 0.42 * x2312;
-  const Real x2556 = x225 * x2363 - x232 * x2370 + x218 * x2348;
-  const Real x2562 = x232 * x2377 - x225 * x2370 + x218 * x2357;
-  const Real x2385 = x225 * x2313;
-  const Real x2573 = x228 * x2363 - x233 * x2370 + x221 * x2348;
-  const Real x2579 = x233 * x2377 - x228 * x2370 + x221 * x2357;
-  const Real x2550 = x225 * x2348 + x232 * x2357 + x218 * x2338;
-  const Real x2567 = x228 * x2348 + x233 * x2357 + x221 * x2338;
-  const Real x2401 = x228 * x2313;
-  const Real x2378 = x218 * x2299;
-  const Real x2391 = x232 * x2326;
-  const Real x2394 = x221 * x2299;
-  const Real x2407 = x233 * x2326;
-  const Real x2417 = x231 * x2313;
-  const Real x2601 = x225 * x2556 + x232 * x2562 + x218 * x2550;
-  const Real x2642 = x2278 + x2601;
-  require_more(w, x2642, 0.0, kFactorization, 8);
-  const Real x2606 = x228 * x2556 + x233 * x2562 + x221 * x2550;
-  const Real x2643 = x2279 + x2606;
-  const Real x2388 = x2385 - x218 * x2302 + x232 * x2325;
-  const Real x2757 = 1 / x2642;
-  w.x[73] = x2757;
-  const Real x2393 = x218 * x2306 + x225 * x2316 + x2391;
-  const Real x2404 = x2401 - x221 * x2302 + x233 * x2325;
-  const Real x2409 = x221 * x2306 + x228 * x2316 + x2407;
-  const Real x2410 = x224 * x2299;
-  const Real x2423 = x235 * x2326;
-  const Real x2616 = x228 * x2573 + x233 * x2579 + x221 * x2567;
-  const Real x2645 = x2281 + x2616;
-  w.x[72] = x2645;
-  const Real x2382 = x2378 + x225 * x2312 + x232 * x2322;
-  const Real x2398 = x2394 + x228 * x2312 + x233 * x2322;
-  const Real x2420 = x2417 - x224 * x2302 + x235 * x2325;
-  const Real x2425 = x224 * x2306 + x231 * x2316 + x2423;
-  const Real x2758 = x2643 * x2757;
-  w.x[71] = x2758;
-  const Real x2414 = x2410 + x231 * x2312 + x235 * x2322;
-  const Real x2762 = x2645 - x2643 * x2758;
-  w.x[70] = x2762;
-  const Real x2590 = x231 * x2363 - x235 * x2370 + x224 * x2348;
-  const Real x2596 = x235 * x2377 - x231 * x2370 + x224 * x2357;
-  const Real x2611 = x231 * x2556 + x235 * x2562 + x224 * x2550;
-  const Real x2644 = x2280 + x2611;
-  const Real x2766 = 1 / x2762;
-  w.x[69] = x2766;
-  const Real x2656 = 0.42 * x2195 - x2244;
-  const Real x2659 = x2256 + 0.2 * x2195;
-  const Real x2584 = x231 * x2348 + x235 * x2357 + x224 * x2338;
-  const Real x2621 = x231 * x2573 + x235 * x2579 + x224 * x2567;
-  const Real x2430 = x225 * x2388 + x232 * x2393 + x218 * x2382;
-  const Real x2630 = x2266 + x2430;
-  w.x[68] = x2630;
-  const Real x2445 = x225 * x2404 + x232 * x2409 + x218 * x2398;
-  const Real x2635 = x2271 + x2445;
-  w.x[29] = x2635;
-  const Real x2653 = 0.2 * x2217 - x2229 - 0.42 * x2206;
-  const Real x2827 = x2179 + 0.42 * x2126;
-  const Real x2831 = x2090 + 0.2 * x2126;
-  const Real x2867 = x2091 + 0.2 * x2129;
-  const Real x2759 = x2644 * x2757;
-  w.x[28] = x2759;
-  const Real x2765 = x2282 + x2621 - x2644 * x2758;
-  const Real x2435 = x228 * x2388 + x233 * x2393 + x221 * x2382;
-  const Real x2631 = x2267 + x2435;
-  w.x[27] = x2631;
-  const Real x2450 = x228 * x2404 + x233 * x2409 + x221 * x2398;
-  const Real x2636 = x2272 + x2450;
-  w.x[26] = x2636;
-  const Real x2460 = x225 * x2420 + x232 * x2425 + x218 * x2414;
-  const Real x2639 = x2275 + x2460;
-  w.x[25] = x2639;
-  const Real x2626 = x231 * x2590 + x235 * x2596 + x224 * x2584;
-  const Real x2647 = x2283 + x2626;
-  w.x[24] = x2647;
-  const Real x2767 = x2765 * x2766;
-  w.x[5] = x2767;
-  const Real x2440 = x231 * x2388 + x235 * x2393 + x224 * x2382;
-  const Real x2632 = x2268 + x2440;
-  w.x[4] = x2632;
-  const Real x2455 = x231 * x2404 + x235 * x2409 + x224 * x2398;
-  const Real x2637 = x2273 + x2455;
-  w.x[3] = x2637;
-  const Real x2465 = x228 * x2420 + x233 * x2425 + x221 * x2414;
-  const Real x2640 = x2276 + x2465;
-  w.x[2] = x2640;
-  const Real x2470 = x231 * x2420 + x235 * x2425 + x224 * x2414;
-  const Real x2641 = x2277 + x2470;
-  w.x[1] = x2641;
-  const Real x2696 = x225 * x2656 - x232 * x2659 + x218 * x2653;
-  const Real x2790 = x232 * x2306 - x225 * x2302 + x2378;
-  w.x[0] = x2790;
-  const Real x2804 = x2385 + x232 * x2316 + x218 * x2312;
-  w.x[113] = x2804;
-  const Real x2816 = x2391 + x225 * x2325 + x218 * x2322;
-  w.x[114] = x2816;
-  const Real x2852 = x232 * x2831 - x225 * x2827 + x218 * x2336;
-  w.x[115] = x2852;
-  const Real x2892 = x225 * x2362 - x232 * x2867 + x218 * x2347;
-  w.x[116] = x2892;
-  const Real x2925 = x232 * x2376 - x225 * x2368 + x218 * x2356;
-  w.x[117] = x2925;
-  const Real x2773 = x2647 - x2644 * x2759 - x2765 * x2767;
-  w.x[118] = x2773;
-  const Real x2702 = x228 * x2656 - x233 * x2659 + x221 * x2653;
-  const Real x2737 = tau[23] * x2630 + tau[24] * x2635 + tau[25] * x2639;
-  const Real x2754 = x2696 - x2287 - x2737;
-  w.x[119] = x2754;
-  const Real x2774 = 1 / x2773;
-  w.x[120] = x2774;
-  const Real x2708 = x231 * x2656 - x235 * x2659 + x224 * x2653;
-  const Real x2742 = tau[23] * x2631 + tau[24] * x2636 + tau[25] * x2640;
-  const Real x2795 = x233 * x2306 - x228 * x2302 + x2394;
-  const Real x2940 = x2795 - x2758 * x2790;
-  w.x[121] = x2940;
-  const Real x2808 = x2401 + x233 * x2316 + x221 * x2312;
-  const Real x2943 = x2808 - x2758 * x2804;
-  w.x[122] = x2943;
-  const Real x2820 = x2407 + x228 * x2325 + x221 * x2322;
-  const Real x2946 = x2820 - x2758 * x2816;
-  w.x[123] = x2946;
-  const Real x2858 = x233 * x2831 - x228 * x2827 + x221 * x2336;
-  const Real x2949 = x2858 - x2758 * x2852;
-  w.x[124] = x2949;
-  const Real x2898 = x228 * x2362 - x233 * x2867 + x221 * x2347;
-  const Real x2952 = x2898 - x2758 * x2892;
-  w.x[125] = x2952;
-  const Real x2931 = x233 * x2376 - x228 * x2368 + x221 * x2356;
-  const Real x2955 = x2931 - x2758 * x2925;
-  w.x[126] = x2955;
-  const Real x2747 = tau[23] * x2632 + tau[24] * x2637 + tau[25] * x2641;
-  const Real x2779 = x2702 - x2288 - x2742 - x2754 * x2758;
-  w.x[127] = x2779;
-  const Real x2800 = x235 * x2306 - x231 * x2302 + x2410;
-  const Real x2812 = x2417 + x235 * x2316 + x224 * x2312;
-  const Real x2824 = x2423 + x231 * x2325 + x224 * x2322;
-  const Real x2864 = x235 * x2831 - x231 * x2827 + x224 * x2336;
-  const Real x2904 = x231 * x2362 - x235 * x2867 + x224 * x2347;
-  const Real x2937 = x235 * x2376 - x231 * x2368 + x224 * x2356;
-  const Real x2475 = x218 * x2103 + x225 * x2113 + x232 * x2121;
-  w.x[128] = x2475;
-  const Real x2480 = x218 * x2113 + x225 * x2139 + x232 * x2147;
-  w.x[129] = x2480;
-  const Real x2485 = x218 * x2121 + x225 * x2147 + x232 * x2162;
-  w.x[130] = x2485;
-  const Real x2490 = x221 * x2103 + x228 * x2113 + x233 * x2121;
-  w.x[131] = x2490;
-  const Real x2495 = x221 * x2113 + x228 * x2139 + x233 * x2147;
-  w.x[132] = x2495;
-  const Real x2500 = x221 * x2121 + x228 * x2147 + x233 * x2162;
-  w.x[133] = x2500;
-  const Real x2836 = x218 * x2126 + x225 * x2152 + x232 * x2168;
-  w.x[134] = x2836;
-  const Real x2841 = x221 * x2126 + x228 * x2152 + x233 * x2168;
-  w.x[135] = x2841;
-  const Real x2874 = x225 * x2155 - x218 * x2129 + x232 * x2171;
-  w.x[136] = x2874;
-  const Real x2880 = x228 * x2155 - x221 * x2129 + x233 * x2171;
-  w.x[137] = x2880;
-  const Real x2909 = x218 * x2087 + x225 * x2088 + x232 * x2089;
-  w.x[138] = x2909;
-  const Real x2914 = x221 * x2087 + x228 * x2088 + x233 * x2089;
-  w.x[139] = x2914;
-  const Real x2961 = x2800 - x2759 * x2790 - x2767 * x2940;
-  w.x[140] = x2961;
-  const Real x2967 = x2812 - x2759 * x2804 - x2767 * x2943;
-  w.x[141] = x2967;
-  const Real x2973 = x2824 - x2759 * x2816 - x2767 * x2946;
-  w.x[142] = x2973;
-  const Real x2979 = x2864 - x2759 * x2852 - x2767 * x2949;
-  w.x[143] = x2979;
-  const Real x2985 = x2904 - x2759 * x2892 - x2767 * x2952;
-  w.x[144] = x2985;
-  const Real x2991 = x2937 - x2759 * x2925 - x2767 * x2955;
-  w.x[145] = x2991;
-  const Real x2992 = x2757 * x2790;
-  const Real x2993 = x2757 * x2804;
-  const Real x2994 = x2757 * x2816;
-  const Real x2995 = x2757 * x2852;
-  const Real x2996 = x2757 * x2892;
-  const Real x2997 = x2757 * x2925;
-  const Real x2998 = x2766 * x2940;
-  const Real x2999 = x2766 * x2943;
-  const Real x3000 = x2766 * x2946;
-  const Real x3001 = x2766 * x2949;
-  const Real x3002 = x2766 * x2952;
-  const Real x3003 = x2766 * x2955;
-  const Real x2505 = x224 * x2103 + x231 * x2113 + x235 * x2121;
-  w.x[146] = x2505;
-  const Real x2510 = x224 * x2113 + x231 * x2139 + x235 * x2147;
-  w.x[147] = x2510;
-  const Real x2515 = x224 * x2121 + x231 * x2147 + x235 * x2162;
-  w.x[148] = x2515;
-  const Real x2784 = x2708 - x2289 - x2747 - x2754 * x2759;
-  const Real x2785 = x2784 - x2767 * x2779;
-  w.x[149] = x2785;
-  const Real x2846 = x224 * x2126 + x231 * x2152 + x235 * x2168;
-  w.x[150] = x2846;
-  const Real x2886 = x231 * x2155 - x224 * x2129 + x235 * x2171;
-  w.x[151] = x2886;
-  const Real x2919 = x224 * x2087 + x231 * x2088 + x235 * x2089;
-  w.x[152] = x2919;
-  const Real x3004 = x2774 * x2961;
-  const Real x3005 = x2774 * x2967;
-  const Real x3006 = x2774 * x2973;
-  const Real x3007 = x2774 * x2979;
-  const Real x3008 = x2774 * x2985;
-  const Real x3009 = x2774 * x2991;
-  const Real x3212 = tau[23] * x2475 + tau[24] * x2490 + tau[25] * x2505;
-  const Real x3242 = x2754 * x2992 + x2779 * x2998 + x2785 * x3004;
-  const Real x3217 = tau[23] * x2480 + tau[24] * x2495 + tau[25] * x2510;
-  const Real x3247 = x2754 * x2993 + x2779 * x2999 + x2785 * x3005;
-  const Real x3222 = tau[23] * x2485 + tau[24] * x2500 + tau[25] * x2515;
-  const Real x3252 = x2754 * x2994 + x2779 * x3000 + x2785 * x3006;
-  const Real x3227 = tau[23] * x2836 + tau[24] * x2841 + tau[25] * x2846;
-  const Real x3257 = x2754 * x2995 + x2779 * x3001 + x2785 * x3007;
-  const Real x3232 = tau[23] * x2874 + tau[24] * x2880 + tau[25] * x2886;
-  const Real x3262 = x2754 * x2996 + x2779 * x3002 + x2785 * x3008;
-  const Real x3237 = tau[23] * x2909 + tau[24] * x2914 + tau[25] * x2919;
-  const Real x3267 = x2754 * x2997 + x2779 * x3003 + x2785 * x3009;
-  const Real x3017 = x2103 - x2790 * x2992 - x2940 * x2998;
-  const Real x3018 = x3017 - x2961 * x3004;
-  w.to[2][0] = x3018;
-  const Real x3026 = x2113 - x2790 * x2993 - x2940 * x2999;
-  const Real x3027 = x3026 - x2961 * x3005;
-  w.to[2][1] = x3027;
-  const Real x3035 = x2121 - x2790 * x2994 - x2940 * x3000;
-  const Real x3036 = x3035 - x2961 * x3006;
-  w.to[2][2] = x3036;
-  const Real x3044 = x2126 - x2790 * x2995 - x2940 * x3001;
-  const Real x3045 = x3044 - x2961 * x3007;
-  w.to[2][3] = x3045;
-  const Real x3054 = x2129 + x2790 * x2996 + x2940 * x3002;
-  const Real x3065 = x2087 - x2790 * x2997 - x2940 * x3003;
-  const Real x3066 = x3065 - x2961 * x3009;
-  w.to[2][5] = x3066;
-  const Real x3074 = x2139 - x2804 * x2993 - x2943 * x2999;
-  const Real x3075 = x3074 - x2967 * x3005;
-  w.to[2][6] = x3075;
-  const Real x3083 = x2147 - x2804 * x2994 - x2943 * x3000;
-  const Real x3084 = x3083 - x2967 * x3006;
-  w.to[2][7] = x3084;
-  const Real x3092 = x2152 - x2804 * x2995 - x2943 * x3001;
-  const Real x3093 = x3092 - x2967 * x3007;
-  w.to[2][8] = x3093;
-  const Real x3101 = x2155 - x2804 * x2996 - x2943 * x3002;
-  const Real x3102 = x3101 - x2967 * x3008;
-  w.to[2][9] = x3102;
-  const Real x3110 = x2088 - x2804 * x2997 - x2943 * x3003;
-  const Real x3111 = x3110 - x2967 * x3009;
-  w.to[2][10] = x3111;
-  const Real x3119 = x2162 - x2816 * x2994 - x2946 * x3000;
-  const Real x3120 = x3119 - x2973 * x3006;
-  w.to[2][11] = x3120;
-  const Real x3128 = x2168 - x2816 * x2995 - x2946 * x3001;
-  const Real x3129 = x3128 - x2973 * x3007;
-  w.to[2][12] = x3129;
-  const Real x3137 = x2171 - x2816 * x2996 - x2946 * x3002;
-  const Real x3138 = x3137 - x2973 * x3008;
-  w.to[2][13] = x3138;
-  const Real x3146 = x2089 - x2816 * x2997 - x2946 * x3003;
-  const Real x3147 = x3146 - x2973 * x3009;
-  w.to[2][14] = x3147;
-  const Real x3155 = x2176 - x2852 * x2995 - x2949 * x3001;
-  const Real x3156 = x3155 - x2979 * x3007;
-  w.to[2][15] = x3156;
-  const Real x3165 = x2179 + x2852 * x2996 + x2949 * x3002;
-  const Real x3176 = x2090 - x2852 * x2997 - x2949 * x3003;
-  const Real x3177 = x3176 - x2979 * x3009;
-  w.to[2][17] = x3177;
-  const Real x3185 = x2183 - x2892 * x2996 - x2952 * x3002;
-  const Real x3186 = x3185 - x2985 * x3008;
-  w.to[2][18] = x3186;
-  const Real x3195 = x2091 + x2892 * x2997 + x2952 * x3003;
-  const Real x3206 = x1993 - x2925 * x2997 - x2955 * x3003;
-  const Real x3207 = x3206 - x2991 * x3009;
-  w.to[2][20] = x3207;
-  const Real x3057 = -(x2961 * x3008 + x3054);
-  w.to[2][4] = x3057;
-  const Real x3168 = -(x2979 * x3008 + x3165);
-  w.to[2][16] = x3168;
-  const Real x3198 = -(x2985 * x3009 + x3195);
-  w.to[2][19] = x3198;
-  const Real x3275 = -(x3212 + x3242 + x2195);
-  w.to[2][21] = x3275;
-  const Real x3277 = -(x3217 + x3247 + x2206);
-  w.to[2][22] = x3277;
-  const Real x3279 = -(x3222 + x3252 + x2217);
-  w.to[2][23] = x3279;
-  const Real x3281 = -(x3227 + x3257 + x2229);
-  w.to[2][24] = x3281;
-  const Real x3283 = -(x3232 + x3262 + x2244);
-  w.to[2][25] = x3283;
-  const Real x3285 = -(x3237 + x3267 + x2256);
-  w.to[2][26] = x3285;
+// The axes of a floating base are the link's own: only gravity is turned.
+template <int j>
+void free_base_frame(Workspace& w) {
+  constexpr const JointConstants& joint = kJoints[j];
+  const Value* q = w.q + joint.q + 3;
+  Matrix<Value> turn;
+  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
+  Frame<Value> frame = ground();
+  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
+  const Real* const P = joint.rotation;
+  const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
+                           P[1] * gravity.x + P[4] * gravity.y + P[7] * gravity.z,
+                           P[2] * gravity.x + P[5] * gravity.y + P[8] * gravity.z};
+  const Value none{};
+  frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
+  const Value* v = w.v + joint.v + 3;
+  frame.omega = {v[0], v[1], v[2]};
+  keep(w, slot_of(j), frame);
 }
 
-ADAGEN_NOINLINE void part_2_3(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x218 = w.x[6];
-  const Real x221 = w.x[7];
-  const Real x224 = w.x[8];
-  const Real x225 = w.x[9];
-  const Real x228 = w.x[10];
-  const Real x231 = w.x[11];
-  const Real x232 = w.x[12];
-  const Real x233 = w.x[13];
-  const Real x235 = w.x[14];
-  const Real x2195 = w.x[107];
-  const Real x2206 = w.x[108];
-  const Real x2217 = w.x[109];
-  const Real x2263 = w.x[82];
-  const Real x2264 = w.x[81];
-  const Real x2265 = w.x[80];
-  const Real x2269 = w.x[79];
-  const Real x2270 = w.x[78];
-  const Real x2274 = w.x[77];
-  const Real x2284 = w.x[76];
-  const Real x2285 = w.x[75];
-  const Real x2286 = w.x[74];
-  const Real x2475 = w.x[128];
-  const Real x2480 = w.x[129];
-  const Real x2485 = w.x[130];
-  const Real x2490 = w.x[131];
-  const Real x2495 = w.x[132];
-  const Real x2500 = w.x[133];
-  const Real x2505 = w.x[146];
-  const Real x2510 = w.x[147];
-  const Real x2515 = w.x[148];
-  const Real x2645 = w.x[72];
-  const Real x2647 = w.x[24];
-  const Real x2762 = w.x[70];
-  const Real x2773 = w.x[118];
-  // joint 8 "left_shoulder": assembly: its two sides become one chain
-  const Real x2520 = x218 * x2475 + x225 * x2480 + x232 * x2485;
-  const Real x2525 = x221 * x2475 + x228 * x2480 + x233 * x2485;
-  const Real x2628 = x2264 + x2525;
-  const Real x2530 = x224 * x2475 + x231 * x2480 + x235 * x2485;
-  const Real x2629 = x2265 + x2530;
-  const Real x2535 = x221 * x2490 + x228 * x2495 + x233 * x2500;
-  const Real x2540 = x224 * x2490 + x231 * x2495 + x235 * x2500;
-  const Real x2634 = x2270 + x2540;
-  const Real x2545 = x224 * x2505 + x231 * x2510 + x235 * x2515;
-  const Real x2669 = x218 * x2195 + x225 * x2206 + x232 * x2217;
-  const Real x2679 = x221 * x2195 + x228 * x2206 + x233 * x2217;
-  const Real x2721 = tau[23] * (x2263 + x2520) + tau[24] * x2628;
-  const Real x2726 = tau[23] * x2628 + tau[24] * (x2269 + x2535);
-  const Real x2689 = x224 * x2195 + x231 * x2206 + x235 * x2217;
-  const Real x2731 = tau[23] * x2629 + tau[24] * x2634;
-  const Real x2775 = 1.7763568394002505e-15 * x2645;
-  require_more(w, x2762, x2775, kFactorization, 8);
-  const Real x2748 = x2284 + x2669 + (tau[25] * x2629 + x2721);
-  w.x[153] = x2748;
-  const Real x2750 = x2285 + x2679 + (tau[25] * x2634 + x2726);
-  w.x[154] = x2750;
-  const Real x2776 = 1.7763568394002505e-15 * x2647;
-  require_more(w, x2773, x2776, kFactorization, 8);
-  const Real x2752 = x2286 + x2689 + (tau[25] * (x2274 + x2545) + x2731);
-  w.x[155] = x2752;
+ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
+  const Real* const P = joint.rotation;
+  return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
 }
 
-ADAGEN_NOINLINE void part_2_4(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x2754 = w.x[119];
-  const Real x2757 = w.x[73];
-  const Real x2758 = w.x[71];
-  const Real x2759 = w.x[28];
-  const Real x2766 = w.x[69];
-  const Real x2767 = w.x[5];
-  const Real x2774 = w.x[120];
-  const Real x2779 = w.x[127];
-  const Real x2785 = w.x[149];
-  const Real x2790 = w.x[0];
-  const Real x2804 = w.x[113];
-  const Real x2816 = w.x[114];
-  const Real x2852 = w.x[115];
-  const Real x2892 = w.x[116];
-  const Real x2925 = w.x[117];
-  const Real x2940 = w.x[121];
-  const Real x2943 = w.x[122];
-  const Real x2946 = w.x[123];
-  const Real x2949 = w.x[124];
-  const Real x2952 = w.x[125];
-  const Real x2955 = w.x[126];
-  const Real x2961 = w.x[140];
-  const Real x2967 = w.x[141];
-  const Real x2973 = w.x[142];
-  const Real x2979 = w.x[143];
-  const Real x2985 = w.x[144];
-  const Real x2991 = w.x[145];
-  // message received
-  const Real x3286 = w.from[3][0];
-  w.x[118] = x3286;
-  const Real x3287 = w.from[3][1];
-  w.x[70] = x3287;
-  const Real x3288 = w.from[3][2];
-  w.x[24] = x3288;
-  const Real x3289 = w.from[3][3];
-  w.x[72] = x3289;
-  const Real x3291 = w.from[3][5];
-  w.x[74] = x3291;
-  const Real x3290 = w.from[3][4];
-  w.x[75] = x3290;
-  // joint 8 "left_shoulder": disassembly: its acceleration and force
-  const Real x3299 = x2790 * x3286 + x2925 * x3291 + x2804 * x3287;
-  const Real x3301 = x2816 * x3288 + x3299 + x2852 * x3289;
-  const Real x3310 = x2940 * x3286 + x2943 * x3287 + x2946 * x3288;
-  const Real x3312 = x2949 * x3289 + x3310 + x2952 * x3290;
-  const Real x3321 = x2961 * x3286 + x2967 * x3287 + x2973 * x3288;
-  const Real x3323 = x2979 * x3289 + x3321 + x2985 * x3290;
-  const Real x3366 = x2774 * (x2991 * x3291 + x3323 + x2785);
-  w.x[76] = x3366;
-  w.to[5][5] = x3366;
-  const Real x3365 = x2766 * (x2955 * x3291 + x3312 + x2779);
-  const Real x3369 = x3365 - x2767 * x3366;
-  w.x[77] = x3369;
-  w.to[5][4] = x3369;
-  const Real x3364 = x2757 * (x2892 * x3290 + x3301 + x2754);
-  const Real x3375 = x3364 - x2759 * x3366 - x2758 * x3369;
-  w.x[78] = x3375;
-  w.to[5][3] = x3375;
+// One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
+// with later is kept.
+template <bool kept, class T>
+ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
+                                Frame<T>& at) {
+  const JointConstants& joint = joints.any();
+  const auto moved = [&](const Value* x, int JointConstants::* place) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
+  };
+  const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
+  const Vector<T> axis{R.x.z, R.y.z, R.z.z};
+  Vector<T> r = at.R * origin_of(joints);
+  const Vector<T> omega = at.omega;
+  const auto turn_with = [&](const Vector<T>& relative) {
+    at.omega += relative;
+    return cross(omega, relative);
+  };
+  const auto ride_along = [&] {
+    at.a += cross(omega, cross(omega, r));
+    at.a += cross(at.alpha, r);
+  };
+  const auto slide_and_spin = [&](const Vector<T>& q, const Vector<T>& slide,
+                                  const Vector<T>& spin) {
+    const Matrix<Real> P = placement(joint);
+    r += at.R * Vector<T>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
+    ride_along();
+    at.a += cross(omega + omega + spin, slide);
+    at.alpha += turn_with(spin);
+  };
+  switch (kind) {
+    case JointKind::kRevolute:
+      ride_along();
+      at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
+      break;
+    case JointKind::kPrismatic: {
+      r += axis * moved(w.q, &JointConstants::q);
+      ride_along();
+      const T v = moved(w.v, &JointConstants::v);
+      at.a += cross(omega, axis * (v + v));
+      break;
+    }
+    case JointKind::kSpherical:
+      ride_along();
+      if constexpr (kAnySpherical)
+        at.alpha += turn_with(R * each_vector(joints, w.v, &JointConstants::v));
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        const Vector<T> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
+        slide_and_spin(Vector<T>{q[0], q[1], T{}}, x * v[0] + y * v[1], axis * v[2]);
+      }
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        slide_and_spin(Vector<T>{q[0], q[1], q[2]}, R * Vector<T>{v[0], v[1], v[2]},
+                       R * Vector<T>{v[3], v[4], v[5]});
+      }
+      break;
+  }
+  at.R = R;
+  if constexpr (!kept) return;
+  w.memory(joints).r = r;
+  if constexpr (kWithAxis<T>) w.memory(joints).axis = axis;
+  keep(w, joints.slot, at);
 }
 
-ADAGEN_NOINLINE void part_2_5(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x218 = w.x[6];
-  const Real x221 = w.x[7];
-  const Real x224 = w.x[8];
-  const Real x225 = w.x[9];
-  const Real x228 = w.x[10];
-  const Real x231 = w.x[11];
-  const Real x232 = w.x[12];
-  const Real x233 = w.x[13];
-  const Real x235 = w.x[14];
-  const Real x358 = w.x[15];
-  const Real x361 = w.x[16];
-  const Real x364 = w.x[17];
-  const Real x365 = w.x[18];
-  const Real x368 = w.x[19];
-  const Real x371 = w.x[20];
-  const Real x372 = w.x[21];
-  const Real x373 = w.x[22];
-  const Real x375 = w.x[23];
-  const Real x490 = w.x[30];
-  const Real x493 = w.x[31];
-  const Real x496 = w.x[32];
-  const Real x497 = w.x[33];
-  const Real x500 = w.x[34];
-  const Real x503 = w.x[35];
-  const Real x504 = w.x[36];
-  const Real x505 = w.x[37];
-  const Real x507 = w.x[38];
-  const Real x687 = w.x[39];
-  const Real x690 = w.x[40];
-  const Real x693 = w.x[41];
-  const Real x694 = w.x[42];
-  const Real x697 = w.x[43];
-  const Real x700 = w.x[44];
-  const Real x701 = w.x[45];
-  const Real x702 = w.x[46];
-  const Real x704 = w.x[47];
-  const Real x1044 = w.x[48];
-  const Real x1045 = w.x[49];
-  const Real x1046 = w.x[50];
-  const Real x1167 = w.x[51];
-  const Real x1168 = w.x[52];
-  const Real x1170 = w.x[53];
-  const Real x1172 = w.x[54];
-  const Real x1173 = w.x[55];
-  const Real x1360 = w.x[56];
-  const Real x1363 = w.x[57];
-  const Real x1369 = w.x[58];
-  const Real x1407 = w.x[59];
-  const Real x1409 = w.x[60];
-  const Real x1411 = w.x[61];
-  const Real x1414 = w.x[62];
-  const Real x1417 = w.x[63];
-  const Real x1420 = w.x[64];
-  const Real x1426 = w.x[65];
-  const Real x1432 = w.x[66];
-  const Real x1438 = w.x[67];
-  const Real x1702 = w.x[83];
-  const Real x1703 = w.x[84];
-  const Real x1706 = w.x[85];
-  const Real x1993 = w.x[86];
-  const Real x2087 = w.x[87];
-  const Real x2088 = w.x[88];
-  const Real x2089 = w.x[89];
-  const Real x2090 = w.x[90];
-  const Real x2091 = w.x[91];
-  const Real x2103 = w.x[92];
-  const Real x2113 = w.x[93];
-  const Real x2121 = w.x[94];
-  const Real x2126 = w.x[95];
-  const Real x2129 = w.x[96];
-  const Real x2139 = w.x[97];
-  const Real x2147 = w.x[98];
-  const Real x2152 = w.x[99];
-  const Real x2155 = w.x[100];
-  const Real x2162 = w.x[101];
-  const Real x2168 = w.x[102];
-  const Real x2171 = w.x[103];
-  const Real x2176 = w.x[104];
-  const Real x2179 = w.x[105];
-  const Real x2183 = w.x[106];
-  const Real x2195 = w.x[107];
-  const Real x2206 = w.x[108];
-  const Real x2217 = w.x[109];
-  const Real x2229 = w.x[110];
-  const Real x2244 = w.x[111];
-  const Real x2256 = w.x[112];
-  const Real x2475 = w.x[128];
-  const Real x2480 = w.x[129];
-  const Real x2485 = w.x[130];
-  const Real x2490 = w.x[131];
-  const Real x2495 = w.x[132];
-  const Real x2500 = w.x[133];
-  const Real x2505 = w.x[146];
-  const Real x2510 = w.x[147];
-  const Real x2515 = w.x[148];
-  const Real x2630 = w.x[68];
-  const Real x2631 = w.x[27];
-  const Real x2632 = w.x[4];
-  const Real x2635 = w.x[29];
-  const Real x2636 = w.x[26];
-  const Real x2637 = w.x[3];
-  const Real x2639 = w.x[25];
-  const Real x2640 = w.x[2];
-  const Real x2641 = w.x[1];
-  const Real x2748 = w.x[153];
-  const Real x2750 = w.x[154];
-  const Real x2752 = w.x[155];
-  const Real x2836 = w.x[134];
-  const Real x2841 = w.x[135];
-  const Real x2846 = w.x[150];
-  const Real x2874 = w.x[136];
-  const Real x2880 = w.x[137];
-  const Real x2886 = w.x[151];
-  const Real x2909 = w.x[138];
-  const Real x2914 = w.x[139];
-  const Real x2919 = w.x[152];
-  const Real x3286 = w.x[118];
-  const Real x3287 = w.x[70];
-  const Real x3288 = w.x[24];
-  const Real x3289 = w.x[72];
-  const Real x3290 = w.x[75];
-  const Real x3291 = w.x[74];
-  const Real x3366 = w.x[76];
-  const Real x3369 = w.x[77];
-  const Real x3375 = w.x[78];
-  // joint 8 "left_shoulder": disassembly: its acceleration and force
-  const Real x3335 = x2475 * x3286 + x2909 * x3291 + x2480 * x3287;
-  const Real x3346 = x2490 * x3286 + x2914 * x3291 + x2495 * x3287;
-  const Real x3357 = x2505 * x3286 + x2919 * x3291 + x2510 * x3287;
-  const Real x3337 = x2485 * x3288 + x3335 + x2836 * x3289;
-  const Real x3348 = x2500 * x3288 + x3346 + x2841 * x3289;
-  const Real x3359 = x2515 * x3288 + x3357 + x2846 * x3289;
-  const Real x3413 = x221 * x3369 + x224 * x3366 + x218 * x3375;
-  const Real x3418 = x228 * x3369 + x231 * x3366 + x225 * x3375;
-  const Real x3423 = x233 * x3369 + x235 * x3366 + x232 * x3375;
-  const Real x3443 = x3289 - x3413;
-  const Real x3444 = x3290 - x3418;
-  const Real x3445 = x3291 - x3423;
-  const Real x3380 = x2631 * x3369 + x2632 * x3366 + x2630 * x3375;
-  const Real x3391 = x2748 - (x2874 * x3290 + x3337) + x3380;
-  w.result[23] = x3391;
-  const Real x3385 = x2636 * x3369 + x2637 * x3366 + x2635 * x3375;
-  const Real x3392 = x2750 - (x2880 * x3290 + x3348) + x3385;
-  w.result[24] = x3392;
-  const Real x3390 = x2640 * x3369 + x2641 * x3366 + x2639 * x3375;
-  const Real x3393 = x2752 - (x2886 * x3290 + x3359) + x3390;
-  w.result[25] = x3393;
-  const Real x3403 = x225 * tau[23] + x231 * tau[25] + x228 * tau[24];
-  const Real x3398 = x221 * tau[24] + x224 * tau[25] + x218 * tau[23];
-  const Real x3408 = x232 * tau[23] + x233 * tau[24] + x235 * tau[25];
-  const Real x3441 = x3287 - (x3403 + 0.42 * x3413);
-  const Real x3442 = x3288 - (x3408 - 0.2 * x3413);
-  const Real x3440 = x3286 - (x3398 + 0.2 * x3423 - 0.42 * x3418);
-  // link 8 "trunk": acceleration under the handle forces
-  const Real x3454 = x2126 * x3443 - x2129 * x3444 + x2087 * x3445;
-  const Real x3476 = x2168 * x3443 + x2171 * x3444 + x2089 * x3445;
-  const Real x3465 = x2152 * x3443 + x2155 * x3444 + x2088 * x3445;
-  const Real x3488 = x2176 * x3443 - x2179 * x3444 + x2090 * x3445;
-  const Real x3502 = x2183 * x3444 - x2179 * x3443 - x2091 * x3445;
-  const Real x3514 = x2090 * x3443 - x2091 * x3444 + x1993 * x3445;
-  const Real x3456 = x2113 * x3441 + x3454 + x2121 * x3442;
-  const Real x3478 = x2147 * x3441 + x3476 + x2162 * x3442;
-  const Real x3518 = x2103 * x3440 + x3456 - x2195;
-  const Real x3467 = x2139 * x3441 + x3465 + x2147 * x3442;
-  const Real x3520 = x2121 * x3440 + x3478 - x2217;
-  const Real x3490 = x2152 * x3441 + x3488 + x2168 * x3442;
-  const Real x3504 = x2155 * x3441 + x3502 + x2171 * x3442;
-  const Real x3516 = x2088 * x3441 + x3514 + x2089 * x3442;
-  const Real x3519 = x2113 * x3440 + x3467 - x2206;
-  const Real x3521 = x2126 * x3440 + x3490 - x2229;
-  const Real x3522 = x3504 - x2129 * x3440 - x2244;
-  const Real x3523 = x2087 * x3440 + x3516 - x2256;
-  // joint 11 "neck": its acceleration, and that of the link beyond
-  const Real x3530 = x3522 - 0.48 * x3518;
-  const Real x3527 = x3521 + 0.48 * x3519;
-  // joint 12 "right_shoulder": its acceleration, and that of the link beyond
-  const Real x3583 = x3522 - 0.42 * x3518;
-  const Real x3586 = x3523 - 0.2 * x3518;
-  const Real x3580 = x3521 + 0.2 * x3520 + 0.42 * x3519;
-  // joint 11 "neck": its acceleration, and that of the link beyond
-  const Real x3555 = x361 * x3527 + x373 * x3523 + x368 * x3530;
-  const Real x3550 = x358 * x3527 + x372 * x3523 + x365 * x3530;
-  const Real x3560 = x364 * x3527 + x375 * x3523 + x371 * x3530;
-  const Real x3535 = x358 * x3518 + x365 * x3519 + x372 * x3520;
-  const Real x3573 = x1706 + 5.9071729957805905 * x3555 - x3535;
-  w.result[30] = x3573;
-  const Real x3545 = x364 * x3518 + x371 * x3519 + x375 * x3520;
-  const Real x3575 = x1703 - 0.42194092827004215 * x3555 - x3545;
-  w.result[32] = x3575;
-  const Real x3540 = x361 * x3518 + x368 * x3519 + x373 * x3520;
-  const Real x3574 = x1702 - 5.9071729957805905 * x3550 + 0.42194092827004215 * x3560 - x3540;
-  w.result[31] = x3574;
-  // joint 12 "right_shoulder": its acceleration, and that of the link beyond
-  const Real x3606 = x497 * x3583 + x504 * x3586 + x490 * x3580;
-  const Real x3611 = x500 * x3583 + x505 * x3586 + x493 * x3580;
-  const Real x3616 = x503 * x3583 + x507 * x3586 + x496 * x3580;
-  const Real x3624 = x1369 - x1426 * x3606 - x1432 * x3611;
-  const Real x3625 = x3624 - x1438 * x3616;
-  const Real x3633 = x1363 - x1414 * x3606 - x1417 * x3611;
-  const Real x3634 = x3633 - x1420 * x3616;
-  const Real x3642 = x1360 + x1407 * x3606 + x1409 * x3611;
-  const Real x3643 = x3642 - x1411 * x3616;
-  const Real x3591 = x490 * x3518 + x497 * x3519 + x504 * x3520;
-  const Real x3644 = x3625 - x3591;
-  w.result[33] = x3644;
-  const Real x3596 = x493 * x3518 + x500 * x3519 + x505 * x3520;
-  const Real x3645 = x3634 - x3596;
-  w.result[34] = x3645;
-  const Real x3601 = x496 * x3518 + x503 * x3519 + x507 * x3520;
-  const Real x3646 = x3643 - x3601;
-  w.result[35] = x3646;
-  // joint 13 "right_elbow": its acceleration, and that of the link beyond
-  const Real x3649 = x3606 - 0.29 * x3634;
-  const Real x3658 = cosine[0] * x3625 - sine[0] * x3643;
-  const Real x3651 = x3611 + 0.29 * x3625;
-  const Real x3654 = cosine[0] * x3643 + sine[0] * x3625;
-  const Real x3661 = cosine[0] * x3616 + sine[0] * x3649;
-  const Real x3665 = cosine[0] * x3649 - sine[0] * x3616;
-  const Real x3675 = x1167 + x1168 * x3658 + x1173 * x3651;
-  const Real x3677 = x1170 * x3661 + x3675 - x1172 * x3665;
-  const Real x3678 = x3677 - x3634;
-  w.result[36] = x3678;
-  // joint 14 "right_wrist": its acceleration, and that of the link beyond
-  const Real x3683 = x3651 + 0.26 * x3658;
-  const Real x3681 = x3665 - 0.26 * x3677;
-  const Real x3698 = x704 * x3654 + x693 * x3658 + x700 * x3677;
-  const Real x3723 = x1046 - x3698;
-  w.result[39] = x3723;
-  const Real x3703 = x701 * x3661 + x694 * x3683 + x687 * x3681;
-  const Real x3708 = x702 * x3661 + x697 * x3683 + x690 * x3681;
-  const Real x3693 = x702 * x3654 + x690 * x3658 + x697 * x3677;
-  const Real x3722 = x1045 + x3703 * 9.00562851782364 - x3693;
-  w.result[38] = x3722;
-  const Real x3688 = x701 * x3654 + x687 * x3658 + x694 * x3677;
-  const Real x3721 = x1044 - 8.56378233719893 * x3708 - x3688;
-  w.result[37] = x3721;
+// The frame of the link that a joint is on.
+template <int j>
+ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
+  constexpr int parent = kJoints[j].parent - 1;
+  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
 }
 
-// =================================================================================================
-// Process 3: 585 products, 461 sums, 10 quotients
-// =================================================================================================
-
-ADAGEN_NOINLINE void part_3_0(Workspace& w) {
-  ADAGEN_INPUTS
-  // joint 7 "spine": placement, velocity and reference acceleration of its link
-  const Real x154 = v[4] * v[5] * 0.13;
-  const Real x153 = v[3] * v[5] * 0.13;
-  const Real x155 = (v[3] * v[3] + v[4] * v[4]) * 0.13;
-  const Real x94 = q[25] * q[25] + q[26] * q[26] + q[27] * q[27];
-  const Real x95 = q[28] * q[28] + x94;
-  require_length(w, x95, 7);
-  const Real x97 = 2.0 * (1 / x95);
-  const Real x98 = q[25] * x97;
-  const Real x99 = q[26] * x97;
-  const Real x100 = q[27] * x97;
-  const Real x101 = q[26] * x99;
-  const Real x102 = q[27] * x100;
-  const Real x105 = q[26] * x98;
-  const Real x106 = q[28] * x100;
-  const Real x108 = q[27] * x98;
-  const Real x109 = q[28] * x99;
-  const Real x112 = q[25] * x98;
-  // joint 8 "left_shoulder": placement, velocity and reference acceleration of its link
-  const Real x208 = q[29] * q[29] + q[30] * q[30] + q[31] * q[31];
-  const Real x209 = q[32] * q[32] + x208;
-  require_length(w, x209, 8);
-  const Real x211 = 2.0 * (1 / x209);
-  const Real x212 = q[29] * x211;
-  const Real x213 = q[30] * x211;
-  const Real x214 = q[31] * x211;
-  // joint 10 "left_wrist": placement, velocity and reference acceleration of its link
-  const Real x412 = q[34] * q[34] + q[35] * q[35] + q[36] * q[36];
-  const Real x413 = q[37] * q[37] + x412;
-  require_length(w, x413, 10);
-  const Real x415 = 2.0 * (1 / x413);
-  const Real x416 = q[34] * x415;
-  const Real x417 = q[35] * x415;
-  const Real x418 = q[36] * x415;
-  const Real x423 = q[35] * x416;
-  const Real x419 = q[35] * x417;
-  const Real x420 = q[36] * x418;
-  const Real x424 = q[37] * x418;
-  const Real x426 = q[36] * x416;
-  const Real x427 = q[37] * x417;
-  const Real x430 = q[34] * x416;
-  const Real x433 = q[36] * x417;
-  const Real x434 = q[37] * x416;
-  const Real x425 = x423 - x424;
-  w.x[0] = x425;
-  const Real x429 = x423 + x424;
-  w.x[1] = x429;
-  const Real x428 = x426 + x427;
-  w.x[2] = x428;
-  const Real x436 = x426 - x427;
-  w.x[3] = x436;
-  const Real x435 = x433 - x434;
-  w.x[4] = x435;
-  const Real x437 = x433 + x434;
-  w.x[5] = x437;
-  const Real x422 = 1.0 - (x419 + x420);
-  w.x[6] = x422;
-  const Real x432 = 1.0 - (x420 + x430);
-  w.x[7] = x432;
-  const Real x439 = 1.0 - (x419 + x430);
-  w.x[8] = x439;
-  // joint 10 "left_wrist": articulated-body inertia and bias force through it
-  const Real x688 = x425 * 0.13225691347011598;
-  const Real x689 = 0.42 * x428;
-  const Real x684 = x436 * 0.1174108818011257;
-  const Real x685 = x437 * 0.13225691347011598;
-  const Real x687 = x422 * 0.1174108818011257;
-  const Real x686 = 0.42 * x439;
-  // joint 7 "spine": placement, velocity and reference acceleration of its link
-  const Real x115 = q[27] * x99;
-  const Real x116 = q[28] * x98;
-  const Real x107 = x105 - x106;
-  const Real x110 = x108 + x109;
-  const Real x111 = x105 + x106;
-  const Real x117 = x115 - x116;
-  const Real x118 = x108 - x109;
-  const Real x119 = x115 + x116;
-  const Real x104 = 1.0 - (x101 + x102);
-  const Real x114 = 1.0 - (x102 + x112);
-  const Real x121 = 1.0 - (x101 + x112);
-  const Real x127 = v[4] * x111 + v[5] * x118 + v[3] * x104;
-  const Real x132 = v[3] * x107 + v[5] * x119 + v[4] * x114;
-  const Real x137 = v[3] * x110 + v[4] * x117 + v[5] * x121;
-  const Real x138 = v[20] + x127;
-  const Real x139 = v[21] + x132;
-  const Real x140 = v[22] + x137;
-  const Real x144 = v[22] * x132 - v[21] * x137;
-  // joint 8 "left_shoulder": placement, velocity and reference acceleration of its link
-  const Real x215 = q[30] * x213;
-  const Real x216 = q[31] * x214;
-  const Real x222 = q[31] * x212;
-  const Real x223 = q[32] * x213;
-  const Real x226 = q[29] * x212;
-  const Real x229 = q[31] * x213;
-  const Real x230 = q[32] * x212;
-  const Real x219 = q[30] * x212;
-  const Real x220 = q[32] * x214;
-  const Real x224 = x222 + x223;
-  const Real x231 = x229 - x230;
-  // joint 10 "left_wrist": articulated-body inertia and bias force through it
-  const Real x712 = x425 * x688 + x428 * x689 + x422 * x687;
-  const Real x717 = x432 * x688 + x435 * x689 + x429 * x687;
-  const Real x721 = x429 * (x429 * 0.1174108818011257) + x435 * (0.42 * x435);
-  const Real x722 = x432 * (x432 * 0.13225691347011598) + x721;
-  const Real x702 = x422 * x684 + x425 * x685 + x428 * x686;
-  const Real x729 = 0.26 * x712;
-  const Real x727 = 0.26 * x717;
-  const Real x731 = 0.26 * x722;
-  const Real x725 = 0.26 * x702;
-  const Real x707 = x429 * x684 + x432 * x685 + x435 * x686;
-  const Real x778 = -0.132 - x729;
-  const Real x735 = 0.26 * x727;
-  const Real x697 = x436 * x684 + x437 * x685 + x439 * x686;
-  const Real x777 = 0.02190604 + 0.26 * x729;
-  require_more(w, x777, 0.0, kFactorization, 9);
-  // joint 9 "left_elbow": articulated-body inertia and bias force through it
-  const Real x789 = 1 / x777;
-  const Real x792 = x735 * x789;
-  w.x[9] = x792;
-  const Real x797 = x727 * x789;
-  w.x[10] = x797;
-  const Real x794 = x725 * x789;
-  w.x[11] = x794;
-  const Real x796 = x778 * x789;
-  w.x[12] = x796;
-  const Real x801 = 0.02190604 + 0.26 * x731 - x735 * x792;
-  // joint 7 "spine": placement, velocity and reference acceleration of its link
-  const Real x148 = v[20] * x137 - v[22] * x127;
-  const Real x152 = v[21] * x127 - v[20] * x132;
-  const Real x178 = x138 * x138;
-  const Real x188 = x139 * x140;
-  // joint 8 "left_shoulder": placement, velocity and reference acceleration of its link
-  const Real x218 = 1.0 - (x215 + x216);
-  const Real x221 = x219 - x220;
-  const Real x225 = x219 + x220;
-  const Real x228 = 1.0 - (x216 + x226);
-  const Real x235 = 1.0 - (x215 + x226);
-  const Real x232 = x222 - x223;
-  const Real x233 = x229 + x230;
-  const Real x252 = x138 * x224 + x139 * x231 + x140 * x235;
-  const Real x242 = x138 * x218 + x139 * x225 + x140 * x232;
-  // joint 9 "left_elbow": articulated-body inertia and bias force through it
-  const Real x810 = 0.132 + x731 - x735 * x797;
-  const Real x828 = 1.1 + x722 - x727 * x797;
-  const Real x813 = 1.1 + x697 - x725 * x794;
-  const Real x822 = 1.1 + x712 - x778 * x796;
-  const Real x804 = 0.26 * x707 - x735 * x794;
-  const Real x807 = x727 + x735 * x796;
-  const Real x816 = x702 + x725 * x796;
-  const Real x819 = x707 - x725 * x797;
-  const Real x825 = x717 + x778 * x797;
-  const Real x842 = cosine[0] * x810;
-  const Real x857 = cosine[0] * (0.00067375 - x801);
-  const Real x890 = x842 + 0.29 * x828;
-  const Real x848 = cosine[0] * x807 + sine[0] * x804;
-  const Real x871 = sine[0] * x819 + cosine[0] * x825;
-  const Real x862 = cosine[0] * x857;
-  const Real x876 = cosine[0] * (x813 - x822) - x816 * (2.0 * sine[0]);
-  const Real x853 = cosine[0] * x848;
-  const Real x883 = 0.29 * x871;
-  const Real x880 = cosine[0] * x876;
-  const Real x885 = x853 + x883;
-  const Real x882 = x813 - x880;
-  const Real x902 = 0.29 * x885;
-  const Real x901 = 0.00067375 - x862 + (0.29 * x842 + 0.29 * x890);
-  const Real x931 = 0.050615200000000006 + x901;
-  require_more(w, x931, 0.0, kFactorization, 8);
-  const Real x886 = 0.29 * x882;
-  const Real x840 = sine[0] * x810;
-  const Real x933 = 0.050615200000000006 + 0.29 * x886;
-  w.x[13] = x933;
-  // link 9 "left_upper_arm": mobility from its articulated-body inertia
-  const Real x945 = 1 / x931;
-  // joint 8 "left_shoulder": placement, velocity and reference acceleration of its link
-  const Real x247 = x138 * x221 + x139 * x228 + x140 * x233;
-  // joint 7 "spine": placement, velocity and reference acceleration of its link
-  const Real x162 = x111 * x154 - x118 * x155 + x104 * x153;
-  const Real x168 = x107 * x153 - x119 * x155 + x114 * x154;
-  // joint 8 "left_shoulder": placement, velocity and reference acceleration of its link
-  const Real x253 = v[23] + x242;
-  const Real x254 = v[24] + x247;
-  const Real x255 = v[25] + x252;
-  const Real x265 = x144 * x221 + x148 * x228 + x152 * x233;
-  const Real x288 = x162 + (x138 * x139 - x152) * 0.2;
-  const Real x289 = (x148 + x138 * x140) * 0.42 + x288;
-  const Real x293 = x168 - (x178 + x140 * x140) * 0.2;
-  const Real x294 = (x188 - x144) * 0.42 + x293;
-  // joint 7 "spine": placement, velocity and reference acceleration of its link
-  const Real x174 = x110 * x153 + x117 * x154 - x121 * x155;
-  // joint 8 "left_shoulder": placement, velocity and reference acceleration of its link
-  const Real x260 = x144 * x218 + x148 * x225 + x152 * x232;
-  const Real x280 = x265 + v[23] * x252 - v[25] * x242;
-  w.x[14] = x280;
-  const Real x270 = x144 * x224 + x148 * x231 + x152 * x235;
-  const Real x298 = x174 + (x144 + x188) * 0.2;
-  const Real x299 = x298 - (x178 + x139 * x139) * 0.42;
-  const Real x333 = x253 * x255;
-  const Real x275 = x260 + v[25] * x247 - v[24] * x252;
-  const Real x285 = x270 + v[24] * x242 - v[23] * x247;
-  const Real x331 = x253 * x253 + x254 * x254;
-  const Real x335 = x280 + x333;
-  const Real x304 = x218 * x289 + x225 * x294 + x232 * x299;
-  const Real x314 = x224 * x289 + x231 * x294 + x235 * x299;
-  const Real x328 = x254 * x255;
-  const Real x329 = x328 - x275;
-  // joint 9 "left_elbow": placement, velocity and reference acceleration of its link
-  const Real x349 = x254 + v[26];
-  const Real x344 = x255 * cosine[0] + x253 * sine[0];
-  const Real x348 = x253 * cosine[0] - x255 * sine[0];
-  const Real x365 = x304 - x335 * 0.29;
-  const Real x371 = x314 + x331 * 0.29;
-  const Real x387 = x344 * x348;
-  const Real x358 = x285 * cosine[0] + x275 * sine[0] + v[26] * x348;
-  w.x[15] = x358;
-  // joint 9 "left_elbow": articulated-body inertia and bias force through it
-  const Real x850 = sine[0] * x848;
-  const Real x906 = sine[0] * x857 - 0.29 * x840;
-  const Real x935 = x801 + x862 + 0.00192375;
-  w.x[16] = x935;
-  // link 9 "left_upper_arm": mobility from its articulated-body inertia
-  const Real x946 = x902 * x945;
-  const Real x954 = x933 - x902 * x946;
-  w.x[17] = x954;
-  const Real x967 = 1 / x954;
-  const Real x948 = x906 * x945;
-  const Real x957 = 0.29 * x850 + x906 * x946;
-  const Real x968 = x957 * x967;
-  const Real x977 = x935 - x906 * x948 - x957 * x968;
-  w.x[18] = x977;
-  // joint 8 "left_shoulder": placement, velocity and reference acceleration of its link
-  const Real x309 = x221 * x289 + x228 * x294 + x233 * x299;
-  // joint 9 "left_elbow": placement, velocity and reference acceleration of its link
-  const Real x361 = x275 * cosine[0] - x285 * sine[0] - v[26] * x344;
-  w.x[19] = x361;
-  const Real x385 = x348 * x348 + x349 * x349;
-  const Real x389 = x280 + x387;
-  const Real x397 = x344 * x349;
-  const Real x374 = cosine[0] * x371 + sine[0] * x365;
-  const Real x378 = cosine[0] * x365 - sine[0] * x371;
-  const Real x398 = x397 - x361;
-  const Real x368 = x309 - x329 * 0.29;
-  // joint 10 "left_wrist": placement, velocity and reference acceleration of its link
-  const Real x445 = x344 * x436 + x349 * x429 + x348 * x422;
-  w.x[20] = x445;
-  const Real x455 = x344 * x439 + x349 * x435 + x348 * x428;
-  const Real x450 = x344 * x437 + x349 * x432 + x348 * x425;
-  w.x[21] = x450;
-  const Real x492 = x374 + x385 * 0.26;
-  const Real x495 = x378 - x389 * 0.26;
-  const Real x456 = v[27] + x445;
-  w.x[22] = x456;
-  const Real x458 = v[29] + x455;
-  const Real x498 = x368 - x398 * 0.26;
-  const Real x457 = v[28] + x450;
-  w.x[23] = x457;
-  const Real x468 = x358 * x437 + x280 * x432 + x361 * x425;
-  const Real x483 = v[27] * x455 - v[29] * x445 + x468;
-  const Real x532 = x456 * x458;
-  const Real x463 = x358 * x436 + x280 * x429 + x361 * x422;
-  const Real x478 = v[29] * x450 - v[28] * x455 + x463;
-  const Real x503 = x436 * x492 + x422 * x495 + x429 * x498;
-  const Real x527 = x457 * x458;
-  const Real x508 = x437 * x492 + x425 * x495 + x432 * x498;
-  // joint 9 "left_elbow": articulated-body inertia and bias force through it
-  const Real x936 = 1.9 + x882;
-  w.x[24] = x936;
-  const Real x932 = 0.266 + x890;
-  const Real x868 = cosine[0] * x819 - sine[0] * x825;
-  // link 9 "left_upper_arm": mobility from its articulated-body inertia
-  const Real x1000 = 1 / x977;
-  const Real x960 = -0.266 - x886 + x885 * x946;
-  const Real x949 = x885 * x945;
-  const Real x969 = x960 * x967;
-  const Real x984 = x850 + x885 * x948 + x960 * x968;
-  const Real x1001 = x984 * x1000;
-  const Real x963 = x932 * x946 - x883;
-  const Real x1013 = x936 - x885 * x949 - x960 * x969;
-  const Real x1014 = x1013 - x984 * x1001;
-  w.x[25] = x1014;
-  const Real x1033 = 1 / x1014;
-  // joint 10 "left_wrist": placement, velocity and reference acceleration of its link
-  const Real x513 = x439 * x492 + x428 * x495 + x435 * x498;
-  // link 11 "left_hand": force that the reference field takes
-  const Real x656 = (x456 * x456 + x457 * x457) * 0.0336;
-  const Real x658 = 0.42 * x513 + x656;
-  const Real x646 = x483 * 0.003731 + x532 * 0.0036680000000000003 - x503 * 0.0336;
-  const Real x643 = x478 * 0.0039235 - x527 * 0.0034755000000000003 + x508 * 0.0336;
-  // joint 10 "left_wrist": articulated-body inertia and bias force through it
-  const Real x669 = 268.0246582685607 * (tau[28] - x646);
-  w.x[26] = x669;
-  const Real x668 = 254.87447432139672 * (tau[27] - x643);
-  w.x[27] = x668;
-  // link 11 "left_hand": force that the reference field takes
-  const Real x650 = 0.42 * x503 - (x483 + x532) * 0.0336;
-  // joint 10 "left_wrist": articulated-body inertia and bias force through it
-  const Real x681 = x650 - 0.0336 * x669;
-  // link 11 "left_hand": force that the reference field takes
-  const Real x654 = 0.42 * x508 - (x527 - x478) * 0.0336;
-  // joint 10 "left_wrist": articulated-body inertia and bias force through it
-  const Real x683 = x654 + 0.0336 * x668;
-  const Real x763 = x422 * x681 + x428 * x658 + x425 * x683;
-  // joint 9 "left_elbow": articulated-body inertia and bias force through it
-  const Real x879 = x816 + sine[0] * x876;
-  const Real x893 = x804 - x850 + 0.29 * x868;
-  const Real x937 = 1.9 + x828;
-  w.x[28] = x937;
-  const Real x938 = x822 + x880 + 1.9;
-  w.x[29] = x938;
-  // link 9 "left_upper_arm": mobility from its articulated-body inertia
-  const Real x950 = x932 * x945;
-  const Real x992 = x840 + x932 * x948 + x963 * x968;
-  const Real x970 = x963 * x967;
-  const Real x1003 = x992 * x1000;
-  const Real x1022 = x871 - x932 * x949 - x963 * x969;
-  const Real x1023 = x1022 - x992 * x1001;
-  const Real x966 = x893 * x946 - 0.29 * x879;
-  const Real x1034 = x1023 * x1033;
-  const Real x1045 = x937 - x932 * x950 - x963 * x970;
-  const Real x999 = x807 - x853 - x893 * x948 - x966 * x968;
-  const Real x951 = x893 * x945;
-  const Real x1047 = x1045 - x992 * x1003 - x1023 * x1034;
-  w.x[30] = x1047;
-  const Real x971 = x966 * x967;
-  const Real x1060 = 1 / x1047;
-  const Real x1031 = x879 - x893 * x949 - x966 * x969;
-  const Real x1032 = x999 * x1001 + x1031;
-  const Real x1005 = x999 * x1000;
-  const Real x1057 = x868 - x893 * x950 - x966 * x970;
-  // joint 10 "left_wrist": articulated-body inertia and bias force through it
-  const Real x753 = x429 * tau[27] + x435 * tau[29] + x432 * tau[28];
-  const Real x768 = x429 * x681 + x435 * x658 + x432 * x683;
-  // link 10 "left_forearm": force that the reference field takes
-  const Real x600 = x280 * 0.02190604 + x387 * 0.02123229 - x378 * 0.132;
-  // joint 10 "left_wrist": articulated-body inertia and bias force through it
-  const Real x748 = x425 * tau[28] + x428 * tau[29] + x422 * tau[27];
-  // link 10 "left_forearm": force that the reference field takes
-  const Real x597 = x361 * 0.02190604 - x397 * 0.02123229 + x368 * 0.132;
-  // joint 10 "left_wrist": articulated-body inertia and bias force through it
-  const Real x758 = x436 * x681 + x439 * x658 + x437 * x683;
-  const Real x743 = x436 * tau[27] + x437 * tau[28] + x439 * tau[29];
-  const Real x782 = x358 * 0.00067375 + x743;
-  // joint 9 "left_elbow": articulated-body inertia and bias force through it
-  const Real x791 = x789 * (tau[26] - (x753 - 0.26 * x763 + x600));
-  w.x[31] = x791;
-  const Real x831 = x748 + 0.26 * x768 + x597 - x735 * x791;
-  // joint 10 "left_wrist": articulated-body inertia and bias force through it
-  const Real x785 = x374 * 1.1 + x385 * 0.132 + x758;
-  // joint 9 "left_elbow": articulated-body inertia and bias force through it
-  const Real x834 = x785 - x725 * x791;
-  // joint 10 "left_wrist": articulated-body inertia and bias force through it
-  const Real x786 = x378 * 1.1 - x389 * 0.132 + x763;
-  // joint 9 "left_elbow": articulated-body inertia and bias force through it
-  const Real x836 = x786 + x778 * x791;
-  // link 9 "left_upper_arm": mobility from its articulated-body inertia
-  const Real x1035 = x1032 * x1033;
-  const Real x1059 = x999 * x1003 + x1057 - x1032 * x1034;
-  const Real x1087 = x948 + x946 * x968;
-  const Real x1061 = x1059 * x1060;
-  const Real x1073 = x938 - x893 * x951 - x966 * x971;
-  const Real x1097 = x949 + x946 * x969 + x1001 * x1087;
-  const Real x1102 = x969 + x968 * x1001;
-  const Real x1075 = x1073 - x999 * x1005 - x1032 * x1035;
-  const Real x1076 = x1075 - x1059 * x1061;
-  w.x[32] = x1076;
-  const Real x1166 = x946 * x967;
-  const Real x1077 = 1 / x1076;
-  w.x[33] = x1077;
-  w.to[1][20] = x1077;
-  const Real x1113 = x950 + x946 * x970 + x1003 * x1087;
-  const Real x1115 = x1034 * x1097 - x1113;
-  const Real x1123 = x1034 * x1102 - (x970 + x968 * x1003);
-  const Real x1126 = x1003 - x1001 * x1034;
-  const Real x1167 = x1000 * x1087;
-  const Real x1169 = x968 * x1000;
-  const Real x1139 = x1005 * x1087 - (x951 + x946 * x971);
-  // joint 10 "left_wrist": articulated-body inertia and bias force through it
-  const Real x787 = x368 * 1.1 - x398 * 0.132 + x768;
-  // joint 9 "left_elbow": articulated-body inertia and bias force through it
-  const Real x839 = x787 - x727 * x791;
-  const Real x924 = sine[0] * x834 + cosine[0] * x836;
-  // link 9 "left_upper_arm": force that the reference field takes
-  const Real x558 = x275 * 0.050615200000000006 - x328 * 0.048691450000000004 + x309 * 0.266;
-  // joint 9 "left_elbow": articulated-body inertia and bias force through it
-  const Real x927 = sine[0] * x782 + cosine[0] * x831 + 0.29 * x839;
-  const Real x939 = x558 + x927;
-  // link 9 "left_upper_arm": force that the reference field takes
-  const Real x573 = x314 * 1.9 + x331 * 0.266;
-  // joint 9 "left_elbow": articulated-body inertia and bias force through it
-  const Real x944 = cosine[0] * x834 - sine[0] * x836 + x573;
-  // link 9 "left_upper_arm": mobility from its articulated-body inertia
-  const Real x1171 = x1033 * x1097;
-  const Real x1173 = x1033 * x1102;
-  const Real x1175 = x1001 * x1033;
-  const Real x1141 = x1035 * x1097 + x1139 - x1061 * x1115;
-  const Real x1150 = x968 * x1005 - x971 + x1035 * x1102;
-  const Real x1151 = x1150 - x1061 * x1123;
-  const Real x1159 = x1005 + x1001 * x1035 + x1061 * x1126;
-  const Real x1164 = x1034 * x1061 - x1035;
-  const Real x1176 = x1060 * x1115;
-  const Real x1177 = x1060 * x1123;
-  const Real x1178 = x1060 * x1126;
-  const Real x1179 = x1034 * x1060;
-  const Real x1181 = x1077 * x1141;
-  w.x[34] = x1181;
-  w.to[1][5] = x1181;
-  const Real x1182 = x1077 * x1151;
-  w.x[35] = x1182;
-  w.to[1][10] = x1182;
-  const Real x1183 = x1077 * x1159;
-  w.x[36] = x1183;
-  const Real x1185 = x1077 * x1164;
-  w.x[37] = x1185;
-  w.to[1][17] = x1185;
-  const Real x1186 = x1061 * x1077;
-  w.x[38] = x1186;
-  const Real x1196 = x945 + x946 * x1166 + x1087 * x1167;
-  const Real x1207 = x1166 + x1087 * x1169 + x1097 * x1173;
-  const Real x1198 = x1097 * x1171 + x1196 + x1115 * x1176;
-  const Real x1199 = x1141 * x1181 + x1198;
-  w.x[39] = x1199;
-  w.to[1][0] = x1199;
-  const Real x1209 = x1115 * x1177 + x1207 + x1141 * x1182;
-  w.x[40] = x1209;
-  w.to[1][1] = x1209;
-  const Real x1217 = x1115 * x1178 - (x1167 + x1097 * x1175);
-  const Real x1218 = x1217 - x1141 * x1183;
-  w.x[41] = x1218;
-  w.to[1][2] = x1218;
-  const Real x1224 = x1141 * x1185 - (x1171 + x1115 * x1179);
-  w.x[42] = x1224;
-  w.to[1][3] = x1224;
-  const Real x1227 = x1176 - x1141 * x1186;
-  w.x[43] = x1227;
-  w.to[1][4] = x1227;
-  const Real x1235 = x967 + x968 * x1169 + x1102 * x1173;
-  // link 9 "left_upper_arm": force that the reference field takes
-  const Real x561 = x280 * 0.050615200000000006 + x333 * 0.048691450000000004 - x304 * 0.266;
-  // joint 9 "left_elbow": articulated-body inertia and bias force through it
-  const Real x940 = tau[26] - 0.29 * x924 + x561;
-  const Real x941 = cosine[0] * x782 - sine[0] * x831 + x285 * 0.00192375;
-  const Real x942 = x304 * 1.9 - x335 * 0.266 + x924;
-  const Real x943 = x309 * 1.9 - x329 * 0.266 + x839;
-  // link 9 "left_upper_arm": mobility from its articulated-body inertia
-  const Real x1237 = x1123 * x1177 + x1235 + x1151 * x1182;
-  w.x[44] = x1237;
-  w.to[1][6] = x1237;
-  const Real x1245 = x1123 * x1178 - (x1169 + x1102 * x1175);
-  const Real x1246 = x1245 - x1151 * x1183;
-  w.x[45] = x1246;
-  w.to[1][7] = x1246;
-  const Real x1252 = x1151 * x1185 - (x1173 + x1123 * x1179);
-  w.x[46] = x1252;
-  w.to[1][8] = x1252;
-  const Real x1255 = x1177 - x1151 * x1186;
-  w.x[47] = x1255;
-  w.to[1][9] = x1255;
-  const Real x1261 = x1000 + x1001 * x1175 + x1126 * x1178;
-  const Real x1262 = x1159 * x1183 + x1261;
-  w.x[48] = x1262;
-  w.to[1][11] = x1262;
-  const Real x1268 = x1175 - x1126 * x1179 - x1159 * x1185;
-  w.x[49] = x1268;
-  w.to[1][12] = x1268;
-  const Real x1271 = x1178 + x1159 * x1186;
-  w.x[50] = x1271;
-  w.to[1][13] = x1271;
-  const Real x1276 = x1033 + x1034 * x1179 + x1164 * x1185;
-  w.x[51] = x1276;
-  w.to[1][15] = x1276;
-  const Real x1279 = x1179 + x1164 * x1186;
-  w.x[52] = x1279;
-  const Real x1283 = x1060 + x1061 * x1186;
-  w.x[53] = x1283;
-  w.to[1][18] = x1283;
-  const Real x1291 = x939 * x1199 + x944 * x1181 + x940 * x1209;
-  const Real x1302 = x939 * x1209 + x944 * x1182 + x940 * x1237;
-  const Real x1314 = x939 * x1218 - x944 * x1183 + x940 * x1246;
-  const Real x1326 = x939 * x1224 + x944 * x1185 + x940 * x1252;
-  const Real x1339 = x939 * x1227 - x944 * x1186 + x940 * x1255;
-  const Real x1352 = x939 * x1181 + x944 * x1077 + x940 * x1182;
-  const Real x1293 = x941 * x1218 + x1291 + x942 * x1224;
-  const Real x1294 = x943 * x1227 + x1293;
-  w.x[54] = x1294;
-  const Real x1184 = -x1183;
-  w.to[1][14] = x1184;
-  const Real x1304 = x941 * x1246 + x1302 + x942 * x1252;
-  const Real x1305 = x943 * x1255 + x1304;
-  w.x[55] = x1305;
-  const Real x1187 = -x1186;
-  w.to[1][19] = x1187;
-  const Real x1316 = x941 * x1262 + x1314 + x942 * x1268;
-  const Real x1317 = x943 * x1271 + x1316;
-  w.x[56] = x1317;
-  const Real x1280 = -x1279;
-  w.to[1][16] = x1280;
-  const Real x1328 = x941 * x1268 + x1326 + x942 * x1276;
-  const Real x1329 = x1328 - x943 * x1279;
-  w.x[57] = x1329;
-  const Real x1341 = x941 * x1271 + x1339 - x942 * x1279;
-  const Real x1342 = x943 * x1283 + x1341;
-  w.x[58] = x1342;
-  const Real x1354 = x1352 - x941 * x1183 + x942 * x1185;
-  const Real x1355 = x1354 - x943 * x1186;
-  w.x[59] = x1355;
-  const Real x1356 = -x1294;
-  w.to[1][21] = x1356;
-  const Real x1357 = -x1305;
-  w.to[1][22] = x1357;
-  const Real x1358 = -x1317;
-  w.to[1][23] = x1358;
-  const Real x1359 = -x1329;
-  w.to[1][24] = x1359;
-  const Real x1360 = -x1342;
-  w.to[1][25] = x1360;
-  const Real x1361 = -x1355;
-  w.to[1][26] = x1361;
+// Joints first .. last, each on the link of the one before.
+template <int first, int last>
+void outward(Workspace& w) {
+  Frame<Value> at = frame_near<first>(w);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, single(first + k), kind, at); });
 }
 
-ADAGEN_NOINLINE void part_3_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x280 = w.x[14];
-  const Real x358 = w.x[15];
-  const Real x361 = w.x[19];
-  const Real x428 = w.x[2];
-  const Real x435 = w.x[4];
-  const Real x439 = w.x[8];
-  const Real x445 = w.x[20];
-  const Real x450 = w.x[21];
-  const Real x456 = w.x[22];
-  const Real x457 = w.x[23];
-  const Real x933 = w.x[13];
-  const Real x935 = w.x[16];
-  const Real x936 = w.x[24];
-  const Real x937 = w.x[28];
-  const Real x938 = w.x[29];
-  const Real x954 = w.x[17];
-  const Real x977 = w.x[18];
-  const Real x1014 = w.x[25];
-  const Real x1047 = w.x[30];
-  const Real x1076 = w.x[32];
-  // joint 0 "root": placement, velocity and reference acceleration of its link
-  const Real x20 = q[3] * q[3] + q[4] * q[4] + q[5] * q[5];
-  const Real x21 = q[6] * q[6] + x20;
-  require_length(w, x21, 0);
-  // joint 10 "left_wrist": placement, velocity and reference acceleration of its link
-  const Real x473 = x358 * x439 + x280 * x435 + x361 * x428;
-  // link 11 "left_hand": force that the reference field takes
-  const Real x634 = (v[28] * x445 - v[27] * x450 + x473) * 0.0002555;
-  // joint 10 "left_wrist": articulated-body inertia and bias force through it
-  const Real x670 = 3913.894324853229 * (tau[29] - (x634 - x456 * x457 * 0.00019249999999999996));
-  w.x[60] = x670;
-  // link 9 "left_upper_arm": mobility from its articulated-body inertia
-  const Real x1082 = x937 * 1.7763568394002505e-15;
-  require_more(w, x1047, x1082, kFactorization, 8);
-  const Real x1080 = x935 * 1.7763568394002505e-15;
-  require_more(w, x977, x1080, kFactorization, 8);
-  const Real x1081 = x936 * 1.7763568394002505e-15;
-  require_more(w, x1014, x1081, kFactorization, 8);
-  const Real x1083 = x938 * 1.7763568394002505e-15;
-  require_more(w, x1076, x1083, kFactorization, 8);
-  const Real x1079 = x933 * 1.7763568394002505e-15;
-  require_more(w, x954, x1079, kFactorization, 8);
+// The same on the way to joints that are treated: only the last link's frame is kept.
+template <int first, int last>
+void pass_outward(Workspace& w) {
+  Frame<Value> at = frame_near<first>(w);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
+  keep(w, slot_of(last), at);
 }
 
-ADAGEN_NOINLINE void part_3_2(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x422 = w.x[6];
-  const Real x425 = w.x[0];
-  const Real x428 = w.x[2];
-  const Real x429 = w.x[1];
-  const Real x432 = w.x[7];
-  const Real x435 = w.x[4];
-  const Real x436 = w.x[3];
-  const Real x437 = w.x[5];
-  const Real x439 = w.x[8];
-  const Real x668 = w.x[27];
-  const Real x669 = w.x[26];
-  const Real x670 = w.x[60];
-  const Real x791 = w.x[31];
-  const Real x792 = w.x[9];
-  const Real x794 = w.x[11];
-  const Real x796 = w.x[12];
-  const Real x797 = w.x[10];
-  const Real x1077 = w.x[33];
-  const Real x1181 = w.x[34];
-  const Real x1182 = w.x[35];
-  const Real x1183 = w.x[36];
-  const Real x1185 = w.x[37];
-  const Real x1186 = w.x[38];
-  const Real x1199 = w.x[39];
-  const Real x1209 = w.x[40];
-  const Real x1218 = w.x[41];
-  const Real x1224 = w.x[42];
-  const Real x1227 = w.x[43];
-  const Real x1237 = w.x[44];
-  const Real x1246 = w.x[45];
-  const Real x1252 = w.x[46];
-  const Real x1255 = w.x[47];
-  const Real x1262 = w.x[48];
-  const Real x1268 = w.x[49];
-  const Real x1271 = w.x[50];
-  const Real x1276 = w.x[51];
-  const Real x1279 = w.x[52];
-  const Real x1283 = w.x[53];
-  const Real x1294 = w.x[54];
-  const Real x1305 = w.x[55];
-  const Real x1317 = w.x[56];
-  const Real x1329 = w.x[57];
-  const Real x1342 = w.x[58];
-  const Real x1355 = w.x[59];
-  // message received
-  const Real x1362 = w.from[5][0];
-  const Real x1367 = w.from[5][5];
-  const Real x1363 = w.from[5][1];
-  const Real x1364 = w.from[5][2];
-  const Real x1365 = w.from[5][3];
-  const Real x1366 = w.from[5][4];
-  // link 9 "left_upper_arm": acceleration under the handle forces
-  const Real x1375 = x1199 * x1362 + x1181 * x1367 + x1209 * x1363;
-  const Real x1386 = x1209 * x1362 + x1182 * x1367 + x1237 * x1363;
-  const Real x1398 = x1218 * x1362 - x1183 * x1367 + x1246 * x1363;
-  const Real x1410 = x1224 * x1362 + x1185 * x1367 + x1252 * x1363;
-  const Real x1436 = x1181 * x1362 + x1077 * x1367 + x1182 * x1363;
-  const Real x1423 = x1227 * x1362 - x1186 * x1367 + x1255 * x1363;
-  const Real x1377 = x1218 * x1364 + x1375 + x1224 * x1365;
-  const Real x1388 = x1246 * x1364 + x1386 + x1252 * x1365;
-  const Real x1400 = x1262 * x1364 + x1398 + x1268 * x1365;
-  const Real x1412 = x1268 * x1364 + x1410 + x1276 * x1365;
-  const Real x1438 = x1436 - x1183 * x1364 + x1185 * x1365;
-  const Real x1440 = x1227 * x1366 + x1377 - x1294;
-  const Real x1441 = x1255 * x1366 + x1388 - x1305;
-  const Real x1442 = x1271 * x1366 + x1400 - x1317;
-  const Real x1425 = x1271 * x1364 + x1423 - x1279 * x1365;
-  const Real x1445 = x1438 - x1186 * x1366 - x1355;
-  // joint 9 "left_elbow": its acceleration, and that of the link beyond
-  const Real x1448 = x1412 - x1279 * x1366 - x1329 - 0.29 * x1441;
-  const Real x1457 = cosine[0] * x1440 - sine[0] * x1442;
-  const Real x1450 = x1283 * x1366 + x1425 - x1342 + 0.29 * x1440;
-  const Real x1453 = cosine[0] * x1442 + sine[0] * x1440;
-  const Real x1460 = cosine[0] * x1445 + sine[0] * x1448;
-  const Real x1464 = cosine[0] * x1448 - sine[0] * x1445;
-  const Real x1474 = x791 + x792 * x1457 + x797 * x1450;
-  const Real x1476 = x794 * x1460 + x1474 - x796 * x1464;
-  const Real x1477 = x1476 - x1441;
-  w.result[26] = x1477;
-  // joint 10 "left_wrist": its acceleration, and that of the link beyond
-  const Real x1482 = x1450 + 0.26 * x1457;
-  const Real x1480 = x1464 - 0.26 * x1476;
-  const Real x1497 = x439 * x1453 + x428 * x1457 + x435 * x1476;
-  const Real x1522 = x670 - x1497;
-  w.result[29] = x1522;
-  const Real x1502 = x436 * x1460 + x429 * x1482 + x422 * x1480;
-  const Real x1507 = x437 * x1460 + x432 * x1482 + x425 * x1480;
-  const Real x1492 = x437 * x1453 + x425 * x1457 + x432 * x1476;
-  const Real x1521 = x669 + x1502 * 9.00562851782364 - x1492;
-  w.result[28] = x1521;
-  const Real x1487 = x436 * x1453 + x422 * x1457 + x429 * x1476;
-  const Real x1520 = x668 - 8.56378233719893 * x1507 - x1487;
-  w.result[27] = x1520;
+// Symmetric matrices of three rows, eliminated.
+
+// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21. Without fractions (Bareiss) the three
+// divisions need not wait for each other: with m = xx yy - xy^2 and so on the pivots are xx, m / xx
+// and (m m' - t^2) / (xx m), as exact as by turns while fourth powers of A keep their digits: in
+// float they would not. All numbers that checks gets are positive if A could be factorized.
+template <class T>
+ADAGEN_INLINE void factorize(const Symmetric<T>& A, T* factors, T (&checks)[4]) {
+  using Limits = std::numeric_limits<Real>;
+  T* const l = factors + 3;
+  const T d0 = 1 / A.xx;
+  l[0] = A.xy * d0, l[1] = A.xz * d0;
+  T p1, p2;
+  if constexpr (Limits::min_exponent10 < -300) {
+    const T m = A.xx * A.yy - A.xy * A.xy, t = A.xx * A.yz - A.xy * A.xz;
+    p1 = m, p2 = m * (A.xx * A.zz - A.xz * A.xz) - t * t;
+    const T inverse = 1 / m;
+    factors[1] = A.xx * inverse, factors[2] = A.xx * m / p2;
+    l[2] = t * inverse;
+    checks[2] = p2 - Limits::min() / Limits::epsilon();
+  } else {
+    const T t = A.yz - l[1] * A.xy;
+    p1 = A.yy - l[0] * A.xy;
+    factors[1] = 1 / p1, l[2] = t * factors[1];
+    p2 = A.zz - l[1] * A.xz - l[2] * t;
+    factors[2] = 1 / p2;
+    checks[2] = p2;
+  }
+  factors[0] = d0;
+  checks[0] = A.xx, checks[1] = p1, checks[3] = Limits::max() - p2;
+}
+
+// A^-1 b, by the factors of A.
+template <class F, class T>
+ADAGEN_INLINE Vector<T> solved(const F* factors, const Vector<T>& b) {
+  const F *d = factors, *l = factors + 3;
+  const T y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
+  const T z = y2 * d[2], y = y1 * d[1] - l[2] * z;
+  return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
+}
+
+// C becomes C - B^T A^-1 B, by the factors of A; returns A^-1 B. With L Y = B what is subtracted is
+// Y^T D^-1 Y, which waits for no more than the last division.
+template <class T>
+ADAGEN_INLINE Matrix<T> complement(Symmetric<T>& C, const Matrix<T>& B, const T* factors) {
+  const T *d = factors, *l = factors + 3;
+  const Vector<T> Yx = B.x, Yy = B.y - B.x * l[0], Yz = (B.z - B.x * l[1]) - Yy * l[2];
+  const Vector<T> Zx = Yx * d[0], Zy = Yy * d[1], Zz = Yz * d[2];
+  using V = Vector<T>;
+  const auto subtract = [&](T& c, T V::* i, T V::* k) ADAGEN_ALWAYS {
+    c = ((c - Yx.*i * Zx.*k) - Yy.*i * Zy.*k) - Yz.*i * Zz.*k;
+  };
+  subtract(C.xx, &V::x, &V::x), subtract(C.xy, &V::x, &V::y), subtract(C.xz, &V::x, &V::z);
+  subtract(C.yy, &V::y, &V::y), subtract(C.yz, &V::y, &V::z), subtract(C.zz, &V::z, &V::z);
+  const Vector<T> Ky = Zy - Zz * l[2];
+  return {(Zx - Zz * l[1]) - Ky * l[0], Ky, Zz};
+}
+
+// Spherical joints: three rotations at once. Damping and a rotor are the same about all axes.
+[[maybe_unused]] constexpr bool any_spherical_rotor() {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == JointKind::kSpherical && joint.passive.rotor != 0) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kSphericalRotors = any_spherical_rotor();
+
+// The torque that reaches the links, in the child link's axes: less damping.
+template <class T>
+ADAGEN_INLINE Vector<T> spherical_torque(const Workspace& w, const Joints<T>& joints) {
+  const Vector<T> tau = each_vector(joints, w.tau, &JointConstants::v);
+  if constexpr (!kAnyPassive) return tau;
+  const T damping = each(joints, [](const JointConstants& own) { return own.passive.damping; });
+  return tau - each_vector(joints, w.v, &JointConstants::v) * damping;
+}
+
+template <class T>
+ADAGEN_INLINE T rotor_of(const Joints<T>& joints) {
+  return each(joints, [](const JointConstants& own) { return own.passive.rotor; });
+}
+
+template <class T>
+ADAGEN_INLINE Symmetric<T> with_rotor(Symmetric<T> A, const T& rotor) {
+  A.xx += rotor, A.yy += rotor, A.zz += rotor;
+  return A;
+}
+
+// Takes the three rotations out of the body at the joint's origin: what is left of it is C and f,
+// and the torque, so that no rounding stays behind. e gets K = A^-1 B, y = A^-1 (torque - n) and
+// the factors of A. With a rotor J, which is the same about all axes, A + J is in the place of A
+// there, and J K, J (A + J)^-1 A and torque - J y are left, too.
+template <bool reversed, class T>
+ADAGEN_INLINE void take_out_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  T* const e = w.memory(joints).e;
+  Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
+  if constexpr (reversed) torque = -torque;
+  T* const factors = e + 12;
+  T checks[4];
+  const T rotor = rotor_of(joints);
+  factorize(kSphericalRotors ? with_rotor(X.A, rotor) : X.A, factors, checks);
+  for (const T& check : checks)
+    if (__builtin_expect(!all_positive(check), 0)) fail_one(w, joints, check);
+  const Matrix<T>& B = X.B;
+  const Matrix<T> K = complement(X.C, B, factors);
+  const Vector<T> y = solved(factors, torque - X.n);
+  e[0] = K.x.x, e[1] = K.x.y, e[2] = K.x.z, e[3] = K.y.x, e[4] = K.y.y, e[5] = K.y.z;
+  e[6] = K.z.x, e[7] = K.z.y, e[8] = K.z.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
+  X.f += transposed_times(B, y);
+  X.n = torque;
+  if constexpr (kSphericalRotors) {
+    const Symmetric<T>& A = X.A;
+    const Vector<T> x = solved(factors, Vector<T>{A.xx, A.xy, A.xz});
+    const Vector<T> z = solved(factors, Vector<T>{A.xz, A.yz, A.zz});
+    const T yy = solved(factors, Vector<T>{A.xy, A.yy, A.yz}).y;
+    X.A = {x.x * rotor, x.y * rotor, x.z * rotor, yy * rotor, z.y * rotor, z.z * rotor};
+    X.B = {K.x * rotor, K.y * rotor, K.z * rotor};
+    X.n += -(y * rotor);
+  } else {
+    X.A = Symmetric<T>{}, X.B = Matrix<T>{};
+  }
+}
+
+// The same, from the far link's side to the near link's origin.
+template <bool reversed, class T>
+ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Vector<T>& r = w.memory(joints).r;
+  if constexpr (reversed) shift(X, -r);
+  take_out_rotations<reversed>(w, joints, X);
+  if constexpr (!reversed && kSphericalRotors) shift(X, r);
+  if constexpr (!reversed && !kSphericalRotors) shift_mass(X, r);
+}
+
+// Whether joints first .. last leave of a body no more than its mass.
+[[maybe_unused]] constexpr bool leave_mass_alone(int first, int last) {
+  for (int j = first; j <= last; ++j)
+    if (kJoints[j].kind != JointKind::kSpherical) return false;
+  return !kSphericalRotors;
+}
+
+// Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
+// is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
+// near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
+
+template <class T>
+ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Value* const A = w.at(joints.slot, kRotational);
+  const auto mass = mass_of(joints);
+  const Vector<T> c = vector_at<T>(w.at(joints.slot, kMoments));
+  const Vector<T> Ax = vector_at<T>(A), Ay = vector_at<T>(A + 3 * kPerBlock);
+  X.A += Symmetric<T>{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};  // xx xy xz yy yz zz
+  X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
+  X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
+  X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
+  X.n += vector_at<T>(w.at(joints.slot, kTorque));
+  X.f += vector_at<T>(w.at(joints.slot, kForce));
+}
+
+// A bare link told about the point at -r from its origin: A - (rx dx + dx rx), d = c + m r / 2.
+template <class T>
+ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, const Vector<T>& r) {
+  Body<T> X{};
+  add_bare_link(w, joints, X);
+  const Vector<T> c{X.B.z.y, X.B.x.z, X.B.y.x};
+  const T m = X.C.xx;
+  const Vector<T> d = c + r * (m / 2), moved = c + r * m;
+  const T xx = 2 * d.x * r.x, yy = 2 * d.y * r.y, zz = 2 * d.z * r.z;
+  X.A += Symmetric<T>{yy + zz, -(d.x * r.y + d.y * r.x), -(d.x * r.z + d.z * r.x),
+                      xx + zz, -(d.y * r.z + d.z * r.y), xx + yy};
+  const T none{};
+  X.B = {{none, -moved.z, moved.y}, {moved.z, none, -moved.x}, {-moved.y, moved.x, none}};
+  X.n += cross(r, X.f);
+  return X;
+}
+
+constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
+
+// Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
+// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near
+// link's origin: outwards the joint has the acceleration u / D - (U / D) a, a being the near
+// link's.
+template <bool along, bool reversed, class T, class Arrive>
+ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, const Vector<T>& s,
+                             const Vector<T>& r, const T& tau, T* e, const Arrive& arrive) {
+  if constexpr (reversed) shift(X, -r);
+  Vector<T> n = along ? X.B * s : X.A * s;
+  const Vector<T> f = along ? X.C * s : transposed_times(X.B, s);
+  T D = dot(s, along ? f : n);
+  if constexpr (kAnyPassive)
+    D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1) D += each(joints, immovable);
+  const T inverse = 1 / D;
+  T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1)
+    u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
+  const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
+  const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
+  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
+  if constexpr (!reversed) {
+    shift(X, r);
+    n += cross(r, f);
+  }
+  arrive(X);
+  const Vector<T> e_n = n * inverse, e_f = f * inverse;
+  e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
+  e[7] = inverse;
+  subtract(X, n, f, e_n, e_f);
+  X.n += n * u;
+  X.f += f * u;
+}
+
+// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), A and what it leaves of C
+// by their factors. Whether that could be done.
+ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
+  Value turning[6], sliding[6], checks[2][4];
+  factorize(X.A, turning, checks[0]);
+  Symmetric<Value> C = X.C;
+  const Matrix<Value> K = complement(C, X.B, turning);
+  factorize(C, sliding, checks[1]);
+  const Vector<Value> y = solved(turning, -X.n);
+  a.linear = solved(sliding, -(X.f + transposed_times(X.B, y)));
+  a.angular = y - K * a.linear;
+  bool fine = true;
+  for (const auto& of : checks)
+    for (const Value& check : of) fine &= all_positive(check);
+  return fine;
+}
+
+// A joint with all freedoms hands on its force alone; e gets the acceleration of the body beyond.
+template <bool reversed>
+ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
+                            const Value* tau, Value* e) {
+  if constexpr (reversed) shift(X, -r);
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
+  Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) n = -n, f = -f;
+  X.n += -n, X.f += -f;
+  Motion<Value> a;
+  if (!solve_free(X, a)) fail(w, kFactorization, j);
+  e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
+  e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
+  X = Body<Value>{};
+  X.n = n, X.f = f;
+  if constexpr (!reversed) shift(X, r);
+}
+
+// A planar joint: along x and y, then about z.
+template <bool reversed>
+ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, Body<Value>& X) {
+  Memory& memory = w.memory(joints);
+  const Value* tau = w.tau + joints.any().v;
+  const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
+  const Vector<Value> none{};
+  const auto told = [](const Value& torque) { return reversed ? -torque : torque; };
+  if constexpr (reversed) shift(X, -memory.r);
+  const auto nothing = [](const Body<Value>&) {};
+  eliminate<true, false>(w, joints, X, x, none, told(tau[0]), memory.e, nothing);
+  eliminate<true, false>(w, joints, X, y, none, told(tau[1]), memory.e + 8, nothing);
+  eliminate<false, false>(w, joints, X, z, none, told(tau[2]), memory.e + 16, nothing);
+  if constexpr (!reversed) shift(X, memory.r);
+}
+
+// One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
+template <bool reversed, class T, class Arrive>
+ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind kind, Body<T>& X,
+                               const Arrive& arrive) {
+  const JointConstants& joint = joints.any();
+  Eliminated<T>& memory = w.memory(joints);
+  const Value* R = w.at(joints.slot, kAxes);
+  const auto freedom = [&] {
+    return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
+  };
+  switch (kind) {
+    case JointKind::kRevolute:
+      eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
+                                 arrive);
+      return;
+    case JointKind::kPrismatic:
+      eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e, arrive);
+      return;
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, joints, X);
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) eliminate_planar<reversed>(w, joints, X);
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating && kWidth<T> == 1)
+        set_free<reversed>(w, joints.joint[0], X, memory.r, w.tau + joint.v, memory.e);
+      break;
+  }
+  arrive(X);
+}
+
+// Adds to a body what the sweep finds at a link.
+template <int p>
+ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
+  if (role.adds_own) add_bare_link(w, single(link - 1), X);
+}
+
+// What is found at a link.
+template <int p>
+ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
+  Body<Value> X{};
+  meet<p>(w, link, X);
+  return X;
+}
+
+template <bool starts>
+ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
+  Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
+  if constexpr (starts)
+    body = X;
+  else
+    body += X;
+}
+
+// Whether nothing but the links themselves is found at links first .. last.
+template <int p>
+constexpr bool bare(int first, int last) {
+  for (int link = first; link <= last; ++link) {
+    const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+    if (role.gathers || !role.adds_own) return false;
+  }
+  return true;
+}
+
+// Process p takes joints last .. first inwards, each on the link of the one before.
+template <int p, int first, int last, bool starts>
+void inward(Workspace& w) {
+  Body<Value> X{};
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick) meet<p>(w, last + 1, X);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, j + 1, X);
+    step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
+      if (quick && j > first) add_bare_link(w, single(j - 1), near);
+    });
+  });
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave<starts>(w, near, X);
+}
+
+// The next for spherical joints with bare links between them: a link is told at the next joint's
+// origin before what is left of the body gets there.
+template <int p, int first, int last>
+ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
+  Body<Value> X{};
+  meet<p>(w, kJoints[first].parent, X);
+  shift(X, -w.joints[first].r);
+  take_out_rotations<true>(w, single(first), X);
+  for (int j = first + 1; j <= last; ++j) {
+    const Vector<Value> r = -w.joints[static_cast<std::size_t>(j)].r;
+    shift_mass(X, r);
+    X += bare_link_from(w, single(j - 1), r);
+    take_out_rotations<true>(w, single(j), X);
+  }
+  return X;
+}
+
+// The same for a root beyond joint last: from the parent link of joint first to the child of last.
+template <int p, int first, int last, bool starts>
+void inward_reversed(Workspace& w) {
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick && leave_mass_alone(first, last))
+    return leave<starts>(w, last + 1, turn_inward_reversed<p, first, last>(w));
+  Body<Value> X{};
+  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
+      if (quick && j < last) add_bare_link(w, single(j), near);
+    });
+  });
+  leave<starts>(w, last + 1, X);
+}
+
+// Adds a link itself to what was found at it.
+template <int link, bool starts>
+void place(Workspace& w) {
+  Body<Value> X{};
+  add_bare_link(w, single(link - 1), X);
+  leave<starts>(w, link, X);
+}
+
+// A floating joint on the ground only adds its torque to the link.
+template <int j, bool starts>
+void free_base(Workspace& w) {
+  const Value* tau = w.tau + kJoints[j].v;
+  Body<Value> X{};
+  X.n = {-tau[3], -tau[4], -tau[5]};
+  X.f = {-tau[0], -tau[1], -tau[2]};
+  leave<starts>(w, j + 1, X);
+}
+
+// Acceleration of a root that nothing holds.
+template <int p, int link>
+void solve_root(Workspace& w) {
+  if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
+}
+
+// Outwards again: the joints' accelerations.
+
+template <class T>
+ADAGEN_INLINE T freedom(const T* e, const Motion<T>& a) {
+  return (e[6] - (e[0] * a.angular.x + e[1] * a.angular.y)) -
+         ((e[2] * a.angular.z + e[3] * a.linear.x) + (e[4] * a.linear.y + e[5] * a.linear.z));
+}
+
+// Gives the k-th acceleration of each of the joints.
+template <class T>
+ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T& x) {
+  const auto place = [&](int lane) -> Value& {
+    const int v = kJoints[static_cast<std::size_t>(joints.joint[lane])].v;
+    return w.answer[static_cast<std::size_t>(v + k)];
+  };
+  if constexpr (kWidth<T> == 1)
+    place(0) = x;
+  else
+    ADAGEN_FOR (lane, 0, kWidth<T>) place(lane) = x[lane];
+}
+
+// The same for joints with several freedoms, told at the joint's origin throughout.
+template <bool reversed>
+ADAGEN_INLINE void move_at_joint(Workspace& w, const Joints<Value>& joints, Motion<Value>& a) {
+  const JointConstants& joint = joints.any();
+  [[maybe_unused]] const Value* const e = w.memory(joints).e;
+  [[maybe_unused]] const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  [[maybe_unused]] Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+  if constexpr (kAnyPlanar) {
+    if (joint.kind == JointKind::kPlanar) {
+      const Value spin = freedom(e + 16, a);
+      a.angular += Vector<Value>{R.x.z, R.y.z, R.z.z} * spin;
+      const Value y = freedom(e + 8, a);
+      a.linear += Vector<Value>{R.x.y, R.y.y, R.z.y} * y;
+      const Value x = freedom(e, a);
+      a.linear += Vector<Value>{R.x.x, R.y.x, R.z.x} * x;
+      qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
+    }
+  }
+  if constexpr (kAnyFloating) {
+    if (joint.kind == JointKind::kFloating) {
+      const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+      const Vector<Value> slide = transposed_times(R, far.linear - a.linear);
+      const Vector<Value> spin = transposed_times(R, far.angular - a.angular);
+      const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
+      ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
+      a = far;
+    }
+  }
+}
+
+// The same for spherical joints.
+template <bool reversed, class T>
+ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
+  const T* const e = w.memory(joints).e;
+  const Matrix<T> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+  Vector<T> far = Vector<T>{e[9], e[10], e[11]} - K * a.linear;
+  if constexpr (kSphericalRotors) far += solved(e + 12, a.angular) * rotor_of(joints);
+  const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
+  const Vector<T> x = transposed_times(R, far - a.angular);
+  answer(w, joints, 0, reversed ? -x.x : x.x);
+  answer(w, joints, 1, reversed ? -x.y : x.y);
+  answer(w, joints, 2, reversed ? -x.z : x.z);
+  a.angular = far;
+}
+
+// A joint's acceleration from the near link's, which becomes the far link's; each is told at its
+// own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
+template <bool reversed, class T>
+ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
+  const T* const e = w.memory(joints).e;
+  const Vector<T>& r = w.memory(joints).r;
+  switch (kind) {
+    case JointKind::kRevolute: {
+      const Vector<T> axis = axis_of(w, joints);
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
+      carry(a, reversed ? -r : r);
+      a.angular += axis * x;
+      if constexpr (reversed) a.linear += cross(r, axis) * x;
+      break;
+    }
+    case JointKind::kPrismatic: {
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
+      carry(a, reversed ? -r : r);
+      a.linear += axis_of(w, joints) * x;
+      break;
+    }
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) {
+        if constexpr (!reversed) carry(a, r);
+        turn_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+      break;
+    default:
+      if constexpr (kWidth<T> == 1) {
+        if constexpr (!reversed) carry(a, r);
+        move_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+  }
+}
+
+// Joints first .. last outwards; what moves along with a link is kept where other paths start.
+template <int p, int first, int last>
+void accelerate(Workspace& w) {
+  Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    move<false>(w, single(first + k), kind, a);
+    const std::size_t far = static_cast<std::size_t>(first + k + 1);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
+}
+
+// Six numbers that follow from each other are no work for lanes: g++ takes a fifth longer with
+// them.
+#if defined(__clang__)
+#define ADAGEN_ONE_BY_ONE
+#else
+#define ADAGEN_ONE_BY_ONE __attribute__((optimize("no-tree-slp-vectorize")))
+#endif
+template <int p, int first, int last>
+ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
+  Motion<Value> a = w.motions[last + 1];
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    move<true>(w, single(j), kind, a);
+    const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
+}
+
+// The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
+template <int j>
+void as_joint_acceleration(Workspace& w) {
+  const Value* v = w.v + kJoints[j].v;
+  Value* qdd = &w.answer[kJoints[j].v];
+  const Vector<Value> turned =
+      cross(Vector<Value>{v[3], v[4], v[5]}, Vector<Value>{v[0], v[1], v[2]});
+  qdd[0] -= turned.x, qdd[1] -= turned.y, qdd[2] -= turned.z;
+}
+
+// A floating base's joint acceleration, [linear; angular] in its own axes.
+template <int j>
+void free_acceleration(Workspace& w) {
+  const Motion<Value>& a = w.motions[j + 1];
+  Value* qdd = &w.answer[kJoints[j].v];
+  qdd[0] = a.linear.x, qdd[1] = a.linear.y, qdd[2] = a.linear.z;
+  qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
+  as_joint_acceleration<j>(w);
+}
+
+// Limbs side by side: joints of as many limbs as there are lanes are treated together, from the
+// limbs' first joints outwards or back. A first lane that is idle goes by the second one's joints,
+// has memory of its own, and what it gives is written over.
+template <int count, int rows>
+struct Limbs {
+  int slot;                 // of the first joint of the first limb
+  int joints[rows][count];  // all limbs' k-th joints, which are of one kind
+
+  using T = std::conditional_t<count == 2, Two, Four>;
+  static constexpr int kRows = rows;
+  constexpr Joints<T> at(int k) const {
+    Joints<T> result{slot + count * k, {}};
+    for (int lane = 0; lane < count; ++lane) result.joint[lane] = joints[k][lane];
+    return result;
+  }
+  // The link that a limb hangs on.
+  constexpr int near(int lane) const {
+    return kJoints[static_cast<std::size_t>(joints[0][lane])].parent;
+  }
+};
+
+template <const auto& limbs>
+struct LimbRows {
+  static constexpr int kCount = limbs.kRows;
+  static constexpr JointKind kind(int k) { return limbs.at(k).any().kind; }
+};
+
+constexpr int kMostNumbers = 27;  // of what is taken apart or made one: a Body
+
+// One lane of what consists of numbers alone, and all lanes made one.
+template <class T, template <class> class S, std::size_t... k>
+ADAGEN_INLINE S<Value> lane_of(const S<T>& all, int lane, std::index_sequence<k...>) {
+  T numbers[sizeof...(k)];
+  std::memcpy(numbers, &all, sizeof all);
+  const Value own[]{numbers[k][lane]...};
+  S<Value> result;
+  std::memcpy(&result, own, sizeof result);
+  return result;
+}
+template <class T, template <class> class S>
+ADAGEN_INLINE S<Value> lane(const S<T>& all, int lane) {
+  return lane_of(all, lane, std::make_index_sequence<sizeof all / sizeof(T)>{});
+}
+template <class T, std::size_t... lane>
+ADAGEN_INLINE T lanes_of(const Value (&numbers)[kWidth<T>][kMostNumbers], std::size_t k,
+                         std::index_sequence<lane...>) {
+  return T{numbers[lane][k]...};
+}
+template <class T, template <class> class S, std::size_t... k>
+ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>],
+                                std::index_sequence<k...>) {
+  Value own[kWidth<T>][kMostNumbers];
+  ADAGEN_FOR (lane, 0, kWidth<T>) std::memcpy(own[lane], sides[lane], sizeof *sides[lane]);
+  const T numbers[]{lanes_of<T>(own, k, std::make_index_sequence<kWidth<T>>{})...};
+  S<T> result;
+  std::memcpy(&result, numbers, sizeof result);
+  return result;
+}
+template <class T, template <class> class S>
+ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>]) {
+  return side_by_side<T, S>(sides, std::make_index_sequence<sizeof(S<T>) / sizeof(T)>{});
+}
+
+template <const auto& limbs>
+void outward_abreast(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  Frame<Value> frames[kWidth<T>];
+  const Frame<Value>* sides[kWidth<T>];
+  ADAGEN_FOR (lane, 0, kWidth<T>) {
+    const int near = limbs.near(lane);
+    frames[lane] = near == 0 ? ground() : frame_of(w, near == 0 ? 0 : near - 1);
+    sides[lane] = &frames[lane];
+  }
+  Frame<T> at = side_by_side<T, Frame>(sides);
+  each_row<LimbRows<limbs>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, limbs.at(k), kind, at); });
+}
+
+// Adds to bodies what the sweep finds at the links beyond a row of joints.
+template <int p, class T>
+ADAGEN_INLINE void meet_abreast(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Body<Value> none{};
+  const Body<Value>* sides[kWidth<T>];
+  bool any = false;
+  ADAGEN_FOR (lane, 0, kWidth<T>) {
+    const std::size_t link = static_cast<std::size_t>(joints.joint[lane] + 1);
+    const bool gathers = kRoles[p][link].gathers;
+    any |= gathers;
+    sides[lane] = gathers ? &w.bodies[link] : &none;
+  }
+  if (any) X += side_by_side<T, Body>(sides);
+  add_bare_link(w, joints, X);
+}
+
+// Whether nothing but the links themselves is found between the limbs' joints.
+template <int p, class L>
+constexpr bool bare_rows(const L& limbs) {
+  for (int k = 0; k + 1 < L::kRows; ++k)
+    for (const int joint : limbs.at(k).joint)
+      if (kRoles[p][static_cast<std::size_t>(joint + 1)].gathers) return false;
+  return true;
+}
+
+// What hangs on the links that the limbs hang on.
+template <int p, const auto& limbs>
+auto inward_abreast(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  Body<T> X{};
+  constexpr bool quick = bare_rows<p>(limbs);
+  if constexpr (quick) meet_abreast<p>(w, limbs.at(limbs.kRows - 1), X);
+  each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    if constexpr (!quick) meet_abreast<p>(w, limbs.at(k), X);
+    step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
+      if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
+    });
+  });
+  return X;
+}
+
+template <int p, const auto& limbs>
+void accelerate_abreast(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  const Motion<Value>* sides[kWidth<T>];
+  ADAGEN_FOR (lane, 0, kWidth<T>)
+    sides[lane] = &w.motions[static_cast<std::size_t>(limbs.near(lane))];
+  Motion<T> a = side_by_side<T, Motion>(sides);
+  each_row<LimbRows<limbs>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const Joints<T> joints = limbs.at(k);
+    move<false>(w, joints, kind, a);
+    ADAGEN_FOR (side, 0, kWidth<T>) {
+      const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
+      if (kRoles[p][link].parts) w.motions[link] = lane(a, side);
+    }
+  });
+}
+
+// "neck", "right_wrist"
+constexpr Limbs<2, 1> kLimbs0{16, {{11, 14}}};
+
+
+// Nothing on the ground moves beyond its Frame, and the ground does not yield.
+const Mat6 kZero = Mat6::Zero();
+const Columns6 kGround = Columns6::Zero();
+
+// Mobility: what a segment shows at its handles, and what forces there do inside it. Phi and b are
+// in the axes of the base about the handles' origins; b are accelerations beyond those of a Frame.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+
+ADAGEN_INLINE Motion<Value> motion_of(const Columns6& a) {
+  return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
+}
+ADAGEN_INLINE Columns6 columns_of(const Motion<Value>& a) {
+  Columns6 result;
+  result << a.angular.x, a.angular.y, a.angular.z, a.linear.x, a.linear.y, a.linear.z;
+  return result;
+}
+
+inline Mat6 inertia_of(const Body<Value>& X) {
+  Mat6 I;
+  I << X.A.xx, X.A.xy, X.A.xz, X.B.x.x, X.B.x.y, X.B.x.z,  //
+      X.A.xy, X.A.yy, X.A.yz, X.B.y.x, X.B.y.y, X.B.y.z,   //
+      X.A.xz, X.A.yz, X.A.zz, X.B.z.x, X.B.z.y, X.B.z.z,   //
+      X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx, X.C.xy, X.C.xz,   //
+      X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy, X.C.yz,   //
+      X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz;
+  return I;
+}
+inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
+
+// The inverse of a symmetric matrix of six rows, and as symmetric: L^-T D^-1 L^-1, L^-1 by
+// elimination of all six unit vectors at once. Where masses differ much, subtracting on the way
+// back instead would cost digits. Whether each pivot exceeds what it must at least.
+ADAGEN_INLINE bool invert(const Mat6& m, const Real (&least)[6], Mat6& inverse) {
+  Lanes rows[6]{}, X[6]{};
+  Real over[6];
+  bool good = true;
+  ADAGEN_FOR (i, 0, 6) {
+    std::memcpy(&rows[i], m.data() + 6 * i, 6 * sizeof(Real));
+    X[i][i] = 1;
+  }
+  ADAGEN_FOR (c, 0, 6) {
+    const Real pivot = rows[c][c];
+    good = good && pivot > least[c] && pivot <= std::numeric_limits<Real>::max();
+    over[c] = 1 / pivot;
+    ADAGEN_FOR (i, c + 1, 6) {
+      const Real l = rows[i][c] * over[c];
+      rows[i] -= rows[c] * l;
+      X[i] -= X[c] * l;
+    }
+  }
+  ADAGEN_FOR (i, 0, 6) {
+    Lanes sum{};
+    ADAGEN_FOR (k, i, 6) sum += X[k] * (X[k][i] * over[k]);
+    std::memcpy(inverse.data() + 6 * i, &sum, 6 * sizeof(Real));
+  }
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, 0, i) inverse(k, i) = inverse(i, k);
+  return good;
+}
+
+// Phi = (I^A)^-1 and b = -Phi p^A of a segment's root.
+[[maybe_unused]] inline bool invert(const Body<Value>& X, Mat6& Phi, Columns6& b) {
+  constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+  const Mat6 I = inertia_of(X);
+  Real least[6];
+  ADAGEN_FOR (k, 0, 6) least[k] = kRounding * I(k, k);
+  const bool good = invert(I, least, Phi);
+  b.noalias() = -Phi * force_of(X);
+  return good;
+}
+
+template <int p, int link>
+void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
+  if (!invert(whole<p>(w, link), Phi, b)) fail(w, kFactorization, link - 1);
+}
+
+// Motions of a link, side by side: what the far link does, with what drives the joint beyond L a
+// (of a joint with one freedom x).
+template <bool reversed>
+ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a,
+                        const Vector<Lanes>& drive = Vector<Lanes>{}) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value> axis = axis_at(w.of(j, kAxes));
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      if constexpr (!reversed) carry(a, memory.r);
+      const Vector<Lanes> v = a.linear, spin = a.angular;
+      a.angular = {drive.x - (e[0] * v.x + e[1] * v.y + e[2] * v.z),
+                   drive.y - (e[3] * v.x + e[4] * v.y + e[5] * v.z),
+                   drive.z - (e[6] * v.x + e[7] * v.y + e[8] * v.z)};
+      if constexpr (kSphericalRotors) a.angular += solved(e + 12, spin) * rotor_of(single(j));
+      if constexpr (reversed) carry(a, -memory.r);
+    }
+    return;
+  }
+  const Lanes x = drive.x - ((e[0] * a.angular.x + e[1] * a.angular.y) +
+                             (e[2] * a.angular.z + e[3] * a.linear.x) +
+                             (e[4] * a.linear.y + e[5] * a.linear.z));
+  const Vector<Lanes> moved{axis.x * x, axis.y * x, axis.z * x};
+  if constexpr (!reversed) carry(a, memory.r);
+  if (kind == JointKind::kPrismatic)
+    a.linear += moved;
+  else
+    a.angular += moved;
+  if constexpr (reversed) carry(a, -memory.r);
+}
+
+ADAGEN_INLINE Motion<Lanes> rows_of(const Mat6& transposed) {
+  const auto row = [&transposed](int k) {
+    Lanes result{};
+    std::memcpy(&result, transposed.data() + 6 * k, 6 * sizeof(Real));
+    return result;
+  };
+  return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}};
+}
+ADAGEN_INLINE Mat6 from_rows(const Motion<Lanes>& a) {  // transposed
+  Mat6 result;
+  const Lanes* rows[6] = {&a.angular.x, &a.angular.y, &a.angular.z,
+                          &a.linear.x,  &a.linear.y,  &a.linear.z};
+  for (int k = 0; k < 6; ++k) std::memcpy(result.data() + 6 * k, rows[k], 6 * sizeof(Real));
+  return result;
+}
+
+// L m, m being told with the near link in its rows.
+template <bool reversed>
+Mat6 passed(Workspace& w, int j, const Mat6& m) {
+  Motion<Lanes> rows = rows_of(m.transpose());
+  pass<reversed>(w, j, rows);
+  return from_rows(rows).transpose();
+}
+
+// S D^-1 S^T at the far link's origin.
+template <bool reversed>
+Mat6 own_mobility(Workspace& w, int j) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  Mat6 result = Mat6::Zero();
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      for (int k = 0; k < 3; ++k) {
+        const Vector<Value> unit{Value(k == 0), Value(k == 1), Value(k == 2)};
+        const Vector<Value> x = solved(memory.e + 12, unit);
+        result(0, k) = x.x, result(1, k) = x.y, result(2, k) = x.z;
+      }
+    }
+    if constexpr (reversed) {
+      Mat6 shifted = Mat6::Identity();
+      const Vector<Value> r = -memory.r;  // linear += angular x r
+      shifted(3, 1) = r.z, shifted(3, 2) = -r.y, shifted(4, 0) = -r.z;
+      shifted(4, 2) = r.x, shifted(5, 0) = r.y, shifted(5, 1) = -r.x;
+      result = shifted * result * shifted.transpose();
+    }
+    return result;
+  }
+  Motion<Value> S{};
+  (kind == JointKind::kPrismatic ? S.linear : S.angular) = axis_at(w.of(j, kAxes));
+  if constexpr (reversed) carry(S, -memory.r);
+  const Columns6 s = columns_of(S);
+  return s * memory.e[7] * s.transpose();
+}
+
+// Omega and b outwards across a joint: L Omega L^T + S D^-1 S^T. Nothing is subtracted.
+template <bool reversed>
+void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias, Mat6& far,
+               Columns6& far_bias) {
+  const Mat6 half = passed<reversed>(w, j, near);
+  far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
+  Motion<Value> a = motion_of(near_bias);
+  move<reversed>(w, single(j), kJoints[static_cast<std::size_t>(j)].kind, a);
+  far_bias = columns_of(a);
+}
+
+// A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
+template <int link>
+void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  const Body<Value>& X = w.bodies[link];
+  const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
+  w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
+}
+
+// The force that what was left at a link needs to move as the link does.
+template <int link>
+Columns6 force_on(Workspace& w) {
+  const Body<Value>& X = w.bodies[link];
+  return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
+}
+
+// --- joins: adapters to the joints' own frames ---------------------------------------------------
+
+// From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
+[[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  X.E << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
+  Y.E = X.E;
+  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  X.r << r.x, r.y, r.z;
+  Y.r.setZero();
+}
+
+template <std::size_t n>
+void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
+  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
+}
+
+template <std::size_t n>
+void store_acceleration(Workspace& w, int, int v,
+                        const std::array<std::array<Real, kColumns>, n>& qdd) {
+  for (std::size_t k = 0; k < n; ++k) w.answer[static_cast<std::size_t>(v) + k] = qdd[k][0];
+}
+
+// Forces at handles: what they do inside a run.
+
+// A wrench on the far link becomes what the near link feels of it, L^T times it; what it drives the
+// joint with, D^-1 S^T times it, is returned.
+template <bool reversed, class T>
+ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value>& r = memory.r;
+  if constexpr (reversed) n += cross(f, r);
+  Vector<T> driven{};
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      driven = solved(e + 12, n);
+      f.x -= e[0] * n.x + e[3] * n.y + e[6] * n.z;
+      f.y -= e[1] * n.x + e[4] * n.y + e[7] * n.z;
+      f.z -= e[2] * n.x + e[5] * n.y + e[8] * n.z;
+      n = kSphericalRotors ? driven * rotor_of(single(j)) : Vector<T>{};
+      if constexpr (!reversed) n += -cross(f, r);
+    }
+    return driven;
+  }
+  const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_at(w.of(j, kAxes)));
+  driven.x = x * e[7];
+  if constexpr (!reversed) n += -cross(f, r);
+  n.x -= e[0] * x, n.y -= e[1] * x, n.z -= e[2] * x;
+  f.x -= e[3] * x, f.y -= e[4] * x, f.z -= e[5] * x;
+  return driven;
+}
+
+// What a link is loaded with is added to what is handed on to it.
+ADAGEN_INLINE void take_load(const Workspace& w, int link, Vector<Value>& n, Vector<Value>& f) {
+  const Columns6& load = w.loads[static_cast<std::size_t>(link)];
+  n += Vector<Value>{load[0], load[1], load[2]};
+  f += Vector<Value>{load[3], load[4], load[5]};
+}
+
+// A wrench on the far link: the joint is told, and what the near link feels is left.
+template <bool reversed>
+ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
+  Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
+  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
+  } else {
+    e[6] += driven.x;
+  }
+}
+
+// The loads of links beyond joints first .. last, each on the link of the one before, from the last
+// link to the one that the first joint is on.
+template <int first, int last>
+void deliver(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = last; j >= first; --j) {
+    take_load(w, j + 1, n, f);
+    deliver<false>(w, j, n, f);
+  }
+  w.loads[kJoints[first].parent] += columns_of({n, f});
+}
+// The same where the ground's side lies beyond: from the first joint's link to the last one's.
+template <int first, int last>
+void deliver_reversed(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = first; j <= last; ++j) {
+    take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
+    deliver<true>(w, j, n, f);
+  }
+  w.loads[last + 1] += columns_of({n, f});
+}
+
+// What goes into a message, and out of one.
+template <class M>
+Number* put(Number* to, const M& m) {
+  Eigen::Map<Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>>{to} =
+      m.template cast<Number>();
+  return to + M::SizeAtCompileTime;
+}
+
+template <class M>
+const Number* get(const Number* from, M& m) {
+  using Content = Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>;
+  m = Eigen::Map<const Content>(from).template cast<Real>();
+  return from + M::SizeAtCompileTime;
+}
+
+template <std::size_t n>
+Number* put(Number* to, const std::array<Real, n>& x) {
+  return std::copy(x.begin(), x.end(), to);
+}
+
+template <std::size_t n>
+const Number* get(const Number* from, std::array<Real, n>& x) {
+  std::transform(from, from + n, x.begin(), [](Number value) { return Real(value); });
+  return from + n;
 }
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
 // Process 0: 6 of 15 joints: "root", "left_hip", "right_hip", "right_knee", "right_ankle", "spine"
-constexpr std::array<int, 6> kRead_0{0, 1, 4, 5, 6, 7};
-constexpr std::array<int, 6> kOwned_0{0, 1, 4, 5, 6, 7};
-
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  ADAGEN_INPUTS
+  require_finite(w, w.q, 0, 11, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 16, 13, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 9, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 13, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 9, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 13, 10, &JointConstants::v, kNotFinite);
   stamp(0);
-  if (!all(unlike_zero(q + 0, 11) + unlike_zero(q + 16, 13) + unlike_zero(v + 0, 9) + unlike_zero(v + 13, 10) + unlike_zero(tau + 0, 9) + unlike_zero(tau + 13, 10) == 0))
-    name_what_is_not_finite(w, kRead_0, kOwned_0);
-  w.to[3] = channel.outgoing(3, w.status);
-  w.to[4] = channel.outgoing(4, w.status);
-  w.angle[0] = q[20];
-  take_sines_and_cosines<1>(w.angle.data(), w.sine.data(), w.cosine.data());
-  w.to[3][0] = tau[20];
-  w.to[3][1] = tau[21];
-  w.to[3][2] = tau[22];
-  w.to[4][0] = tau[6];
-  w.to[4][1] = tau[7];
-  w.to[4][2] = tau[8];
-  part_0_0(w);
-  part_0_1(w);
+  take_angles<0, 1>(w);
+  take_angles<4, 7>(w);
+  turn<block(3), block(3) + 1>(w);
+  orient<0, block(1), block(5) + 1>(w);
+  free_base_frame<0>(w);
+  outward<1, 1>(w);  // "left_hip"
+  outward<4, 6>(w);  // "right_hip" .. "right_ankle"
+  outward<7, 7>(w);  // "spine"
   stamp(1);
+  set_up_links<block(0), block(4) + 1>(w);
+  free_base<0, true>(w);
+  inward<0, 4, 6, false>(w);  // "right_hip" .. "right_ankle"
+  invert_root<0, 1>(w, w.j_right_hip.Phi_pelvis, w.j_right_hip.b_pelvis);
   stamp(2);
-  w.from[0] = channel.receive(0, w.status);  // from process 1: assembled: chain of "left_knee"
+  {  // from process 1: assembled: chain of "left_knee"
+    const Real* from = channel.receive(0, w.status);
+    from = get(from, w.j_left_knee.Phi_left_thigh);
+    from = get(from, w.j_left_knee.b_left_thigh);
+  }
   stamp(3);
-  part_0_2(w);
+  {
+    auto& i = w.j_left_hip;
+    set_transforms(w, 1, i.X, i.Y);
+    load_torque(w, 1, 6, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_right_hip.Phi_pelvis;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_left_knee.Phi_left_thigh, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_right_hip.b_pelvis, i.Y * w.j_left_knee.b_left_thigh, c))
+      fail(w, kFactorization, 1);
+    couple(i.joined, X_Phi_A, i.at_pelvis);
+    i.Phi_pelvis = w.j_right_hip.Phi_pelvis - product(i.at_pelvis, i.at_pelvis);  // Eq. (3)
+    i.b_pelvis = w.j_right_hip.b_pelvis - bias_change(i.joined, i.at_pelvis);  // Eq. (6)
+  }
   stamp(4);
-  w.from[2] = channel.receive(2, w.status);  // from process 2: assembled: chain of "left_shoulder"
+  {  // from process 2: assembled: chain of "left_shoulder"
+    const Real* from = channel.receive(2, w.status);
+    from = get(from, w.j_left_shoulder.Phi_trunk);
+    from = get(from, w.j_left_shoulder.b_trunk);
+  }
   stamp(5);
-  part_0_3(w);
+  {
+    auto& i = w.j_spine;
+    set_transforms(w, 7, i.X, i.Y);
+    load_torque(w, 7, 20, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_left_hip.Phi_pelvis;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_left_shoulder.Phi_trunk, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_left_hip.b_pelvis, i.Y * w.j_left_shoulder.b_trunk, c))
+      fail(w, kFactorization, 7);
+  }
   stamp(6);
+  {
+    auto& i = w.j_spine;
+    Release<Spherical> release(i.joined);
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    store_acceleration(w, 7, 20, release.qdd());  // Eq. (9)
+    w.j_left_hip.F_on_pelvis = -i.X.transposed_times(f);
+    w.j_left_shoulder.F_on_trunk = i.Y.transposed_times(f);
+  }
   stamp(7);
-  channel.send(3, w.status);  // to process 2: forces on: chain of "left_shoulder"
+  {  // to process 2: forces on: chain of "left_shoulder"
+    Real* to = channel.outgoing(3, w.status);
+    to = put(to, w.j_left_shoulder.F_on_trunk);
+    channel.send(3, w.status);
+  }
   stamp(8);
-  part_0_4(w);
+  {
+    auto& i = w.j_left_hip;
+    Release<Spherical> release(i.joined);
+    release.feel_A(i.at_pelvis, w.j_left_hip.F_on_pelvis);
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    store_acceleration(w, 1, 6, release.qdd());  // Eq. (9)
+    w.j_right_hip.F_on_pelvis = w.j_left_hip.F_on_pelvis - i.X.transposed_times(f);
+    w.j_left_knee.F_on_left_thigh = i.Y.transposed_times(f);
+  }
   stamp(9);
-  channel.send(4, w.status);  // to process 1: forces on: chain of "left_knee"
+  {  // to process 1: forces on: chain of "left_knee"
+    Real* to = channel.outgoing(4, w.status);
+    to = put(to, w.j_left_knee.F_on_left_thigh);
+    channel.send(4, w.status);
+  }
   stamp(10);
-  part_0_5(w);
+  w.loads[1] = w.j_right_hip.F_on_pelvis;
+  w.motions[1] = motion_of(w.j_right_hip.b_pelvis + w.j_right_hip.Phi_pelvis * w.loads[1]);
+  accelerate<0, 4, 6>(w);  // "right_hip" .. "right_ankle"
+  free_acceleration<0>(w);
   stamp(11);
-  if (!all(unlike_zero(w.result.data() + 0, 9) + unlike_zero(w.result.data() + 13, 10) == 0)) name_what_overflows(w, kOwned_0);
-  if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 0, 9, w.qdd + 0);
-  std::copy_n(w.result.data() + 13, 10, w.qdd + 13);
+  require_finite(w, w.answer.data(), 0, 9, &JointConstants::v, kOverflow);
+  require_finite(w, w.answer.data(), 13, 10, &JointConstants::v, kOverflow);
+  give(w, 0, 9);
+  give(w, 13, 10);
 }
 
 // Process 1: 2 of 15 joints: "left_knee", "left_ankle"; kinematics of 2 more on the way to the ground
-constexpr std::array<int, 4> kRead_1{0, 1, 2, 3};
-constexpr std::array<int, 2> kOwned_1{2, 3};
-
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  ADAGEN_INPUTS
+  require_finite(w, w.q, 0, 16, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 13, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 9, 4, &JointConstants::v, kNotFinite);
   stamp(0);
-  if (!all(unlike_zero(q + 0, 16) + unlike_zero(v + 0, 13) + unlike_zero(tau + 9, 4) == 0))
-    name_what_is_not_finite(w, kRead_1, kOwned_1);
-  w.to[0] = channel.outgoing(0, w.status);
-  w.angle[0] = q[11];
-  take_sines_and_cosines<1>(w.angle.data(), w.sine.data(), w.cosine.data());
-  part_1_0(w);
+  take_angles<0, 3>(w);
+  turn<block(8), block(8) + 1>(w);
+  orient<1, block(1), block(9) + 1>(w);
+  free_base_frame<0>(w);
+  pass_outward<1, 1>(w);  // "left_hip"
+  outward<2, 3>(w);  // "left_knee" .. "left_ankle"
   stamp(1);
+  set_up_links<block(1), block(9) + 1>(w);
+  inward<1, 2, 3, true>(w);  // "left_knee" .. "left_ankle"
+  invert_root<1, 2>(w, w.j_left_knee.Phi_left_thigh, w.j_left_knee.b_left_thigh);
   stamp(2);
-  channel.send(0, w.status);  // to process 0: assembled: chain of "left_knee"
+  {  // to process 0: assembled: chain of "left_knee"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.j_left_knee.Phi_left_thigh);
+    to = put(to, w.j_left_knee.b_left_thigh);
+    channel.send(0, w.status);
+  }
   stamp(3);
-  part_1_1(w);
-  w.from[4] = channel.receive(4, w.status);  // from process 0: forces on: chain of "left_knee"
+  {  // from process 0: forces on: chain of "left_knee"
+    const Real* from = channel.receive(4, w.status);
+    from = get(from, w.j_left_knee.F_on_left_thigh);
+  }
   stamp(4);
-  part_1_2(w);
+  w.loads[2] = w.j_left_knee.F_on_left_thigh;
+  w.motions[2] = motion_of(w.j_left_knee.b_left_thigh + w.j_left_knee.Phi_left_thigh * w.loads[2]);
+  accelerate<1, 2, 3>(w);  // "left_knee" .. "left_ankle"
   stamp(5);
-  if (!all(unlike_zero(w.result.data() + 9, 4) == 0)) name_what_overflows(w, kOwned_1);
-  if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 9, 4, w.qdd + 9);
+  require_finite(w, w.answer.data(), 9, 4, &JointConstants::v, kOverflow);
+  give(w, 9, 4);
 }
 
 // Process 2: 5 of 15 joints: "left_shoulder", "neck", "right_shoulder", "right_elbow", "right_wrist"; kinematics of 2 more on the way to the ground
-constexpr std::array<int, 7> kRead_2{0, 7, 8, 11, 12, 13, 14};
-constexpr std::array<int, 5> kOwned_2{8, 11, 12, 13, 14};
-
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  ADAGEN_INPUTS
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 25, 8, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 38, 13, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 20, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 30, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 23, 3, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 30, 10, &JointConstants::v, kNotFinite);
   stamp(0);
-  if (!all(unlike_zero(q + 0, 7) + unlike_zero(q + 25, 8) + unlike_zero(q + 38, 13) + unlike_zero(v + 0, 6) + unlike_zero(v + 20, 6) + unlike_zero(v + 30, 10) + unlike_zero(tau + 23, 3) + unlike_zero(tau + 30, 10) == 0))
-    name_what_is_not_finite(w, kRead_2, kOwned_2);
-  w.to[2] = channel.outgoing(2, w.status);
-  w.to[5] = channel.outgoing(5, w.status);
-  w.angle[0] = q[46];
-  take_sines_and_cosines<1>(w.angle.data(), w.sine.data(), w.cosine.data());
-  w.to[5][0] = tau[23];
-  w.to[5][1] = tau[24];
-  w.to[5][2] = tau[25];
-  part_2_0(w);
-  part_2_1(w);
+  take_angles<0, 0>(w);
+  take_angles<7, 8>(w);
+  take_angles<11, 14>(w);
+  turn<block(20), block(20) + 1>(w);
+  orient<2, block(5), block(19) + 1>(w);
+  free_base_frame<0>(w);
+  pass_outward<7, 7>(w);  // "spine"
+  outward<8, 8>(w);  // "left_shoulder"
+  outward<12, 13>(w);  // "right_shoulder" .. "right_elbow"
+  outward_abreast<kLimbs0>(w);
   stamp(1);
+  set_up_links<block(5), block(20) + 1>(w);
+  {
+    const auto X = inward_abreast<2, kLimbs0>(w);
+    leave<true>(w, 8, lane(X, 0));
+    leave<true>(w, 14, lane(X, 1));
+  }
+  inward<2, 12, 13, false>(w);  // "right_shoulder" .. "right_elbow"
+  invert_root<2, 8>(w, w.j_right_shoulder.Phi_trunk, w.j_right_shoulder.b_trunk);
   stamp(2);
-  w.from[1] = channel.receive(1, w.status);  // from process 3: assembled: chain of "left_elbow"
+  {  // from process 3: assembled: chain of "left_elbow"
+    const Real* from = channel.receive(1, w.status);
+    from = get(from, w.j_left_elbow.Phi_left_upper_arm);
+    from = get(from, w.j_left_elbow.b_left_upper_arm);
+  }
   stamp(3);
-  part_2_2(w);
+  {
+    auto& i = w.j_left_shoulder;
+    set_transforms(w, 8, i.X, i.Y);
+    load_torque(w, 8, 23, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_right_shoulder.Phi_trunk;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_left_elbow.Phi_left_upper_arm, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_right_shoulder.b_trunk, i.Y * w.j_left_elbow.b_left_upper_arm, c))
+      fail(w, kFactorization, 8);
+    couple(i.joined, X_Phi_A, i.at_trunk);
+    i.Phi_trunk = w.j_right_shoulder.Phi_trunk - product(i.at_trunk, i.at_trunk);  // Eq. (3)
+    i.b_trunk = w.j_right_shoulder.b_trunk - bias_change(i.joined, i.at_trunk);  // Eq. (6)
+  }
   stamp(4);
-  channel.send(2, w.status);  // to process 0: assembled: chain of "left_shoulder"
+  {  // to process 0: assembled: chain of "left_shoulder"
+    Real* to = channel.outgoing(2, w.status);
+    to = put(to, w.j_left_shoulder.Phi_trunk);
+    to = put(to, w.j_left_shoulder.b_trunk);
+    channel.send(2, w.status);
+  }
   stamp(5);
-  part_2_3(w);
-  w.from[3] = channel.receive(3, w.status);  // from process 0: forces on: chain of "left_shoulder"
+  {  // from process 0: forces on: chain of "left_shoulder"
+    const Real* from = channel.receive(3, w.status);
+    from = get(from, w.j_left_shoulder.F_on_trunk);
+  }
   stamp(6);
-  part_2_4(w);
+  {
+    auto& i = w.j_left_shoulder;
+    Release<Spherical> release(i.joined);
+    release.feel_A(i.at_trunk, w.j_left_shoulder.F_on_trunk);
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    store_acceleration(w, 8, 23, release.qdd());  // Eq. (9)
+    w.j_right_shoulder.F_on_trunk = w.j_left_shoulder.F_on_trunk - i.X.transposed_times(f);
+    w.j_left_elbow.F_on_left_upper_arm = i.Y.transposed_times(f);
+  }
   stamp(7);
-  channel.send(5, w.status);  // to process 3: forces on: chain of "left_elbow"
+  {  // to process 3: forces on: chain of "left_elbow"
+    Real* to = channel.outgoing(5, w.status);
+    to = put(to, w.j_left_elbow.F_on_left_upper_arm);
+    channel.send(5, w.status);
+  }
   stamp(8);
-  part_2_5(w);
+  w.loads[8] = w.j_right_shoulder.F_on_trunk;
+  w.motions[8] = motion_of(w.j_right_shoulder.b_trunk + w.j_right_shoulder.Phi_trunk * w.loads[8]);
+  accelerate<2, 12, 13>(w);  // "right_shoulder" .. "right_elbow"
+  accelerate_abreast<2, kLimbs0>(w);
   stamp(9);
-  if (!all(unlike_zero(w.result.data() + 23, 3) + unlike_zero(w.result.data() + 30, 10) == 0)) name_what_overflows(w, kOwned_2);
-  if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 23, 3, w.qdd + 23);
-  std::copy_n(w.result.data() + 30, 10, w.qdd + 30);
+  require_finite(w, w.answer.data(), 23, 3, &JointConstants::v, kOverflow);
+  require_finite(w, w.answer.data(), 30, 10, &JointConstants::v, kOverflow);
+  give(w, 23, 3);
+  give(w, 30, 10);
 }
 
 // Process 3: 2 of 15 joints: "left_elbow", "left_wrist"; kinematics of 3 more on the way to the ground
-constexpr std::array<int, 5> kRead_3{0, 7, 8, 9, 10};
-constexpr std::array<int, 2> kOwned_3{9, 10};
-
 void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  ADAGEN_INPUTS
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 25, 13, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 20, 10, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 26, 4, &JointConstants::v, kNotFinite);
   stamp(0);
-  if (!all(unlike_zero(q + 0, 7) + unlike_zero(q + 25, 13) + unlike_zero(v + 0, 6) + unlike_zero(v + 20, 10) + unlike_zero(tau + 26, 4) == 0))
-    name_what_is_not_finite(w, kRead_3, kOwned_3);
-  w.to[1] = channel.outgoing(1, w.status);
-  w.angle[0] = q[33];
-  take_sines_and_cosines<1>(w.angle.data(), w.sine.data(), w.cosine.data());
-  part_3_0(w);
+  take_angles<0, 0>(w);
+  take_angles<7, 10>(w);
+  turn<block(24), block(24) + 1>(w);
+  orient<3, block(5), block(25) + 1>(w);
+  free_base_frame<0>(w);
+  pass_outward<7, 8>(w);  // "spine" .. "left_shoulder"
+  outward<9, 10>(w);  // "left_elbow" .. "left_wrist"
   stamp(1);
+  set_up_links<block(18), block(25) + 1>(w);
+  inward<3, 9, 10, true>(w);  // "left_elbow" .. "left_wrist"
+  invert_root<3, 9>(w, w.j_left_elbow.Phi_left_upper_arm, w.j_left_elbow.b_left_upper_arm);
   stamp(2);
-  channel.send(1, w.status);  // to process 2: assembled: chain of "left_elbow"
+  {  // to process 2: assembled: chain of "left_elbow"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.j_left_elbow.Phi_left_upper_arm);
+    to = put(to, w.j_left_elbow.b_left_upper_arm);
+    channel.send(1, w.status);
+  }
   stamp(3);
-  part_3_1(w);
-  w.from[5] = channel.receive(5, w.status);  // from process 2: forces on: chain of "left_elbow"
+  {  // from process 2: forces on: chain of "left_elbow"
+    const Real* from = channel.receive(5, w.status);
+    from = get(from, w.j_left_elbow.F_on_left_upper_arm);
+  }
   stamp(4);
-  part_3_2(w);
+  w.loads[9] = w.j_left_elbow.F_on_left_upper_arm;
+  w.motions[9] = motion_of(w.j_left_elbow.b_left_upper_arm + w.j_left_elbow.Phi_left_upper_arm * w.loads[9]);
+  accelerate<3, 9, 10>(w);  // "left_elbow" .. "left_wrist"
   stamp(5);
-  if (!all(unlike_zero(w.result.data() + 26, 4) == 0)) name_what_overflows(w, kOwned_3);
-  if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 26, 4, w.qdd + 26);
+  require_finite(w, w.answer.data(), 26, 4, &JointConstants::v, kOverflow);
+  give(w, 26, 4);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};

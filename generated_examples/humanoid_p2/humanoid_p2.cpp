@@ -1,8 +1,8 @@
 // Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
-// options   form segment, shape unrolled, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// program   2 processes, gathered at torso; 0.42 us predicted (default profile)
+// options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
+// program   2 processes, gathered at torso; 0.648 us predicted (default profile)
 //           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll in 2
 //           lanes, __base__, waist_yaw .. waist_pitch
 //           process 1: left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch ..
@@ -13,8 +13,8 @@
 // bias force with all that hangs on it. Processes meet once: each tells the others the I^A and p^A that
 // it found at the links where limbs of several processes meet. What lies between those links, up to the
 // root, every process then sweeps for itself, solves for the root's acceleration and goes outwards again
-// through its own limbs. Spatial vectors are [angular; linear], in link frames turned so that every joint
-// axis is z.
+// through its own limbs. Spatial vectors are [angular; linear], in the axes of the base, about each
+// link's origin.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls
@@ -616,6 +616,168 @@ ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosin
   if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
 }
 
+// Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
+// computed with: one number, or one for each of several states or links.
+template <class T>
+struct Vector {
+  T x, y, z;
+};
+
+template <class T>
+struct Matrix {
+  Vector<T> x, y, z;  // rows
+};
+
+template <class T>
+struct Symmetric {
+  T xx, xy, xz, yy, yz, zz;
+};
+
+template <class T>
+ADAGEN_INLINE Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Vector<T>& a, const S& s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Vector<T>& a, const Vector<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+template <class T, class S>
+ADAGEN_INLINE T dot(const Vector<T>& a, const Vector<S>& b) {
+  return a.x * b.x + (a.y * b.y + a.z * b.z);
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> cross(const Vector<T>& a, const Vector<S>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Matrix<T>& m, const Vector<S>& a) {
+  return {dot(m.x, a), dot(m.y, a), dot(m.z, a)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> transposed_times(const Matrix<T>& m, const Vector<T>& a) {
+  return {m.x.x * a.x + (m.y.x * a.y + m.z.x * a.z), m.x.y * a.x + (m.y.y * a.y + m.z.y * a.z),
+          m.x.z * a.x + (m.y.z * a.y + m.z.z * a.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> row_times(const Vector<T>& a, const Matrix<S>& m) {
+  return {a.x * m.x.x + (a.y * m.y.x + a.z * m.z.x), a.x * m.x.y + (a.y * m.y.y + a.z * m.z.y),
+          a.x * m.x.z + (a.y * m.y.z + a.z * m.z.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Matrix<T> operator*(const Matrix<T>& a, const Matrix<S>& b) {
+  return {row_times(a.x, b), row_times(a.y, b), row_times(a.z, b)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator*(const Symmetric<T>& m, const Vector<T>& a) {
+  return {m.xx * a.x + (m.xy * a.y + m.xz * a.z), m.xy * a.x + (m.yy * a.y + m.yz * a.z),
+          m.xz * a.x + (m.yz * a.y + m.zz * a.z)};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Symmetric<T>& a, const Symmetric<T>& b) {
+  a.xx += b.xx, a.xy += b.xy, a.xz += b.xz, a.yy += b.yy, a.yz += b.yz, a.zz += b.zz;
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Matrix<T>& a, const Matrix<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+
+// A body about a point: spatial inertia [[A, B], [B^T, C]] (A rotational, C of mass) and bias force
+// [n; f]. It is a link, or a link with all that hangs on it.
+template <class T>
+struct Body {
+  Symmetric<T> A;
+  Matrix<T> B;
+  Symmetric<T> C;
+  Vector<T> n, f;
+};
+
+template <class T>
+ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
+  a.A += b.A, a.B += b.B, a.C += b.C, a.n += b.n, a.f += b.f;
+}
+
+// The body told about the point at -r from the one that it is told about: B + rx C, and
+// A + rx B^T - (B + rx C) rx.
+template <class T>
+ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Matrix<T> B{{X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
+                     X.B.x.z + (r.y * C.zz - r.z * C.yz)},
+                    {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
+                     X.B.y.z + (r.z * C.xz - r.x * C.zz)},
+                    {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
+                     X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
+  X.A.xx += (r.y * X.B.x.z - r.z * X.B.x.y) - (B.x.y * r.z - B.x.z * r.y);
+  X.A.xy += (r.y * X.B.y.z - r.z * X.B.y.y) - (B.x.z * r.x - B.x.x * r.z);
+  X.A.xz += (r.y * X.B.z.z - r.z * X.B.z.y) - (B.x.x * r.y - B.x.y * r.x);
+  X.A.yy += (r.z * X.B.y.x - r.x * X.B.y.z) - (B.y.z * r.x - B.y.x * r.z);
+  X.A.yz += (r.z * X.B.z.x - r.x * X.B.z.z) - (B.y.x * r.y - B.y.y * r.x);
+  X.A.zz += (r.x * X.B.z.y - r.y * X.B.z.x) - (B.z.x * r.y - B.z.y * r.x);
+  X.B = B;
+  X.n += cross(r, X.f);
+}
+
+// The same for a body whose A and B are zero, as a point mass's: B = rx C, A = -B rx.
+template <class T>
+ADAGEN_INLINE void shift_mass(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Vector<T> Cx{C.xx, C.xy, C.xz}, Cy{C.xy, C.yy, C.yz}, Cz{C.xz, C.yz, C.zz};
+  X.B = {Cz * r.y - Cy * r.z, Cx * r.z - Cz * r.x, Cy * r.x - Cx * r.y};
+  const Vector<T> Ax = cross(r, X.B.x), Ay = cross(r, X.B.y), Az = cross(r, X.B.z);
+  X.A = {Ax.x, Ax.y, Ax.z, Ay.y, Ay.z, Az.z};
+  X.n += cross(r, X.f);
+}
+
+// The inertia less U U^T / D, U = [n; f] and e = U / D.
+template <class T>
+ADAGEN_INLINE void subtract(Body<T>& X, const Vector<T>& n, const Vector<T>& f,
+                            const Vector<T>& e_n, const Vector<T>& e_f) {
+  X.A.xx -= e_n.x * n.x, X.A.xy -= e_n.x * n.y, X.A.xz -= e_n.x * n.z;
+  X.A.yy -= e_n.y * n.y, X.A.yz -= e_n.y * n.z, X.A.zz -= e_n.z * n.z;
+  X.B.x.x -= e_n.x * f.x, X.B.x.y -= e_n.x * f.y, X.B.x.z -= e_n.x * f.z;
+  X.B.y.x -= e_n.y * f.x, X.B.y.y -= e_n.y * f.y, X.B.y.z -= e_n.y * f.z;
+  X.B.z.x -= e_n.z * f.x, X.B.z.y -= e_n.z * f.y, X.B.z.z -= e_n.z * f.z;
+  X.C.xx -= e_f.x * f.x, X.C.xy -= e_f.x * f.y, X.C.xz -= e_f.x * f.z;
+  X.C.yy -= e_f.y * f.y, X.C.yz -= e_f.y * f.z, X.C.zz -= e_f.z * f.z;
+}
+
+// Where a point moves that is at r from one that moves as [angular; linear].
+template <class T>
+struct Motion {
+  Vector<T> angular, linear;
+};
+
+template <class T, class S>
+ADAGEN_INLINE void carry(Motion<T>& a, const Vector<S>& r) {
+  a.linear += cross(a.angular, r);
+}
+
+// The rotation that a quaternion x y z w of any length stands for, and its squared length.
+template <class T>
+ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<T>& R) {
+  const T squared = (x * x + y * y) + (z * z + w * w);
+  const T s = 2 / squared;
+  const T xx = s * x * x, yy = s * y * y, zz = s * z * z, xy = s * x * y, xz = s * x * z,
+          yz = s * y * z, xw = s * x * w, yw = s * y * w, zw = s * z * w;
+  R = {{1 - (yy + zz), xy - zw, xz + yw},
+       {xy + zw, 1 - (xx + zz), yz - xw},
+       {xz - yw, yz + xw, 1 - (xx + yy)}};
+  return squared;
+}
+
 constexpr std::array<MessageInfo, 4> kMessages{ {
     {0, 1, 27},  // 0: what hangs on "torso"
     {1, 0, 27},  // 1: what hangs on "torso"
@@ -955,2923 +1117,1551 @@ std::chrono::steady_clock::rep* trace_stamps =
   if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
 }
 
-// ---- 4. joints ----------------------------------------------------------------------------------
+// ---- 4. kernels ---------------------------------------------------------------------------------
+// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
+// base's link), about each link's own origin. Links move as they would were all joint accelerations
+// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
 
 // What is computed with.
 using Value = Real;
 
-// The memory of a process: the state, angles with sine and cosine, what messages hold, and values
-// that one function leaves to another.
-struct Workspace {
+// A link's mass, that times its centre of mass, and its pseudo-inertia, sum of m x x^T: xx xy xz yy
+// yz zz. About the link's origin.
+struct LinkInertia {
+  Real mass, moments[3], tensor[6];
+};
+constexpr std::array<LinkInertia, kJointCount> kInertias{ {
+    {6.2, {0.0, 0.0, 0.12400000000000001},
+     {0.01012665, 0.0, 0.0, 0.02500665, 0.0, 0.009920050000000001}},
+    {1.4, {0.0, 0.0, 0.041999999999999996},
+     {0.000875, 0.0, 0.0, 0.000875, 0.0, 0.002205}},
+    {1.2, {0.0, -0.048, 0.024},
+     {0.00075, 0.0, 0.0, 0.00267, -0.00096, 0.00112}},
+    {2.6, {0.0, 0.0, -0.26},
+     {0.00234, 0.0, 0.0, 0.00234, 0.0, 0.0406467}},
+    {1.8, {-0.234, 0.018000000000000002, 0.0},
+     {0.042180050000000004, -0.00234, 0.0, 0.00109125, 0.0, 0.00091125}},
+    {0.2, {0.0, 0.0, 0.0},
+     {3.6e-05, 0.0, 0.0, 3.6e-05, 0.0, 3.6e-05}},
+    {0.8, {0.0, -0.024, 0.024},
+     {0.0004266635, 0.0, 0.0, 0.0007800035, -0.0007199999999999999, 0.0033866665}},
+    {1.4, {0.0, 0.0, -0.041999999999999996},
+     {0.000875, 0.0, 0.0, 0.000875, 0.0, 0.002205}},
+    {1.2, {0.0, -0.048, 0.024},
+     {0.00075, 0.0, 0.0, 0.00267, -0.00096, 0.00112}},
+    {2.6, {0.0, 0.0, -0.26},
+     {0.00234, 0.0, 0.0, 0.00234, 0.0, 0.0406467}},
+    {1.8, {-0.234, 0.018000000000000002, 0.0},
+     {0.042180050000000004, -0.00234, 0.0, 0.00109125, 0.0, 0.00091125}},
+    {0.2, {0.0, 0.0, 0.0},
+     {3.6e-05, 0.0, 0.0, 3.6e-05, 0.0, 3.6e-05}},
+    {0.8, {0.0, -0.024, 0.024},
+     {0.0004266635, 0.0, 0.0, 0.0007800035, -0.0007199999999999999, 0.0033866665}},
+    {0.8, {0.0, 0.0, 0.016},
+     {0.0005, 0.0, 0.0, 0.0005, 0.0, 0.0005600000000000001}},
+    {0.9, {0.0, 0.018000000000000002, 0.0},
+     {0.0005625, 0.0, 0.0, 0.0008400000000000001, 0.0, 0.0005625}},
+    {9.5, {1.6150000000000002, 0.095, 0.0},
+     {0.36606635000000004, 0.01615, 0.0, 0.021216649999999997, 0.0, 0.06206665}},
+    {0.8, {0.0, 0.0, 0.024},
+     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0010466669999999998}},
+    {0.7, {0.006999999999999999, -0.020999999999999998, 0.0},
+     {0.00042, -0.00020999999999999998, 0.0, 0.00098, 0.0, 0.00035}},
+    {0.8, {0.0, 0.0, -0.04000000000000001},
+     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0033066700000000003}},
+    {0.7, {-0.049, 0.013999999999999999, 0.0},
+     {0.004923335000000001, -0.00098, 0.0, 0.000494375, 0.0, 0.000214375}},
+    {0.2, {0.0, 0.0, -0.002},
+     {4.5e-05, 0.0, 0.0, 4.5e-05, 0.0, 6.16667e-05}},
+    {0.4, {-0.024, 0.0, 0.0},
+     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
+    {0.4, {0.0, 0.0, 0.008},
+     {9e-05, 0.0, 0.0, 9e-05, 0.0, 0.00028000000000000003}},
+    {2.4, {0.216, 0.048, 0.0},
+     {0.023327999999999998, 0.00432, 0.0, 0.004848, 0.0, 0.003888}},
+    {0.8, {0.0, 0.0, -0.024},
+     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0010466669999999998}},
+    {0.7, {-0.006999999999999999, -0.020999999999999998, 0.0},
+     {0.00042, 0.00020999999999999998, 0.0, 0.00098, 0.0, 0.00035}},
+    {0.8, {0.0, 0.0, -0.04000000000000001},
+     {0.00032, 0.0, 0.0, 0.00032, 0.0, 0.0033066700000000003}},
+    {0.7, {-0.049, 0.013999999999999999, 0.0},
+     {0.004923335000000001, -0.00098, 0.0, 0.000494375, 0.0, 0.000214375}},
+    {0.2, {0.0, 0.0, -0.002},
+     {4.5e-05, 0.0, 0.0, 4.5e-05, 0.0, 6.16667e-05}},
+    {0.4, {-0.024, 0.0, 0.0},
+     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
+} };
+
+// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
+// segments of long runs.
+constexpr int kSlotCount = 30;
+constexpr bool kAbreast = true;  // whether there are such
+constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
+constexpr bool kReordered = true;  // whether joints lie in another order than they have
+constexpr int kSlots[kJointCount]{ 12, 0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9, 11, 13, 14, 15, 16, 18, 20, 22, 24, 26, 28, 29, 17, 19, 21, 23, 25, 27 };
+constexpr bool kByColumns = false;  // whether runs are taken by columns
+
+// What a process does at a link.
+struct LinkRole {
+  bool gathers;   // paths meet at it inwards
+  bool adds_own;  // its own inertia is this process's to add
+  bool parts;     // paths part at it outwards
+  bool oriented;  // the quaternion of the joint above it is this process's to take
+};
+constexpr LinkRole kRoles[2][kLinkCount]{
+    {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
+};
+
+// What is kept where segments meet, with the joint that it belongs to.
+struct Cuts {
+};
+
+// The memory of a process. What is set up for many links at once lies in blocks, side by side.
+constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
+constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
+
+// Joints that are treated together, one in each lane of T; their slots follow each other.
+template <class T>
+[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Value));
+template <class T>
+struct Joints {
+  int slot;  // of the first one
+  int joint[kWidth<T>];
+
+  constexpr const JointConstants& any() const {
+    return kJoints[static_cast<std::size_t>(joint[0])];
+  }
+};
+constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
+ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
+
+// The lanes of limbs side by side.
+typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+
+// A number of each of the joints.
+template <class T, class Number, std::size_t... lane>
+ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
+                        std::index_sequence<lane...>) {
+  return T{number(kJoints[static_cast<std::size_t>(joints.joint[lane])])...};
+}
+template <class T, class Number>
+ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
+  if constexpr (kWidth<T> == 1) {
+    const auto one = number(kJoints[static_cast<std::size_t>(joints.joint[0])]);
+    if constexpr (std::is_same_v<decltype(one), const T>)
+      return one;
+    else
+      return T{} + one;
+  } else {
+    return each_of(joints, number, std::make_index_sequence<kWidth<T>>{});
+  }
+}
+
+// What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
+enum Entry : int {
+  kTurn = 0,           // rotation from the child's to the parent link's axes, row by row
+  kAxes = 9,           // the link's orientation R, row by row: its z is the joint's axis
+  kOmega = 18,         // angular velocity
+  kAlpha = 21,         // angular acceleration and
+  kAcceleration = 24,  // acceleration of its origin less gravity, were all joint accelerations zero
+  kRotational = 27,    // A of the bare link
+  kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
+  kTorque = 36,        // bias force n
+  kForce = 39,         // and f of the bare link
+  kEntries = 42
+};
+
+struct alignas(64) Block {
+  Value entries[kEntries][kPerBlock];
+};
+
+// Three numbers of each of the joints, that follow each other in x.
+template <class T>
+ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
+                                    int JointConstants::* place) {
+  const auto number = [&](int k) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
+  };
+  return {number(0), number(1), number(2)};
+}
+
+// Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
+[[maybe_unused]] constexpr bool any_of(JointKind kind) {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
+[[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
+[[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
+[[maybe_unused]] constexpr bool any_passive() {
+  for (const JointConstants& joint : kJoints) {
+    const Passive& own = joint.passive;
+    if (own.damping != 0 || own.friction != 0 || own.stiffness != 0 || own.rotor != 0) return true;
+  }
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnyPassive = any_passive();
+
+// Whether a joint's axis lies beside what it is treated with, and not with those of its block.
+template <class T>
+constexpr bool kWithAxis = kByColumns && kWidth<T> == 1;
+// Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
+constexpr int kMostFactors = kAnyPlanar ? 24 : kAnySpherical ? 18 : 8;
+
+// What is kept of a joint from the inward to the outward sweep.
+template <class T, bool with_axis = kWithAxis<T>>
+struct Eliminated {
+  Vector<T> r;  // from the parent link's origin to the child link's
+  T e[kMostFactors];
+};
+template <class T>
+struct alignas(64) Eliminated<T, true> {
+  Vector<T> axis;
+  T none;  // so that axis and r lie as the halves of a column
+  Vector<T> r;
+  T nothing;
+  T e[kMostFactors];
+};
+using Memory = Eliminated<Value>;
+
+// A bare link as it is added to columns (see inward_columns.hpp).
+struct alignas(64) LinkColumns {
+  Real tensor[8], moments[8], force[8];
+};
+
+// A link's orientation and how it moves, were all joint accelerations zero.
+template <class T>
+struct Frame {
+  Matrix<T> R;
+  Vector<T> omega, alpha, a;
+};
+
+struct Workspace : Cuts {
   const Value* q = nullptr;
   const Value* v = nullptr;
   const Value* tau = nullptr;
   Value* qdd = nullptr;
   int status = kFine;
-  alignas(kCacheLine) std::array<Value, 32> angle{}, sine{}, cosine{};
-  std::array<Value, kNv> result{};
-  alignas(kCacheLine) std::array<Value, 12> lanes{};  // results of rows
-  std::array<Real*, kPlanMessages> to{};          // messages to be sent
-  std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Value, 248> x{};
+  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
+  std::array<Block, kBlockCount> blocks{};
+  std::array<Memory, kJointCount> joints{};
+  std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
+  std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
+  // Of the link beyond each joint, and one for slots that are not filled.
+  std::array<LinkColumns, kByColumns ? kJointCount + 1 : 0> columns{};
+  std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
+  std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
+  std::array<Value, kNv> answer{};
+
+  Workspace() {
+    for (Block& block : blocks)  // slots that are not filled do not turn
+      for (const int k : {0, 4, 8}) std::fill_n(block.entries[kTurn + k], kPerBlock, Value{} + 1);
+    for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
+      for (int k = 0; k < 9; ++k)
+        of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
+  }
+
+  Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
+  Value* at(int slot, Entry entry) {
+    return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
+  }
+
+  template <class T>
+  Eliminated<T>& memory(const Joints<T>& of) {
+    if constexpr (kWidth<T> == 1)
+      return joints[static_cast<std::size_t>(of.joint[0])];
+    else if constexpr (kWidth<T> == 2)
+      return twos[static_cast<std::size_t>(of.slot / 2)];
+    else
+      return fours[static_cast<std::size_t>(of.slot / 4)];
+  }
 };
 
-// What straight lines of numbers need.
-inline bool all(bool good, bool also = true) { return good && also; }
-
-// Zero for finite numbers only: x - x is.
-inline Real unlike_zero(const Real* x, int count) {
-  Real sum = 0;
-  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
-  return sum;
+template <class T = Value>
+ADAGEN_INLINE T number_at(const Value* x) {
+  T result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const T& number) {
+  std::memcpy(x, &number, sizeof number);
+}
+template <class T = Value>
+ADAGEN_INLINE Vector<T> vector_at(const Value* x, int stride = kPerBlock) {
+  return {number_at<T>(x), number_at<T>(x + stride), number_at<T>(x + 2 * stride)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Vector<T>& a) {
+  put_at(x, a.x), put_at(x + kPerBlock, a.y), put_at(x + 2 * kPerBlock, a.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Matrix<T> matrix_at(const Value* x) {
+  return {vector_at<T>(x), vector_at<T>(x + 3 * kPerBlock), vector_at<T>(x + 6 * kPerBlock)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Matrix<T>& m) {
+  put_at(x, m.x), put_at(x + 3 * kPerBlock, m.y), put_at(x + 6 * kPerBlock, m.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
+  return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
+}
+template <class T>
+ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
+  if constexpr (kWithAxis<T>)
+    return w.memory(joints).axis;
+  else
+    return axis_at<T>(w.at(joints.slot, kAxes));
 }
 
-// What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
-// results.
-#define ADAGEN_INPUTS                                                              \
-  [[maybe_unused]] const Value *const q = w.q, *const v = w.v, *const tau = w.tau; \
-  [[maybe_unused]] const Value *const sine = w.sine.data(), *const cosine = w.cosine.data();
+// A body in a message.
+[[maybe_unused]] constexpr int kBodyNumbers = 27;
+template <class T>
+ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
+  static_assert(sizeof X == kBodyNumbers * sizeof(Real));
+  std::memcpy(to, &X, sizeof X);
+  return to + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* get(const Real* from, Body<T>& X) {
+  std::memcpy(&X, from, sizeof X);
+  return from + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Real* add(const Real* from, Body<T>& X) {
+  Body<T> other;
+  from = get(from, other);
+  X += other;
+  return from;
+}
 
-[[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+ADAGEN_INLINE Lanes wide(const Value* x) {
+  Lanes result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
 
-inline void fail(Workspace& w, Failure kind, int joint) {
+// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
+  Value tau = w.tau[joint.v];
+  if constexpr (kAnyPassive) {
+    const Passive& own = joint.passive;
+    const Value& qd = w.v[joint.v];
+    if (own.damping != 0) tau -= own.damping * qd;
+    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
+  }
+  return tau;
+}
+
+// A joint of prescribed motion among limbs side by side gives way to nothing and moves as told.
+ADAGEN_INLINE Real immovable(const JointConstants& joint) {
+  return joint.passive.prescribed ? std::numeric_limits<Real>::infinity() : 0;
+}
+ADAGEN_INLINE Value prescribed(const Workspace& w, const JointConstants& joint) {
+  return joint.passive.prescribed ? w.tau[joint.v] : Value{};
+}
+
+// Accelerations are given only where all went well.
+inline void give(Workspace& w, int first, int count) {
+  if (w.status == kFine)
+    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
+}
+
+[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
+[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
+  for (int k = 0; k < 9; ++k)
+    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
+  return true;
+}
+
+// What cannot be solved is refused, with the joint at fault.
+
+ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
-// A state was found not to be finite: which joint's?
-template <std::size_t reads, std::size_t owns>
-[[gnu::cold]] ADAGEN_NOINLINE void name_what_is_not_finite(Workspace& w,
-                                                           const std::array<int, reads>& read,
-                                                           const std::array<int, owns>& owned) {
-  for (const int j : read) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!all(unlike_zero(w.q + joint.q, joint.nq) + unlike_zero(w.v + joint.v, joint.nv) == 0))
-      fail(w, kNotFinite, j);
+// x - x is zero, in all bits, for finite x only.
+ADAGEN_INLINE LaneBits unlike_zero(const Value* x) {
+  return reinterpret_cast<LaneBits>(wide(x) - wide(x));
+}
+ADAGEN_INLINE bool finite(const Value* x, int count) {
+  LaneBits found{};
+  int k = 0;
+  for (; k + kPerBlock <= count; k += kPerBlock) found |= unlike_zero(x + k);
+  if (k > 0 && k < count)
+    found |= unlike_zero(x + count - kPerBlock);  // some of them once more
+  else
+    for (; k < count; ++k)
+      if (!all_zero(x[k] - x[k])) return false;
+  return !any_of(found);
+}
+
+// Tells which of entries first .. is the first that is not finite; place says where a joint's
+// entries start.
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
+                               Failure kind) {
+  while (finite(x + first, 1)) ++first;
+  int joint = 0;
+  for (int j = 0; j < kJointCount; ++j)
+    if (kJoints[static_cast<std::size_t>(j)].*place <= first) joint = j;
+  fail(w, kind, joint);
+}
+
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::* place, Failure kind) {
+  if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
+}
+
+// Whether nothing failed, and entries first .. first + count - 1 of the answer are finite.
+ADAGEN_INLINE bool went_well(const Workspace& w, int first, int count) {
+  return __builtin_expect(
+      w.status == kFine && finite(&w.answer[static_cast<std::size_t>(first)], count), 1);
+}
+
+template <class T>
+ADAGEN_INLINE bool has_length(const T& squared) {
+  return all_positive(squared - std::numeric_limits<Real>::min()) &&
+         all_positive(std::numeric_limits<Real>::max() - squared);
+}
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!has_length(squared)) fail(w, kZeroQuaternion, joint);
+}
+
+// An elimination failed for one of the joints: for that whose number is not positive.
+template <class T>
+ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]] const T& x) {
+  int lane = 0;
+  if constexpr (kWidth < T >> 1)
+    while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
+  fail(w, kFactorization, joints.joint[lane]);
+}
+
+// Loops over rows of joints: a run's joints, or those of limbs side by side, of one kind each.
+// Where few stretches of one kind follow each other, each is a loop of its own that knows its kind.
+template <int first, int last>
+struct RunRows {
+  static constexpr int kCount = last - first + 1;
+  static constexpr JointKind kind(int k) {
+    return kJoints[static_cast<std::size_t>(first + k)].kind;
   }
-  for (const int j : owned) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!all(unlike_zero(w.tau + joint.v, joint.nv) == 0)) fail(w, kNotFinite, j);
-  }
+};
+
+constexpr int kMostStretches = 8;
+
+// Where the stretch ends that begins with the k-th row of an order.
+template <class Rows, bool backwards>
+constexpr int end_of_stretch(int k) {
+  const auto kind = [](int i) { return Rows::kind(backwards ? Rows::kCount - 1 - i : i); };
+  int end = k + 1;
+  while (end < Rows::kCount && kind(end) == kind(k)) ++end;
+  return end;
+}
+template <class Rows>
+constexpr bool few_stretches() {
+  int count = 0;
+  for (int k = 0; k < Rows::kCount; ++count) k = end_of_stretch<Rows, false>(k);
+  return count <= kMostStretches;
 }
 
-[[maybe_unused]] inline void require_length(Workspace& w, const Value& squared, int joint) {
-  if (!all(squared >= std::numeric_limits<Real>::min(),
-           squared <= std::numeric_limits<Real>::max()))
-    fail(w, kZeroQuaternion, joint);
-}
-
-// A pivot or a mobility has to be more than what rounding may have left of it.
-template <class T>
-[[maybe_unused]] void require_more(Workspace& w, const Value& x, const T& least, Failure kind,
-                                   int joint) {
-  if (!all(x > least, x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
-}
-
-// A result was found not to be finite: which joint's?
-template <std::size_t owns>
-[[gnu::cold]] ADAGEN_NOINLINE void name_what_overflows(Workspace& w,
-                                                       const std::array<int, owns>& owned) {
-  for (const int j : owned) {
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    if (!all(unlike_zero(w.result.data() + joint.v, joint.nv) == 0)) fail(w, kOverflow, j);
-  }
-}
-
-// Limbs that are alike share code: one is in each lane.
-typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
-typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
-typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
-template <class T>
-[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Real));
-template <class T>
-using Half =
-    std::conditional_t<kWidth<T> == 8, Four, std::conditional_t<kWidth<T> == 4, Two, Real>>;
-
-// Lanes are for limbs: g++ is told not to look for more to put side by side.
-#if defined(__clang__)
-#define ADAGEN_AS_IT_STANDS
-#else
-#define ADAGEN_AS_IT_STANDS __attribute__((optimize("no-tree-slp-vectorize")))
-#endif
-
-template <class T>
-ADAGEN_INLINE T taken(const Real* from) {
-  T x;
-  std::memcpy(&x, from, sizeof x);
-  return x;
-}
-template <class T>
-ADAGEN_INLINE void put(const T& x, Real* to) {
-  std::memcpy(to, &x, sizeof x);
-}
-
-// The sum of the first numbers, half by half.
-template <int count>
-ADAGEN_INLINE Real across(const Real& x) {
-  return x;
-}
-template <int count, class T>
-ADAGEN_INLINE Real across(const T& x) {
-  constexpr int half = kWidth<T> / 2;
-  Half<T> halves[2];
-  std::memcpy(halves, &x, sizeof x);
-  if constexpr (count == kWidth<T>) {
-    const Half<T> sum = halves[0] + halves[1];
-    return across<half>(sum);
-  } else if constexpr (count > half) {
-    return across<half>(halves[0]) + across<count - half>(halves[1]);
+// Calls step(row, kind) for each row, the last one first if backwards.
+template <class Rows, bool backwards, int begin = 0, class Step>
+ADAGEN_INLINE void each_row(const Step& step) {
+  constexpr auto row = [](int k) { return backwards ? Rows::kCount - 1 - k : k; };
+  if constexpr (few_stretches<Rows>()) {
+    constexpr int end = end_of_stretch<Rows, backwards>(begin);
+    constexpr std::integral_constant<JointKind, Rows::kind(row(begin))> kind;
+    for (int k = begin; k < end; ++k) step(row(k), kind);
+    if constexpr (end < Rows::kCount) each_row<Rows, backwards, end>(step);
   } else {
-    return across<count>(halves[0]);
+    for (int k = 0; k < Rows::kCount; ++k) step(row(k), Rows::kind(row(k)));
   }
 }
 
-// Zero for finite numbers only, of rows that lie one after the other.
-template <class T, int rows>
-ADAGEN_INLINE Real unlike_zero(const Real* from) {
-  T sum{};
-  ADAGEN_FOR (k, 0, rows) {
-    const T x = taken<T>(from + k * kWidth<T>);
-    sum += x - x;
+// What needs no recursion, for as many links at once as a register holds.
+
+// A number of each joint of a block, as constants of the model are kept.
+using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
+
+struct alignas(64) BlockConstants {
+  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
+  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
+  PerJoint mass, moments[3], tensor[6];
+};
+
+const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
+  std::array<BlockConstants, kBlockCount> result{};
+  for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
+    for (const int k : {0, 4}) block.rotation[k].fill(1);
+    block.mass.fill(1);
+    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
   }
-  return across<kWidth<T>>(sum);
+  for (int j = 0; j < kJointCount; ++j) {
+    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
+    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
+    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
+    block.x[lane] = joint.translation[0];
+    block.y[lane] = joint.translation[1];
+    block.z[lane] = joint.translation[2];
+    block.mass[lane] = link.mass;
+    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
+    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
+  }
+  return result;
+}();
+
+// Constants of each of the joints.
+template <class T>
+ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
+  const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+  return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
+}
+template <class T>
+ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1)
+    return kInertias[static_cast<std::size_t>(joints.joint[0])].mass;
+  else
+    return constant(joints, &BlockConstants::mass);
+}
+template <class T>
+ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1) {
+    const Real* const x = joints.any().translation;
+    return Vector<Real>{x[0], x[1], x[2]};
+  } else {
+    return Vector<T>{constant(joints, &BlockConstants::x), constant(joints, &BlockConstants::y),
+                     constant(joints, &BlockConstants::z)};
+  }
 }
 
-// The same as for single numbers, in the name of a joint for each lane.
-template <class T, std::size_t count>
-ADAGEN_COLD void name_what_is_not_more(Workspace& w, const T& x, const T& least, Failure kind,
-                                       const int (&joints)[count]) {
-  for (std::size_t k = 0; k < count; ++k) require_more(w, x[k], least[k], kind, joints[k]);
+ADAGEN_INLINE Lanes wide(const PerJoint& x) {
+  Lanes result;
+  if constexpr (sizeof(PerJoint) == sizeof(Lanes))
+    std::memcpy(&result, x.data(), sizeof result);
+  else
+    result = x[0] + Lanes{};
+  return result;
 }
-template <class T, class L, std::size_t count>
-ADAGEN_INLINE void require_more(Workspace& w, const T& x, const L& least, Failure kind,
-                                const int (&joints)[count]) {
-  const auto good = (x > least) & (x <= std::numeric_limits<Real>::max());
-  if (__builtin_expect(any_of(~good), 0)) name_what_is_not_more(w, x, T{} + least, kind, joints);
+ADAGEN_INLINE void narrow(const Lanes& x, Value* to) { std::memcpy(to, &x, sizeof x); }
+ADAGEN_INLINE Vector<Lanes> wide_vector(const Value (*x)[kPerBlock]) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
 }
-template <class T, std::size_t count>
-ADAGEN_INLINE void require_length(Workspace& w, const T& squared, const int (&joints)[count]) {
-  for (std::size_t k = 0; k < count; ++k) require_length(w, squared[k], joints[k]);
+ADAGEN_INLINE Vector<Lanes> wide_vector(const PerJoint* x) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE void narrow(const Vector<Lanes>& a, Value (*x)[kPerBlock]) {
+  narrow(a.x, x[0]), narrow(a.y, x[1]), narrow(a.z, x[2]);
 }
 
-// Sines and cosines of angles, whose places in q are given; as many are written as fill registers.
-template <std::size_t count, std::size_t... lane>
-ADAGEN_INLINE Lanes angles_of(const Real* q, const std::array<int, count>& places,
-                              std::size_t first, std::index_sequence<lane...>) {
-  return Lanes{q[places[std::min(first + lane, count - 1)]]...};
+// Copies the angles of those of joints first .. last that turn.
+template <int first, int last>
+void take_angles(Workspace& w) {
+  ADAGEN_FOR (j, first, last + 1) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    const int place = joint.q + (joint.kind == JointKind::kPlanar ? 2 : 0);
+    if (joint.kind == JointKind::kRevolute || joint.kind == JointKind::kPlanar)
+      w.angle[static_cast<std::size_t>(slot_of(j))] = w.q[place];
+  }
 }
-template <std::size_t count>
-ADAGEN_INLINE void take_sines_and_cosines(const Real* q, const std::array<int, count>& places,
-                                          Real* sine, Real* cosine) {
-  constexpr int kBlocks = (static_cast<int>(count) + kLanes - 1) / kLanes;
-  ADAGEN_FOR (block, 0, kBlocks) {
-    const Lanes angle = angles_of(q, places, static_cast<std::size_t>(block * kLanes),
-                                  std::make_index_sequence<kLanes>{});
+
+// Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
+template <int first, int last>
+void turn(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
     Lanes s, c;
-    sine_and_cosine(angle, s, c);
-    store(s, sine + block * kLanes);
-    store(c, cosine + block * kLanes);
+    sine_and_cosine(wide(&w.angle[static_cast<std::size_t>(b * kPerBlock)]), s, c);
+    ADAGEN_FOR (k, 0, 3) {
+      const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
+      narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
+      narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
+    }
   }
 }
 
-// Each function is a straight line. A value is called x and its number in the expression graph; zeros
-// and constants are folded in, nothing is computed twice, and what nobody needs is not there.
-// Frames are the links' own; accelerations are deviations from the field that the links would have
-// with all joint accelerations zero.
+// Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
+// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J, and the bias
+// force is that of the acceleration field a + H x, H = alpha x + omega x omega x.
+template <int first, int last>
+void set_up_links(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const auto& entries = block.entries;
+    const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
+                          wide_vector(entries + kAxes + 6)};
+    const Symmetric<Lanes> T{wide(constants.tensor[0]), wide(constants.tensor[1]),
+                             wide(constants.tensor[2]), wide(constants.tensor[3]),
+                             wide(constants.tensor[4]), wide(constants.tensor[5])};
+    const Matrix<Lanes> RT{T * R.x, T * R.y, T * R.z};  // rows of R T
+    const Symmetric<Lanes> J{dot(RT.x, R.x), dot(RT.x, R.y), dot(RT.x, R.z),
+                             dot(RT.y, R.y), dot(RT.y, R.z), dot(RT.z, R.z)};
+    narrow(J.yy + J.zz, block.entries[kRotational]);
+    narrow(-J.xy, block.entries[kRotational + 1]);
+    narrow(-J.xz, block.entries[kRotational + 2]);
+    narrow(J.xx + J.zz, block.entries[kRotational + 3]);
+    narrow(-J.yz, block.entries[kRotational + 4]);
+    narrow(J.xx + J.yy, block.entries[kRotational + 5]);
+    const Vector<Lanes> c = R * wide_vector(constants.moments);
+    narrow(c, block.entries + kMoments);
 
-// =================================================================================================
-// Process 0: 1151 products, 998 sums, 15 quotients, 1292 of them in lanes
-// =================================================================================================
-
-ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
-  ADAGEN_INPUTS
-  // joint 0 "__base__": placement, velocity and reference acceleration of its link
-  const Real x98 = v[3] * v[3];
-  const Real x103 = v[3] * v[4];
-  const Real x106 = v[4] * v[5];
-  const Real x107 = x98 + v[4] * v[4];
-  const Real x109 = v[3] * v[5];
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch": placement, velocity and reference acceleration of their links
-  const Two x112 = Two{v[6], v[12]};
-  const Two x120 = taken<Two>(cosine + 0) * v[5] + taken<Two>(sine + 0) * v[3];
-  const Two x124 = taken<Two>(cosine + 0) * v[3] - taken<Two>(sine + 0) * v[5];
-  const Two x125 = v[4] + x112;
-  const Two x126 = x112 * x124;
-  const Two x127 = x112 * x120;
-  const Two x133 = x103 * Two{0.09, -0.09} - x109 * 0.05;
-  const Two x138 = (x98 + v[5] * v[5]) * Two{0.09, -0.09} + x106 * 0.05;
-  const Two x143 = x106 * Two{0.09, -0.09} + x107 * 0.05;
-  const Two x146 = taken<Two>(cosine + 0) * x143 + taken<Two>(sine + 0) * x133;
-  const Two x150 = taken<Two>(cosine + 0) * x133 - taken<Two>(sine + 0) * x143;
-  const Two x162 = x124 * x125;
-  const Two x163 = x162 - x126;
-  const Two x165 = x120 * x120 + x124 * x124;
-  const Two x167 = x120 * x125;
-  const Two x169 = x167 - x127;
-  // links 2 "left_hip", 8 "right_hip": force that the reference field takes
-  const Two x770 = x126 * 0.00308 - x162 * 0.0013299999999999998 - x150 * Two{0.041999999999999996, -0.041999999999999996};
-  put(x770, w.x.data() + 0);
-  const Two x772 = x167 * 0.0013299999999999998 - x127 * 0.00308 + x146 * Two{0.041999999999999996, -0.041999999999999996};
-  put(x772, w.x.data() + 2);
-  const Two x775 = x146 * 1.4 + x169 * Two{0.041999999999999996, -0.041999999999999996};
-  put(x775, w.x.data() + 4);
-  const Two x778 = x150 * 1.4 + x163 * Two{0.041999999999999996, -0.041999999999999996};
-  put(x778, w.x.data() + 6);
-  const Two x783 = x138 * 1.4 + x165 * Two{0.041999999999999996, -0.041999999999999996};
-  put(x783, w.x.data() + 8);
-  // joints 2 "left_hip_roll", 8 "right_hip_roll": placement, velocity and reference acceleration of their links
-  const Two x172 = Two{v[7], v[13]};
-  const Two x179 = taken<Two>(cosine + 2) * x125 + taken<Two>(sine + 2) * x120;
-  const Two x183 = taken<Two>(cosine + 2) * x120 - taken<Two>(sine + 2) * x125;
-  const Two x184 = x124 + x172;
-  const Two x188 = taken<Two>(sine + 2) * x126 + x172 * x183;
-  const Two x191 = taken<Two>(cosine + 2) * x126 - x172 * x179;
-  const Two x193 = x146 + x169 * Two{0.04, -0.04};
-  const Two x195 = x150 + x163 * Two{0.04, -0.04};
-  const Two x198 = x138 + x165 * Two{0.04, -0.04};
-  const Two x203 = taken<Two>(sine + 2) * x193 - taken<Two>(cosine + 2) * x198;
-  const Two x207 = taken<Two>(sine + 2) * x198 + taken<Two>(cosine + 2) * x193;
-  const Two x210 = x179 * x179;
-  const Two x215 = x179 * x183;
-  const Two x216 = x127 + x215;
-  const Two x218 = x210 + x184 * x184;
-  const Two x220 = x183 * x184;
-  const Two x222 = x188 + x220;
-  const Two x223 = x210 + x183 * x183;
-  const Two x225 = x179 * x184;
-  const Two x227 = x191 + x225;
-  // links 3 "left_groin", 9 "right_groin": force that the reference field takes
-  const Two x805 = x188 * 0.00379 + x220 * 0.0015500000000000002;
-  const Two x829 = 0.00096 * (x223 - x218) + x805 - x195 * 0.048;
-  const Two x814 = x191 * 0.00187 + x225 * 0.00036999999999999994 - x216 * 0.00096;
-  const Two x824 = x227 * 0.00096 - (x127 * 0.00342 + x215 * 0.00192);
-  const Two x846 = x218 * 0.048 + (x220 - x188) * 0.024;
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": placement, velocity and reference acceleration of their links
-  const Two x230 = Two{v[8], v[14]};
-  const Two x235 = taken<Two>(cosine + 4) * x184 + taken<Two>(sine + 4) * x179;
-  const Two x239 = taken<Two>(cosine + 4) * x179 - taken<Two>(sine + 4) * x184;
-  const Two x240 = x183 + x230;
-  const Two x250 = taken<Two>(sine + 4) * x188 - taken<Two>(cosine + 4) * x127 + x230 * x239;
-  const Two x253 = taken<Two>(sine + 4) * x127 + taken<Two>(cosine + 4) * x188 - x230 * x235;
-  const Two x257 = x203 - x216 * 0.12;
-  const Two x260 = x207 + x218 * 0.12;
-  const Two x263 = x195 - x222 * 0.12;
-  const Two x266 = taken<Two>(cosine + 4) * x263 + taken<Two>(sine + 4) * x257;
-  const Two x270 = taken<Two>(cosine + 4) * x257 - taken<Two>(sine + 4) * x263;
-  const Two x283 = x239 * x240;
-  const Two x284 = x283 - x250;
-  const Two x286 = x235 * x235 + x239 * x239;
-  const Two x288 = x235 * x240;
-  const Two x290 = x253 + x288;
-  // joints 4 "left_knee", 10 "right_knee": placement, velocity and reference acceleration of their links
-  const Two x293 = Two{v[9], v[15]};
-  const Two x298 = taken<Two>(cosine + 6) * x240 + taken<Two>(sine + 6) * x235;
-  const Two x302 = taken<Two>(cosine + 6) * x235 - taken<Two>(sine + 6) * x240;
-  const Two x303 = x239 + x293;
-  const Two x312 = taken<Two>(cosine + 6) * x191 + taken<Two>(sine + 6) * x250 + x293 * x302;
-  const Two x315 = taken<Two>(cosine + 6) * x250 - taken<Two>(sine + 6) * x191 - x293 * x298;
-  const Two x319 = x266 - x290 * 0.24;
-  const Two x322 = x270 - x284 * 0.24;
-  const Two x325 = x260 + x286 * 0.24;
-  const Two x328 = taken<Two>(cosine + 6) * x325 + taken<Two>(sine + 6) * x319;
-  const Two x332 = taken<Two>(cosine + 6) * x319 - taken<Two>(sine + 6) * x325;
-  const Two x337 = x303 * x303;
-  const Two x338 = x302 * x302 + x337;
-  const Two x340 = x298 * x302;
-  const Two x342 = x253 + x340;
-  const Two x343 = x298 * x298 + x337;
-  const Two x345 = x302 * x303;
-  const Two x347 = x312 + x345;
-  const Two x350 = x298 * x303;
-  const Two x351 = x350 - x315;
-  // links 5 "left_shank", 11 "right_shank": force that the reference field takes
-  const Two x930 = x253 * 0.043271300000000006 + x340 * 0.0410888;
-  const Two x915 = x312 * 0.0020025 + x345 * 0.00018 - x351 * 0.00234;
-  const Two x924 = x315 * 0.043091300000000006 - x350 * 0.0412688 + x347 * 0.00234;
-  const Two x941 = 0.00234 * (x343 - x338) + x930 - x332 * 0.234;
-  const Two x947 = x338 * 0.234 + (x340 - x253) * 0.018000000000000002;
-  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": placement, velocity and reference acceleration of their links
-  const Two x355 = Two{v[10], v[16]};
-  const Two x360 = taken<Two>(cosine + 8) * x298 + taken<Two>(sine + 8) * x302;
-  const Two x364 = taken<Two>(cosine + 8) * x302 - taken<Two>(sine + 8) * x298;
-  const Two x365 = x303 + x355;
-  const Two x374 = taken<Two>(cosine + 8) * x312 + taken<Two>(sine + 8) * x315 + x355 * x364;
-  const Two x377 = taken<Two>(cosine + 8) * x315 - taken<Two>(sine + 8) * x312 - x355 * x360;
-  const Two x381 = x328 + x338 * 0.3;
-  const Two x384 = x332 - x342 * 0.3;
-  const Two x387 = x322 - x351 * 0.3;
-  const Two x390 = taken<Two>(cosine + 8) * x381 + taken<Two>(sine + 8) * x384;
-  const Two x394 = taken<Two>(cosine + 8) * x384 - taken<Two>(sine + 8) * x381;
-  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": placement, velocity and reference acceleration of their links
-  const Two x418 = Two{v[11], v[17]};
-  const Two x423 = taken<Two>(cosine + 10) * x365 + taken<Two>(sine + 10) * x360;
-  const Two x427 = taken<Two>(cosine + 10) * x360 - taken<Two>(sine + 10) * x365;
-  const Two x428 = x364 + x418;
-  const Two x437 = taken<Two>(cosine + 10) * x253 + taken<Two>(sine + 10) * x374 + x418 * x427;
-  const Two x440 = taken<Two>(cosine + 10) * x374 - taken<Two>(sine + 10) * x253 - x418 * x423;
-  const Two x444 = x390 + (x364 * x364 + x365 * x365) * 0.02;
-  const Two x447 = x394 - (x253 + x360 * x364) * 0.02;
-  const Two x450 = x387 - (x360 * x365 - x377) * 0.02;
-  const Two x453 = taken<Two>(cosine + 10) * x450 + taken<Two>(sine + 10) * x444;
-  const Two x457 = taken<Two>(cosine + 10) * x444 - taken<Two>(sine + 10) * x450;
-  const Two x460 = x423 * x423;
-  const Two x465 = x423 * x427;
-  const Two x466 = x465 - x377;
-  const Two x468 = x460 + x428 * x428;
-  const Two x470 = x427 * x428;
-  const Two x473 = x460 + x427 * x427;
-  const Two x475 = x423 * x428;
-  const Two x477 = x440 + x475;
-  // links 7 "left_foot", 13 "right_foot": force that the reference field takes
-  const Two x992 = 0.0007199999999999999 * (x473 - x468) - x470 * 0.002606663;
-  const Two x1015 = x437 * 0.00416667 + x992 - x447 * 0.024;
-  const Two x1016 = x1015 - x457 * 0.024;
-  const Two x1017 = x453 * 0.024;
-  const Two x1001 = x475 * 0.002960003 - x466 * 0.0007199999999999999 + x440 * 0.00381333;
-  const Two x1010 = x377 * 0.001206667 - x465 * 0.00035334 + x477 * 0.0007199999999999999;
-  const Two x1031 = x468 * 0.024 + (x470 - x437) * 0.024;
-  const Two x1032 = x457 * 0.8 + x1031;
-  const Two x1038 = x447 * 0.8 - x473 * 0.024;
-  const Two x1039 = x1038 - (x437 + x470) * 0.024;
-  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
-  const Real x485 = v[3] * cosine[12] + v[4] * sine[12];
-  const Real x489 = v[4] * cosine[12] - v[3] * sine[12];
-  const Real x490 = v[5] + v[18];
-  const Real x491 = v[18] * x489;
-  const Real x492 = v[18] * x485;
-  const Real x494 = x109 * 0.09;
-  const Real x495 = x106 * 0.09;
-  const Real x496 = x107 * 0.09;
-  const Real x500 = cosine[12] * x494 + sine[12] * x495;
-  const Real x504 = cosine[12] * x495 - sine[12] * x494;
-  const Real x516 = x489 * x490;
-  const Real x517 = x516 - x491;
-  const Real x519 = x485 * x485 + x489 * x489;
-  const Real x521 = x485 * x490;
-  const Real x523 = x521 - x492;
-  // link 14 "waist_link": force that the reference field takes
-  const Real x704 = x491 * 0.00106 - x516 * 6e-05 - x504 * 0.016;
-  w.x[10] = x704;
-  const Real x706 = x521 * 6e-05 - x492 * 0.00106 + x500 * 0.016;
-  w.x[11] = x706;
-  const Real x709 = x500 * 0.8 + x523 * 0.016;
-  w.x[12] = x709;
-  const Real x712 = x504 * 0.8 + x517 * 0.016;
-  w.x[13] = x712;
-  const Real x717 = x496 * 0.8 + x519 * 0.016;
-  w.x[14] = x717;
-  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
-  const Real x531 = x489 * cosine[13] + x490 * sine[13];
-  const Real x535 = x490 * cosine[13] - x489 * sine[13];
-  const Real x536 = x485 + v[19];
-  const Real x542 = v[19] * x535 - x492 * cosine[13];
-  const Real x547 = x500 + 0.05 * x523;
-  const Real x549 = x504 + 0.05 * x517;
-  const Real x552 = x496 + 0.05 * x519;
-  const Real x557 = cosine[13] * x549 - sine[13] * x552;
-  const Real x571 = x531 * x535;
-  const Real x576 = x535 * x536;
-  // link 15 "abdomen": force that the reference field takes
-  const Real x657 = (x492 * sine[13] - v[19] * x531) * 0.001125;
-  w.x[15] = x657;
-  const Real x666 = x542 * 0.0014025 + x576 * 0.00027750000000000013 + x547 * 0.018000000000000002;
-  w.x[16] = x666;
-  const Real x669 = x491 * 0.0014025 - x571 * 0.00027750000000000013 - x557 * 0.018000000000000002;
-  w.x[17] = x669;
-  const Real x672 = x557 * 0.9 + (x571 - x491) * 0.018000000000000002;
-  w.x[18] = x672;
-  const Real x673 = (sine[13] * x549 + cosine[13] * x552) * 0.9;
-  const Real x677 = x673 + (x531 * x531 + x536 * x536) * 0.018000000000000002;
-  w.x[19] = x677;
-  const Real x681 = x547 * 0.9 + (x542 + x576) * 0.018000000000000002;
-  w.x[20] = x681;
-  // joint 0 "__base__": its torque on the base
-  const Real x1046 = x109 * 0.12400000000000001 - tau[0];
-  w.x[21] = x1046;
-  const Real x1047 = x106 * 0.12400000000000001 - tau[1];
-  w.x[22] = x1047;
-  const Real x1048 = x107 * 0.12400000000000001 + tau[2];
-  w.x[23] = x1048;
-  const Real x1050 = x106 * 0.015086599999999999 - tau[3];
-  w.x[24] = x1050;
-  const Real x1051 = x109 * 0.00020659999999999716 + tau[4];
-  w.x[25] = x1051;
-  const Real x1053 = x103 * 0.01488 + tau[5];
-  w.x[26] = x1053;
-  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": articulated-body inertia and bias force through them
-  const Two x1057 = Two{tau[11], tau[17]};
-  const Two x1060 = 828.7290528372782 * (x1057 - (x1010 + x1017));
-  put(x1060, w.x.data() + 28);
-  const Two x1073 = x1001 + x1017 + 0.0007199999999999999 * x1060;
-  // links 7 "left_foot", 13 "right_foot": force that the reference field takes
-  const Two x1026 = x477 * 0.024 - x466 * 0.024 + x453 * 0.8;
-  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": articulated-body inertia and bias force through them
-  const Two x1075 = x1026 + 0.024 * x1060;
-  const Two x1076 = taken<Two>(cosine + 10) * 0.024;
-  const Two x1078 = taken<Two>(sine + 10) * 0.024;
-  const Two x1080 = taken<Two>(sine + 10) * 0.014320438033028168;
-  const Two x1082 = taken<Two>(sine + 10) * x1080;
-  const Two x1084 = -0.024 + x1082;
-  const Two x1085 = 0.009679561966971832 + x1082;
-  const Two x1086 = taken<Two>(cosine + 10) * x1080;
-  const Two x1089 = taken<Two>(cosine + 10) * 0.000782953140990845;
-  const Two x1094 = taken<Two>(cosine + 10) * x1089;
-  const Two x1097 = taken<Two>(cosine + 10) * 0.47734793443427226;
-  const Two x1099 = taken<Two>(sine + 10) * x1097;
-  const Two x1101 = taken<Two>(cosine + 10) * x1097;
-  const Two x1103 = 0.8 - x1101;
-  const Two x1107 = -0.016 - x1076;
-  const Two x1108 = 0.02 * x1103;
-  const Two x1114 = taken<Two>(sine + 10) * x1089 + 0.02 * x1078;
-  const Two x1117 = 0.02 * x1086;
-  const Two x1135 = taken<Two>(cosine + 10) * x1075 - taken<Two>(sine + 10) * x1032;
-  const Two x1124 = 0.003383716859009155 + x1094 + 0.02 * x1076 - 0.02 * x1107;
-  const Two x1147 = 7.2e-05 + x1124;
-  require_more(w, x1147, 0.0, kFactorization, {5, 11});
-  const Two x1144 = taken<Two>(cosine + 10) * x1016 - taken<Two>(sine + 10) * x1073 - 0.02 * x1039;
-  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": articulated-body inertia and bias force through them
-  const Two x1159 = Two{tau[10], tau[16]};
-  const Two x1160 = 1 / x1147;
-  const Two x1162 = x1160 * (x1159 - (x253 * 7.2e-05 + x1144));
-  put(x1162, w.x.data() + 30);
-  const Two x1163 = x1114 * x1160;
-  put(x1163, w.x.data() + 32);
-  const Two x1164 = x1117 * x1160;
-  put(x1164, w.x.data() + 34);
-  const Two x1165 = x1084 * x1160;
-  put(x1165, w.x.data() + 36);
-  const Two x1166 = x1107 * x1160;
-  put(x1166, w.x.data() + 38);
-  const Two x1167 = x1086 * x1160;
-  put(x1167, w.x.data() + 40);
-  const Two x1170 = 0.00416667 - x1094 + 7.2e-05 - x1114 * x1163;
-  const Two x1173 = 0.02 * x1085 - x1114 * x1164;
-  const Two x1176 = x1086 + x1114 * x1165;
-  const Two x1180 = x1078 + x1114 * x1166;
-  const Two x1184 = x1085 - x1114 * x1167;
-  const Two x1187 = 7.2e-05 + 0.02 * x1108 - x1117 * x1164;
-  const Two x1190 = 0.02 * x1099 + x1117 * x1165;
-  const Two x1192 = x1117 * x1166;
-  const Two x1196 = x1108 - x1117 * x1167;
-  const Two x1199 = 0.3226520655657278 + x1101 + 0.2 - x1084 * x1165;
-  const Two x1200 = x1084 * x1166;
-  const Two x1204 = x1099 + x1084 * x1167;
-  const Two x1208 = 1.0 - x1107 * x1166;
-  const Two x1209 = x1107 * x1167;
-  const Two x1213 = 0.2 + x1103 - x1086 * x1167;
-  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": articulated-body inertia and bias force through them
-  const Two x1151 = taken<Two>(sine + 10) * x1016 + taken<Two>(cosine + 10) * x1073 + x374 * 7.2e-05;
-  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": articulated-body inertia and bias force through them
-  const Two x1215 = x1151 + x1114 * x1162;
-  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": articulated-body inertia and bias force through them
-  const Two x1152 = x1057 + 0.02 * x1135 + x377 * 7.2e-05;
-  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": articulated-body inertia and bias force through them
-  const Two x1217 = x1152 + x1117 * x1162;
-  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": articulated-body inertia and bias force through them
-  const Two x1154 = taken<Two>(sine + 10) * x1075 + taken<Two>(cosine + 10) * x1032 + x390 * 0.2;
-  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": articulated-body inertia and bias force through them
-  const Two x1219 = x1154 + x1084 * x1162;
-  const Two x1221 = x394 * 0.2 + x1039 + x1107 * x1162;
-  const Two x1223 = x387 * 0.2 + x1135 + x1086 * x1162;
-  const Two x1227 = taken<Two>(cosine + 8) * x1184 - taken<Two>(sine + 8) * x1196;
-  const Two x1230 = taken<Two>(sine + 8) * x1184 + taken<Two>(cosine + 8) * x1196;
-  const Two x1237 = taken<Two>(cosine + 8) * (x1192 - x1176) + taken<Two>(sine + 8) * (x1180 + x1190);
-  const Two x1238 = taken<Two>(sine + 8) * x1237;
-  const Two x1240 = x1238 - x1180;
-  const Two x1242 = taken<Two>(cosine + 8) * x1237;
-  const Two x1248 = taken<Two>(sine + 8) * 2.0;
-  const Two x1252 = taken<Two>(cosine + 8) * (x1170 - x1187) - x1173 * x1248;
-  const Two x1256 = taken<Two>(cosine + 8) * x1252;
-  const Two x1263 = taken<Two>(sine + 8) * x1209 - taken<Two>(cosine + 8) * x1204;
-  const Two x1268 = taken<Two>(sine + 8) * x1204 + taken<Two>(cosine + 8) * x1209;
-  const Two x1274 = taken<Two>(cosine + 8) * (x1199 - x1208) + x1200 * x1248;
-  const Two x1277 = taken<Two>(sine + 8) * x1274 - x1200;
-  const Two x1278 = taken<Two>(cosine + 8) * x1274;
-  const Two x1280 = x1199 - x1278;
-  const Two x1286 = 0.3 * x1268;
-  const Two x1288 = x1176 + x1242 + x1286;
-  const Two x1290 = 0.3 * x1280;
-  const Two x1294 = x1230 + 0.3 * x1213;
-  const Two x1298 = 0.3 * x1240;
-  const Two x1306 = 0.3 * x1288;
-  const Two x1323 = taken<Two>(sine + 8) * x1219 + taken<Two>(cosine + 8) * x1221;
-  const Two x1305 = x1170 - x1256 + (0.3 * x1230 + 0.3 * x1294);
-  const Two x1335 = 0.043271300000000006 + 0.3 * x1290;
-  require_more(w, x1335, 0.0, kFactorization, {4, 10});
-  const Two x1336 = -0.018000000000000002 - 0.3 * x1277;
-  const Two x1337 = -0.234 - x1290;
-  const Two x1313 = taken<Two>(cosine + 8) * x1215 - taken<Two>(sine + 8) * x1217;
-  const Two x1326 = taken<Two>(sine + 8) * x1215 + taken<Two>(cosine + 8) * x1217 + 0.3 * x1223;
-  const Two x1320 = taken<Two>(cosine + 8) * x1219 - taken<Two>(sine + 8) * x1221;
-  // links 5 "left_shank", 11 "right_shank": force that the reference field takes
-  const Two x956 = x332 * 1.8 - (x342 * 0.234 + x343 * 0.018000000000000002);
-  const Two x962 = x322 * 1.8 - x351 * 0.234 + x347 * 0.018000000000000002;
-  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
-  const Two x1349 = Two{tau[9], tau[15]};
-  const Two x1350 = 1 / x1335;
-  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": articulated-body inertia and bias force through them
-  const Two x1343 = x941 - x328 * 0.018000000000000002 + (x1159 - 0.3 * x1323);
-  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
-  const Two x1352 = x1350 * (x1349 - x1343);
-  put(x1352, w.x.data() + 42);
-  const Two x1353 = x1298 * x1350;
-  put(x1353, w.x.data() + 44);
-  const Two x1355 = x1306 * x1350;
-  put(x1355, w.x.data() + 46);
-  const Two x1356 = x1336 * x1350;
-  put(x1356, w.x.data() + 48);
-  const Two x1357 = x1337 * x1350;
-  put(x1357, w.x.data() + 50);
-  const Two x1358 = x1286 * x1350;
-  put(x1358, w.x.data() + 52);
-  const Two x1361 = x1187 + x1256 + 0.0020025 - x1298 * x1353;
-  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": articulated-body inertia and bias force through them
-  const Two x1331 = x1173 + taken<Two>(sine + 8) * x1252 + 0.3 * x1227 + 0.00234;
-  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
-  const Two x1364 = x1331 + x1298 * x1355;
-  const Two x1367 = x1242 - x1192 + x1298 * x1356;
-  const Two x1370 = x1240 + x1298 * x1357;
-  const Two x1373 = 0.018000000000000002 + x1227 + x1298 * x1358;
-  const Two x1376 = 0.043091300000000006 + x1305 - x1306 * x1355;
-  const Two x1379 = x1238 - x1190 + 0.3 * x1263 - x1306 * x1356;
-  const Two x1382 = x1288 + x1306 * x1357;
-  const Two x1386 = 0.234 + x1294 - x1306 * x1358;
-  const Two x1389 = x1208 + x1278 + 1.8 - x1336 * x1356;
-  const Two x1392 = x1277 - x1336 * x1357;
-  const Two x1395 = x1263 - x1336 * x1358;
-  const Two x1398 = 1.8 + x1280 - x1337 * x1357;
-  const Two x1401 = x1268 + x1337 * x1358;
-  const Two x1405 = 1.8 + x1213 - x1286 * x1358;
-  const Two x1408 = x915 + x322 * 0.018000000000000002 + x1313 - x1298 * x1352;
-  const Two x1410 = x924 + x322 * 0.234 + x1326 + x1306 * x1352;
-  const Two x1412 = x328 * 1.8 + x947 + x1320 + x1336 * x1352;
-  const Two x1414 = x956 + x1323 + x1337 * x1352;
-  const Two x1416 = x962 + x1223 + x1286 * x1352;
-  const Two x1420 = taken<Two>(cosine + 6) * x1373 - taken<Two>(sine + 6) * x1386;
-  const Two x1423 = taken<Two>(sine + 6) * x1373 + taken<Two>(cosine + 6) * x1386;
-  const Two x1429 = taken<Two>(cosine + 6) * (x1367 + x1382) - taken<Two>(sine + 6) * (x1370 + x1379);
-  const Two x1430 = taken<Two>(sine + 6) * x1429;
-  const Two x1432 = x1370 + x1430;
-  const Two x1434 = taken<Two>(cosine + 6) * x1429;
-  const Two x1435 = x1434 - x1382;
-  const Two x1439 = taken<Two>(sine + 6) * 2.0;
-  const Two x1443 = taken<Two>(cosine + 6) * (x1361 - x1376) - x1364 * x1439;
-  const Two x1447 = taken<Two>(cosine + 6) * x1443;
-  const Two x1453 = taken<Two>(cosine + 6) * x1395 + taken<Two>(sine + 6) * x1401;
-  const Two x1457 = taken<Two>(sine + 6) * x1395 - taken<Two>(cosine + 6) * x1401;
-  const Two x1462 = taken<Two>(cosine + 6) * (x1389 - x1398) - x1392 * x1439;
-  const Two x1465 = x1392 + taken<Two>(sine + 6) * x1462;
-  const Two x1466 = taken<Two>(cosine + 6) * x1462;
-  const Two x1468 = x1389 - x1466;
-  const Two x1469 = 0.24 * x1457;
-  const Two x1471 = x1367 - x1434 + x1469;
-  const Two x1472 = 0.24 * x1468;
-  const Two x1476 = x1423 + 0.24 * x1405;
-  const Two x1492 = x1364 + taken<Two>(sine + 6) * x1443 + 0.24 * x1420;
-  const Two x1495 = 0.24 * x1432;
-  const Two x1510 = taken<Two>(sine + 6) * x1412 + taken<Two>(cosine + 6) * x1414;
-  const Two x1487 = x1361 - x1447 + (0.24 * x1423 + 0.24 * x1476);
-  const Two x1521 = x1376 + x1447 + 0.00468;
-  require_more(w, x1521, 0.0, kFactorization, {3, 9});
-  // links 4 "left_thigh", 10 "right_thigh": force that the reference field takes
-  const Two x878 = x250 * 0.0429867 - x283 * 0.038306700000000006 + x270 * 0.26;
-  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
-  const Two x1513 = taken<Two>(sine + 6) * x1408 + taken<Two>(cosine + 6) * x1410 + 0.24 * x1416;
-  // links 4 "left_thigh", 10 "right_thigh": force that the reference field takes
-  const Two x881 = x253 * 0.0429867 + x288 * 0.038306700000000006 - x266 * 0.26;
-  const Two x893 = x260 * 2.6 + x286 * 0.26;
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
-  const Two x1533 = Two{tau[8], tau[14]};
-  const Two x1534 = 1 / x1521;
-  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
-  const Two x1527 = taken<Two>(cosine + 6) * x1408 - taken<Two>(sine + 6) * x1410 + x191 * 0.00468;
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
-  const Two x1536 = x1534 * (x1533 - x1527);
-  put(x1536, w.x.data() + 54);
-  const Two x1537 = x1492 * x1534;
-  put(x1537, w.x.data() + 56);
-  const Two x1538 = x1495 * x1534;
-  put(x1538, w.x.data() + 58);
-  const Two x1540 = x1432 * x1534;
-  put(x1540, w.x.data() + 60);
-  const Two x1541 = x1420 * x1534;
-  put(x1541, w.x.data() + 62);
-  const Two x1542 = x1435 * x1534;
-  put(x1542, w.x.data() + 64);
-  const Two x1545 = 0.0429867 + x1487 - x1492 * x1537;
-  const Two x1548 = x1492 * x1538 - 0.24 * x1471;
-  const Two x1551 = x1471 - x1492 * x1540;
-  const Two x1554 = 0.26 + x1476 - x1492 * x1541;
-  const Two x1557 = x1379 + x1430 + 0.24 * x1453 - x1492 * x1542;
-  const Two x1560 = 0.0429867 + 0.24 * x1472 - x1495 * x1538;
-  const Two x1563 = -0.26 - x1472 + x1495 * x1540;
-  const Two x1566 = x1495 * x1541 - x1469;
-  const Two x1569 = x1495 * x1542 - 0.24 * x1465;
-  const Two x1572 = 2.6 + x1468 - x1432 * x1540;
-  const Two x1575 = x1457 - x1432 * x1541;
-  const Two x1578 = x1465 - x1432 * x1542;
-  const Two x1581 = 2.6 + x1405 - x1420 * x1541;
-  const Two x1584 = x1453 - x1420 * x1542;
-  const Two x1589 = x878 + x1513 + x1492 * x1536;
-  const Two x1592 = x1349 - 0.24 * x1510 + x881 - x1495 * x1536;
-  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
-  const Two x1528 = x266 * 2.6 - x290 * 0.26 + x1510;
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
-  const Two x1594 = x1528 + x1432 * x1536;
-  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
-  const Two x1529 = x270 * 2.6 - x284 * 0.26 + x1416;
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
-  const Two x1596 = x1529 + x1420 * x1536;
-  // joints 4 "left_knee", 10 "right_knee": articulated-body inertia and bias force through them
-  const Two x1530 = taken<Two>(cosine + 6) * x1412 - taken<Two>(sine + 6) * x1414 + x893;
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
-  const Two x1611 = taken<Two>(cosine + 4) * (x1551 - x1566) - taken<Two>(sine + 4) * (x1554 + x1563);
-  const Two x1612 = taken<Two>(sine + 4) * x1611;
-  const Two x1614 = x1554 + x1612;
-  const Two x1615 = x1563 + x1612;
-  const Two x1616 = taken<Two>(cosine + 4) * x1611;
-  const Two x1617 = x1566 + x1616;
-  const Two x1621 = taken<Two>(sine + 4) * 2.0;
-  const Two x1625 = taken<Two>(cosine + 4) * (x1545 - x1560) - x1548 * x1621;
-  const Two x1629 = taken<Two>(cosine + 4) * x1625;
-  const Two x1635 = taken<Two>(cosine + 4) * x1578 - taken<Two>(sine + 4) * x1584;
-  put(x1635, w.x.data() + 66);
-  const Two x1638 = taken<Two>(sine + 4) * x1578 + taken<Two>(cosine + 4) * x1584;
-  put(x1638, w.x.data() + 68);
-  const Two x1643 = taken<Two>(cosine + 4) * (x1572 - x1581) - x1575 * x1621;
-  const Two x1646 = x1575 + taken<Two>(sine + 4) * x1643;
-  put(x1646, w.x.data() + 70);
-  const Two x1647 = taken<Two>(cosine + 4) * x1643;
-  const Two x1648 = x1581 + x1647;
-  const Two x1649 = x1572 - x1647;
-  const Two x1650 = 0.12 * x1646;
-  const Two x1652 = x1551 - x1616 - x1650;
-  put(x1652, w.x.data() + 72);
-  const Two x1655 = x1614 + 0.12 * x1649;
-  const Two x1661 = taken<Two>(cosine + 4) * x1557 - taken<Two>(sine + 4) * x1569 + 0.12 * x1638;
-  put(x1661, w.x.data() + 74);
-  const Two x1664 = x1615 - 0.12 * x1648;
-  const Two x1665 = x1617 + x1650;
-  put(x1665, w.x.data() + 76);
-  const Two x1676 = x1548 + taken<Two>(sine + 4) * x1625 - 0.12 * x1617;
-  const Two x1677 = 0.12 * x1652 + x1676;
-  put(x1677, w.x.data() + 78);
-  const Two x1694 = taken<Two>(cosine + 4) * x1594 - taken<Two>(sine + 4) * x1596;
-  const Two x1697 = taken<Two>(sine + 4) * x1594 + taken<Two>(cosine + 4) * x1596;
-  const Two x1671 = x1545 - x1629 - 0.12 * x1615 - 0.12 * x1664;
-  const Two x1658 = taken<Two>(sine + 4) * x1557 + taken<Two>(cosine + 4) * x1569 - 0.12 * x1635;
-  const Two x1705 = -0.024 + x1658;
-  put(x1705, w.x.data() + 80);
-  const Two x1706 = -0.048 + x1664;
-  put(x1706, w.x.data() + 82);
-  const Two x1683 = x1560 + x1629 + 0.12 * x1614 + 0.12 * x1655;
-  const Two x1707 = 0.00342 + x1683;
-  require_more(w, x1707, 0.0, kFactorization, {2, 8});
-  const Two x1708 = 0.048 + x1655;
-  put(x1708, w.x.data() + 84);
-  const Two x1709 = 1.2 + x1649;
-  put(x1709, w.x.data() + 86);
-  const Two x1710 = x1398 + x1466 + 2.6 - x1435 * x1542 + 1.2;
-  put(x1710, w.x.data() + 88);
-  const Two x1711 = 1.2 + x1648;
-  put(x1711, w.x.data() + 90);
-  const Two x1700 = taken<Two>(sine + 4) * x1589 + taken<Two>(cosine + 4) * x1592 - 0.12 * x1694;
-  const Two x1712 = x829 - x207 * 0.024 + x1700;
-  put(x1712, w.x.data() + 92);
-  const Two x1713 = x814 + x203 * 0.024 + x1533;
-  put(x1713, w.x.data() + 94);
-  const Two x1703 = taken<Two>(cosine + 4) * x1589 - taken<Two>(sine + 4) * x1592 + 0.12 * x1697;
-  // links 3 "left_groin", 9 "right_groin": force that the reference field takes
-  const Two x841 = x227 * 0.024 - x216 * 0.048 + x203 * 1.2;
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
-  const Two x1715 = x841 + x1697;
-  put(x1715, w.x.data() + 96);
-  const Two x1716 = x207 * 1.2 + x846 + (x1530 + x1435 * x1536);
-  put(x1716, w.x.data() + 98);
-  // links 3 "left_groin", 9 "right_groin": force that the reference field takes
-  const Two x854 = x195 * 1.2 - x223 * 0.024 - x222 * 0.048;
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": articulated-body inertia and bias force through them
-  const Two x1717 = x854 + x1694;
-  put(x1717, w.x.data() + 100);
-  // joints 2 "left_hip_roll", 8 "right_hip_roll": articulated-body inertia and bias force through them
-  const Two x1720 = Two{tau[7], tau[13]};
-  put(x1720, w.x.data() + 102);
-  const Two x1721 = 1 / x1707;
-  const Two x1723 = x1721 * (x1720 - (x824 + x203 * 0.048 + x1703));
-  put(x1723, w.x.data() + 104);
-  const Two x1724 = x1677 * x1721;
-  put(x1724, w.x.data() + 106);
-  const Two x1725 = 0.00096 * x1721;
-  put(x1725, w.x.data() + 108);
-  const Two x1726 = x1708 * x1721;
-  put(x1726, w.x.data() + 110);
-  const Two x1727 = x1661 * x1721;
-  put(x1727, w.x.data() + 112);
-  const Two x1728 = x1665 * x1721;
-  put(x1728, w.x.data() + 114);
-  const Two x1731 = 0.00379 + x1671 - x1677 * x1724;
-  put(x1731, w.x.data() + 116);
-  const Two x1732 = x1677 * x1725;
-  put(x1732, w.x.data() + 118);
+    const Vector<Lanes> w_ = wide_vector(entries + kOmega), al = wide_vector(entries + kAlpha);
+    const Lanes xx = w_.x * w_.x, yy = w_.y * w_.y, zz = w_.z * w_.z;
+    const Lanes xy = w_.x * w_.y, xz = w_.x * w_.z, yz = w_.y * w_.z;
+    const Matrix<Lanes> H{{-(yy + zz), xy - al.z, xz + al.y},
+                          {xy + al.z, -(xx + zz), yz - al.x},
+                          {xz - al.y, yz + al.x, -(xx + yy)}};
+    const Vector<Lanes> a = wide_vector(entries + kAcceleration);
+    const Vector<Lanes> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
+    Vector<Lanes> n = cross(c, a);
+    n += Vector<Lanes>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
+                       dot(H.y, Jx) - dot(H.x, Jy)};
+    narrow(n, block.entries + kTorque);
+    narrow(a * wide(constants.mass) + H * c, block.entries + kForce);
+  }
 }
 
-ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x657 = w.x[15];
-  const Real x666 = w.x[16];
-  const Real x669 = w.x[17];
-  const Real x672 = w.x[18];
-  const Real x677 = w.x[19];
-  const Real x681 = w.x[20];
-  const Real x704 = w.x[10];
-  const Real x706 = w.x[11];
-  const Real x709 = w.x[12];
-  const Real x712 = w.x[13];
-  const Real x717 = w.x[14];
-  const Two x770 = taken<Two>(w.x.data() + 0);
-  const Two x772 = taken<Two>(w.x.data() + 2);
-  const Two x775 = taken<Two>(w.x.data() + 4);
-  const Two x778 = taken<Two>(w.x.data() + 6);
-  const Two x783 = taken<Two>(w.x.data() + 8);
-  const Real x1046 = w.x[21];
-  const Real x1047 = w.x[22];
-  const Real x1048 = w.x[23];
-  const Real x1050 = w.x[24];
-  const Real x1051 = w.x[25];
-  const Real x1053 = w.x[26];
-  const Two x1635 = taken<Two>(w.x.data() + 66);
-  const Two x1638 = taken<Two>(w.x.data() + 68);
-  const Two x1646 = taken<Two>(w.x.data() + 70);
-  const Two x1652 = taken<Two>(w.x.data() + 72);
-  const Two x1661 = taken<Two>(w.x.data() + 74);
-  const Two x1665 = taken<Two>(w.x.data() + 76);
-  const Two x1677 = taken<Two>(w.x.data() + 78);
-  const Two x1705 = taken<Two>(w.x.data() + 80);
-  const Two x1706 = taken<Two>(w.x.data() + 82);
-  const Two x1708 = taken<Two>(w.x.data() + 84);
-  const Two x1709 = taken<Two>(w.x.data() + 86);
-  const Two x1710 = taken<Two>(w.x.data() + 88);
-  const Two x1711 = taken<Two>(w.x.data() + 90);
-  const Two x1712 = taken<Two>(w.x.data() + 92);
-  const Two x1713 = taken<Two>(w.x.data() + 94);
-  const Two x1715 = taken<Two>(w.x.data() + 96);
-  const Two x1716 = taken<Two>(w.x.data() + 98);
-  const Two x1717 = taken<Two>(w.x.data() + 100);
-  const Two x1720 = taken<Two>(w.x.data() + 102);
-  const Two x1723 = taken<Two>(w.x.data() + 104);
-  const Two x1725 = taken<Two>(w.x.data() + 108);
-  const Two x1726 = taken<Two>(w.x.data() + 110);
-  const Two x1727 = taken<Two>(w.x.data() + 112);
-  const Two x1728 = taken<Two>(w.x.data() + 114);
-  const Two x1731 = taken<Two>(w.x.data() + 116);
-  const Two x1732 = taken<Two>(w.x.data() + 118);
-  // joints 2 "left_hip_roll", 8 "right_hip_roll": articulated-body inertia and bias force through them
-  const Two x1736 = x1652 - x1677 * x1726;
-  const Two x1739 = x1705 - x1677 * x1727;
-  const Two x1742 = x1706 - x1677 * x1728;
-  const Two x1745 = 0.00187 - 0.00096 * x1725;
-  const Two x1748 = 0.024 - 0.00096 * x1726;
-  const Two x1749 = 0.00096 * x1727;
-  const Two x1751 = 0.00096 * x1728;
-  const Two x1755 = x1709 - x1708 * x1726;
-  const Two x1758 = x1638 - x1708 * x1727;
-  const Two x1761 = x1646 - x1708 * x1728;
-  const Two x1764 = x1710 - x1661 * x1727;
-  const Two x1767 = x1635 - x1661 * x1728;
-  const Two x1770 = x1711 - x1665 * x1728;
-  const Two x1772 = x1712 + x1677 * x1723;
-  const Two x1774 = x1713 + 0.00096 * x1723;
-  const Two x1776 = x1715 + x1708 * x1723;
-  const Two x1778 = x1716 + x1661 * x1723;
-  const Two x1780 = x1717 + x1665 * x1723;
-  const Two x1784 = taken<Two>(cosine + 2) * x1742 + taken<Two>(sine + 2) * x1751;
-  const Two x1788 = taken<Two>(sine + 2) * x1742 - taken<Two>(cosine + 2) * x1751;
-  const Two x1794 = taken<Two>(cosine + 2) * (x1736 + x1749) - taken<Two>(sine + 2) * (x1739 + x1748);
-  const Two x1795 = taken<Two>(sine + 2) * x1794;
-  const Two x1797 = x1739 + x1795;
-  const Two x1799 = taken<Two>(cosine + 2) * x1794;
-  const Two x1800 = x1799 - x1749;
-  const Two x1804 = taken<Two>(sine + 2) * 2.0;
-  const Two x1808 = taken<Two>(cosine + 2) * (x1731 - x1745) + x1732 * x1804;
-  const Two x1812 = taken<Two>(cosine + 2) * x1808;
-  const Two x1818 = taken<Two>(cosine + 2) * x1761 - taken<Two>(sine + 2) * x1767;
-  const Two x1821 = taken<Two>(sine + 2) * x1761 + taken<Two>(cosine + 2) * x1767;
-  const Two x1826 = taken<Two>(cosine + 2) * (x1755 - x1764) - x1758 * x1804;
-  const Two x1829 = x1758 + taken<Two>(sine + 2) * x1826;
-  const Two x1830 = taken<Two>(cosine + 2) * x1826;
-  const Two x1832 = x1755 - x1830;
-  const Two x1833 = Two{0.04, -0.04} * x1821;
-  const Two x1835 = x1736 - x1799 - x1833;
-  const Two x1836 = Two{0.04, -0.04} * x1832;
-  const Two x1839 = x1788 - Two{0.04, -0.04} * x1770;
-  const Two x1854 = taken<Two>(sine + 2) * x1808 - x1732 - Two{0.04, -0.04} * x1784;
-  const Two x1856 = Two{0.04, -0.04} * x1797;
-  const Two x1870 = taken<Two>(sine + 2) * x1776 + taken<Two>(cosine + 2) * x1778;
-  const Two x1850 = x1731 - x1812 - (Two{0.04, -0.04} * x1788 + Two{0.04, -0.04} * x1839);
-  const Two x1880 = x1745 + x1812 + 0.00175;
-  require_more(w, x1880, 0.0, kFactorization, {1, 7});
-  const Two x1873 = taken<Two>(sine + 2) * x1772 + taken<Two>(cosine + 2) * x1774 - Two{0.04, -0.04} * x1780;
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch": articulated-body inertia and bias force through them
-  const Two x1891 = Two{tau[6], tau[12]};
-  const Two x1892 = 1 / x1880;
-  const Two x1894 = x1892 * (x1891 - (taken<Two>(cosine + 2) * x1772 - taken<Two>(sine + 2) * x1774));
-  put(x1894, w.x.data() + 120);
-  const Two x1895 = x1854 * x1892;
-  put(x1895, w.x.data() + 122);
-  const Two x1896 = x1856 * x1892;
-  put(x1896, w.x.data() + 124);
-  const Two x1897 = x1797 * x1892;
-  put(x1897, w.x.data() + 126);
-  const Two x1898 = x1784 * x1892;
-  put(x1898, w.x.data() + 128);
-  const Two x1899 = x1800 * x1892;
-  put(x1899, w.x.data() + 130);
-  const Two x1902 = 0.00308 + x1850 - x1854 * x1895;
-  const Two x1905 = Two{0.04, -0.04} * x1835 - x1854 * x1896;
-  const Two x1908 = x1835 - x1854 * x1897;
-  const Two x1911 = Two{-0.041999999999999996, 0.041999999999999996} + x1839 - x1854 * x1898;
-  const Two x1914 = x1748 + x1795 - Two{0.04, -0.04} * x1818 - x1854 * x1899;
-  const Two x1917 = 0.00308 + Two{0.04, -0.04} * x1836 - x1856 * x1896;
-  const Two x1920 = Two{0.041999999999999996, -0.041999999999999996} + x1836 - x1856 * x1897;
-  const Two x1923 = x1833 - x1856 * x1898;
-  const Two x1926 = Two{0.04, -0.04} * x1829 - x1856 * x1899;
-  const Two x1929 = 1.4 + x1832 - x1797 * x1897;
-  const Two x1932 = x1821 - x1797 * x1898;
-  const Two x1935 = x1829 - x1797 * x1899;
-  const Two x1938 = 1.4 + x1770 - x1784 * x1898;
-  const Two x1941 = x1818 - x1784 * x1899;
-  const Two x1944 = x1764 + x1830 + 1.4 - x1800 * x1899;
-  const Two x1946 = x770 + x1873 + x1854 * x1894;
-  const Two x1948 = x1720 + Two{0.04, -0.04} * x1870 + x772 + x1856 * x1894;
-  const Two x1950 = x775 + x1870 + x1797 * x1894;
-  const Two x1952 = x778 + x1780 + x1784 * x1894;
-  // joints 2 "left_hip_roll", 8 "right_hip_roll": articulated-body inertia and bias force through them
-  const Two x1888 = taken<Two>(cosine + 2) * x1776 - taken<Two>(sine + 2) * x1778 - x783;
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch": articulated-body inertia and bias force through them
-  const Two x1954 = x1888 + x1800 * x1894;
-  const Two x1958 = taken<Two>(cosine + 0) * x1914 - taken<Two>(sine + 0) * x1926;
-  const Two x1961 = taken<Two>(sine + 0) * x1914 + taken<Two>(cosine + 0) * x1926;
-  const Two x1967 = taken<Two>(cosine + 0) * (x1908 - x1923) - taken<Two>(sine + 0) * (x1911 + x1920);
-  const Two x1968 = taken<Two>(sine + 0) * x1967;
-  const Two x1970 = x1911 + x1968;
-  const Two x1971 = x1920 + x1968;
-  const Two x1972 = taken<Two>(cosine + 0) * x1967;
-  const Two x1973 = x1923 + x1972;
-  const Two x1977 = taken<Two>(sine + 0) * 2.0;
-  const Two x1981 = taken<Two>(cosine + 0) * (x1902 - x1917) - x1905 * x1977;
-  const Two x1985 = taken<Two>(cosine + 0) * x1981;
-  const Two x1991 = taken<Two>(cosine + 0) * x1935 - taken<Two>(sine + 0) * x1941;
-  const Two x1994 = taken<Two>(sine + 0) * x1935 + taken<Two>(cosine + 0) * x1941;
-  const Two x1999 = taken<Two>(cosine + 0) * (x1929 - x1938) - x1932 * x1977;
-  const Two x2002 = x1932 + taken<Two>(sine + 0) * x1999;
-  const Two x2003 = taken<Two>(cosine + 0) * x1999;
-  const Two x2004 = x1938 + x2003;
-  const Two x2005 = x1929 - x2003;
-  const Two x2006 = Two{0.09, -0.09} * x2002;
-  const Two x2007 = 0.05 * x1994;
-  const Two x2010 = x1908 - x1972 + x2007 + x2006;
-  const Two x2011 = 0.05 * x2005;
-  const Two x2015 = x1970 - Two{0.09, -0.09} * x2005;
-  const Two x2020 = x1961 + 0.05 * x1944 + Two{0.09, -0.09} * x1991;
-  const Two x2023 = x1958 - Two{0.09, -0.09} * x1994;
-  const Two x2028 = x1971 + 0.05 * x1991 + Two{0.09, -0.09} * x2004;
-  const Two x2029 = 0.05 * x2002;
-  const Two x2032 = x1973 - x2006;
-  const Two x2040 = x1902 - x1985 + 0.05 * x1961 + 0.05 * x2020;
-  const Two x2042 = Two{0.09, -0.09} * x1971 + x2040 + Two{0.09, -0.09} * x2028;
-  const Two x2043 = 0.05 * x2010;
-  const Two x2050 = x1905 + taken<Two>(sine + 0) * x1981 + 0.05 * x1958;
-  const Two x2052 = Two{0.09, -0.09} * x1973 + x2050 - Two{0.09, -0.09} * x2010;
-  const Two x2053 = 0.05 * x2011;
-  const Two x2059 = Two{0.09, -0.09} * x2011 - 0.05 * x1970;
-  const Two x2065 = x1917 + x1985 - Two{0.09, -0.09} * x1970 - Two{0.09, -0.09} * x2015;
-  const Two x2076 = taken<Two>(cosine + 0) * x1950 - taken<Two>(sine + 0) * x1952;
-  const Two x2079 = taken<Two>(sine + 0) * x1950 + taken<Two>(cosine + 0) * x1952;
-  const Two x2083 = taken<Two>(sine + 0) * x1946 + taken<Two>(cosine + 0) * x1948 + 0.05 * x1954;
-  const Two x2084 = Two{0.09, -0.09} * x2076 + x2083;
-  const Two x2087 = x1891 - 0.05 * x2079;
-  const Two x2090 = taken<Two>(cosine + 0) * x1946 - taken<Two>(sine + 0) * x1948 - Two{0.09, -0.09} * x2079;
-  const Real x2102 = across<2>(x2007);
-  const Real x2107 = across<2>(x2015);
-  const Real x2108 = across<2>(x2023);
-  const Real x2109 = across<2>(x2032);
-  const Real x2111 = across<2>(x1994);
-  const Real x2112 = across<2>(x2002);
-  const Real x2114 = across<2>(x1991);
-  const Real x2117 = -0.12400000000000001 + across<2>(x2020);
-  const Real x2119 = 0.12400000000000001 - across<2>(x2011);
-  const Real x2120 = 0.0351333 + across<2>(x2065);
-  require_more(w, x2120, 0.0, kFactorization, 13);
-  const Real x2121 = 6.2 + across<2>(x2005);
-  const Real x2122 = 6.2 + across<2>(x1944);
-  const Real x2133 = x1046 + across<2>(x2079);
-  const Real x2134 = x1047 + across<2>(x1954);
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x2136 = 0.09 * x2111;
-  const Real x2138 = across<2>(x2010) + x2136;
-  const Real x2141 = x2119 - 0.09 * x2121;
-  const Real x2144 = x2117 + 0.09 * x2122;
-  const Real x2145 = x2102 + x2136;
-  const Real x2149 = across<2>(x2028) + 0.09 * x2114;
-  const Real x2152 = across<2>(x2029) + 0.09 * x2112;
-  const Real x2159 = 0.034926700000000005 + across<2>(x2042) + (0.09 * x2117 + 0.09 * x2144);
-  const Real x2166 = across<2>(x2043) + 0.09 * x2102 + 0.09 * x2138;
-  const Real x2170 = across<2>(x2052) + 0.09 * x2108;
-  const Real x2176 = 0.0200467 + across<2>(x2053) - 0.09 * x2119 - 0.09 * x2141;
-  const Real x2179 = across<2>(x2059) - 0.09 * x2107;
-  const Real x2192 = cosine[12] * x2107 + sine[12] * x2108;
-  const Real x2196 = cosine[12] * x2108 - sine[12] * x2107;
-  const Real x2201 = cosine[12] * (x2138 + x2145) + sine[12] * (x2141 + x2144);
-  const Real x2202 = sine[12] * x2201;
-  const Real x2205 = cosine[12] * x2201;
-  const Real x2210 = cosine[12] * x2170 + sine[12] * x2179;
-  const Real x2214 = cosine[12] * x2179 - sine[12] * x2170;
-  const Real x2217 = 2.0 * sine[12];
-  const Real x2220 = cosine[12] * (x2159 - x2176) - x2166 * x2217;
-  const Real x2224 = cosine[12] * x2220;
-  const Real x2237 = cosine[12] * (x2121 - x2122) + x2111 * x2217;
-  const Real x2240 = cosine[12] * x2237;
-  const Real x2245 = x1050 + across<2>(x2084) + 0.09 * x2134;
-  const Real x2248 = across<2>(x2087) - x1051 - 0.09 * x2133;
-  const Real x2266 = 1 / x2120;
-  const Real x2269 = x2266 * (across<2>(x2090) - x1053 + tau[18]);
-  w.x[132] = x2269;
-  const Real x2271 = x2210 * x2266;
-  w.x[133] = x2271;
-  const Real x2272 = x2214 * x2266;
-  w.x[134] = x2272;
-  const Real x2273 = x2192 * x2266;
-  w.x[135] = x2273;
-  const Real x2274 = x2196 * x2266;
-  w.x[136] = x2274;
-  const Real x2275 = x2109 * x2266;
-  w.x[137] = x2275;
-  const Real x2300 = x2138 - x2205 - x2214 * x2274;
-  const Real x2310 = x2111 - sine[12] * x2237 - x2192 * x2274;
-  const Real x2313 = cosine[12] * x2112 + sine[12] * x2114 - x2192 * x2275;
-  const Real x2319 = cosine[12] * x2114 - sine[12] * x2112 - x2196 * x2275;
-  const Real x2339 = x2144 - x2202 - x2210 * x2274 + -0.016;
-  const Real x2341 = x2141 - x2202 - x2214 * x2273 + 0.016;
-  const Real x2342 = x2122 + x2240 - x2192 * x2273 + 0.8;
-  const Real x2343 = x2121 - x2240 - x2196 * x2274 + 0.8;
-  const Real x2344 = 6.2 + across<2>(x2004) - x2109 * x2275 + 0.8;
-  const Real x2325 = cosine[12] * x2245 + sine[12] * x2248 - x2210 * x2269;
-  const Real x2328 = cosine[12] * x2248 - sine[12] * x2245 - x2214 * x2269;
-  const Real x2331 = cosine[12] * x2133 + sine[12] * x2134 - x2192 * x2269;
-  const Real x2347 = x709 + x2331;
-  const Real x2334 = cosine[12] * x2134 - sine[12] * x2133 - x2196 * x2269;
-  const Real x2348 = x712 + x2334;
-  const Real x2349 = across<2>(x2076) - x1048 - x2109 * x2269 - x717;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x2350 = 0.05 * x2310;
-  const Real x2352 = x2205 - x2145 - x2210 * x2273 + x2350;
-  const Real x2355 = x2341 - 0.05 * x2342;
-  const Real x2358 = x2339 + 0.05 * x2343;
-  const Real x2359 = x2300 - x2350;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x2291 = cosine[12] * x2149 - sine[12] * x2152 - x2210 * x2275;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x2362 = x2291 + 0.05 * x2319;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x2303 = sine[12] * x2149 + cosine[12] * x2152 + x2214 * x2275;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x2365 = x2303 + 0.05 * x2313;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x2338 = x2176 + x2224 - x2210 * x2271 + 0.00106;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x2372 = x2338 + 0.05 * x2339 + 0.05 * x2358;
-  require_more(w, x2372, 0.0, kFactorization, 14);
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x2281 = x2166 + sine[12] * x2220 + x2210 * x2272;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x2378 = 0.05 * x2300 - x2281 - 0.05 * x2352;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x2340 = x2159 - x2224 - x2214 * x2272 + 0.00106;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x2384 = x2340 - 0.05 * x2341 - 0.05 * x2355;
-  const Real x2390 = cosine[13] * x2358 + sine[13] * x2362;
-  const Real x2394 = cosine[13] * x2362 - sine[13] * x2358;
-  const Real x2398 = cosine[13] * x2359 - sine[13] * x2365;
-  const Real x2399 = sine[13] * x2398;
-  const Real x2403 = cosine[13] * x2398;
-  const Real x2405 = cosine[13] * x2378;
-  const Real x2406 = sine[13] * x2378;
-  const Real x2409 = cosine[13] * (x2384 - 0.001);
-  const Real x2413 = cosine[13] * x2409;
-  const Real x2426 = cosine[13] * (x2343 - x2344) + x2319 * (2.0 * sine[13]);
-  const Real x2429 = cosine[13] * x2426;
-  const Real x2437 = x706 + x2328 - 0.05 * x2347;
-  const Real x2457 = 1 / x2372;
-  const Real x2460 = x2457 * (x704 + x2325 + 0.05 * x2348 + tau[19]);
-  w.x[138] = x2460;
-  const Real x2462 = x2405 * x2457;
-  w.x[139] = x2462;
-  const Real x2463 = x2406 * x2457;
-  w.x[140] = x2463;
-  const Real x2465 = x2390 * x2457;
-  w.x[141] = x2465;
-  const Real x2466 = x2394 * x2457;
-  w.x[142] = x2466;
-  const Real x2467 = x2352 * x2457;
-  w.x[143] = x2467;
-  const Real x2489 = x2406 * x2465 - x2399;
-  const Real x2492 = x2359 - x2403 + x2406 * x2466;
-  const Real x2495 = x2406 * x2467 - sine[13] * x2355;
-  const Real x2501 = x2319 - sine[13] * x2426 - x2390 * x2466;
-  const Real x2504 = cosine[13] * x2310 + sine[13] * x2313 - x2390 * x2467;
-  const Real x2510 = cosine[13] * x2313 - sine[13] * x2310 - x2394 * x2467;
-  const Real x2530 = cosine[13] * x2355 - x2405 * x2467 + 0.018000000000000002;
-  const Real x2531 = x2384 - x2413 - x2406 * x2463 + 0.001125;
-  const Real x2532 = x2344 + x2429 - x2390 * x2465 + 0.9;
-  const Real x2533 = x2343 - x2429 - x2394 * x2466 + 0.9;
-  const Real x2534 = x2342 - x2352 * x2467 + 0.9;
-  const Real x2516 = cosine[13] * x2437 - sine[13] * tau[18] - x2405 * x2460;
-  const Real x2519 = x2406 * x2460 - (sine[13] * x2437 + cosine[13] * tau[18]);
-  const Real x2536 = x657 + x2519;
-  const Real x2522 = cosine[13] * x2348 + sine[13] * x2349 - x2390 * x2460;
-  const Real x2538 = x672 + x2522;
-  const Real x2525 = cosine[13] * x2349 - sine[13] * x2348 - x2394 * x2460;
-  const Real x2539 = x2525 - x677;
-  const Real x2540 = x2347 - x2352 * x2460 + x681;
-  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x2541 = 0.04 * x2504;
-  const Real x2543 = x2403 - x2405 * x2465 - x2541;
-  const Real x2546 = -0.018000000000000002 + 0.04 * x2532;
-  const Real x2549 = x2365 + x2399 + x2405 * x2466 + 0.04 * x2510;
-  const Real x2551 = 0.04 * x2501;
-  const Real x2555 = x2530 - 0.04 * x2534;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x2529 = 0.001 + x2413 - x2405 * x2462 + 0.0014025;
-  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x2561 = x2529 - 0.04 * x2530 - 0.04 * x2555;
-  require_more(w, x2561, 0.0, kFactorization, 15);
-  const Real x2564 = x2405 * x2463 - sine[13] * x2409 - 0.04 * x2495;
-  const Real x2565 = 0.04 * x2543;
-  const Real x2567 = 0.04 * x2489;
-  const Real x2574 = 0.04 * x2546 + 0.0006825;
-  const Real x2585 = sine[14] * x2555 - cosine[14] * x2549;
-  const Real x2589 = sine[14] * x2549 + cosine[14] * x2555;
-  const Real x2594 = cosine[14] * (x2492 - x2541) + sine[14] * (x2495 + x2551);
-  const Real x2595 = sine[14] * x2594;
-  const Real x2598 = cosine[14] * x2594;
-  const Real x2603 = cosine[14] * x2564 + sine[14] * x2565;
-  const Real x2607 = cosine[14] * x2565 - sine[14] * x2564;
-  const Real x2610 = 2.0 * sine[14];
-  const Real x2612 = cosine[14] * (x2531 - x2574) + x2567 * x2610;
-  const Real x2615 = cosine[14] * x2612;
-  const Real x2628 = cosine[14] * (x2533 - x2534) + x2510 * x2610;
-  const Real x2631 = cosine[14] * x2628;
-  const Real x2639 = x669 - tau[19] + 0.04 * x2538;
-  const Real x2655 = -tau[20];
-  w.to[0][17] = x2655;
-  const Real x2656 = 1 / x2561;
-  const Real x2659 = x2656 * (x666 + x2516 - 0.04 * x2540 + tau[20]);
-  w.x[144] = x2659;
-  const Real x2661 = x2603 * x2656;
-  w.x[145] = x2661;
-  const Real x2662 = x2607 * x2656;
-  w.x[146] = x2662;
-  const Real x2663 = x2585 * x2656;
-  w.x[147] = x2663;
-  const Real x2664 = x2589 * x2656;
-  w.x[148] = x2664;
-  const Real x2665 = x2543 * x2656;
-  w.x[149] = x2665;
-  const Real x2668 = x2574 + x2615 - x2603 * x2661;
-  w.x[150] = x2668;
-  w.to[0][0] = x2668;
-  const Real x2671 = x2567 - sine[14] * x2612 - x2603 * x2662;
-  w.x[151] = x2671;
-  w.to[0][1] = x2671;
-  const Real x2674 = x2541 + x2598 - x2603 * x2663;
-  w.x[152] = x2674;
-  w.to[0][2] = x2674;
-  const Real x2677 = x2495 - x2595 - x2603 * x2664;
-  w.x[153] = x2677;
-  w.to[0][3] = x2677;
-  const Real x2680 = cosine[14] * x2489 + sine[14] * x2546 - x2603 * x2665;
-  w.x[154] = x2680;
-  w.to[0][4] = x2680;
-  const Real x2683 = x2531 - x2615 - x2607 * x2662;
-  w.x[155] = x2683;
-  w.to[0][5] = x2683;
-  const Real x2686 = x2551 - x2595 - x2607 * x2663;
-  w.x[156] = x2686;
-  w.to[0][6] = x2686;
-  const Real x2689 = x2492 - x2598 - x2607 * x2664;
-  w.x[157] = x2689;
-  w.to[0][7] = x2689;
-  const Real x2692 = cosine[14] * x2546 - sine[14] * x2489 - x2607 * x2665;
-  w.x[158] = x2692;
-  w.to[0][8] = x2692;
-  const Real x2695 = x2534 + x2631 - x2585 * x2663;
-  w.x[159] = x2695;
-  w.to[0][9] = x2695;
-  const Real x2698 = x2510 - sine[14] * x2628 - x2585 * x2664;
-  w.x[160] = x2698;
-  w.to[0][10] = x2698;
-  const Real x2701 = cosine[14] * x2501 + sine[14] * x2504 - x2585 * x2665;
-  w.x[161] = x2701;
-  w.to[0][11] = x2701;
-  const Real x2704 = x2533 - x2631 - x2589 * x2664;
-  w.x[162] = x2704;
-  w.to[0][12] = x2704;
-  const Real x2707 = cosine[14] * x2504 - sine[14] * x2501 - x2589 * x2665;
-  w.x[163] = x2707;
-  w.to[0][13] = x2707;
-  const Real x2710 = x2532 - x2543 * x2665;
-  w.x[164] = x2710;
-  w.to[0][14] = x2710;
-  const Real x2713 = cosine[14] * x2536 + sine[14] * x2639 - x2603 * x2659;
-  w.x[165] = x2713;
-  w.to[0][15] = x2713;
-  const Real x2716 = cosine[14] * x2639 - sine[14] * x2536 - x2607 * x2659;
-  w.x[166] = x2716;
-  w.to[0][16] = x2716;
-  const Real x2719 = cosine[14] * x2539 + sine[14] * x2540 - x2585 * x2659;
-  w.x[167] = x2719;
-  w.to[0][18] = x2719;
-  const Real x2722 = cosine[14] * x2540 - sine[14] * x2539 - x2589 * x2659;
-  w.x[168] = x2722;
-  w.to[0][19] = x2722;
-  const Real x2725 = x2538 - x2543 * x2659;
-  w.x[169] = x2725;
-  w.to[0][20] = x2725;
+// From the base outwards: where links are and how they would move without joint accelerations.
+
+ADAGEN_INLINE Frame<Value> frame_of(Workspace& w, int joint) {
+  const Value* R = w.of(joint, kAxes);
+  return {matrix_at(R), vector_at(w.of(joint, kOmega)), vector_at(w.of(joint, kAlpha)),
+          vector_at(w.of(joint, kAcceleration))};
 }
 
-ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
-  ADAGEN_INPUTS
-  // joint 0 "__base__": placement, velocity and reference acceleration of its link
-  const Real x50 = q[3] * q[3] + q[4] * q[4] + q[5] * q[5];
-  const Real x51 = q[6] * q[6] + x50;
-  require_length(w, x51, 0);
-  const Real x54 = 1 / x51 * 2.0;
-  const Real x55 = q[3] * x54;
-  const Real x56 = q[4] * x54;
-  const Real x80 = (q[5] * x55 - q[6] * x56) * 9.81;
-  const Real x87 = v[2] * v[4] - v[1] * v[5] + x80;
-  w.x[26] = x87;
-  const Real x81 = (q[5] * x56 + q[6] * x55) * 9.81;
-  const Real x92 = v[0] * v[5] - v[2] * v[3] + x81;
-  w.x[25] = x92;
-  const Real x82 = (1.0 - (q[4] * x56 + q[3] * x55)) * 9.81;
-  const Real x97 = v[1] * v[3] - v[0] * v[4] + x82;
-  w.x[24] = x97;
+template <class T>
+ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
+  put_at(w.at(slot, kAxes), frame.R);
+  put_at(w.at(slot, kOmega), frame.omega);
+  put_at(w.at(slot, kAlpha), frame.alpha);
+  put_at(w.at(slot, kAcceleration), frame.a);
 }
 
-ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_3(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x87 = w.x[26];
-  const Real x92 = w.x[25];
-  const Real x97 = w.x[24];
-  const Two x1060 = taken<Two>(w.x.data() + 28);
-  const Two x1162 = taken<Two>(w.x.data() + 30);
-  const Two x1163 = taken<Two>(w.x.data() + 32);
-  const Two x1164 = taken<Two>(w.x.data() + 34);
-  const Two x1165 = taken<Two>(w.x.data() + 36);
-  const Two x1166 = taken<Two>(w.x.data() + 38);
-  const Two x1167 = taken<Two>(w.x.data() + 40);
-  const Two x1352 = taken<Two>(w.x.data() + 42);
-  const Two x1353 = taken<Two>(w.x.data() + 44);
-  const Two x1355 = taken<Two>(w.x.data() + 46);
-  const Two x1356 = taken<Two>(w.x.data() + 48);
-  const Two x1357 = taken<Two>(w.x.data() + 50);
-  const Two x1358 = taken<Two>(w.x.data() + 52);
-  const Two x1536 = taken<Two>(w.x.data() + 54);
-  const Two x1537 = taken<Two>(w.x.data() + 56);
-  const Two x1538 = taken<Two>(w.x.data() + 58);
-  const Two x1540 = taken<Two>(w.x.data() + 60);
-  const Two x1541 = taken<Two>(w.x.data() + 62);
-  const Two x1542 = taken<Two>(w.x.data() + 64);
-  const Two x1723 = taken<Two>(w.x.data() + 104);
-  const Two x1724 = taken<Two>(w.x.data() + 106);
-  const Two x1725 = taken<Two>(w.x.data() + 108);
-  const Two x1726 = taken<Two>(w.x.data() + 110);
-  const Two x1727 = taken<Two>(w.x.data() + 112);
-  const Two x1728 = taken<Two>(w.x.data() + 114);
-  const Two x1894 = taken<Two>(w.x.data() + 120);
-  const Two x1895 = taken<Two>(w.x.data() + 122);
-  const Two x1896 = taken<Two>(w.x.data() + 124);
-  const Two x1897 = taken<Two>(w.x.data() + 126);
-  const Two x1898 = taken<Two>(w.x.data() + 128);
-  const Two x1899 = taken<Two>(w.x.data() + 130);
-  const Real x2269 = w.x[132];
-  const Real x2271 = w.x[133];
-  const Real x2272 = w.x[134];
-  const Real x2273 = w.x[135];
-  const Real x2274 = w.x[136];
-  const Real x2275 = w.x[137];
-  const Real x2460 = w.x[138];
-  const Real x2462 = w.x[139];
-  const Real x2463 = w.x[140];
-  const Real x2465 = w.x[141];
-  const Real x2466 = w.x[142];
-  const Real x2467 = w.x[143];
-  const Real x2659 = w.x[144];
-  const Real x2661 = w.x[145];
-  const Real x2662 = w.x[146];
-  const Real x2663 = w.x[147];
-  const Real x2664 = w.x[148];
-  const Real x2665 = w.x[149];
-  const Real x2668 = w.x[150];
-  const Real x2671 = w.x[151];
-  const Real x2674 = w.x[152];
-  const Real x2677 = w.x[153];
-  const Real x2680 = w.x[154];
-  const Real x2683 = w.x[155];
-  const Real x2686 = w.x[156];
-  const Real x2689 = w.x[157];
-  const Real x2692 = w.x[158];
-  const Real x2695 = w.x[159];
-  const Real x2698 = w.x[160];
-  const Real x2701 = w.x[161];
-  const Real x2704 = w.x[162];
-  const Real x2707 = w.x[163];
-  const Real x2710 = w.x[164];
-  const Real x2713 = w.x[165];
-  const Real x2716 = w.x[166];
-  const Real x2719 = w.x[167];
-  const Real x2722 = w.x[168];
-  const Real x2725 = w.x[169];
-  // message received
-  const Real x2726 = w.from[1][0];
-  const Real x2727 = w.from[1][1];
-  const Real x2732 = w.from[1][6];
-  const Real x2728 = w.from[1][2];
-  const Real x2733 = w.from[1][7];
-  const Real x2737 = w.from[1][11];
-  const Real x2729 = w.from[1][3];
-  const Real x2734 = w.from[1][8];
-  const Real x2738 = w.from[1][12];
-  const Real x2741 = w.from[1][15];
-  const Real x2730 = w.from[1][4];
-  const Real x2735 = w.from[1][9];
-  const Real x2739 = w.from[1][13];
-  const Real x2742 = w.from[1][16];
-  const Real x2731 = w.from[1][5];
-  const Real x2744 = w.from[1][18];
-  const Real x2736 = w.from[1][10];
-  const Real x2740 = w.from[1][14];
-  const Real x2743 = w.from[1][17];
-  const Real x2745 = w.from[1][19];
-  const Real x2762 = w.from[1][21];
-  const Real x2763 = w.from[1][22];
-  const Real x2746 = w.from[1][20];
-  const Real x2764 = w.from[1][23];
-  const Real x2765 = w.from[1][24];
-  const Real x2766 = w.from[1][25];
-  const Real x2767 = w.from[1][26];
-  const Real x2747 = x2668 + x2726;
-  require_more(w, x2747, 0.0, kFactorization, 15);
-  const Real x2748 = x2671 + x2727;
-  const Real x2752 = x2683 + x2732;
-  const Real x2749 = x2674 + x2729;
-  const Real x2756 = x2695 + x2741;
-  const Real x2750 = x2677 + x2730;
-  const Real x2751 = x2680 + x2731;
-  const Real x2759 = x2704 + x2744;
-  const Real x2768 = x2713 + x2762;
-  const Real x2761 = x2710 + x2746;
-  // link 16 "torso": acceleration from its articulated-body inertia
-  const Real x2902 = x2737 * 1.7763568394002505e-15;
-  const Real x2774 = 1 / x2747;
-  const Real x2901 = x2752 * 1.7763568394002505e-15;
-  const Real x2903 = x2756 * 1.7763568394002505e-15;
-  const Real x2904 = x2759 * 1.7763568394002505e-15;
-  const Real x2905 = x2761 * 1.7763568394002505e-15;
-  const Real x2775 = x2748 * x2774;
-  const Real x2776 = x2728 * x2774;
-  const Real x2777 = x2749 * x2774;
-  const Real x2778 = x2750 * x2774;
-  const Real x2779 = x2751 * x2774;
-  const Real x2782 = x2752 - x2748 * x2775;
-  require_more(w, x2782, x2901, kFactorization, 15);
-  const Real x2785 = x2733 - x2728 * x2775;
-  const Real x2788 = x2686 + x2734 - x2749 * x2775;
-  const Real x2791 = x2689 + x2735 - x2750 * x2775;
-  const Real x2794 = x2692 + x2736 - x2751 * x2775;
-  const Real x2795 = 1 / x2782;
-  const Real x2914 = x2768 * x2775 - (x2716 + x2763);
-  const Real x2796 = x2785 * x2795;
-  const Real x2797 = x2788 * x2795;
-  const Real x2798 = x2791 * x2795;
-  const Real x2799 = x2794 * x2795;
-  const Real x2805 = x2737 - x2728 * x2776 - x2785 * x2796;
-  require_more(w, x2805, x2902, kFactorization, 15);
-  const Real x2811 = x2738 - x2749 * x2776 - x2788 * x2796;
-  const Real x2817 = x2739 - x2750 * x2776 - x2791 * x2796;
-  const Real x2823 = x2740 - x2751 * x2776 - x2794 * x2796;
-  const Real x2920 = x2768 * x2776 - (x2764 - tau[20]) - x2796 * x2914;
-  const Real x2824 = 1 / x2805;
-  const Real x2825 = x2811 * x2824;
-  const Real x2826 = x2817 * x2824;
-  const Real x2827 = x2823 * x2824;
-  const Real x2835 = x2756 - x2749 * x2777 - x2788 * x2797;
-  const Real x2836 = x2835 - x2811 * x2825;
-  require_more(w, x2836, x2903, kFactorization, 15);
-  const Real x2844 = x2698 + x2742 - x2750 * x2777 - x2791 * x2797;
-  const Real x2845 = x2844 - x2817 * x2825;
-  const Real x2867 = x2759 - x2750 * x2778 - x2791 * x2798;
-  const Real x2853 = x2701 + x2743 - x2751 * x2777 - x2794 * x2797;
-  const Real x2854 = x2853 - x2823 * x2825;
-  const Real x2879 = x2707 + x2745 - x2751 * x2778 - x2794 * x2798;
-  const Real x2895 = x2761 - x2751 * x2779 - x2794 * x2799;
-  const Real x2928 = x2768 * x2777 - (x2719 + x2765) - x2797 * x2914;
-  const Real x2929 = x2928 - x2825 * x2920;
-  const Real x2939 = x2768 * x2778 - (x2722 + x2766) - x2798 * x2914;
-  const Real x2953 = x2768 * x2779 - (x2725 + x2767) - x2799 * x2914;
-  const Real x2855 = 1 / x2836;
-  const Real x2856 = x2845 * x2855;
-  const Real x2857 = x2854 * x2855;
-  const Real x2869 = x2867 - x2817 * x2826 - x2845 * x2856;
-  require_more(w, x2869, x2904, kFactorization, 15);
-  const Real x2881 = x2879 - x2823 * x2826 - x2854 * x2856;
-  const Real x2941 = x2939 - x2826 * x2920 - x2856 * x2929;
-  const Real x2882 = 1 / x2869;
-  const Real x2883 = x2881 * x2882;
-  const Real x2897 = x2895 - x2823 * x2827 - x2854 * x2857;
-  const Real x2898 = x2897 - x2881 * x2883;
-  require_more(w, x2898, x2905, kFactorization, 15);
-  const Real x2955 = x2953 - x2827 * x2920 - x2857 * x2929;
-  const Real x2963 = 1 / x2898 * (x2955 - x2883 * x2941);
-  const Real x2966 = x2882 * x2941 - x2883 * x2963;
-  const Real x2972 = x2855 * x2929 - x2857 * x2963 - x2856 * x2966;
-  const Real x2980 = x2824 * x2920 - x2827 * x2963 - x2826 * x2966;
-  const Real x2981 = x2980 - x2825 * x2972;
-  const Real x2991 = x2795 * x2914 - x2799 * x2963 - x2798 * x2966;
-  const Real x3006 = x2768 * x2774 + x2779 * x2963 + x2778 * x2966;
-  const Real x2993 = x2991 - x2797 * x2972 - x2796 * x2981;
-  const Real x3010 = x2777 * x2972 + x3006 + x2776 * x2981;
-  const Real x3012 = x2775 * x2993 + x3010;
-  // joint 15 "waist_pitch": its acceleration, and that of the link beyond
-  const Real x3026 = x2659 + x2665 * x2963 + x2664 * x2966;
-  const Real x3047 = cosine[14] * x2972 - sine[14] * x2966;
-  const Real x3030 = x2663 * x2972 + x3026 + x2662 * x2993;
-  const Real x3032 = x2661 * x3012 - x3030;
-  const Real x3038 = cosine[14] * x3012 + sine[14] * x2993;
-  const Real x3043 = cosine[14] * x2993 - sine[14] * x3012;
-  const Real x3052 = x2963 + 0.04 * x3043;
-  const Real x3055 = sine[14] * x2972 + cosine[14] * x2966 - 0.04 * x3032;
-  const Real x3056 = -(x3032 - x2981);
-  w.result[20] = x3056;
-  // joint 14 "waist_roll": its acceleration, and that of the link beyond
-  const Real x3082 = cosine[13] * x3032 + sine[13] * x3038;
-  const Real x3069 = x2460 + x2466 * x3047 + x2462 * x3032;
-  const Real x3096 = x3055 - 0.05 * x3082;
-  const Real x3093 = sine[13] * x3052 + cosine[13] * x3047;
-  const Real x3073 = x2463 * x3038 + x3069 + x2465 * x3052;
-  const Real x3075 = x2467 * x3055 + x3073;
-  const Real x3077 = x3043 + x3075;
-  w.result[19] = x3077;
-  const Real x3099 = cosine[13] * x3052 - sine[13] * x3047 - 0.05 * x3075;
-  // joint 13 "waist_yaw": its acceleration, and that of the link beyond
-  const Real x3112 = x2269 + x2272 * x3082 + x2273 * x3096;
-  const Real x3128 = cosine[12] * x3082 - sine[12] * x3075;
-  w.result[4] = x3128;
-  const Real x3123 = cosine[12] * x3075 + sine[12] * x3082;
-  const Real x3124 = -x3123;
-  w.result[3] = x3124;
-  const Real x3116 = x2271 * x3075 - (x2275 * x3093 + x3112);
-  const Real x3117 = x3116 - x2274 * x3099;
-  w.result[5] = x3117;
-  const Real x3138 = cosine[12] * x3096 - sine[12] * x3099 - 0.09 * x3128;
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch": their accelerations, and those of the links beyond
-  const Two x3155 = x3093 - Two{0.09, -0.09} * x3123;
-  // joint 0 "__base__": acceleration of the base
-  const Real x3371 = x3093 - x97;
-  w.result[2] = x3371;
-  // joint 13 "waist_yaw": its acceleration, and that of the link beyond
-  const Real x3141 = sine[12] * x3096 + cosine[12] * x3099 - 0.09 * x3123;
-  const Real x3142 = -(x3117 - (sine[13] * x3032 - cosine[13] * x3038));
-  w.result[18] = x3142;
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch": their accelerations, and those of the links beyond
-  const Two x3159 = taken<Two>(cosine + 0) * x3117 - taken<Two>(sine + 0) * x3123;
-  const Two x3164 = taken<Two>(sine + 0) * x3117 + taken<Two>(cosine + 0) * x3123;
-  const Real x3152 = x3141 - 0.05 * x3123;
-  const Two x3149 = x3138 - 0.05 * x3128 - Two{0.09, -0.09} * x3117;
-  const Two x3168 = taken<Two>(cosine + 0) * x3155 + taken<Two>(sine + 0) * x3149;
-  const Two x3172 = taken<Two>(cosine + 0) * x3149 - taken<Two>(sine + 0) * x3155;
-  const Two x3184 = x1894 - x1895 * x3159 + x1896 * x3164;
-  const Two x3186 = x3184 - x1899 * x3152 - x1897 * x3168;
-  const Two x3187 = x3186 - x1898 * x3172;
-  const Two x3188 = x3187 - x3128;
-  put(x3188, w.lanes.data() + 0);
-  // joints 2 "left_hip_roll", 8 "right_hip_roll": their accelerations, and those of the links beyond
-  const Two x3194 = x3168 - Two{0.04, -0.04} * x3164;
-  const Two x3197 = x3172 - Two{0.04, -0.04} * x3159;
-  const Two x3207 = taken<Two>(cosine + 2) * x3152 + taken<Two>(sine + 2) * x3194;
-  const Two x3211 = taken<Two>(cosine + 2) * x3194 - taken<Two>(sine + 2) * x3152;
-  const Two x3200 = taken<Two>(cosine + 2) * x3187 + taken<Two>(sine + 2) * x3159;
-  const Two x3204 = taken<Two>(cosine + 2) * x3159 - taken<Two>(sine + 2) * x3187;
-  const Two x3223 = x1723 - x1728 * x3197 - x1726 * x3207;
-  const Two x3225 = x3223 - x1727 * x3211 - x1724 * x3200;
-  const Two x3226 = x3225 - x1725 * x3204;
-  const Two x3227 = x3164 + x3226;
-  put(x3227, w.lanes.data() + 2);
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": their accelerations, and those of the links beyond
-  const Two x3234 = x3197 - 0.12 * x3200;
-  const Two x3231 = x3207 + 0.12 * x3226;
-  const Two x3237 = taken<Two>(cosine + 4) * x3226 + taken<Two>(sine + 4) * x3200;
-  const Two x3241 = taken<Two>(cosine + 4) * x3200 - taken<Two>(sine + 4) * x3226;
-  const Two x3244 = taken<Two>(cosine + 4) * x3234 + taken<Two>(sine + 4) * x3231;
-  const Two x3248 = taken<Two>(cosine + 4) * x3231 - taken<Two>(sine + 4) * x3234;
-  const Two x3260 = x1536 - x1542 * x3211 - x1537 * x3237;
-  const Two x3262 = x1538 * x3241 + x3260 - x1540 * x3244;
-  const Two x3263 = x3262 - x1541 * x3248;
-  // joints 4 "left_knee", 10 "right_knee": their accelerations, and those of the links beyond
-  const Two x3269 = x3244 - 0.24 * x3241;
-  const Two x3271 = x3248 + 0.24 * x3237;
-  const Two x3281 = taken<Two>(cosine + 6) * x3211 + taken<Two>(sine + 6) * x3269;
-  const Two x3285 = taken<Two>(cosine + 6) * x3269 - taken<Two>(sine + 6) * x3211;
-  // joint 0 "__base__": acceleration of the base
-  const Real x3369 = x3138 - x87;
-  w.result[0] = x3369;
-  const Real x3370 = x3141 - x92;
-  w.result[1] = x3370;
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw": their accelerations, and those of the links beyond
-  const Two x3264 = x3263 - x3204;
-  put(x3264, w.lanes.data() + 4);
-  // joints 4 "left_knee", 10 "right_knee": their accelerations, and those of the links beyond
-  const Two x3274 = taken<Two>(cosine + 6) * x3263 + taken<Two>(sine + 6) * x3237;
-  const Two x3278 = taken<Two>(cosine + 6) * x3237 - taken<Two>(sine + 6) * x3263;
-  const Two x3297 = x1352 - x1358 * x3271 - x1356 * x3281;
-  const Two x3299 = x3297 - x1357 * x3285 + x1353 * x3274;
-  const Two x3300 = x3299 - x1355 * x3278;
-  const Two x3301 = x3300 - x3241;
-  put(x3301, w.lanes.data() + 6);
-  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch": their accelerations, and those of the links beyond
-  const Two x3311 = taken<Two>(cosine + 8) * x3274 + taken<Two>(sine + 8) * x3278;
-  const Two x3315 = taken<Two>(cosine + 8) * x3278 - taken<Two>(sine + 8) * x3274;
-  const Two x3308 = x3271 + 0.3 * x3278;
-  const Two x3306 = x3285 - 0.3 * x3300;
-  const Two x3334 = x1162 - x1163 * x3311 - x1164 * x3315;
-  const Two x3318 = taken<Two>(cosine + 8) * x3281 + taken<Two>(sine + 8) * x3306;
-  const Two x3336 = x3334 - x1167 * x3308 - x1165 * x3318;
-  const Two x3337 = x3336 - x1166 * (taken<Two>(cosine + 8) * x3306 - taken<Two>(sine + 8) * x3281);
-  const Two x3338 = x3337 - x3300;
-  put(x3338, w.lanes.data() + 8);
-  // joints 6 "left_ankle_roll", 12 "right_ankle_roll": their accelerations, and those of the links beyond
-  const Two x3355 = taken<Two>(cosine + 10) * (x3308 + 0.02 * x3315) + taken<Two>(sine + 10) * x3318;
-  const Two x3360 = 0.5966849180428403 * (taken<Two>(cosine + 10) * x3311 - taken<Two>(sine + 10) * x3337);
-  const Two x3366 = x1060 - 19.88949726809468 * x3355 - x3360 - x3315;
-  put(x3366, w.lanes.data() + 10);
+// The ground accelerates against gravity: accelerations are relative to free fall.
+ADAGEN_INLINE Frame<Value> ground() {
+  const Value one = Value{} + 1, none{};
+  return {{{one, none, none}, {none, one, none}, {none, none, one}},
+          {none, none, none},
+          {none, none, none},
+          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
 }
 
-// =================================================================================================
-// Process 1: 1027 products, 914 sums, 12 quotients, 1257 of them in lanes
-// =================================================================================================
-
-ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
-  ADAGEN_INPUTS
-  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
-  const Real x118 = v[3] * cosine[12] + v[4] * sine[12];
-  const Real x122 = v[4] * cosine[12] - v[3] * sine[12];
-  const Real x123 = v[5] + v[18];
-  const Real x124 = v[18] * x122;
-  const Real x125 = v[18] * x118;
-  const Real x127 = v[3] * v[5] * 0.09;
-  const Real x128 = v[4] * v[5] * 0.09;
-  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
-  const Real x165 = x122 * cosine[13] + x123 * sine[13];
-  const Real x169 = x123 * cosine[13] - x122 * sine[13];
-  const Real x170 = x118 + v[19];
-  const Real x176 = v[19] * x169 - x125 * cosine[13];
-  const Real x179 = x125 * sine[13] - v[19] * x165;
-  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
-  const Real x133 = cosine[12] * x127 + sine[12] * x128;
-  const Real x137 = cosine[12] * x128 - sine[12] * x127;
-  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
-  const Real x183 = x137 + (x122 * x123 - x124) * 0.05;
-  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
-  const Real x129 = (v[3] * v[3] + v[4] * v[4]) * 0.09;
-  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
-  const Real x186 = x129 + (x118 * x118 + x122 * x122) * 0.05;
-  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
-  const Real x226 = x169 * cosine[14] + x170 * sine[14];
-  const Real x230 = x170 * cosine[14] - x169 * sine[14];
-  const Real x231 = x165 + v[20];
-  const Real x240 = x179 * cosine[14] + x124 * sine[14] + v[20] * x230;
-  const Real x243 = x124 * cosine[14] - x179 * sine[14] - v[20] * x226;
-  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
-  const Real x191 = cosine[13] * x183 - sine[13] * x186;
-  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
-  const Real x245 = x191 + (x165 * x169 - x124) * 0.04;
-  const Real x246 = (x165 * x165 + x170 * x170) * 0.04;
-  const Real x248 = sine[13] * x183 + cosine[13] * x186 + x246;
-  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
-  const Real x181 = x133 + (x118 * x123 - x125) * 0.05;
-  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
-  const Real x251 = x181 + (x176 + x169 * x170) * 0.04;
-  const Real x255 = sine[14] * x251 - cosine[14] * x248;
-  const Real x259 = sine[14] * x248 + cosine[14] * x251;
-  const Real x262 = x226 * x226;
-  const Real x263 = x230 * x230;
-  const Real x264 = x231 * x231;
-  const Real x265 = x263 + x264;
-  const Real x267 = x226 * x230;
-  const Real x269 = x176 + x267;
-  const Real x270 = x262 + x264;
-  const Real x272 = x230 * x231;
-  const Real x274 = x240 + x272;
-  const Real x277 = x226 * x231;
-  const Real x278 = x277 - x243;
-  // link 16 "torso": force that the reference field takes
-  const Real x1228 = x176 * 0.38728300000000004 + x267 * 0.34484970000000004;
-  const Real x1211 = x240 * 0.0832833 - x272 * 0.040850000000000004 + x278 * 0.01615;
-  const Real x1231 = x1211 + x245 * 0.095;
-  w.x[0] = x1231;
-  const Real x1221 = x243 * 0.42813300000000004 - x277 * 0.30399970000000004 - x274 * 0.01615;
-  const Real x1234 = x1221 - x245 * 1.6150000000000002;
-  w.x[1] = x1234;
-  const Real x1238 = x1228 - 0.01615 * (x270 - x265) + x259 * 1.6150000000000002;
-  const Real x1239 = x1238 - x255 * 0.095;
-  w.x[2] = x1239;
-  const Real x1244 = (x267 - x176) * 0.095 - x265 * 1.6150000000000002;
-  const Real x1245 = x255 * 9.5 + x1244;
-  w.x[3] = x1245;
-  const Real x1251 = x269 * 1.6150000000000002 - x270 * 0.095 + x259 * 9.5;
-  w.x[4] = x1251;
-  const Real x1256 = x245 * 9.5 + x278 * 1.6150000000000002 + x274 * 0.095;
-  w.x[5] = x1256;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
-  const Two x282 = Two{v[21], v[29]};
-  const Two x290 = taken<Two>(cosine + 0) * x226 + taken<Two>(sine + 0) * x230;
-  const Two x294 = taken<Two>(cosine + 0) * x230 - taken<Two>(sine + 0) * x226;
-  const Two x295 = x231 + x282;
-  const Two x304 = taken<Two>(cosine + 0) * x240 + taken<Two>(sine + 0) * x243 + x282 * x294;
-  const Two x307 = taken<Two>(cosine + 0) * x243 - taken<Two>(sine + 0) * x240 - x282 * x290;
-  const Two x312 = x255 - x265 * 0.29 + (x243 + x277) * Two{0.15, -0.15};
-  const Two x316 = x259 + x269 * 0.29 + (x272 - x240) * Two{0.15, -0.15};
-  const Two x321 = x245 - (x262 + x263) * Two{0.15, -0.15} + x278 * 0.29;
-  const Two x324 = taken<Two>(cosine + 0) * x312 + taken<Two>(sine + 0) * x316;
-  const Two x328 = taken<Two>(cosine + 0) * x316 - taken<Two>(sine + 0) * x312;
-  const Two x342 = x294 * x295;
-  const Two x343 = x342 - x304;
-  const Two x345 = x290 * x290 + x294 * x294;
-  const Two x347 = x290 * x295;
-  const Two x349 = x307 + x347;
-  // links 17 "left_shoulder", 25 "right_shoulder": force that the reference field takes
-  const Real x807 = x176 * 0.00064;
-  w.x[6] = x807;
-  const Two x811 = x304 * 0.001366667 - x342 * 0.0007266669999999999 - x328 * Two{0.024, -0.024};
-  put(x811, w.x.data() + 8);
-  const Two x813 = x307 * 0.001366667 + x347 * 0.0007266669999999999 + x324 * Two{0.024, -0.024};
-  put(x813, w.x.data() + 10);
-  const Two x816 = x324 * 0.8 + x349 * Two{0.024, -0.024};
-  put(x816, w.x.data() + 12);
-  const Two x819 = x328 * 0.8 + x343 * Two{0.024, -0.024};
-  put(x819, w.x.data() + 14);
-  const Two x823 = x321 * 0.8 - x345 * Two{0.024, -0.024};
-  put(x823, w.x.data() + 16);
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": placement, velocity and reference acceleration of their links
-  const Two x352 = Two{v[22], v[30]};
-  const Two x358 = taken<Two>(cosine + 2) * x295 + taken<Two>(sine + 2) * x290;
-  const Two x362 = taken<Two>(cosine + 2) * x290 - taken<Two>(sine + 2) * x295;
-  const Two x363 = x294 + x352;
-  const Two x372 = taken<Two>(cosine + 2) * x176 + taken<Two>(sine + 2) * x304 + x352 * x362;
-  const Two x375 = taken<Two>(cosine + 2) * x304 - taken<Two>(sine + 2) * x176 - x352 * x358;
-  const Two x377 = x324 + x349 * Two{0.05, -0.05};
-  const Two x379 = x328 + x343 * Two{0.05, -0.05};
-  const Two x382 = x321 - x345 * Two{0.05, -0.05};
-  const Two x385 = taken<Two>(cosine + 2) * x382 + taken<Two>(sine + 2) * x377;
-  const Two x389 = taken<Two>(cosine + 2) * x377 - taken<Two>(sine + 2) * x382;
-  const Two x394 = x363 * x363;
-  const Two x395 = x362 * x362 + x394;
-  const Two x397 = x358 * x362;
-  const Two x398 = x397 - x307;
-  const Two x400 = x358 * x358 + x394;
-  const Two x402 = x362 * x363;
-  const Two x404 = x372 + x402;
-  const Two x407 = x358 * x363;
-  const Two x408 = x407 - x375;
-  // links 18 "left_shoulder_cap", 26 "right_shoulder_cap": force that the reference field takes
-  const Two x862 = x307 * 0.0014 - x397 * 0.00056;
-  const Two x846 = x372 * 0.0013299999999999998 + x402 * 0.0006299999999999999 - x408 * Two{0.00020999999999999998, -0.00020999999999999998};
-  const Two x866 = x846 - x379 * 0.020999999999999998;
-  put(x866, w.x.data() + 18);
-  const Two x854 = x375 * 0.00077 - x407 * 7e-05 + x404 * Two{0.00020999999999999998, -0.00020999999999999998};
-  const Two x869 = x854 - x379 * Two{0.006999999999999999, -0.006999999999999999};
-  put(x869, w.x.data() + 20);
-  const Two x873 = Two{0.00020999999999999998, -0.00020999999999999998} * (x400 - x395) + x862 + x389 * Two{0.006999999999999999, -0.006999999999999999};
-  const Two x874 = x385 * 0.020999999999999998 + x873;
-  put(x874, w.x.data() + 22);
-  const Two x882 = x385 * 0.7 - (x395 * Two{0.006999999999999999, -0.006999999999999999} + x398 * 0.020999999999999998);
-  put(x882, w.x.data() + 24);
-  const Two x887 = (x307 + x397) * Two{0.006999999999999999, -0.006999999999999999} + x400 * 0.020999999999999998;
-  const Two x888 = x389 * 0.7 + x887;
-  put(x888, w.x.data() + 26);
-  const Two x894 = x379 * 0.7 + x408 * Two{0.006999999999999999, -0.006999999999999999} - x404 * 0.020999999999999998;
-  put(x894, w.x.data() + 28);
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": placement, velocity and reference acceleration of their links
-  const Two x412 = Two{v[23], v[31]};
-  const Two x417 = taken<Two>(cosine + 4) * x363 + taken<Two>(sine + 4) * x358;
-  const Two x421 = taken<Two>(cosine + 4) * x358 - taken<Two>(sine + 4) * x363;
-  const Two x422 = x362 + x412;
-  const Two x431 = taken<Two>(cosine + 4) * x307 + taken<Two>(sine + 4) * x372 + x412 * x421;
-  const Two x434 = taken<Two>(cosine + 4) * x372 - taken<Two>(sine + 4) * x307 - x412 * x417;
-  const Two x438 = x385 - x398 * 0.1;
-  const Two x441 = x389 + x400 * 0.1;
-  const Two x444 = x379 - x404 * 0.1;
-  const Two x447 = taken<Two>(cosine + 4) * x444 + taken<Two>(sine + 4) * x438;
-  const Two x451 = taken<Two>(cosine + 4) * x438 - taken<Two>(sine + 4) * x444;
-  const Two x464 = x421 * x422;
-  const Two x465 = x464 - x431;
-  const Two x467 = x417 * x417 + x421 * x421;
-  const Two x469 = x417 * x422;
-  const Two x471 = x434 + x469;
-  // links 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
-  const Two x911 = x375 * 0.00064;
-  put(x911, w.x.data() + 30);
-  const Two x915 = x431 * 0.0036266700000000002 - x464 * 0.0029866700000000003 + x451 * 0.04000000000000001;
-  put(x915, w.x.data() + 32);
-  const Two x918 = x434 * 0.0036266700000000002 + x469 * 0.0029866700000000003 - x447 * 0.04000000000000001;
-  put(x918, w.x.data() + 34);
-  const Two x922 = x447 * 0.8 - x471 * 0.04000000000000001;
-  put(x922, w.x.data() + 36);
-  const Two x926 = x451 * 0.8 - x465 * 0.04000000000000001;
-  put(x926, w.x.data() + 38);
-  const Two x930 = x441 * 0.8 + x467 * 0.04000000000000001;
-  put(x930, w.x.data() + 40);
-  // joints 19 "left_elbow", 27 "right_elbow": placement, velocity and reference acceleration of their links
-  const Two x474 = Two{v[24], v[32]};
-  const Two x479 = taken<Two>(cosine + 6) * x422 + taken<Two>(sine + 6) * x417;
-  const Two x483 = taken<Two>(cosine + 6) * x417 - taken<Two>(sine + 6) * x422;
-  const Two x484 = x421 + x474;
-  const Two x493 = taken<Two>(cosine + 6) * x375 + taken<Two>(sine + 6) * x431 + x474 * x483;
-  const Two x496 = taken<Two>(cosine + 6) * x431 - taken<Two>(sine + 6) * x375 - x474 * x479;
-  const Two x500 = x447 - x471 * 0.11;
-  const Two x503 = x451 - x465 * 0.11;
-  const Two x506 = x441 + x467 * 0.11;
-  const Two x509 = taken<Two>(cosine + 6) * x506 + taken<Two>(sine + 6) * x500;
-  const Two x513 = taken<Two>(cosine + 6) * x500 - taken<Two>(sine + 6) * x506;
-  const Two x518 = x484 * x484;
-  const Two x519 = x483 * x483 + x518;
-  const Two x521 = x479 * x483;
-  const Two x522 = x521 - x434;
-  const Two x523 = x434 + x521;
-  const Two x524 = x479 * x479 + x518;
-  const Two x526 = x483 * x484;
-  const Two x528 = x493 + x526;
-  const Two x531 = x479 * x484;
-  const Two x532 = x531 - x496;
-  // links 20 "left_forearm", 28 "right_forearm": force that the reference field takes
-  const Two x968 = x521 * 0.004428960000000001 + 0.00098 * (x524 - x519);
-  const Two x953 = x493 * 0.00070875 + x526 * 0.00028 - x532 * 0.00098;
-  const Two x971 = x953 + x503 * 0.013999999999999999;
-  put(x971, w.x.data() + 42);
-  const Two x962 = x496 * 0.00513771 - x531 * 0.004708960000000001 + x528 * 0.00098;
-  const Two x974 = x962 + x503 * 0.049;
-  put(x974, w.x.data() + 44);
-  const Two x979 = x434 * 0.005417710000000001 + x968 - x513 * 0.049;
-  const Two x980 = x979 - x509 * 0.013999999999999999;
-  put(x980, w.x.data() + 46);
-  const Two x986 = x519 * 0.049 + x522 * 0.013999999999999999 + x509 * 0.7;
-  put(x986, w.x.data() + 48);
-  const Two x994 = x513 * 0.7 - (x523 * 0.049 + x524 * 0.013999999999999999);
-  put(x994, w.x.data() + 50);
-  const Two x1000 = x503 * 0.7 - x532 * 0.049 + x528 * 0.013999999999999999;
-  put(x1000, w.x.data() + 52);
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": placement, velocity and reference acceleration of their links
-  const Two x536 = Two{v[25], v[33]};
-  const Two x542 = taken<Two>(cosine + 8) * x483 + taken<Two>(sine + 8) * x484;
-  const Two x546 = taken<Two>(cosine + 8) * x484 - taken<Two>(sine + 8) * x483;
-  const Two x547 = x479 + x536;
-  const Two x556 = taken<Two>(cosine + 8) * x496 + taken<Two>(sine + 8) * x434 + x536 * x546;
-  const Two x559 = taken<Two>(cosine + 8) * x434 - taken<Two>(sine + 8) * x496 - x536 * x542;
-  const Two x565 = x519 * 0.16 + x522 * 0.01 + x509;
-  const Two x572 = x513 - (x523 * 0.16 + x524 * 0.01);
-  const Two x577 = x503 - x532 * 0.16 + x528 * 0.01;
-  const Two x580 = taken<Two>(cosine + 8) * x572 + taken<Two>(sine + 8) * x577;
-  const Two x584 = taken<Two>(cosine + 8) * x577 - taken<Two>(sine + 8) * x572;
-  const Two x597 = x546 * x547;
-  const Two x598 = x597 - x556;
-  const Two x600 = x542 * x542 + x546 * x546;
-  const Two x602 = x542 * x547;
-  const Two x604 = x559 + x602;
-  // links 21 "left_wrist", 29 "right_wrist": force that the reference field takes
-  const Two x1019 = x493 * 9e-05;
-  put(x1019, w.x.data() + 54);
-  const Two x1023 = x556 * 0.00010666669999999999 - x597 * 1.666669999999999e-05 + x584 * 0.002;
-  put(x1023, w.x.data() + 56);
-  const Two x1026 = x559 * 0.00010666669999999999 + x602 * 1.666669999999999e-05 - x580 * 0.002;
-  put(x1026, w.x.data() + 58);
-  const Two x1030 = x580 * 0.2 - x604 * 0.002;
-  put(x1030, w.x.data() + 60);
-  const Two x1034 = x584 * 0.2 - x598 * 0.002;
-  put(x1034, w.x.data() + 62);
-  const Two x1038 = x565 * 0.2 + x600 * 0.002;
-  put(x1038, w.x.data() + 64);
-  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": placement, velocity and reference acceleration of their links
-  const Two x607 = Two{v[26], v[34]};
-  const Two x612 = taken<Two>(cosine + 10) * x547 + taken<Two>(sine + 10) * x542;
-  const Two x616 = taken<Two>(cosine + 10) * x542 - taken<Two>(sine + 10) * x547;
-  const Two x617 = x546 + x607;
-  const Two x629 = taken<Two>(cosine + 10) * x556 - taken<Two>(sine + 10) * x493 - x607 * x612;
-  const Two x632 = x580 - 0.04 * x604;
-  const Two x635 = x584 - 0.04 * x598;
-  const Two x638 = x565 + 0.04 * x600;
-  const Two x645 = taken<Two>(cosine + 10) * x632 - taken<Two>(sine + 10) * x638;
-  const Two x653 = x612 * x616;
-  const Two x663 = x612 * x617;
-  const Two x626 = taken<Two>(cosine + 10) * x493 + taken<Two>(sine + 10) * x556 + x607 * x616;
-  // links 22 "left_hand", 30 "right_hand": force that the reference field takes
-  const Two x1055 = x626 * 0.000296667 - x616 * x617 * 0.00013000000000000002;
-  put(x1055, w.x.data() + 66);
-  const Two x1070 = x629 * 0.002133333 - x663 * 0.001706666 + x635 * 0.024;
-  put(x1070, w.x.data() + 68);
-  const Two x1073 = x559 * 0.002003333 + x653 * 0.0018366659999999998 - x645 * 0.024;
-  put(x1073, w.x.data() + 70);
-  const Two x1074 = (taken<Two>(cosine + 10) * x638 + taken<Two>(sine + 10) * x632) * 0.4;
-  const Two x1077 = x1074 + (x616 * x616 + x617 * x617) * 0.024;
-  put(x1077, w.x.data() + 72);
-  const Two x1081 = x645 * 0.4 - (x559 + x653) * 0.024;
-  put(x1081, w.x.data() + 74);
-  const Two x1085 = x635 * 0.4 - (x663 - x629) * 0.024;
-  put(x1085, w.x.data() + 76);
-  // joint 22 "neck_yaw": placement, velocity and reference acceleration of its link
-  const Real x674 = x230 * cosine[15] + x231 * sine[15];
-  const Real x678 = x231 * cosine[15] - x230 * sine[15];
-  const Real x679 = x226 + v[27];
-  const Real x688 = x243 * cosine[15] + x176 * sine[15] + v[27] * x678;
-  const Real x691 = x176 * cosine[15] - x243 * sine[15] - v[27] * x674;
-  const Real x694 = x255 - x265 * 0.38;
-  const Real x696 = x259 + x269 * 0.38;
-  const Real x698 = x245 + x278 * 0.38;
-  const Real x701 = cosine[15] * x696 + sine[15] * x698;
-  const Real x705 = cosine[15] * x698 - sine[15] * x696;
-  const Real x718 = x678 * x679;
-  const Real x719 = x718 - x688;
-  const Real x721 = x674 * x674 + x678 * x678;
-  const Real x723 = x674 * x679;
-  const Real x725 = x691 + x723;
-  // joint 23 "neck_pitch": placement, velocity and reference acceleration of its link
-  const Real x734 = x679 * cosine[16] + x674 * sine[16];
-  const Real x738 = x674 * cosine[16] - x679 * sine[16];
-  const Real x739 = x678 + v[28];
-  const Real x748 = x240 * cosine[16] + x688 * sine[16] + v[28] * x738;
-  const Real x751 = x688 * cosine[16] - x240 * sine[16] - v[28] * x734;
-  const Real x753 = x701 + x725 * 0.06;
-  const Real x755 = x705 + x719 * 0.06;
-  const Real x758 = x694 - x721 * 0.06;
-  const Real x761 = cosine[16] * x758 + sine[16] * x753;
-  const Real x765 = cosine[16] * x753 - sine[16] * x758;
-  const Real x770 = x739 * x739;
-  const Real x771 = x738 * x738 + x770;
-  const Real x773 = x734 * x738;
-  const Real x776 = x734 * x734 + x770;
-  const Real x778 = x738 * x739;
-  const Real x780 = x748 + x778;
-  const Real x783 = x734 * x739;
-  const Real x784 = x783 - x751;
-  // link 24 "head": force that the reference field takes
-  const Real x1156 = x691 * 0.028175999999999996 + x773 * 0.018479999999999996;
-  const Real x1140 = x748 * 0.008736 + x778 * 0.00096 + x784 * 0.00432;
-  const Real x1159 = x1140 + x755 * 0.048;
-  const Real x1149 = x751 * 0.027215999999999997 - x783 * 0.01944 - x780 * 0.00432;
-  const Real x1162 = x1149 - x755 * 0.216;
-  const Real x1166 = x1156 - 0.00432 * (x776 - x771) + x765 * 0.216;
-  const Real x1172 = (x773 - x691) * 0.048 - x771 * 0.216;
-  const Real x1178 = (x691 + x773) * 0.216 - x776 * 0.048;
-  const Real x1184 = x755 * 2.4 + x784 * 0.216 + x780 * 0.048;
-  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x2269 = 35.49119818285065 * (tau[28] - (x1166 - x761 * 0.048));
-  w.x[78] = x2269;
-  const Real x2282 = x761 * 2.4 + x1172 - 0.048 * x2269;
-  const Real x2284 = x765 * 2.4 + x1178 + 0.216 * x2269;
-  const Real x2288 = cosine[16] * 0.048 + sine[16] * 0.216;
-  const Real x2292 = sine[16] * 0.048 - cosine[16] * 0.216;
-  const Real x2293 = 2.0 * sine[16];
-  const Real x2300 = 0.00432 * x2293 - cosine[16] * 0.018479999999999996;
-  const Real x2304 = cosine[16] * x2300;
-  const Real x2311 = cosine[16] * 1.574105621805792 - 0.3679727427597956 * x2293;
-  const Real x2314 = 0.3679727427597956 + sine[16] * x2311;
-  const Real x2315 = cosine[16] * x2311;
-  const Real x2317 = 2.318228279386712 - x2315;
-  const Real x2318 = 0.06 * x2317;
-  const Real x2321 = x2292 + -0.144;
-  const Real x2322 = 0.06 * x2314;
-  const Real x2332 = -0.00432 + sine[16] * x2300 - 0.06 * x2288;
-  const Real x2347 = sine[16] * x2282 + cosine[16] * x2284;
-  const Real x2329 = 0.008736 - x2304 - (0.06 * x2292 + 0.06 * x2321);
-  const Real x2355 = 0.00037000000000000005 + 0.06 * x2318;
-  const Real x2356 = 0.008 + x2318;
-  const Real x2357 = 0.027215999999999997 + x2304 + 0.00018;
-  require_more(w, x2357, 0.0, kFactorization, 22);
-  const Real x2358 = 0.4 + x2317;
-  const Real x2360 = 0.74412265758092 + x2315 + 0.4;
-  w.x[79] = x2360;
-  // link 23 "neck": force that the reference field takes
-  const Real x1107 = x688 * 0.00037000000000000005 - x718 * 0.00019 - x705 * 0.008;
-  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x2350 = sine[16] * x1159 + cosine[16] * x1162 - 0.06 * x1184;
-  // link 23 "neck": force that the reference field takes
-  const Real x1109 = x691 * 0.00037000000000000005 + x723 * 0.00019 + x701 * 0.008;
-  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x2362 = tau[28] + 0.06 * x2347 + x1109;
-  const Real x2364 = x701 * 0.4 + x725 * 0.008 + x2347;
-  // link 23 "neck": force that the reference field takes
-  const Real x1119 = x694 * 0.4 - x721 * 0.008;
-  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x2366 = cosine[16] * x2282 - sine[16] * x2284 + x1119;
-  w.x[80] = x2366;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x2368 = 1 / x2357;
-  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x2363 = cosine[16] * x1159 - sine[16] * x1162 + x240 * 0.00018;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x2370 = x2368 * (tau[27] - x2363);
-  w.x[81] = x2370;
-  const Real x2371 = x2332 * x2368;
-  w.x[82] = x2371;
-  const Real x2372 = x2288 * x2368;
-  w.x[83] = x2372;
-  const Real x2375 = 0.00037000000000000005 + x2329 - x2332 * x2371;
-  const Real x2378 = -0.008 + x2321 - x2332 * x2372;
-  const Real x2381 = 2.8 - x2288 * x2372;
-  const Real x2383 = x1107 + x2350 + x2332 * x2370;
-  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x2365 = x705 * 0.4 + x719 * 0.008 + x1184;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x2385 = x2365 + x2288 * x2370;
-  const Real x2390 = sine[15] * (x2356 + x2378);
-  const Real x2392 = sine[15] * x2390;
-  const Real x2394 = x2378 - x2392;
-  const Real x2395 = x2356 - x2392;
-  const Real x2396 = cosine[15] * x2390;
-  const Real x2399 = cosine[15] * (x2375 - x2355);
-  const Real x2404 = cosine[15] * x2399;
-  const Real x2407 = cosine[15] * x2314;
-  w.x[84] = x2407;
-  const Real x2408 = sine[15] * x2314;
-  w.x[85] = x2408;
-  const Real x2410 = cosine[15] * (x2358 - x2381);
-  const Real x2411 = sine[15] * x2410;
-  w.x[86] = x2411;
-  const Real x2413 = cosine[15] * x2410;
-  const Real x2414 = x2381 + x2413;
-  w.x[87] = x2414;
-  const Real x2415 = x2358 - x2413;
-  w.x[88] = x2415;
-  const Real x2418 = sine[15] * x2322 + 0.38 * x2408;
-  w.x[89] = x2418;
-  const Real x2421 = cosine[15] * x2322 + 0.38 * x2407;
-  w.x[90] = x2421;
-  const Real x2424 = x2396 + 0.38 * x2411;
-  w.x[91] = x2424;
-  const Real x2427 = x2395 + 0.38 * x2414;
-  w.x[92] = x2427;
-  const Real x2430 = x2394 - 0.38 * x2415;
-  w.x[93] = x2430;
-  const Real x2436 = x2355 + x2404 - 0.38 * x2394 - 0.38 * x2430;
-  w.x[94] = x2436;
-  const Real x2442 = sine[15] * x2399 - 0.38 * x2396 - 0.38 * x2424;
-  w.x[95] = x2442;
-  const Real x2446 = x2375 - x2404 + 0.38 * x2395 + 0.38 * x2427;
-  w.x[96] = x2446;
-  const Real x2457 = cosine[15] * x2364 - sine[15] * x2385;
-  w.x[97] = x2457;
-  const Real x2460 = sine[15] * x2364 + cosine[15] * x2385;
-  w.x[98] = x2460;
-  const Real x2463 = cosine[15] * x2383 - sine[15] * x2362 - 0.38 * x2460;
-  w.x[99] = x2463;
-  const Real x2465 = sine[15] * x2383 + cosine[15] * x2362 + 0.38 * x2457;
-  w.x[100] = x2465;
-  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Two x1284 = taken<Two>(cosine + 10) * 0.28752084650929227;
-  const Two x1287 = taken<Two>(cosine + 10) * x1284;
-  const Two x1289 = 0.4 - x1287;
-  const Two x1334 = 0.2 + x1289;
-  const Two x1270 = taken<Two>(sine + 10) * 0.024;
-  put(x1270, w.x.data() + 102);
-  const Two x1276 = taken<Two>(cosine + 10) * 0.0018366659999999998;
-  const Two x1280 = taken<Two>(cosine + 10) * x1276;
-  const Two x1333 = 0.002133333 - x1280 + 9e-05;
-  require_more(w, x1333, 0.0, kFactorization, {20, 28});
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1346 = 1 / x1333;
-  put(x1346, w.x.data() + 104);
-  const Two x1351 = x1270 * x1346;
-  put(x1351, w.x.data() + 106);
-  const Two x1361 = 0.6000000000000001 - x1270 * x1351;
-  const Two x1393 = taken<Two>(cosine + 8) * (x1334 - x1361);
-  const Two x1396 = taken<Two>(cosine + 8) * x1393;
-  const Two x1398 = x1334 - x1396;
-  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Two x1290 = 0.04 * x1289;
-  const Two x1332 = -0.002 - x1290;
-  const Two x1272 = taken<Two>(cosine + 10) * 0.024;
-  const Two x1294 = x1272 + 0.016;
-  const Two x1305 = taken<Two>(sine + 10) * x1276 + 0.04 * x1270;
-  put(x1305, w.x.data() + 108);
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1358 = 0.002 + x1294 - x1305 * x1351;
-  const Two x1373 = taken<Two>(sine + 8) * (x1332 + x1358);
-  const Two x1379 = taken<Two>(cosine + 8) * x1373;
-  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Two x1285 = taken<Two>(sine + 10) * x1284;
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1391 = taken<Two>(sine + 8) * x1285;
-  put(x1391, w.x.data() + 110);
-  const Two x1399 = 0.01 * x1391;
-  const Two x1394 = taken<Two>(sine + 8) * x1393;
-  put(x1394, w.x.data() + 112);
-  const Two x1412 = 0.16 * x1394;
-  const Two x1427 = x1379 - x1399 - x1412;
-  put(x1427, w.x.data() + 114);
-  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Two x1302 = 0.000296667 + x1280 + 0.04 * x1272 + 0.04 * x1294;
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1349 = x1305 * x1346;
-  put(x1349, w.x.data() + 116);
-  const Two x1355 = 0.00010666669999999999 + x1302 - x1305 * x1349;
-  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Two x1331 = 0.00010666669999999999 + 0.04 * x1290;
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1382 = taken<Two>(cosine + 8) * (x1355 - x1331);
-  const Two x1387 = taken<Two>(cosine + 8) * x1382;
-  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Two x1295 = 0.04 * x1285;
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1370 = taken<Two>(cosine + 8) * x1295;
-  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Two x1336 = 0.11247915349070774 + x1287 + 0.2;
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1390 = taken<Two>(cosine + 8) * x1285;
-  const Two x1409 = x1370 + 0.16 * x1390 + 0.01 * x1336;
-  const Two x1375 = taken<Two>(sine + 8) * x1373;
-  const Two x1378 = x1332 - x1375;
-  const Two x1464 = x1355 - x1387 + (0.01 * x1370 + 0.01 * x1409);
-  const Two x1397 = x1361 + x1396;
-  const Two x1420 = x1378 - 0.01 * x1390 - 0.16 * x1397;
-  const Two x1498 = x1464 - 0.16 * x1378 - 0.16 * x1420 + 0.005417710000000001;
-  require_more(w, x1498, 0.0, kFactorization, {19, 27});
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1513 = 1 / x1498;
-  put(x1513, w.x.data() + 118);
-  const Two x1520 = x1427 * x1513;
-  put(x1520, w.x.data() + 120);
-  const Two x1565 = 0.7 + x1398 - x1427 * x1520;
-  put(x1565, w.x.data() + 122);
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1421 = 0.01 * x1398;
-  const Two x1411 = 0.01 * x1394;
-  const Two x1439 = 0.01 * x1379 - 0.01 * x1399 - 0.16 * x1411;
-  put(x1439, w.x.data() + 124);
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1535 = 0.013999999999999999 + x1421 - x1439 * x1520;
-  put(x1535, w.x.data() + 126);
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1377 = x1358 - x1375;
-  const Two x1424 = x1377 + 0.16 * x1398;
-  const Two x1402 = taken<Two>(sine + 8) * x1295 + 0.16 * x1391;
-  put(x1402, w.x.data() + 128);
-  const Two x1414 = x1412 - x1379;
-  const Two x1453 = taken<Two>(sine + 8) * x1382 - 0.01 * x1402 + 0.16 * x1379;
-  const Two x1454 = x1453 - 0.16 * x1414;
-  put(x1454, w.x.data() + 130);
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1547 = 0.049 + x1424 - x1454 * x1520;
-  put(x1547, w.x.data() + 132);
-  const Two x1579 = taken<Two>(cosine + 6) * x1535 - taken<Two>(sine + 6) * x1547;
-  put(x1579, w.x.data() + 134);
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1445 = x1331 + x1387 + 0.16 * x1377 + 0.16 * x1424;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1517 = x1454 * x1513;
-  put(x1517, w.x.data() + 136);
-  const Two x1538 = 0.00513771 + x1445 - x1454 * x1517;
-  const Two x1516 = x1439 * x1513;
-  put(x1516, w.x.data() + 138);
-  const Two x1523 = 0.00070875 + 0.01 * x1421 - x1439 * x1516;
-  put(x1523, w.x.data() + 140);
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1494 = 0.01 * x1377 + 0.16 * x1421 + 0.00098;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1526 = x1494 - x1439 * x1517;
-  put(x1526, w.x.data() + 142);
-  const Two x1598 = taken<Two>(sine + 6) * 2.0;
-  const Two x1602 = taken<Two>(cosine + 6) * (x1523 - x1538) - x1526 * x1598;
-  put(x1602, w.x.data() + 144);
-  const Two x1606 = taken<Two>(cosine + 6) * x1602;
-  put(x1606, w.x.data() + 146);
-  const Two x1679 = x1538 + x1606 + 0.00064;
-  require_more(w, x1679, 0.0, kFactorization, {18, 26});
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1692 = 1 / x1679;
-  put(x1692, w.x.data() + 148);
-  const Two x1699 = x1579 * x1692;
-  put(x1699, w.x.data() + 150);
-  const Two x1739 = 0.8 + x1565 - x1579 * x1699;
-  put(x1739, w.x.data() + 152);
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1499 = -0.013999999999999999 - x1409;
-  put(x1499, w.x.data() + 154);
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1518 = x1499 * x1513;
-  put(x1518, w.x.data() + 156);
-  const Two x1550 = 0.7 + x1336 - x1499 * x1518;
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1500 = -0.049 + x1420;
-  put(x1500, w.x.data() + 158);
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1519 = x1500 * x1513;
-  put(x1519, w.x.data() + 160);
-  const Two x1559 = 0.7 + x1397 - x1500 * x1519;
-  put(x1559, w.x.data() + 162);
-  const Two x1553 = x1390 - x1499 * x1519;
-  put(x1553, w.x.data() + 164);
-  const Two x1620 = taken<Two>(cosine + 6) * (x1550 - x1559) - x1553 * x1598;
-  put(x1620, w.x.data() + 166);
-  const Two x1624 = taken<Two>(cosine + 6) * x1620;
-  put(x1624, w.x.data() + 168);
-  const Two x1626 = x1550 - x1624;
-  put(x1626, w.x.data() + 170);
-  const Two x1680 = 0.8 + x1626;
-  put(x1680, w.x.data() + 172);
-  const Two x1532 = x1411 - x1439 * x1519;
-  put(x1532, w.x.data() + 174);
-  const Two x1529 = x1399 - x1439 * x1518;
-  put(x1529, w.x.data() + 176);
-  const Two x1544 = x1414 - x1454 * x1519;
-  put(x1544, w.x.data() + 178);
-  const Two x1583 = x1529 - x1544;
-  put(x1583, w.x.data() + 180);
+// The axes of a floating base are the link's own: only gravity is turned.
+template <int j>
+void free_base_frame(Workspace& w) {
+  constexpr const JointConstants& joint = kJoints[j];
+  const Value* q = w.q + joint.q + 3;
+  Matrix<Value> turn;
+  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
+  Frame<Value> frame = ground();
+  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
+  const Real* const P = joint.rotation;
+  const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
+                           P[1] * gravity.x + P[4] * gravity.y + P[7] * gravity.z,
+                           P[2] * gravity.x + P[5] * gravity.y + P[8] * gravity.z};
+  const Value none{};
+  frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
+  const Value* v = w.v + joint.v + 3;
+  frame.omega = {v[0], v[1], v[2]};
+  keep(w, slot_of(j), frame);
 }
 
-ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x807 = w.x[6];
-  const Two x811 = taken<Two>(w.x.data() + 8);
-  const Two x813 = taken<Two>(w.x.data() + 10);
-  const Two x816 = taken<Two>(w.x.data() + 12);
-  const Two x819 = taken<Two>(w.x.data() + 14);
-  const Two x823 = taken<Two>(w.x.data() + 16);
-  const Two x866 = taken<Two>(w.x.data() + 18);
-  const Two x869 = taken<Two>(w.x.data() + 20);
-  const Two x874 = taken<Two>(w.x.data() + 22);
-  const Two x882 = taken<Two>(w.x.data() + 24);
-  const Two x888 = taken<Two>(w.x.data() + 26);
-  const Two x894 = taken<Two>(w.x.data() + 28);
-  const Two x911 = taken<Two>(w.x.data() + 30);
-  const Two x915 = taken<Two>(w.x.data() + 32);
-  const Two x918 = taken<Two>(w.x.data() + 34);
-  const Two x922 = taken<Two>(w.x.data() + 36);
-  const Two x926 = taken<Two>(w.x.data() + 38);
-  const Two x930 = taken<Two>(w.x.data() + 40);
-  const Two x971 = taken<Two>(w.x.data() + 42);
-  const Two x974 = taken<Two>(w.x.data() + 44);
-  const Two x980 = taken<Two>(w.x.data() + 46);
-  const Two x986 = taken<Two>(w.x.data() + 48);
-  const Two x994 = taken<Two>(w.x.data() + 50);
-  const Two x1000 = taken<Two>(w.x.data() + 52);
-  const Two x1019 = taken<Two>(w.x.data() + 54);
-  const Two x1023 = taken<Two>(w.x.data() + 56);
-  const Two x1026 = taken<Two>(w.x.data() + 58);
-  const Two x1030 = taken<Two>(w.x.data() + 60);
-  const Two x1034 = taken<Two>(w.x.data() + 62);
-  const Two x1038 = taken<Two>(w.x.data() + 64);
-  const Two x1055 = taken<Two>(w.x.data() + 66);
-  const Two x1070 = taken<Two>(w.x.data() + 68);
-  const Two x1073 = taken<Two>(w.x.data() + 70);
-  const Two x1077 = taken<Two>(w.x.data() + 72);
-  const Two x1081 = taken<Two>(w.x.data() + 74);
-  const Two x1085 = taken<Two>(w.x.data() + 76);
-  const Real x1231 = w.x[0];
-  const Real x1234 = w.x[1];
-  const Real x1239 = w.x[2];
-  const Real x1245 = w.x[3];
-  const Real x1251 = w.x[4];
-  const Real x1256 = w.x[5];
-  const Two x1270 = taken<Two>(w.x.data() + 102);
-  const Two x1305 = taken<Two>(w.x.data() + 108);
-  const Two x1346 = taken<Two>(w.x.data() + 104);
-  const Two x1391 = taken<Two>(w.x.data() + 110);
-  const Two x1394 = taken<Two>(w.x.data() + 112);
-  const Two x1402 = taken<Two>(w.x.data() + 128);
-  const Two x1427 = taken<Two>(w.x.data() + 114);
-  const Two x1439 = taken<Two>(w.x.data() + 124);
-  const Two x1454 = taken<Two>(w.x.data() + 130);
-  const Two x1499 = taken<Two>(w.x.data() + 154);
-  const Two x1500 = taken<Two>(w.x.data() + 158);
-  const Two x1513 = taken<Two>(w.x.data() + 118);
-  const Two x1518 = taken<Two>(w.x.data() + 156);
-  const Two x1520 = taken<Two>(w.x.data() + 120);
-  const Two x1523 = taken<Two>(w.x.data() + 140);
-  const Two x1526 = taken<Two>(w.x.data() + 142);
-  const Two x1529 = taken<Two>(w.x.data() + 176);
-  const Two x1532 = taken<Two>(w.x.data() + 174);
-  const Two x1535 = taken<Two>(w.x.data() + 126);
-  const Two x1544 = taken<Two>(w.x.data() + 178);
-  const Two x1547 = taken<Two>(w.x.data() + 132);
-  const Two x1553 = taken<Two>(w.x.data() + 164);
-  const Two x1559 = taken<Two>(w.x.data() + 162);
-  const Two x1565 = taken<Two>(w.x.data() + 122);
-  const Two x1579 = taken<Two>(w.x.data() + 134);
-  const Two x1583 = taken<Two>(w.x.data() + 180);
-  const Two x1602 = taken<Two>(w.x.data() + 144);
-  const Two x1606 = taken<Two>(w.x.data() + 146);
-  const Two x1620 = taken<Two>(w.x.data() + 166);
-  const Two x1624 = taken<Two>(w.x.data() + 168);
-  const Two x1626 = taken<Two>(w.x.data() + 170);
-  const Two x1680 = taken<Two>(w.x.data() + 172);
-  const Two x1692 = taken<Two>(w.x.data() + 148);
-  const Two x1699 = taken<Two>(w.x.data() + 150);
-  const Two x1739 = taken<Two>(w.x.data() + 152);
-  const Real x2360 = w.x[79];
-  const Real x2366 = w.x[80];
-  const Real x2407 = w.x[84];
-  const Real x2408 = w.x[85];
-  const Real x2411 = w.x[86];
-  const Real x2414 = w.x[87];
-  const Real x2415 = w.x[88];
-  const Real x2418 = w.x[89];
-  const Real x2421 = w.x[90];
-  const Real x2424 = w.x[91];
-  const Real x2427 = w.x[92];
-  const Real x2430 = w.x[93];
-  const Real x2436 = w.x[94];
-  const Real x2442 = w.x[95];
-  const Real x2446 = w.x[96];
-  const Real x2457 = w.x[97];
-  const Real x2460 = w.x[98];
-  const Real x2463 = w.x[99];
-  const Real x2465 = w.x[100];
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1541 = x1402 - x1454 * x1518;
-  const Two x1588 = taken<Two>(cosine + 6) * x1583 - taken<Two>(sine + 6) * (x1532 + x1541);
-  const Two x1589 = taken<Two>(sine + 6) * x1588;
-  const Two x1591 = x1532 + x1589;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1698 = x1591 * x1692;
-  put(x1698, w.x.data() + 182);
-  const Two x1730 = x1680 - x1591 * x1698;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1556 = x1391 - x1499 * x1520;
-  const Two x1562 = x1394 - x1500 * x1520;
-  const Two x1615 = taken<Two>(sine + 6) * x1556 + taken<Two>(cosine + 6) * x1562;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1733 = x1615 - x1591 * x1699;
-  const Two x1779 = taken<Two>(sine + 4) * 2.0;
-  const Two x1801 = taken<Two>(cosine + 4) * (x1730 - x1739) - x1733 * x1779;
-  const Two x1805 = taken<Two>(cosine + 4) * x1801;
-  const Two x1806 = x1739 + x1805;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1653 = 0.11 * x1591;
-  const Two x1627 = 0.11 * x1615;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1724 = x1653 * x1699 - x1627;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1593 = taken<Two>(cosine + 6) * x1588;
-  const Two x1629 = x1529 - x1593 + x1627;
-  const Two x1650 = x1526 + taken<Two>(sine + 6) * x1602 + 0.11 * x1579;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1709 = x1629 - x1650 * x1698;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1582 = taken<Two>(sine + 6) * x1535 + taken<Two>(cosine + 6) * x1547;
-  const Two x1634 = x1582 + 0.11 * x1565;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1712 = 0.04000000000000001 + x1634 - x1650 * x1699;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1630 = 0.11 * x1626;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1721 = -0.04000000000000001 - x1630 + x1653 * x1698;
-  const Two x1769 = taken<Two>(cosine + 4) * (x1709 - x1724) - taken<Two>(sine + 4) * (x1712 + x1721);
-  const Two x1774 = taken<Two>(cosine + 4) * x1769;
-  const Two x1775 = x1724 + x1774;
-  const Two x1804 = x1733 + taken<Two>(sine + 4) * x1801;
-  const Two x1808 = 0.1 * x1804;
-  const Two x1823 = x1775 + x1808;
-  const Two x1770 = taken<Two>(sine + 4) * x1769;
-  const Two x1772 = x1712 + x1770;
-  const Two x1807 = x1730 - x1805;
-  const Two x1813 = x1772 + 0.1 * x1807;
-  const Two x1696 = x1653 * x1692;
-  put(x1696, w.x.data() + 184);
-  const Two x1718 = 0.0036266700000000002 + 0.11 * x1630 - x1653 * x1696;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1645 = x1523 - x1606 + (0.11 * x1582 + 0.11 * x1634);
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1695 = x1650 * x1692;
-  put(x1695, w.x.data() + 186);
-  const Two x1703 = 0.0036266700000000002 + x1645 - x1650 * x1695;
-  const Two x1706 = x1650 * x1696 - 0.11 * x1629;
-  const Two x1783 = taken<Two>(cosine + 4) * (x1703 - x1718) - x1706 * x1779;
-  const Two x1787 = taken<Two>(cosine + 4) * x1783;
-  const Two x1841 = x1718 + x1787 + 0.1 * x1772 + 0.1 * x1813;
-  const Two x1864 = 0.0014 + x1841;
-  require_more(w, x1864, 0.0, kFactorization, {17, 25});
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1879 = 1 / x1864;
-  const Two x1885 = x1823 * x1879;
-  put(x1885, w.x.data() + 188);
-  const Two x1915 = 0.7 + x1806 - x1823 * x1885;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1773 = x1721 + x1770;
-  const Two x1822 = x1773 - 0.1 * x1806;
-  const Two x1810 = x1709 - x1774 - x1808;
-  const Two x1834 = x1706 + taken<Two>(sine + 4) * x1783 - 0.1 * x1775;
-  const Two x1835 = 0.1 * x1810 + x1834;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1897 = -0.020999999999999998 + x1822 - x1835 * x1885;
-  const Two x1927 = taken<Two>(cosine + 2) * x1897 + taken<Two>(sine + 2) * Two{0.006999999999999999, -0.006999999999999999};
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1829 = x1703 - x1787 - 0.1 * x1773 - 0.1 * x1822;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1882 = x1835 * x1879;
-  put(x1882, w.x.data() + 190);
-  const Two x1888 = 0.0013299999999999998 + x1829 - x1835 * x1882;
-  const Two x1943 = taken<Two>(sine + 2) * 2.0;
-  const Two x1947 = taken<Two>(cosine + 2) * (x1888 - 0.00077) - Two{0.00020999999999999998, -0.00020999999999999998} * x1943;
-  const Two x1951 = taken<Two>(cosine + 2) * x1947;
-  const Two x2019 = 0.00077 + x1951 + 0.00064;
-  require_more(w, x2019, 0.0, kFactorization, {16, 24});
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2032 = 1 / x2019;
-  const Two x2038 = x1927 * x2032;
-  put(x2038, w.x.data() + 192);
-  const Two x2078 = 0.8 + x1915 - x1927 * x2038;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1865 = 0.020999999999999998 + x1813;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1883 = x1865 * x1879;
-  put(x1883, w.x.data() + 194);
-  const Two x1900 = 0.7 + x1807 - x1865 * x1883;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1594 = x1544 + x1593;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1700 = x1594 * x1692;
-  put(x1700, w.x.data() + 196);
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1612 = taken<Two>(cosine + 6) * x1556 - taken<Two>(sine + 6) * x1562;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1715 = x1541 + x1589 + 0.11 * x1612 - x1650 * x1700;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1623 = x1553 + taken<Two>(sine + 6) * x1620;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1727 = x1653 * x1700 - 0.11 * x1623;
-  const Two x1736 = x1623 - x1591 * x1700;
-  const Two x1742 = x1612 - x1579 * x1700;
-  const Two x1796 = taken<Two>(sine + 4) * x1736 + taken<Two>(cosine + 4) * x1742;
-  const Two x1819 = taken<Two>(cosine + 4) * x1715 - taken<Two>(sine + 4) * x1727 + 0.1 * x1796;
-  const Two x1866 = Two{0.006999999999999999, -0.006999999999999999} + x1819;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1884 = x1866 * x1879;
-  put(x1884, w.x.data() + 198);
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1868 = x1559 + x1624 + 0.8 - x1594 * x1700 + 0.7;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1909 = x1868 - x1866 * x1884;
-  const Two x1903 = x1796 - x1865 * x1884;
-  const Two x1965 = taken<Two>(cosine + 2) * (x1900 - x1909) - x1903 * x1943;
-  const Two x1969 = taken<Two>(cosine + 2) * x1965;
-  const Two x1971 = x1900 - x1969;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1793 = taken<Two>(cosine + 4) * x1736 - taken<Two>(sine + 4) * x1742;
-  const Two x1816 = taken<Two>(sine + 4) * x1715 + taken<Two>(cosine + 4) * x1727 - 0.1 * x1793;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1894 = x1816 - x1835 * x1884;
-  const Two x1891 = x1810 - x1835 * x1883;
-  const Two x1935 = taken<Two>(cosine + 2) * x1891 - taken<Two>(sine + 2) * x1894;
-  const Two x1936 = taken<Two>(sine + 2) * x1935;
-  const Two x1938 = x1894 + x1936;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2037 = x1938 * x2032;
-  put(x2037, w.x.data() + 200);
-  const Two x2069 = 0.8 + x1971 - x1938 * x2037;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1906 = x1804 - x1865 * x1885;
-  const Two x1912 = x1793 - x1866 * x1885;
-  const Two x1960 = taken<Two>(sine + 2) * x1906 + taken<Two>(cosine + 2) * x1912;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2072 = x1960 - x1938 * x2038;
-  const Two x2117 = taken<Two>(sine + 0) * 2.0;
-  const Two x2139 = taken<Two>(cosine + 0) * (x2069 - x2078) - x2072 * x2117;
-  const Two x2143 = taken<Two>(cosine + 0) * x2139;
-  const Two x2144 = x2078 + x2143;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1975 = Two{0.05, -0.05} * x1971;
-  const Two x1995 = Two{0.05, -0.05} * x1938;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2060 = Two{0.024, -0.024} + x1975 - x1995 * x2037;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1939 = taken<Two>(cosine + 2) * x1935;
-  const Two x1972 = Two{0.05, -0.05} * x1960;
-  const Two x1974 = x1891 - x1939 - x1972;
-  const Two x1993 = Two{0.00020999999999999998, -0.00020999999999999998} + taken<Two>(sine + 2) * x1947 - Two{0.05, -0.05} * x1927;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2048 = x1974 - x1993 * x2037;
-  const Two x2063 = x1972 - x1995 * x2038;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1931 = taken<Two>(sine + 2) * x1897 - taken<Two>(cosine + 2) * Two{0.006999999999999999, -0.006999999999999999};
-  const Two x1978 = x1931 - Two{0.05, -0.05} * x1915;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2051 = Two{-0.024, 0.024} + x1978 - x1993 * x2038;
-  const Two x2107 = taken<Two>(cosine + 0) * (x2048 - x2063) - taken<Two>(sine + 0) * (x2051 + x2060);
-  const Two x2108 = taken<Two>(sine + 0) * x2107;
-  const Two x2111 = x2060 + x2108;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1968 = x1903 + taken<Two>(sine + 2) * x1965;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2039 = x1939 * x2032;
-  put(x2039, w.x.data() + 202);
-  const Two x2075 = x1968 - x1938 * x2039;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1957 = taken<Two>(cosine + 2) * x1906 - taken<Two>(sine + 2) * x1912;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2081 = x1957 - x1927 * x2039;
-  const Two x2131 = taken<Two>(cosine + 0) * x2075 - taken<Two>(sine + 0) * x2081;
-  const Two x2153 = x2111 - 0.29 * x2131 + Two{0.15, -0.15} * x2144;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1989 = x1888 - x1951 - (Two{0.05, -0.05} * x1931 + Two{0.05, -0.05} * x1978);
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2035 = x1993 * x2032;
-  put(x2035, w.x.data() + 204);
-  const Two x2042 = 0.001366667 + x1989 - x1993 * x2035;
-  const Two x2036 = x1995 * x2032;
-  put(x2036, w.x.data() + 206);
-  const Two x2057 = 0.001366667 + Two{0.05, -0.05} * x1975 - x1995 * x2036;
-  const Two x2045 = Two{0.05, -0.05} * x1974 - x1993 * x2036;
-  const Two x2121 = taken<Two>(cosine + 0) * (x2042 - x2057) - x2045 * x2117;
-  const Two x2125 = taken<Two>(cosine + 0) * x2121;
-  const Two x2054 = x1936 - Two{0.05, -0.05} * x1957 - x1993 * x2039;
-  const Two x2066 = Two{0.05, -0.05} * x1968 - x1995 * x2039;
-  const Two x2101 = taken<Two>(sine + 0) * x2054 + taken<Two>(cosine + 0) * x2066;
-  const Two x2084 = x1909 + x1969 + 0.8 - x1939 * x2039;
-  const Two x2170 = x2101 - 0.29 * x2084 + Two{0.15, -0.15} * x2131;
-  const Two x2193 = x2042 - x2125 - 0.29 * x2101 - 0.29 * x2170;
-  const Two x2195 = Two{0.15, -0.15} * x2111 + x2193 + Two{0.15, -0.15} * x2153;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x2466 = 0.42813300000000004 + across<2>(x2195) + x2436;
-  w.x[208] = x2466;
-  w.to[1][6] = x2466;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2142 = x2072 + taken<Two>(sine + 0) * x2139;
-  const Two x2146 = Two{0.15, -0.15} * x2142;
-  const Two x2112 = taken<Two>(cosine + 0) * x2107;
-  const Two x2114 = x2048 - x2112;
-  const Two x2134 = taken<Two>(sine + 0) * x2075 + taken<Two>(cosine + 0) * x2081;
-  const Two x2158 = 0.29 * x2134;
-  const Two x2161 = x2114 - x2158 + x2146;
-  const Two x2196 = 0.29 * x2161;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x2467 = across<2>(x2196) + x2442;
-  w.x[209] = x2467;
-  w.to[1][7] = x2467;
-  const Real x2468 = across<2>(x2153) - x2418;
-  w.x[210] = x2468;
-  w.to[1][8] = x2468;
-  const Real x2469 = across<2>(x2161) - x2424;
-  w.x[211] = x2469;
-  w.to[1][9] = x2469;
-  const Real x2470 = -1.6150000000000002 + across<2>(x2170) + x2430;
-  w.x[212] = x2470;
-  w.to[1][10] = x2470;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2145 = x2069 - x2143;
-  const Two x2162 = 0.29 * x2145;
-  const Two x2197 = 0.29 * x2162;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x2471 = 0.38728300000000004 + across<2>(x2197) + x2446;
-  w.x[213] = x2471;
-  w.to[1][11] = x2471;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2154 = 0.29 * x2142;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x2472 = -0.095 + across<2>(x2154) + x2421;
-  w.x[214] = x2472;
-  w.to[1][12] = x2472;
-  const Real x2473 = 1.6150000000000002 + across<2>(x2162) + x2427;
-  w.x[215] = x2473;
-  w.to[1][13] = x2473;
-  const Real x2474 = across<2>(x2158) + x2424;
-  w.x[216] = x2474;
-  w.to[1][14] = x2474;
-  const Real x2475 = 9.5 + across<2>(x2144) + x2360;
-  w.x[217] = x2475;
-  w.to[1][15] = x2475;
-  const Real x2476 = across<2>(x2142) + x2407;
-  w.x[218] = x2476;
-  w.to[1][16] = x2476;
-  const Real x2477 = across<2>(x2131) + x2408;
-  w.x[219] = x2477;
-  w.to[1][17] = x2477;
-  const Real x2478 = 9.5 + across<2>(x2145) + x2414;
-  w.x[220] = x2478;
-  w.to[1][18] = x2478;
-  const Real x2479 = across<2>(x2134) + x2411;
-  w.x[221] = x2479;
-  w.to[1][19] = x2479;
-  const Real x2480 = 9.5 + across<2>(x2084) + x2415;
-  w.x[222] = x2480;
-  w.to[1][20] = x2480;
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1345 = Two{tau[25], tau[33]};
-  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Two x1259 = Two{tau[26], tau[34]};
-  const Two x1262 = 499.16813630085466 * (x1259 - x1073);
-  put(x1262, w.x.data() + 224);
-  const Two x1269 = x1081 - 0.024 * x1262;
-  const Two x1322 = taken<Two>(sine + 10) * x1077 + taken<Two>(cosine + 10) * x1269;
-  const Two x1340 = x1030 + x1322;
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1347 = x1345 - (taken<Two>(cosine + 10) * x1055 - taken<Two>(sine + 10) * x1070 + x1019);
-  const Two x1348 = x1346 * x1347;
-  put(x1348, w.x.data() + 226);
-  const Two x1367 = x1034 + x1085 - x1270 * x1348;
-  const Two x1480 = taken<Two>(sine + 8) * x1340 + taken<Two>(cosine + 8) * x1367;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1512 = Two{tau[24], tau[32]};
-  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Two x1325 = taken<Two>(sine + 10) * x1055 + taken<Two>(cosine + 10) * x1070 + 0.04 * x1085;
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1364 = x1023 + x1325 - x1305 * x1348;
-  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Two x1338 = x1259 - 0.04 * x1322 + x1026;
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1477 = taken<Two>(cosine + 8) * x1340 - taken<Two>(sine + 8) * x1367;
-  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Two x1342 = taken<Two>(cosine + 10) * x1077 - taken<Two>(sine + 10) * x1269 + x1038;
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1473 = taken<Two>(sine + 8) * x1364 + taken<Two>(cosine + 8) * x1338;
-  const Two x1506 = x1473 - (0.16 * x1477 + 0.01 * x1342) + x980;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1515 = x1513 * (x1512 - x1506);
-  put(x1515, w.x.data() + 228);
-  const Two x1567 = x1345 + 0.01 * x1480 + x971 + x1439 * x1515;
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Two x1485 = taken<Two>(cosine + 8) * x1364 - taken<Two>(sine + 8) * x1338 + 0.16 * x1480;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1569 = x974 + x1485 + x1454 * x1515;
-  const Two x1575 = x1000 + x1480 + x1427 * x1515;
-  const Two x1671 = taken<Two>(sine + 6) * x1567 + taken<Two>(cosine + 6) * x1569 + 0.11 * x1575;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1691 = Two{tau[23], tau[31]};
-  const Two x1693 = x1691 - (taken<Two>(cosine + 6) * x1567 - taken<Two>(sine + 6) * x1569 + x911);
-  const Two x1694 = x1692 * x1693;
-  put(x1694, w.x.data() + 230);
-  const Two x1747 = x915 + x1671 + x1650 * x1694;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1571 = x986 + x1342 + x1499 * x1515;
-  const Two x1573 = x994 + x1477 + x1500 * x1515;
-  const Two x1668 = taken<Two>(sine + 6) * x1571 + taken<Two>(cosine + 6) * x1573;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1750 = x1512 - 0.11 * x1668 + x918 - x1653 * x1694;
-  const Two x1752 = x922 + x1668 + x1591 * x1694;
-  const Two x1754 = x926 + x1575 + x1579 * x1694;
-  const Two x1852 = taken<Two>(cosine + 4) * x1752 - taken<Two>(sine + 4) * x1754;
-  const Two x1858 = taken<Two>(sine + 4) * x1747 + taken<Two>(cosine + 4) * x1750 - 0.1 * x1852;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1878 = Two{tau[22], tau[30]};
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1855 = taken<Two>(sine + 4) * x1752 + taken<Two>(cosine + 4) * x1754;
-  const Two x1861 = taken<Two>(cosine + 4) * x1747 - taken<Two>(sine + 4) * x1750 + 0.1 * x1855;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1881 = x1879 * (x1878 - (x874 + x1861));
-  put(x1881, w.x.data() + 232);
-  const Two x1917 = x866 + x1858 + x1835 * x1881;
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Two x1871 = x869 + x1691;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1923 = x894 + x1852 + x1823 * x1881;
-  const Two x2012 = taken<Two>(sine + 2) * x1917 + taken<Two>(cosine + 2) * x1871 - Two{0.05, -0.05} * x1923;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2031 = Two{tau[21], tau[29]};
-  const Two x2033 = x2031 - (taken<Two>(cosine + 2) * x1917 - taken<Two>(sine + 2) * x1871 + x807);
-  const Two x2034 = x2032 * x2033;
-  put(x2034, w.x.data() + 234);
-  const Two x2086 = x811 + x2012 + x1993 * x2034;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1919 = x882 + x1855 + x1865 * x1881;
-  // joints 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Two x1688 = taken<Two>(cosine + 6) * x1571 - taken<Two>(sine + 6) * x1573 + x930;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x1921 = x1688 + x1594 * x1694 + x888 + x1866 * x1881;
-  const Two x2009 = taken<Two>(sine + 2) * x1919 + taken<Two>(cosine + 2) * x1921;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2088 = x1878 + Two{0.05, -0.05} * x2009 + x813 + x1995 * x2034;
-  const Two x2090 = x816 + x2009 + x1938 * x2034;
-  const Two x2092 = x819 + x1923 + x1927 * x2034;
-  const Two x2211 = taken<Two>(sine + 0) * x2090 + taken<Two>(cosine + 0) * x2092;
-  const Two x2214 = taken<Two>(cosine + 0) * x2086 - taken<Two>(sine + 0) * x2088 - Two{0.15, -0.15} * x2211;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x2481 = x1231 + across<2>(x2214) + tau[27];
-  w.x[236] = x2481;
-  w.to[1][21] = x2481;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2208 = taken<Two>(cosine + 0) * x2090 - taken<Two>(sine + 0) * x2092;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Two x2028 = taken<Two>(cosine + 2) * x1919 - taken<Two>(sine + 2) * x1921 + x823;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2094 = x2028 + x1939 * x2034;
-  const Two x2218 = taken<Two>(sine + 0) * x2086 + taken<Two>(cosine + 0) * x2088 - 0.29 * x2094;
-  const Two x2219 = Two{0.15, -0.15} * x2208 + x2218;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x2482 = x1234 + across<2>(x2219) + x2463;
-  w.x[237] = x2482;
-  w.to[1][22] = x2482;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2221 = x2031 + 0.29 * x2211;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x2483 = x1239 + across<2>(x2221) + x2465;
-  w.x[238] = x2483;
-  w.to[1][23] = x2483;
-  const Real x2484 = x1245 + across<2>(x2208) + x2366;
-  w.x[239] = x2484;
-  w.to[1][24] = x2484;
-  const Real x2485 = x1251 + across<2>(x2211) + x2457;
-  w.x[240] = x2485;
-  w.to[1][25] = x2485;
-  const Real x2486 = x1256 + across<2>(x2094) + x2460;
-  w.x[241] = x2486;
-  w.to[1][26] = x2486;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Two x2110 = x2051 + x2108;
-  const Two x2148 = x2063 + x2112 - x2146;
-  const Two x2157 = x2110 - Two{0.15, -0.15} * x2145;
-  const Two x2165 = taken<Two>(cosine + 0) * x2054 - taken<Two>(sine + 0) * x2066 - Two{0.15, -0.15} * x2134;
-  const Two x2176 = x2057 + x2125 - Two{0.15, -0.15} * x2110 - Two{0.15, -0.15} * x2157;
-  const Two x2182 = x2045 + taken<Two>(sine + 0) * x2121 - 0.29 * x2165;
-  const Two x2184 = x2182 - Two{0.15, -0.15} * x2114 + Two{0.15, -0.15} * x2148;
-  const Two x2185 = 0.29 * x2157;
-  const Real x2224 = across<2>(x2185);
-  w.x[242] = x2224;
-  w.to[1][2] = x2224;
-  const Real x2225 = across<2>(x2148);
-  w.x[243] = x2225;
-  w.to[1][3] = x2225;
-  const Real x2226 = across<2>(x2157);
-  w.x[244] = x2226;
-  w.to[1][4] = x2226;
-  const Real x2243 = 0.0832833 + across<2>(x2176);
-  w.x[245] = x2243;
-  w.to[1][0] = x2243;
-  const Real x2244 = -0.01615 + across<2>(x2184);
-  w.x[246] = x2244;
-  w.to[1][1] = x2244;
-  const Real x2245 = 0.095 + across<2>(x2165);
-  w.x[247] = x2245;
-  w.to[1][5] = x2245;
+ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
+  const Real* const P = joint.rotation;
+  return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
 }
 
-ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_2(Workspace& w) {
-  ADAGEN_INPUTS
-  // joint 0 "__base__": placement, velocity and reference acceleration of its link
-  const Real x50 = q[3] * q[3] + q[4] * q[4] + q[5] * q[5];
-  const Real x51 = q[6] * q[6] + x50;
-  require_length(w, x51, 0);
+// One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
+// with later is kept.
+template <bool kept, class T>
+ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
+                                Frame<T>& at) {
+  const JointConstants& joint = joints.any();
+  const auto moved = [&](const Value* x, int JointConstants::* place) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
+  };
+  const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
+  const Vector<T> axis{R.x.z, R.y.z, R.z.z};
+  Vector<T> r = at.R * origin_of(joints);
+  const Vector<T> omega = at.omega;
+  const auto turn_with = [&](const Vector<T>& relative) {
+    at.omega += relative;
+    return cross(omega, relative);
+  };
+  const auto ride_along = [&] {
+    at.a += cross(omega, cross(omega, r));
+    at.a += cross(at.alpha, r);
+  };
+  const auto slide_and_spin = [&](const Vector<T>& q, const Vector<T>& slide,
+                                  const Vector<T>& spin) {
+    const Matrix<Real> P = placement(joint);
+    r += at.R * Vector<T>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
+    ride_along();
+    at.a += cross(omega + omega + spin, slide);
+    at.alpha += turn_with(spin);
+  };
+  switch (kind) {
+    case JointKind::kRevolute:
+      ride_along();
+      at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
+      break;
+    case JointKind::kPrismatic: {
+      r += axis * moved(w.q, &JointConstants::q);
+      ride_along();
+      const T v = moved(w.v, &JointConstants::v);
+      at.a += cross(omega, axis * (v + v));
+      break;
+    }
+    case JointKind::kSpherical:
+      ride_along();
+      if constexpr (kAnySpherical)
+        at.alpha += turn_with(R * each_vector(joints, w.v, &JointConstants::v));
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        const Vector<T> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
+        slide_and_spin(Vector<T>{q[0], q[1], T{}}, x * v[0] + y * v[1], axis * v[2]);
+      }
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        slide_and_spin(Vector<T>{q[0], q[1], q[2]}, R * Vector<T>{v[0], v[1], v[2]},
+                       R * Vector<T>{v[3], v[4], v[5]});
+      }
+      break;
+  }
+  at.R = R;
+  if constexpr (!kept) return;
+  w.memory(joints).r = r;
+  if constexpr (kWithAxis<T>) w.memory(joints).axis = axis;
+  keep(w, joints.slot, at);
 }
 
-ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_3(Workspace& w) {
-  ADAGEN_INPUTS
-  const Two x1262 = taken<Two>(w.x.data() + 224);
-  const Two x1348 = taken<Two>(w.x.data() + 226);
-  const Two x1349 = taken<Two>(w.x.data() + 116);
-  const Two x1351 = taken<Two>(w.x.data() + 106);
-  const Two x1515 = taken<Two>(w.x.data() + 228);
-  const Two x1516 = taken<Two>(w.x.data() + 138);
-  const Two x1517 = taken<Two>(w.x.data() + 136);
-  const Two x1518 = taken<Two>(w.x.data() + 156);
-  const Two x1519 = taken<Two>(w.x.data() + 160);
-  const Two x1520 = taken<Two>(w.x.data() + 120);
-  const Two x1694 = taken<Two>(w.x.data() + 230);
-  const Two x1695 = taken<Two>(w.x.data() + 186);
-  const Two x1696 = taken<Two>(w.x.data() + 184);
-  const Two x1698 = taken<Two>(w.x.data() + 182);
-  const Two x1699 = taken<Two>(w.x.data() + 150);
-  const Two x1700 = taken<Two>(w.x.data() + 196);
-  const Two x1881 = taken<Two>(w.x.data() + 232);
-  const Two x1882 = taken<Two>(w.x.data() + 190);
-  const Two x1883 = taken<Two>(w.x.data() + 194);
-  const Two x1884 = taken<Two>(w.x.data() + 198);
-  const Two x1885 = taken<Two>(w.x.data() + 188);
-  const Two x2034 = taken<Two>(w.x.data() + 234);
-  const Two x2035 = taken<Two>(w.x.data() + 204);
-  const Two x2036 = taken<Two>(w.x.data() + 206);
-  const Two x2037 = taken<Two>(w.x.data() + 200);
-  const Two x2038 = taken<Two>(w.x.data() + 192);
-  const Two x2039 = taken<Two>(w.x.data() + 202);
-  const Real x2224 = w.x[242];
-  const Real x2225 = w.x[243];
-  const Real x2226 = w.x[244];
-  const Real x2243 = w.x[245];
-  const Real x2244 = w.x[246];
-  const Real x2245 = w.x[247];
-  const Real x2269 = w.x[78];
-  const Real x2370 = w.x[81];
-  const Real x2371 = w.x[82];
-  const Real x2372 = w.x[83];
-  const Real x2466 = w.x[208];
-  const Real x2467 = w.x[209];
-  const Real x2468 = w.x[210];
-  const Real x2469 = w.x[211];
-  const Real x2470 = w.x[212];
-  const Real x2471 = w.x[213];
-  const Real x2472 = w.x[214];
-  const Real x2473 = w.x[215];
-  const Real x2474 = w.x[216];
-  const Real x2475 = w.x[217];
-  const Real x2476 = w.x[218];
-  const Real x2477 = w.x[219];
-  const Real x2478 = w.x[220];
-  const Real x2479 = w.x[221];
-  const Real x2480 = w.x[222];
-  const Real x2481 = w.x[236];
-  const Real x2482 = w.x[237];
-  const Real x2483 = w.x[238];
-  const Real x2484 = w.x[239];
-  const Real x2485 = w.x[240];
-  const Real x2486 = w.x[241];
-  // message received
-  const Real x2487 = w.from[0][0];
-  const Real x2488 = w.from[0][1];
-  const Real x2492 = w.from[0][5];
-  const Real x2489 = w.from[0][2];
-  const Real x2493 = w.from[0][6];
-  const Real x2496 = w.from[0][9];
-  const Real x2490 = w.from[0][3];
-  const Real x2494 = w.from[0][7];
-  const Real x2497 = w.from[0][10];
-  const Real x2491 = w.from[0][4];
-  const Real x2499 = w.from[0][12];
-  const Real x2495 = w.from[0][8];
-  const Real x2498 = w.from[0][11];
-  const Real x2500 = w.from[0][13];
-  const Real x2517 = w.from[0][15];
-  const Real x2518 = w.from[0][16];
-  const Real x2501 = w.from[0][14];
-  const Real x2519 = w.from[0][17];
-  const Real x2520 = w.from[0][18];
-  const Real x2521 = w.from[0][19];
-  const Real x2522 = w.from[0][20];
-  const Real x2516 = x2480 + x2501;
-  const Real x2506 = x2245 + x2491;
-  const Real x2504 = x2225 + x2489;
-  const Real x2511 = x2475 + x2496;
-  const Real x2505 = x2226 + x2490;
-  const Real x2514 = x2478 + x2499;
-  const Real x2502 = x2243 + x2487;
-  require_more(w, x2502, 0.0, kFactorization, 15);
-  const Real x2503 = x2244 + x2488;
-  const Real x2523 = x2481 + x2517;
-  const Real x2507 = x2466 + x2492;
-  // link 16 "torso": acceleration from its articulated-body inertia
-  const Real x2660 = x2516 * 1.7763568394002505e-15;
-  const Real x2658 = x2511 * 1.7763568394002505e-15;
-  const Real x2659 = x2514 * 1.7763568394002505e-15;
-  const Real x2657 = x2471 * 1.7763568394002505e-15;
-  const Real x2529 = 1 / x2502;
-  const Real x2656 = x2507 * 1.7763568394002505e-15;
-  const Real x2530 = x2503 * x2529;
-  const Real x2531 = x2224 * x2529;
-  const Real x2532 = x2504 * x2529;
-  const Real x2533 = x2505 * x2529;
-  const Real x2534 = x2506 * x2529;
-  const Real x2537 = x2507 - x2503 * x2530;
-  require_more(w, x2537, x2656, kFactorization, 15);
-  const Real x2540 = x2467 - x2224 * x2530;
-  const Real x2543 = x2468 + x2493 - x2504 * x2530;
-  const Real x2546 = x2469 + x2494 - x2505 * x2530;
-  const Real x2549 = x2470 + x2495 - x2506 * x2530;
-  const Real x2550 = 1 / x2537;
-  const Real x2669 = x2523 * x2530 - (x2482 + x2518);
-  const Real x2551 = x2540 * x2550;
-  const Real x2552 = x2543 * x2550;
-  const Real x2553 = x2546 * x2550;
-  const Real x2554 = x2549 * x2550;
-  const Real x2560 = x2471 - x2224 * x2531 - x2540 * x2551;
-  require_more(w, x2560, x2657, kFactorization, 15);
-  const Real x2566 = x2472 - x2504 * x2531 - x2543 * x2551;
-  const Real x2572 = x2473 - x2505 * x2531 - x2546 * x2551;
-  const Real x2578 = x2474 - x2506 * x2531 - x2549 * x2551;
-  const Real x2675 = x2523 * x2531 - (x2483 + x2519) - x2551 * x2669;
-  const Real x2579 = 1 / x2560;
-  const Real x2580 = x2566 * x2579;
-  const Real x2581 = x2572 * x2579;
-  const Real x2582 = x2578 * x2579;
-  const Real x2590 = x2511 - x2504 * x2532 - x2543 * x2552;
-  const Real x2591 = x2590 - x2566 * x2580;
-  require_more(w, x2591, x2658, kFactorization, 15);
-  const Real x2599 = x2476 + x2497 - x2505 * x2532 - x2546 * x2552;
-  const Real x2600 = x2599 - x2572 * x2580;
-  const Real x2622 = x2514 - x2505 * x2533 - x2546 * x2553;
-  const Real x2608 = x2477 + x2498 - x2506 * x2532 - x2549 * x2552;
-  const Real x2609 = x2608 - x2578 * x2580;
-  const Real x2634 = x2479 + x2500 - x2506 * x2533 - x2549 * x2553;
-  const Real x2650 = x2516 - x2506 * x2534 - x2549 * x2554;
-  const Real x2683 = x2523 * x2532 - (x2484 + x2520) - x2552 * x2669;
-  const Real x2684 = x2683 - x2580 * x2675;
-  const Real x2694 = x2523 * x2533 - (x2485 + x2521) - x2553 * x2669;
-  const Real x2708 = x2523 * x2534 - (x2486 + x2522) - x2554 * x2669;
-  const Real x2610 = 1 / x2591;
-  const Real x2611 = x2600 * x2610;
-  const Real x2612 = x2609 * x2610;
-  const Real x2624 = x2622 - x2572 * x2581 - x2600 * x2611;
-  require_more(w, x2624, x2659, kFactorization, 15);
-  const Real x2636 = x2634 - x2578 * x2581 - x2609 * x2611;
-  const Real x2696 = x2694 - x2581 * x2675 - x2611 * x2684;
-  const Real x2637 = 1 / x2624;
-  const Real x2638 = x2636 * x2637;
-  const Real x2652 = x2650 - x2578 * x2582 - x2609 * x2612;
-  const Real x2653 = x2652 - x2636 * x2638;
-  require_more(w, x2653, x2660, kFactorization, 15);
-  const Real x2710 = x2708 - x2582 * x2675 - x2612 * x2684;
-  const Real x2718 = 1 / x2653 * (x2710 - x2638 * x2696);
-  const Real x2721 = x2637 * x2696 - x2638 * x2718;
-  const Real x2727 = x2610 * x2684 - x2612 * x2718 - x2611 * x2721;
-  const Real x2735 = x2579 * x2675 - x2582 * x2718 - x2581 * x2721;
-  const Real x2736 = x2735 - x2580 * x2727;
-  const Real x2746 = x2550 * x2669 - x2554 * x2718 - x2553 * x2721;
-  const Real x2761 = x2523 * x2529 + x2534 * x2718 + x2533 * x2721;
-  const Real x2748 = x2746 - x2552 * x2727 - x2551 * x2736;
-  const Real x2765 = x2532 * x2727 + x2761 + x2531 * x2736;
-  const Real x2767 = x2530 * x2748 + x2765;
-  // joints 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": their accelerations, and those of the links beyond
-  const Real x2782 = x2718 - 0.29 * x2748;
-  const Two x2773 = x2727 + Two{0.15, -0.15} * x2748;
-  const Two x2779 = x2721 + 0.29 * x2736 + Two{0.15, -0.15} * x2767;
-  const Two x2786 = taken<Two>(sine + 0) * x2748 - taken<Two>(cosine + 0) * x2767;
-  const Two x2790 = taken<Two>(sine + 0) * x2767 + taken<Two>(cosine + 0) * x2748;
-  const Two x2793 = taken<Two>(cosine + 0) * x2773 + taken<Two>(sine + 0) * x2779;
-  const Two x2797 = taken<Two>(cosine + 0) * x2779 - taken<Two>(sine + 0) * x2773;
-  const Two x2809 = x2034 - x2039 * x2782 - x2035 * x2786;
-  const Two x2811 = x2809 - x2036 * x2790 - x2037 * x2793;
-  const Two x2812 = x2811 - x2038 * x2797;
-  const Two x2813 = x2812 - x2736;
-  put(x2813, w.lanes.data() + 0);
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": their accelerations, and those of the links beyond
-  const Two x2819 = x2793 + Two{0.05, -0.05} * x2790;
-  const Two x2822 = x2797 - Two{0.05, -0.05} * x2786;
-  const Two x2832 = taken<Two>(cosine + 2) * x2782 + taken<Two>(sine + 2) * x2819;
-  const Two x2836 = taken<Two>(cosine + 2) * x2819 - taken<Two>(sine + 2) * x2782;
-  const Two x2825 = taken<Two>(cosine + 2) * x2812 + taken<Two>(sine + 2) * x2786;
-  const Two x2846 = x1881 - x1885 * x2822 - x1883 * x2832;
-  const Two x2848 = x2846 - x1884 * x2836 - x1882 * x2825;
-  // joint 22 "neck_yaw": its acceleration, and that of the link beyond
-  const Real x2989 = x2721 + 0.38 * x2736;
-  const Real x2992 = x2718 - 0.38 * x2748;
-  const Real x2999 = cosine[15] * x2736 - sine[15] * x2748;
-  const Real x3011 = x2370 - x2371 * (cosine[15] * x2748 + sine[15] * x2736);
-  const Real x3012 = x3011 - x2372 * (cosine[15] * x2992 - sine[15] * x2989);
-  const Real x3013 = x2767 + x3012;
-  w.result[27] = x3013;
-  // joint 23 "neck_pitch": its acceleration, and that of the link beyond
-  const Real x3016 = cosine[15] * x2989 + sine[15] * x2992 + 0.06 * x2999;
-  const Real x3039 = x2269 + (cosine[16] * x2727 + sine[16] * x3016) * 1.7035775127768316;
-  const Real x3040 = x3039 - 7.666098807495741 * (cosine[16] * x3016 - sine[16] * x2727);
-  const Real x3041 = x3040 - x2999;
-  w.result[28] = x3041;
-  // joints 17 "left_shoulder_roll", 25 "right_shoulder_roll": their accelerations, and those of the links beyond
-  const Two x2849 = x2848 - x2790;
-  put(x2849, w.lanes.data() + 2);
-  // joints 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": their accelerations, and those of the links beyond
-  const Two x2856 = x2822 - 0.1 * x2825;
-  const Two x2853 = x2832 + 0.1 * x2848;
-  const Two x2859 = taken<Two>(cosine + 4) * x2848 + taken<Two>(sine + 4) * x2825;
-  const Two x2863 = taken<Two>(cosine + 4) * x2825 - taken<Two>(sine + 4) * x2848;
-  const Two x2866 = taken<Two>(cosine + 4) * x2856 + taken<Two>(sine + 4) * x2853;
-  const Two x2870 = taken<Two>(cosine + 4) * x2853 - taken<Two>(sine + 4) * x2856;
-  const Two x2882 = x1694 - x1700 * x2836 - x1695 * x2859;
-  const Two x2884 = x1696 * x2863 + x2882 - x1698 * x2866;
-  const Two x2885 = x2884 - x1699 * x2870;
-  const Two x2886 = x2885 - (taken<Two>(cosine + 2) * x2786 - taken<Two>(sine + 2) * x2812);
-  put(x2886, w.lanes.data() + 4);
-  // joints 19 "left_elbow", 27 "right_elbow": their accelerations, and those of the links beyond
-  const Two x2891 = x2866 - 0.11 * x2863;
-  const Two x2893 = x2870 + 0.11 * x2859;
-  const Two x2903 = taken<Two>(cosine + 6) * x2836 + taken<Two>(sine + 6) * x2891;
-  const Two x2907 = taken<Two>(cosine + 6) * x2891 - taken<Two>(sine + 6) * x2836;
-  const Two x2896 = taken<Two>(cosine + 6) * x2885 + taken<Two>(sine + 6) * x2859;
-  const Two x2900 = taken<Two>(cosine + 6) * x2859 - taken<Two>(sine + 6) * x2885;
-  const Two x2919 = x1515 - x1520 * x2893 - x1518 * x2903;
-  const Two x2921 = x2919 - x1519 * x2907 - x1516 * x2896;
-  const Two x2922 = x2921 - x1517 * x2900;
-  const Two x2923 = x2922 - x2863;
-  put(x2923, w.lanes.data() + 6);
-  // joints 20 "left_wrist_roll", 28 "right_wrist_roll": their accelerations, and those of the links beyond
-  const Two x2936 = x2893 + 0.16 * x2900 + 0.01 * x2896;
-  const Two x2931 = x2907 - 0.16 * x2922;
-  const Two x2943 = taken<Two>(cosine + 8) * x2922 - taken<Two>(sine + 8) * x2900;
-  const Two x2955 = x1348 + x1349 * (taken<Two>(cosine + 8) * x2900 + taken<Two>(sine + 8) * x2922);
-  const Two x2956 = x1351 * (taken<Two>(cosine + 8) * x2936 - taken<Two>(sine + 8) * x2931) + x2955;
-  const Two x2957 = x2956 - x2896;
-  put(x2957, w.lanes.data() + 8);
-  // joints 21 "left_wrist_pitch", 29 "right_wrist_pitch": their accelerations, and those of the links beyond
-  const Two x2962 = taken<Two>(cosine + 8) * x2931 + taken<Two>(sine + 8) * x2936 - 0.04 * x2943;
-  const Two x2978 = taken<Two>(cosine + 10) * x2962 - taken<Two>(sine + 10) * (x2903 - 0.01 * x2922);
-  const Two x2983 = x1262 + x2978 * 11.980035271220512 - x2943;
-  put(x2983, w.lanes.data() + 10);
+// The frame of the link that a joint is on.
+template <int j>
+ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
+  constexpr int parent = kJoints[j].parent - 1;
+  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
 }
+
+// Joints first .. last, each on the link of the one before.
+template <int first, int last>
+void outward(Workspace& w) {
+  Frame<Value> at = frame_near<first>(w);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, single(first + k), kind, at); });
+}
+
+// The same on the way to joints that are treated: only the last link's frame is kept.
+template <int first, int last>
+void pass_outward(Workspace& w) {
+  Frame<Value> at = frame_near<first>(w);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
+  keep(w, slot_of(last), at);
+}
+
+// Symmetric matrices of three rows, eliminated.
+
+// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21. Without fractions (Bareiss) the three
+// divisions need not wait for each other: with m = xx yy - xy^2 and so on the pivots are xx, m / xx
+// and (m m' - t^2) / (xx m), as exact as by turns while fourth powers of A keep their digits: in
+// float they would not. All numbers that checks gets are positive if A could be factorized.
+template <class T>
+ADAGEN_INLINE void factorize(const Symmetric<T>& A, T* factors, T (&checks)[4]) {
+  using Limits = std::numeric_limits<Real>;
+  T* const l = factors + 3;
+  const T d0 = 1 / A.xx;
+  l[0] = A.xy * d0, l[1] = A.xz * d0;
+  T p1, p2;
+  if constexpr (Limits::min_exponent10 < -300) {
+    const T m = A.xx * A.yy - A.xy * A.xy, t = A.xx * A.yz - A.xy * A.xz;
+    p1 = m, p2 = m * (A.xx * A.zz - A.xz * A.xz) - t * t;
+    const T inverse = 1 / m;
+    factors[1] = A.xx * inverse, factors[2] = A.xx * m / p2;
+    l[2] = t * inverse;
+    checks[2] = p2 - Limits::min() / Limits::epsilon();
+  } else {
+    const T t = A.yz - l[1] * A.xy;
+    p1 = A.yy - l[0] * A.xy;
+    factors[1] = 1 / p1, l[2] = t * factors[1];
+    p2 = A.zz - l[1] * A.xz - l[2] * t;
+    factors[2] = 1 / p2;
+    checks[2] = p2;
+  }
+  factors[0] = d0;
+  checks[0] = A.xx, checks[1] = p1, checks[3] = Limits::max() - p2;
+}
+
+// A^-1 b, by the factors of A.
+template <class F, class T>
+ADAGEN_INLINE Vector<T> solved(const F* factors, const Vector<T>& b) {
+  const F *d = factors, *l = factors + 3;
+  const T y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
+  const T z = y2 * d[2], y = y1 * d[1] - l[2] * z;
+  return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
+}
+
+// C becomes C - B^T A^-1 B, by the factors of A; returns A^-1 B. With L Y = B what is subtracted is
+// Y^T D^-1 Y, which waits for no more than the last division.
+template <class T>
+ADAGEN_INLINE Matrix<T> complement(Symmetric<T>& C, const Matrix<T>& B, const T* factors) {
+  const T *d = factors, *l = factors + 3;
+  const Vector<T> Yx = B.x, Yy = B.y - B.x * l[0], Yz = (B.z - B.x * l[1]) - Yy * l[2];
+  const Vector<T> Zx = Yx * d[0], Zy = Yy * d[1], Zz = Yz * d[2];
+  using V = Vector<T>;
+  const auto subtract = [&](T& c, T V::* i, T V::* k) ADAGEN_ALWAYS {
+    c = ((c - Yx.*i * Zx.*k) - Yy.*i * Zy.*k) - Yz.*i * Zz.*k;
+  };
+  subtract(C.xx, &V::x, &V::x), subtract(C.xy, &V::x, &V::y), subtract(C.xz, &V::x, &V::z);
+  subtract(C.yy, &V::y, &V::y), subtract(C.yz, &V::y, &V::z), subtract(C.zz, &V::z, &V::z);
+  const Vector<T> Ky = Zy - Zz * l[2];
+  return {(Zx - Zz * l[1]) - Ky * l[0], Ky, Zz};
+}
+
+// Spherical joints: three rotations at once. Damping and a rotor are the same about all axes.
+[[maybe_unused]] constexpr bool any_spherical_rotor() {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == JointKind::kSpherical && joint.passive.rotor != 0) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kSphericalRotors = any_spherical_rotor();
+
+// The torque that reaches the links, in the child link's axes: less damping.
+template <class T>
+ADAGEN_INLINE Vector<T> spherical_torque(const Workspace& w, const Joints<T>& joints) {
+  const Vector<T> tau = each_vector(joints, w.tau, &JointConstants::v);
+  if constexpr (!kAnyPassive) return tau;
+  const T damping = each(joints, [](const JointConstants& own) { return own.passive.damping; });
+  return tau - each_vector(joints, w.v, &JointConstants::v) * damping;
+}
+
+template <class T>
+ADAGEN_INLINE T rotor_of(const Joints<T>& joints) {
+  return each(joints, [](const JointConstants& own) { return own.passive.rotor; });
+}
+
+template <class T>
+ADAGEN_INLINE Symmetric<T> with_rotor(Symmetric<T> A, const T& rotor) {
+  A.xx += rotor, A.yy += rotor, A.zz += rotor;
+  return A;
+}
+
+// Takes the three rotations out of the body at the joint's origin: what is left of it is C and f,
+// and the torque, so that no rounding stays behind. e gets K = A^-1 B, y = A^-1 (torque - n) and
+// the factors of A. With a rotor J, which is the same about all axes, A + J is in the place of A
+// there, and J K, J (A + J)^-1 A and torque - J y are left, too.
+template <bool reversed, class T>
+ADAGEN_INLINE void take_out_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  T* const e = w.memory(joints).e;
+  Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
+  if constexpr (reversed) torque = -torque;
+  T* const factors = e + 12;
+  T checks[4];
+  const T rotor = rotor_of(joints);
+  factorize(kSphericalRotors ? with_rotor(X.A, rotor) : X.A, factors, checks);
+  for (const T& check : checks)
+    if (__builtin_expect(!all_positive(check), 0)) fail_one(w, joints, check);
+  const Matrix<T>& B = X.B;
+  const Matrix<T> K = complement(X.C, B, factors);
+  const Vector<T> y = solved(factors, torque - X.n);
+  e[0] = K.x.x, e[1] = K.x.y, e[2] = K.x.z, e[3] = K.y.x, e[4] = K.y.y, e[5] = K.y.z;
+  e[6] = K.z.x, e[7] = K.z.y, e[8] = K.z.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
+  X.f += transposed_times(B, y);
+  X.n = torque;
+  if constexpr (kSphericalRotors) {
+    const Symmetric<T>& A = X.A;
+    const Vector<T> x = solved(factors, Vector<T>{A.xx, A.xy, A.xz});
+    const Vector<T> z = solved(factors, Vector<T>{A.xz, A.yz, A.zz});
+    const T yy = solved(factors, Vector<T>{A.xy, A.yy, A.yz}).y;
+    X.A = {x.x * rotor, x.y * rotor, x.z * rotor, yy * rotor, z.y * rotor, z.z * rotor};
+    X.B = {K.x * rotor, K.y * rotor, K.z * rotor};
+    X.n += -(y * rotor);
+  } else {
+    X.A = Symmetric<T>{}, X.B = Matrix<T>{};
+  }
+}
+
+// The same, from the far link's side to the near link's origin.
+template <bool reversed, class T>
+ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Vector<T>& r = w.memory(joints).r;
+  if constexpr (reversed) shift(X, -r);
+  take_out_rotations<reversed>(w, joints, X);
+  if constexpr (!reversed && kSphericalRotors) shift(X, r);
+  if constexpr (!reversed && !kSphericalRotors) shift_mass(X, r);
+}
+
+// Whether joints first .. last leave of a body no more than its mass.
+[[maybe_unused]] constexpr bool leave_mass_alone(int first, int last) {
+  for (int j = first; j <= last; ++j)
+    if (kJoints[j].kind != JointKind::kSpherical) return false;
+  return !kSphericalRotors;
+}
+
+// Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
+// is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
+// near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
+
+template <class T>
+ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Value* const A = w.at(joints.slot, kRotational);
+  const auto mass = mass_of(joints);
+  const Vector<T> c = vector_at<T>(w.at(joints.slot, kMoments));
+  const Vector<T> Ax = vector_at<T>(A), Ay = vector_at<T>(A + 3 * kPerBlock);
+  X.A += Symmetric<T>{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};  // xx xy xz yy yz zz
+  X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
+  X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
+  X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
+  X.n += vector_at<T>(w.at(joints.slot, kTorque));
+  X.f += vector_at<T>(w.at(joints.slot, kForce));
+}
+
+// A bare link told about the point at -r from its origin: A - (rx dx + dx rx), d = c + m r / 2.
+template <class T>
+ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, const Vector<T>& r) {
+  Body<T> X{};
+  add_bare_link(w, joints, X);
+  const Vector<T> c{X.B.z.y, X.B.x.z, X.B.y.x};
+  const T m = X.C.xx;
+  const Vector<T> d = c + r * (m / 2), moved = c + r * m;
+  const T xx = 2 * d.x * r.x, yy = 2 * d.y * r.y, zz = 2 * d.z * r.z;
+  X.A += Symmetric<T>{yy + zz, -(d.x * r.y + d.y * r.x), -(d.x * r.z + d.z * r.x),
+                      xx + zz, -(d.y * r.z + d.z * r.y), xx + yy};
+  const T none{};
+  X.B = {{none, -moved.z, moved.y}, {moved.z, none, -moved.x}, {-moved.y, moved.x, none}};
+  X.n += cross(r, X.f);
+  return X;
+}
+
+constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
+
+// Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
+// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near
+// link's origin: outwards the joint has the acceleration u / D - (U / D) a, a being the near
+// link's.
+template <bool along, bool reversed, class T, class Arrive>
+ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, const Vector<T>& s,
+                             const Vector<T>& r, const T& tau, T* e, const Arrive& arrive) {
+  if constexpr (reversed) shift(X, -r);
+  Vector<T> n = along ? X.B * s : X.A * s;
+  const Vector<T> f = along ? X.C * s : transposed_times(X.B, s);
+  T D = dot(s, along ? f : n);
+  if constexpr (kAnyPassive)
+    D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1) D += each(joints, immovable);
+  const T inverse = 1 / D;
+  T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1)
+    u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
+  const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
+  const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
+  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
+  if constexpr (!reversed) {
+    shift(X, r);
+    n += cross(r, f);
+  }
+  arrive(X);
+  const Vector<T> e_n = n * inverse, e_f = f * inverse;
+  e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
+  e[7] = inverse;
+  subtract(X, n, f, e_n, e_f);
+  X.n += n * u;
+  X.f += f * u;
+}
+
+// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), A and what it leaves of C
+// by their factors. Whether that could be done.
+ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
+  Value turning[6], sliding[6], checks[2][4];
+  factorize(X.A, turning, checks[0]);
+  Symmetric<Value> C = X.C;
+  const Matrix<Value> K = complement(C, X.B, turning);
+  factorize(C, sliding, checks[1]);
+  const Vector<Value> y = solved(turning, -X.n);
+  a.linear = solved(sliding, -(X.f + transposed_times(X.B, y)));
+  a.angular = y - K * a.linear;
+  bool fine = true;
+  for (const auto& of : checks)
+    for (const Value& check : of) fine &= all_positive(check);
+  return fine;
+}
+
+// A joint with all freedoms hands on its force alone; e gets the acceleration of the body beyond.
+template <bool reversed>
+ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
+                            const Value* tau, Value* e) {
+  if constexpr (reversed) shift(X, -r);
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
+  Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) n = -n, f = -f;
+  X.n += -n, X.f += -f;
+  Motion<Value> a;
+  if (!solve_free(X, a)) fail(w, kFactorization, j);
+  e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
+  e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
+  X = Body<Value>{};
+  X.n = n, X.f = f;
+  if constexpr (!reversed) shift(X, r);
+}
+
+// A planar joint: along x and y, then about z.
+template <bool reversed>
+ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, Body<Value>& X) {
+  Memory& memory = w.memory(joints);
+  const Value* tau = w.tau + joints.any().v;
+  const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
+  const Vector<Value> none{};
+  const auto told = [](const Value& torque) { return reversed ? -torque : torque; };
+  if constexpr (reversed) shift(X, -memory.r);
+  const auto nothing = [](const Body<Value>&) {};
+  eliminate<true, false>(w, joints, X, x, none, told(tau[0]), memory.e, nothing);
+  eliminate<true, false>(w, joints, X, y, none, told(tau[1]), memory.e + 8, nothing);
+  eliminate<false, false>(w, joints, X, z, none, told(tau[2]), memory.e + 16, nothing);
+  if constexpr (!reversed) shift(X, memory.r);
+}
+
+// One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
+template <bool reversed, class T, class Arrive>
+ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind kind, Body<T>& X,
+                               const Arrive& arrive) {
+  const JointConstants& joint = joints.any();
+  Eliminated<T>& memory = w.memory(joints);
+  const Value* R = w.at(joints.slot, kAxes);
+  const auto freedom = [&] {
+    return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
+  };
+  switch (kind) {
+    case JointKind::kRevolute:
+      eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
+                                 arrive);
+      return;
+    case JointKind::kPrismatic:
+      eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e, arrive);
+      return;
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, joints, X);
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) eliminate_planar<reversed>(w, joints, X);
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating && kWidth<T> == 1)
+        set_free<reversed>(w, joints.joint[0], X, memory.r, w.tau + joint.v, memory.e);
+      break;
+  }
+  arrive(X);
+}
+
+// Adds to a body what the sweep finds at a link.
+template <int p>
+ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
+  if (role.adds_own) add_bare_link(w, single(link - 1), X);
+}
+
+// What is found at a link.
+template <int p>
+ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
+  Body<Value> X{};
+  meet<p>(w, link, X);
+  return X;
+}
+
+template <bool starts>
+ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
+  Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
+  if constexpr (starts)
+    body = X;
+  else
+    body += X;
+}
+
+// Whether nothing but the links themselves is found at links first .. last.
+template <int p>
+constexpr bool bare(int first, int last) {
+  for (int link = first; link <= last; ++link) {
+    const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+    if (role.gathers || !role.adds_own) return false;
+  }
+  return true;
+}
+
+// Process p takes joints last .. first inwards, each on the link of the one before.
+template <int p, int first, int last, bool starts>
+void inward(Workspace& w) {
+  Body<Value> X{};
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick) meet<p>(w, last + 1, X);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, j + 1, X);
+    step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
+      if (quick && j > first) add_bare_link(w, single(j - 1), near);
+    });
+  });
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave<starts>(w, near, X);
+}
+
+// The next for spherical joints with bare links between them: a link is told at the next joint's
+// origin before what is left of the body gets there.
+template <int p, int first, int last>
+ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
+  Body<Value> X{};
+  meet<p>(w, kJoints[first].parent, X);
+  shift(X, -w.joints[first].r);
+  take_out_rotations<true>(w, single(first), X);
+  for (int j = first + 1; j <= last; ++j) {
+    const Vector<Value> r = -w.joints[static_cast<std::size_t>(j)].r;
+    shift_mass(X, r);
+    X += bare_link_from(w, single(j - 1), r);
+    take_out_rotations<true>(w, single(j), X);
+  }
+  return X;
+}
+
+// The same for a root beyond joint last: from the parent link of joint first to the child of last.
+template <int p, int first, int last, bool starts>
+void inward_reversed(Workspace& w) {
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick && leave_mass_alone(first, last))
+    return leave<starts>(w, last + 1, turn_inward_reversed<p, first, last>(w));
+  Body<Value> X{};
+  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
+      if (quick && j < last) add_bare_link(w, single(j), near);
+    });
+  });
+  leave<starts>(w, last + 1, X);
+}
+
+// Adds a link itself to what was found at it.
+template <int link, bool starts>
+void place(Workspace& w) {
+  Body<Value> X{};
+  add_bare_link(w, single(link - 1), X);
+  leave<starts>(w, link, X);
+}
+
+// A floating joint on the ground only adds its torque to the link.
+template <int j, bool starts>
+void free_base(Workspace& w) {
+  const Value* tau = w.tau + kJoints[j].v;
+  Body<Value> X{};
+  X.n = {-tau[3], -tau[4], -tau[5]};
+  X.f = {-tau[0], -tau[1], -tau[2]};
+  leave<starts>(w, j + 1, X);
+}
+
+// Acceleration of a root that nothing holds.
+template <int p, int link>
+void solve_root(Workspace& w) {
+  if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
+}
+
+// Outwards again: the joints' accelerations.
+
+template <class T>
+ADAGEN_INLINE T freedom(const T* e, const Motion<T>& a) {
+  return (e[6] - (e[0] * a.angular.x + e[1] * a.angular.y)) -
+         ((e[2] * a.angular.z + e[3] * a.linear.x) + (e[4] * a.linear.y + e[5] * a.linear.z));
+}
+
+// Gives the k-th acceleration of each of the joints.
+template <class T>
+ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T& x) {
+  const auto place = [&](int lane) -> Value& {
+    const int v = kJoints[static_cast<std::size_t>(joints.joint[lane])].v;
+    return w.answer[static_cast<std::size_t>(v + k)];
+  };
+  if constexpr (kWidth<T> == 1)
+    place(0) = x;
+  else
+    ADAGEN_FOR (lane, 0, kWidth<T>) place(lane) = x[lane];
+}
+
+// The same for joints with several freedoms, told at the joint's origin throughout.
+template <bool reversed>
+ADAGEN_INLINE void move_at_joint(Workspace& w, const Joints<Value>& joints, Motion<Value>& a) {
+  const JointConstants& joint = joints.any();
+  [[maybe_unused]] const Value* const e = w.memory(joints).e;
+  [[maybe_unused]] const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  [[maybe_unused]] Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+  if constexpr (kAnyPlanar) {
+    if (joint.kind == JointKind::kPlanar) {
+      const Value spin = freedom(e + 16, a);
+      a.angular += Vector<Value>{R.x.z, R.y.z, R.z.z} * spin;
+      const Value y = freedom(e + 8, a);
+      a.linear += Vector<Value>{R.x.y, R.y.y, R.z.y} * y;
+      const Value x = freedom(e, a);
+      a.linear += Vector<Value>{R.x.x, R.y.x, R.z.x} * x;
+      qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
+    }
+  }
+  if constexpr (kAnyFloating) {
+    if (joint.kind == JointKind::kFloating) {
+      const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+      const Vector<Value> slide = transposed_times(R, far.linear - a.linear);
+      const Vector<Value> spin = transposed_times(R, far.angular - a.angular);
+      const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
+      ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
+      a = far;
+    }
+  }
+}
+
+// The same for spherical joints.
+template <bool reversed, class T>
+ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
+  const T* const e = w.memory(joints).e;
+  const Matrix<T> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+  Vector<T> far = Vector<T>{e[9], e[10], e[11]} - K * a.linear;
+  if constexpr (kSphericalRotors) far += solved(e + 12, a.angular) * rotor_of(joints);
+  const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
+  const Vector<T> x = transposed_times(R, far - a.angular);
+  answer(w, joints, 0, reversed ? -x.x : x.x);
+  answer(w, joints, 1, reversed ? -x.y : x.y);
+  answer(w, joints, 2, reversed ? -x.z : x.z);
+  a.angular = far;
+}
+
+// A joint's acceleration from the near link's, which becomes the far link's; each is told at its
+// own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
+template <bool reversed, class T>
+ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
+  const T* const e = w.memory(joints).e;
+  const Vector<T>& r = w.memory(joints).r;
+  switch (kind) {
+    case JointKind::kRevolute: {
+      const Vector<T> axis = axis_of(w, joints);
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
+      carry(a, reversed ? -r : r);
+      a.angular += axis * x;
+      if constexpr (reversed) a.linear += cross(r, axis) * x;
+      break;
+    }
+    case JointKind::kPrismatic: {
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
+      carry(a, reversed ? -r : r);
+      a.linear += axis_of(w, joints) * x;
+      break;
+    }
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) {
+        if constexpr (!reversed) carry(a, r);
+        turn_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+      break;
+    default:
+      if constexpr (kWidth<T> == 1) {
+        if constexpr (!reversed) carry(a, r);
+        move_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+  }
+}
+
+// Joints first .. last outwards; what moves along with a link is kept where other paths start.
+template <int p, int first, int last>
+void accelerate(Workspace& w) {
+  Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    move<false>(w, single(first + k), kind, a);
+    const std::size_t far = static_cast<std::size_t>(first + k + 1);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
+}
+
+// Six numbers that follow from each other are no work for lanes: g++ takes a fifth longer with
+// them.
+#if defined(__clang__)
+#define ADAGEN_ONE_BY_ONE
+#else
+#define ADAGEN_ONE_BY_ONE __attribute__((optimize("no-tree-slp-vectorize")))
+#endif
+template <int p, int first, int last>
+ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
+  Motion<Value> a = w.motions[last + 1];
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    move<true>(w, single(j), kind, a);
+    const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
+}
+
+// The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
+template <int j>
+void as_joint_acceleration(Workspace& w) {
+  const Value* v = w.v + kJoints[j].v;
+  Value* qdd = &w.answer[kJoints[j].v];
+  const Vector<Value> turned =
+      cross(Vector<Value>{v[3], v[4], v[5]}, Vector<Value>{v[0], v[1], v[2]});
+  qdd[0] -= turned.x, qdd[1] -= turned.y, qdd[2] -= turned.z;
+}
+
+// A floating base's joint acceleration, [linear; angular] in its own axes.
+template <int j>
+void free_acceleration(Workspace& w) {
+  const Motion<Value>& a = w.motions[j + 1];
+  Value* qdd = &w.answer[kJoints[j].v];
+  qdd[0] = a.linear.x, qdd[1] = a.linear.y, qdd[2] = a.linear.z;
+  qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
+  as_joint_acceleration<j>(w);
+}
+
+// Limbs side by side: joints of as many limbs as there are lanes are treated together, from the
+// limbs' first joints outwards or back. A first lane that is idle goes by the second one's joints,
+// has memory of its own, and what it gives is written over.
+template <int count, int rows>
+struct Limbs {
+  int slot;                 // of the first joint of the first limb
+  int joints[rows][count];  // all limbs' k-th joints, which are of one kind
+
+  using T = std::conditional_t<count == 2, Two, Four>;
+  static constexpr int kRows = rows;
+  constexpr Joints<T> at(int k) const {
+    Joints<T> result{slot + count * k, {}};
+    for (int lane = 0; lane < count; ++lane) result.joint[lane] = joints[k][lane];
+    return result;
+  }
+  // The link that a limb hangs on.
+  constexpr int near(int lane) const {
+    return kJoints[static_cast<std::size_t>(joints[0][lane])].parent;
+  }
+};
+
+template <const auto& limbs>
+struct LimbRows {
+  static constexpr int kCount = limbs.kRows;
+  static constexpr JointKind kind(int k) { return limbs.at(k).any().kind; }
+};
+
+constexpr int kMostNumbers = 27;  // of what is taken apart or made one: a Body
+
+// One lane of what consists of numbers alone, and all lanes made one.
+template <class T, template <class> class S, std::size_t... k>
+ADAGEN_INLINE S<Value> lane_of(const S<T>& all, int lane, std::index_sequence<k...>) {
+  T numbers[sizeof...(k)];
+  std::memcpy(numbers, &all, sizeof all);
+  const Value own[]{numbers[k][lane]...};
+  S<Value> result;
+  std::memcpy(&result, own, sizeof result);
+  return result;
+}
+template <class T, template <class> class S>
+ADAGEN_INLINE S<Value> lane(const S<T>& all, int lane) {
+  return lane_of(all, lane, std::make_index_sequence<sizeof all / sizeof(T)>{});
+}
+template <class T, std::size_t... lane>
+ADAGEN_INLINE T lanes_of(const Value (&numbers)[kWidth<T>][kMostNumbers], std::size_t k,
+                         std::index_sequence<lane...>) {
+  return T{numbers[lane][k]...};
+}
+template <class T, template <class> class S, std::size_t... k>
+ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>],
+                                std::index_sequence<k...>) {
+  Value own[kWidth<T>][kMostNumbers];
+  ADAGEN_FOR (lane, 0, kWidth<T>) std::memcpy(own[lane], sides[lane], sizeof *sides[lane]);
+  const T numbers[]{lanes_of<T>(own, k, std::make_index_sequence<kWidth<T>>{})...};
+  S<T> result;
+  std::memcpy(&result, numbers, sizeof result);
+  return result;
+}
+template <class T, template <class> class S>
+ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>]) {
+  return side_by_side<T, S>(sides, std::make_index_sequence<sizeof(S<T>) / sizeof(T)>{});
+}
+
+template <const auto& limbs>
+void outward_abreast(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  Frame<Value> frames[kWidth<T>];
+  const Frame<Value>* sides[kWidth<T>];
+  ADAGEN_FOR (lane, 0, kWidth<T>) {
+    const int near = limbs.near(lane);
+    frames[lane] = near == 0 ? ground() : frame_of(w, near == 0 ? 0 : near - 1);
+    sides[lane] = &frames[lane];
+  }
+  Frame<T> at = side_by_side<T, Frame>(sides);
+  each_row<LimbRows<limbs>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, limbs.at(k), kind, at); });
+}
+
+// Adds to bodies what the sweep finds at the links beyond a row of joints.
+template <int p, class T>
+ADAGEN_INLINE void meet_abreast(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Body<Value> none{};
+  const Body<Value>* sides[kWidth<T>];
+  bool any = false;
+  ADAGEN_FOR (lane, 0, kWidth<T>) {
+    const std::size_t link = static_cast<std::size_t>(joints.joint[lane] + 1);
+    const bool gathers = kRoles[p][link].gathers;
+    any |= gathers;
+    sides[lane] = gathers ? &w.bodies[link] : &none;
+  }
+  if (any) X += side_by_side<T, Body>(sides);
+  add_bare_link(w, joints, X);
+}
+
+// Whether nothing but the links themselves is found between the limbs' joints.
+template <int p, class L>
+constexpr bool bare_rows(const L& limbs) {
+  for (int k = 0; k + 1 < L::kRows; ++k)
+    for (const int joint : limbs.at(k).joint)
+      if (kRoles[p][static_cast<std::size_t>(joint + 1)].gathers) return false;
+  return true;
+}
+
+// What hangs on the links that the limbs hang on.
+template <int p, const auto& limbs>
+auto inward_abreast(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  Body<T> X{};
+  constexpr bool quick = bare_rows<p>(limbs);
+  if constexpr (quick) meet_abreast<p>(w, limbs.at(limbs.kRows - 1), X);
+  each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    if constexpr (!quick) meet_abreast<p>(w, limbs.at(k), X);
+    step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
+      if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
+    });
+  });
+  return X;
+}
+
+template <int p, const auto& limbs>
+void accelerate_abreast(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  const Motion<Value>* sides[kWidth<T>];
+  ADAGEN_FOR (lane, 0, kWidth<T>)
+    sides[lane] = &w.motions[static_cast<std::size_t>(limbs.near(lane))];
+  Motion<T> a = side_by_side<T, Motion>(sides);
+  each_row<LimbRows<limbs>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const Joints<T> joints = limbs.at(k);
+    move<false>(w, joints, kind, a);
+    ADAGEN_FOR (side, 0, kWidth<T>) {
+      const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
+      if (kRoles[p][link].parts) w.motions[link] = lane(a, side);
+    }
+  });
+}
+
+// "left_hip_pitch" .. "left_ankle_roll", "right_hip_pitch" .. "right_ankle_roll"
+constexpr Limbs<2, 6> kLimbs0{0, {{1, 7}, {2, 8}, {3, 9}, {4, 10}, {5, 11}, {6, 12}}};
+
+// "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
+constexpr Limbs<2, 6> kLimbs1{16, {{16, 24}, {17, 25}, {18, 26}, {19, 27}, {20, 28}, {21, 29}}};
+
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
 // Process 0: 16 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
-constexpr std::array<int, 16> kRead_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr std::array<int, 16> kOwned_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr std::array<int, 15> kAngles_0{7, 13, 8, 14, 9, 15, 10, 16, 11, 17, 12, 18, 19, 20, 21};
-
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  ADAGEN_INPUTS
+  require_finite(w, w.q, 0, 22, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 21, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 21, &JointConstants::v, kNotFinite);
   stamp(0);
-  if (!all(unlike_zero(q + 0, 22) + unlike_zero(v + 0, 21) + unlike_zero(tau + 0, 21) == 0))
-    name_what_is_not_finite(w, kRead_0, kOwned_0);
-  w.to[0] = channel.outgoing(0, w.status);
-  take_sines_and_cosines(q, kAngles_0, w.sine.data(), w.cosine.data());
-  part_0_0(w);
-  part_0_1(w);
+  take_angles<0, 15>(w);
+  turn<block(0), block(15) + 1>(w);
+  free_base_frame<0>(w);
+  outward_abreast<kLimbs0>(w);
+  outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
   stamp(1);
-  stamp(2);
-  channel.send(0, w.status);  // to process 1: what hangs on "torso"
-  stamp(3);
-  part_0_2(w);
-  w.from[1] = channel.receive(1, w.status);  // from process 1: what hangs on "torso"
-  stamp(4);
-  part_0_3(w);
-  stamp(5);
-  stamp(6);
-  if (!all(unlike_zero(w.result.data() + 0, 6) + unlike_zero(w.result.data() + 18, 3) + unlike_zero<Two, 6>(w.lanes.data() + 0) == 0)) {
-    w.result[6] = w.lanes[0];
-    w.result[7] = w.lanes[2];
-    w.result[8] = w.lanes[4];
-    w.result[9] = w.lanes[6];
-    w.result[10] = w.lanes[8];
-    w.result[11] = w.lanes[10];
-    w.result[12] = w.lanes[1];
-    w.result[13] = w.lanes[3];
-    w.result[14] = w.lanes[5];
-    w.result[15] = w.lanes[7];
-    w.result[16] = w.lanes[9];
-    w.result[17] = w.lanes[11];
-    name_what_overflows(w, kOwned_0);
+  set_up_links<block(0), block(14) + 1>(w);
+  free_base<0, true>(w);
+  {
+    const auto X = inward_abreast<0, kLimbs0>(w);
+    leave<false>(w, 1, lane(X, 0));
+    leave<false>(w, 1, lane(X, 1));
   }
-  if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 0, 6, w.qdd + 0);
-  std::copy_n(w.result.data() + 18, 3, w.qdd + 18);
-  w.qdd[6] = w.lanes[0];
-  w.qdd[7] = w.lanes[2];
-  w.qdd[8] = w.lanes[4];
-  w.qdd[9] = w.lanes[6];
-  w.qdd[10] = w.lanes[8];
-  w.qdd[11] = w.lanes[10];
-  w.qdd[12] = w.lanes[1];
-  w.qdd[13] = w.lanes[3];
-  w.qdd[14] = w.lanes[5];
-  w.qdd[15] = w.lanes[7];
-  w.qdd[16] = w.lanes[9];
-  w.qdd[17] = w.lanes[11];
+  inward_reversed<0, 13, 15, true>(w);  // "waist_yaw" .. "waist_pitch"
+  stamp(2);
+  {  // to process 1: what hangs on "torso"
+    Real* to = channel.outgoing(0, w.status);
+    to = put(to, w.bodies[16]);
+    channel.send(0, w.status);
+  }
+  stamp(3);
+  {  // from process 1: what hangs on "torso"
+    const Real* from = channel.receive(1, w.status);
+    from = add(from, w.bodies[16]);
+  }
+  stamp(4);
+  solve_root<0, 16>(w);
+  stamp(5);
+  accelerate_reversed<0, 13, 15>(w);  // "waist_yaw" .. "waist_pitch"
+  accelerate_abreast<0, kLimbs0>(w);
+  free_acceleration<0>(w);
+  stamp(6);
+  require_finite(w, w.answer.data(), 0, 21, &JointConstants::v, kOverflow);
+  give(w, 0, 21);
 }
 
 // Process 1: 14 of 30 joints: "left_shoulder_pitch", "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", "left_wrist_pitch", ...; kinematics of 4 more on the way to the ground
-constexpr std::array<int, 18> kRead_1{0, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
-constexpr std::array<int, 14> kOwned_1{16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
-constexpr std::array<int, 17> kAngles_1{22, 30, 23, 31, 24, 32, 25, 33, 26, 34, 27, 35, 19, 20, 21, 28, 29};
-
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  ADAGEN_INPUTS
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 19, 17, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 18, 17, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 21, 14, &JointConstants::v, kNotFinite);
   stamp(0);
-  if (!all(unlike_zero(q + 0, 7) + unlike_zero(q + 19, 17) + unlike_zero(v + 0, 6) + unlike_zero(v + 18, 17) + unlike_zero(tau + 21, 14) == 0))
-    name_what_is_not_finite(w, kRead_1, kOwned_1);
-  w.to[1] = channel.outgoing(1, w.status);
-  take_sines_and_cosines(q, kAngles_1, w.sine.data(), w.cosine.data());
-  part_1_0(w);
-  part_1_1(w);
+  take_angles<0, 0>(w);
+  take_angles<13, 29>(w);
+  turn<block(13), block(29) + 1>(w);
+  free_base_frame<0>(w);
+  pass_outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
+  outward_abreast<kLimbs1>(w);
+  outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
   stamp(1);
-  stamp(2);
-  channel.send(1, w.status);  // to process 0: what hangs on "torso"
-  stamp(3);
-  part_1_2(w);
-  w.from[0] = channel.receive(0, w.status);  // from process 0: what hangs on "torso"
-  stamp(4);
-  part_1_3(w);
-  stamp(5);
-  stamp(6);
-  if (!all(unlike_zero(w.result.data() + 27, 2) + unlike_zero<Two, 6>(w.lanes.data() + 0) == 0)) {
-    w.result[21] = w.lanes[0];
-    w.result[22] = w.lanes[2];
-    w.result[23] = w.lanes[4];
-    w.result[24] = w.lanes[6];
-    w.result[25] = w.lanes[8];
-    w.result[26] = w.lanes[10];
-    w.result[29] = w.lanes[1];
-    w.result[30] = w.lanes[3];
-    w.result[31] = w.lanes[5];
-    w.result[32] = w.lanes[7];
-    w.result[33] = w.lanes[9];
-    w.result[34] = w.lanes[11];
-    name_what_overflows(w, kOwned_1);
+  set_up_links<block(15), block(29) + 1>(w);
+  place<16, true>(w);  // "torso" itself
+  {
+    const auto X = inward_abreast<1, kLimbs1>(w);
+    leave<false>(w, 16, lane(X, 0));
+    leave<false>(w, 16, lane(X, 1));
   }
-  if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 27, 2, w.qdd + 27);
-  w.qdd[21] = w.lanes[0];
-  w.qdd[22] = w.lanes[2];
-  w.qdd[23] = w.lanes[4];
-  w.qdd[24] = w.lanes[6];
-  w.qdd[25] = w.lanes[8];
-  w.qdd[26] = w.lanes[10];
-  w.qdd[29] = w.lanes[1];
-  w.qdd[30] = w.lanes[3];
-  w.qdd[31] = w.lanes[5];
-  w.qdd[32] = w.lanes[7];
-  w.qdd[33] = w.lanes[9];
-  w.qdd[34] = w.lanes[11];
+  inward<1, 22, 23, false>(w);  // "neck_yaw" .. "neck_pitch"
+  stamp(2);
+  {  // to process 0: what hangs on "torso"
+    Real* to = channel.outgoing(1, w.status);
+    to = put(to, w.bodies[16]);
+    channel.send(1, w.status);
+  }
+  stamp(3);
+  {  // from process 0: what hangs on "torso"
+    const Real* from = channel.receive(0, w.status);
+    from = add(from, w.bodies[16]);
+  }
+  stamp(4);
+  solve_root<1, 16>(w);
+  stamp(5);
+  accelerate_abreast<1, kLimbs1>(w);
+  accelerate<1, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  stamp(6);
+  require_finite(w, w.answer.data(), 21, 14, &JointConstants::v, kOverflow);
+  give(w, 21, 14);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};

@@ -1,0 +1,6002 @@
+// Forward dynamics of "humanoid" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+//
+// robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
+// options   form segment, shape unrolled, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
+// program   1 process; 0.429 us predicted (default profile)
+//           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll |
+//           left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch .. right_wrist_pitch in 4
+//           lanes, __base__, waist_yaw .. waist_pitch, neck_yaw .. neck_pitch
+// licence   yours to choose: what adagen emits belongs to whoever emits it
+//
+// The articulated-body algorithm: I^A and p^A (IA, pA), a link's inertia and bias force with all that
+// hangs on it, are swept to the base, and the accelerations come back. Spatial vectors are [angular;
+// linear], in link frames turned so that every joint axis is z.
+//
+// How to read on:
+//   1. interface   what a program that links this file calls
+//   2. model       the robot's constants
+//   3. runtime     spatial algebra, joints, exchange between processes
+//   4. joints      for each joint its memory, then what is done with it, step by step
+//   5. processes   who does what, in order
+//   6. program     states in, accelerations out; check; time
+
+#include <mpi.h>
+
+// ---- 1. interface -------------------------------------------------------------------------------
+// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN, link it, and get these
+// declarations by including it with ADAGEN_DECLARATIONS defined.
+#ifdef __cplusplus
+extern "C" {
+#endif
+typedef struct humanoid_lanes_p1_solver humanoid_lanes_p1_solver;
+
+// Joints in order, each with its place in the state: humanoid_lanes_p1_joint gives name, start and size in q
+// and v of joint k, or returns 0 where there is none.
+int humanoid_lanes_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
+
+// Collective over a communicator of 1 process. channel: "auto", "window" or "message";
+// time_limit: seconds that a process waits for another. Returns null where it cannot be done.
+humanoid_lanes_p1_solver* humanoid_lanes_p1_open(MPI_Comm comm, const char* channel, double time_limit);
+
+// One evaluation, collective. q: 36 numbers, v and tau: 35 each, qdd: 35; joints in order,
+// quaternions x y z w (normalised here), floating joints [linear; angular] in the body's frame.
+// solve: every process passes the state and gets its own joints' accelerations (others untouched);
+// solve_at_root: process 0 passes the state and gets them all, the others may pass null.
+// Returns 0, or what humanoid_lanes_p1_failure puts into words; no acceleration is written then.
+int humanoid_lanes_p1_solve(humanoid_lanes_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
+int humanoid_lanes_p1_solve_at_root(humanoid_lanes_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
+
+// The last failure in words; valid until the next call.
+const char* humanoid_lanes_p1_failure(const humanoid_lanes_p1_solver* solver);
+
+// Collective.
+void humanoid_lanes_p1_close(humanoid_lanes_p1_solver* solver);
+#ifdef __cplusplus
+}
+#endif
+#ifndef ADAGEN_DECLARATIONS
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+#if defined(__linux__)
+#include <sched.h>
+#endif
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <csignal>
+#endif
+
+#define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
+#define ADAGEN_HOT [[gnu::hot]] ADAGEN_NOINLINE  // called in each step of a simulation; main is cold
+// A counted loop that is to be unrolled whole, so that indices computed in it become constants.
+#if defined(__clang__)
+#define ADAGEN_FOR(k, first, last) _Pragma("clang loop unroll(full)") for (int k = first; k < last; ++k)
+#else
+#define ADAGEN_FOR(k, first, last) _Pragma("GCC unroll 16") for (int k = first; k < last; ++k)
+#endif
+
+namespace {
+
+using Number = double;  // of states, answers and messages
+using Real = double;    // of all between
+constexpr int kProcesses = 1;
+constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
+constexpr int kNq = 36, kNv = 35;
+constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+[[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+[[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
+[[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr int kPlanMessages = 0;
+constexpr std::size_t kCacheLine = 64;
+[[maybe_unused]] constexpr bool kFloatingBase = true;
+[[maybe_unused]] constexpr double kTolerance = 1e-09;
+[[maybe_unused]] constexpr int kRandomStates = 64;
+[[maybe_unused]] constexpr const char* kRobot = "humanoid";
+const MPI_Datatype kMpiNumber = MPI_DOUBLE;
+
+// ---- 2. model -----------------------------------------------------------------------------------
+
+enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
+
+// What a joint does by itself: of its torque, damping qd + friction tanh(qd / friction_speed)
+// + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
+// tau holds that.
+struct Passive {
+  Number damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  bool prescribed = false;
+};
+
+// A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link
+// has the joint's frame at q = 0.
+struct JointConstants {
+  const char* name;
+  JointKind kind;
+  int parent;             // parent link; the child link has the joint's number plus one
+  int q, nq, v, nv;       // where its configuration and velocity are
+  Number rotation[9];     // joint frame to parent link's frame, row by row
+  Number translation[3];  // origin of the joint frame in the parent link's frame, m
+  int source;             // joint that it is slaved to, or -1: q = multiplier q_source + offset
+  double multiplier, offset;
+  Passive passive{};
+};
+
+// An outer force that is an input, told in the frame of the link that has its name.
+struct OuterForce {
+  const char* name;
+  int link;               // that feels it
+  Number rotation[9];     // from that frame to the link's, row by row
+  Number translation[3];  // its origin in the link's frame, m
+};
+
+struct LinkConstants {
+  const char* name;
+  Number mass;               // kg
+  Number com[3];             // centre of mass, m
+  Number tensor[9];          // rotational inertia about it, kg m^2
+  Number tensor_inverse[9];  // J, its inverse
+};
+
+// Entries first .. first + count - 1 of a vector.
+struct Range {
+  int first, count;
+};
+struct Ranges {
+  int count;
+  const Range* ranges;
+};
+
+// What a process reads of the state, and which velocity entries' accelerations it owns.
+struct ProcessInfo {
+  Ranges q, v, own, tau;
+};
+
+// What goes from one process to another once in an evaluation.
+struct MessageInfo {
+  int source, target, size;  // size in Number, the status not counted
+};
+
+[[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
+
+constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
+    {"__world__", 0.0, {0.0, 0.0, 0.0},
+     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+     {}},
+    {"pelvis", 6.2, {0.0, 0.0, 0.02},
+     {0.0324467, 0.0, 0.0, 0.0, 0.0175667, 0.0, 0.0, 0.0, 0.0351333},
+     {}},
+    {"left_hip", 1.4, {0.0, 0.0, 0.03},
+     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175},
+     {}},
+    {"left_groin", 1.2, {0.0, -0.04, 0.02},
+     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015},
+     {}},
+    {"left_thigh", 2.6, {0.0, 0.0, -0.1},
+     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468},
+     {}},
+    {"left_shank", 1.8, {-0.13, 0.01, 0.0},
+     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713},
+     {}},
+    {"left_ankle", 0.2, {0.0, 0.0, 0.0},
+     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05},
+     {}},
+    {"left_foot", 0.8, {0.0, -0.03, 0.03},
+     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667},
+     {}},
+    {"right_hip", 1.4, {0.0, 0.0, -0.03},
+     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175},
+     {}},
+    {"right_groin", 1.2, {0.0, -0.04, 0.02},
+     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015},
+     {}},
+    {"right_thigh", 2.6, {0.0, 0.0, -0.1},
+     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468},
+     {}},
+    {"right_shank", 1.8, {-0.13, 0.01, 0.0},
+     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713},
+     {}},
+    {"right_ankle", 0.2, {0.0, 0.0, 0.0},
+     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05},
+     {}},
+    {"right_foot", 0.8, {0.0, -0.03, 0.03},
+     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667},
+     {}},
+    {"waist_link", 0.8, {0.0, 0.0, 0.02},
+     {0.00074, 0.0, 0.0, 0.0, 0.00074, 0.0, 0.0, 0.0, 0.001},
+     {}},
+    {"abdomen", 0.9, {0.0, 0.02, 0.0},
+     {0.0010425, 0.0, 0.0, 0.0, 0.001125, 0.0, 0.0, 0.0, 0.0010425},
+     {}},
+    {"torso", 9.5, {0.17, 0.01, 0.0},
+     {0.0823333, 0.0, 0.0, 0.0, 0.153583, 0.0, 0.0, 0.0, 0.111783},
+     {}},
+    {"left_shoulder", 0.8, {0.0, 0.0, 0.03},
+     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064},
+     {}},
+    {"left_shoulder_cap", 0.7, {0.01, -0.03, 0.0},
+     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007},
+     {}},
+    {"left_upper_arm", 0.8, {0.0, 0.0, -0.05},
+     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064},
+     {}},
+    {"left_forearm", 0.7, {-0.07, 0.02, 0.0},
+     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771},
+     {}},
+    {"left_wrist", 0.2, {0.0, 0.0, -0.01},
+     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05},
+     {}},
+    {"left_hand", 0.4, {-0.06, 0.0, 0.0},
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333},
+     {}},
+    {"neck", 0.4, {0.0, 0.0, 0.02},
+     {0.00021, 0.0, 0.0, 0.0, 0.00021, 0.0, 0.0, 0.0, 0.00018},
+     {}},
+    {"head", 2.4, {0.09, 0.02, 0.0},
+     {0.007776, 0.0, 0.0, 0.0, 0.007776, 0.0, 0.0, 0.0, 0.007776},
+     {}},
+    {"right_shoulder", 0.8, {0.0, 0.0, -0.03},
+     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064},
+     {}},
+    {"right_shoulder_cap", 0.7, {-0.01, -0.03, 0.0},
+     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007},
+     {}},
+    {"right_upper_arm", 0.8, {0.0, 0.0, -0.05},
+     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064},
+     {}},
+    {"right_forearm", 0.7, {-0.07, 0.02, 0.0},
+     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771},
+     {}},
+    {"right_wrist", 0.2, {0.0, 0.0, -0.01},
+     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05},
+     {}},
+    {"right_hand", 0.4, {-0.06, 0.0, 0.0},
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333},
+     {}},
+} };
+
+constexpr std::array<JointConstants, kJointCount> kJoints{ {
+    {"__base__", JointKind::kFloating, 0, 0, 7, 0, 6,
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+     {0.0, 0.0, 0.0}, -1, 0.0, 0.0},
+    {"left_hip_pitch", JointKind::kRevolute, 1, 7, 1, 6, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.09, -0.05}, -1, 0.0, 0.0},
+    {"left_hip_roll", JointKind::kRevolute, 2, 8, 1, 7, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, 0.04}, -1, 0.0, 0.0},
+    {"left_hip_yaw", JointKind::kRevolute, 3, 9, 1, 8, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, -0.12, 0.0}, -1, 0.0, 0.0},
+    {"left_knee", JointKind::kRevolute, 4, 10, 1, 9, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.24}, -1, 0.0, 0.0},
+    {"left_ankle_pitch", JointKind::kRevolute, 5, 11, 1, 10, 1,
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+     {-0.3, 0.0, 0.0}, -1, 0.0, 0.0},
+    {"left_ankle_roll", JointKind::kRevolute, 6, 12, 1, 11, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {-0.02, 0.0, 0.0}, -1, 0.0, 0.0},
+    {"right_hip_pitch", JointKind::kRevolute, 1, 13, 1, 12, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, -0.09, -0.05}, -1, 0.0, 0.0},
+    {"right_hip_roll", JointKind::kRevolute, 8, 14, 1, 13, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
+    {"right_hip_yaw", JointKind::kRevolute, 9, 15, 1, 14, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, -0.12, 0.0}, -1, 0.0, 0.0},
+    {"right_knee", JointKind::kRevolute, 10, 16, 1, 15, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.24}, -1, 0.0, 0.0},
+    {"right_ankle_pitch", JointKind::kRevolute, 11, 17, 1, 16, 1,
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+     {-0.3, 0.0, 0.0}, -1, 0.0, 0.0},
+    {"right_ankle_roll", JointKind::kRevolute, 12, 18, 1, 17, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {-0.02, 0.0, 0.0}, -1, 0.0, 0.0},
+    {"waist_yaw", JointKind::kRevolute, 1, 19, 1, 18, 1,
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+     {0.0, 0.0, 0.09}, -1, 0.0, 0.0},
+    {"waist_roll", JointKind::kRevolute, 14, 20, 1, 19, 1,
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
+     {0.0, 0.0, 0.05}, -1, 0.0, 0.0},
+    {"waist_pitch", JointKind::kRevolute, 15, 21, 1, 20, 1,
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
+     {0.0, 0.04, 0.0}, -1, 0.0, 0.0},
+    {"left_shoulder_pitch", JointKind::kRevolute, 16, 22, 1, 21, 1,
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+     {0.29, 0.0, 0.15}, -1, 0.0, 0.0},
+    {"left_shoulder_roll", JointKind::kRevolute, 17, 23, 1, 22, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, 0.05}, -1, 0.0, 0.0},
+    {"left_shoulder_yaw", JointKind::kRevolute, 18, 24, 1, 23, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, -0.1, 0.0}, -1, 0.0, 0.0},
+    {"left_elbow", JointKind::kRevolute, 19, 25, 1, 24, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.11}, -1, 0.0, 0.0},
+    {"left_wrist_roll", JointKind::kRevolute, 20, 26, 1, 25, 1,
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
+     {-0.16, 0.01, 0.0}, -1, 0.0, 0.0},
+    {"left_wrist_pitch", JointKind::kRevolute, 21, 27, 1, 26, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
+    {"neck_yaw", JointKind::kRevolute, 16, 28, 1, 27, 1,
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
+     {0.38, 0.0, 0.0}, -1, 0.0, 0.0},
+    {"neck_pitch", JointKind::kRevolute, 23, 29, 1, 28, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, 0.06}, -1, 0.0, 0.0},
+    {"right_shoulder_pitch", JointKind::kRevolute, 16, 30, 1, 29, 1,
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
+     {0.29, 0.0, -0.15}, -1, 0.0, 0.0},
+    {"right_shoulder_roll", JointKind::kRevolute, 25, 31, 1, 30, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.05}, -1, 0.0, 0.0},
+    {"right_shoulder_yaw", JointKind::kRevolute, 26, 32, 1, 31, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, -0.1, 0.0}, -1, 0.0, 0.0},
+    {"right_elbow", JointKind::kRevolute, 27, 33, 1, 32, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.11}, -1, 0.0, 0.0},
+    {"right_wrist_roll", JointKind::kRevolute, 28, 34, 1, 33, 1,
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
+     {-0.16, 0.01, 0.0}, -1, 0.0, 0.0},
+    {"right_wrist_pitch", JointKind::kRevolute, 29, 35, 1, 34, 1,
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
+     {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
+} };
+
+[[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
+
+// Slaved joints follow their sources; what was given for them is ignored.
+template <class Number>
+void slave([[maybe_unused]] Number* q, [[maybe_unused]] Number* v) {
+  for (const JointConstants& joint : kJoints) {
+    if (joint.source < 0) continue;
+    const JointConstants& source = kJoints[static_cast<std::size_t>(joint.source)];
+    q[joint.q] = static_cast<Number>(joint.multiplier * double(q[source.q]) + joint.offset);
+    v[joint.v] = static_cast<Number>(joint.multiplier * double(v[source.v]));
+  }
+}
+
+// ---- 3. runtime ---------------------------------------------------------------------------------
+
+// What can go wrong in an evaluation. A status travels with every message, so that all processes
+// learn of a failure and none waits for an answer that cannot come. It must be exact in a float.
+enum Failure : int {
+  kFine = 0,
+  kNotFinite = 1,       // the state of a joint is not a finite number
+  kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
+  kFactorization = 3,   // V^-1 of a joint is not positive definite
+  kOverflow = 4,        // the acceleration of a joint is not a finite number
+  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
+  kSingularPose = 10,   // no failure: the evaluation is done again in another way
+  kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
+  kEnded = 6,           // no failure: process 0 has no more to evaluate
+  kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
+  kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+};
+
+constexpr int kFailureBase = 1 << 20;
+constexpr int failure(Failure kind, int joint) { return kind * kFailureBase + joint; }
+constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
+constexpr int failure_place(int status) { return status % kFailureBase; }
+
+// Text as a JSON string, in one line.
+std::string quoted(const char* text) {
+  std::string result = "\"";
+  for (; *text != '\0'; ++text) {
+    const unsigned char c = static_cast<unsigned char>(*text);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += *text;
+    } else if (c < 0x20 || c == 0x7F) {
+      char escape[8];
+      std::snprintf(escape, sizeof escape, "\\u%04x", c);
+      result += escape;
+    } else {
+      result += *text;
+    }
+  }
+  return result + "\"";
+}
+
+// The names of a joint and of those before it that it is joined with: the links between them have
+// neither mass nor inertia.
+std::string names_of_run(int joint) {
+  std::string names = quoted(kJoints[joint].name);
+  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
+    const LinkConstants& own = kLinks[link];
+    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
+    names = quoted(kJoints[link - 1].name) + ", " + names;
+  }
+  return names;
+}
+
+std::string describe(int status) {
+  const int place = failure_place(status);
+  const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
+  switch (failure_kind(status)) {
+    case kFine:
+      return "no error";
+    case kNotFinite:
+      return joint() + "its q, v or tau is not a finite number";
+    case kZeroQuaternion:
+      return joint() + "its quaternion cannot be normalised";
+    case kFactorization:
+      return joint() +
+             "factorization failed: the inertias beside it differ too much for the scalar";
+    case kGimbalLock:
+      return "joints " + names_of_run(place) +
+             ": gimbal lock: through links without mass, they do not move in as many directions";
+    case kGrowth:
+      return joint() +
+             "no digits left: a link beside it is too light for its neighbours and the scalar";
+    case kOverflow:
+      return joint() + "its acceleration is not a finite number (overflow)";
+    case kSingularPose:
+      return joint() + "its mobility is singular in this pose";
+    case kEnded:
+      return "the evaluations are over";
+    case kNotRefined:
+      return "refinement does not converge: the inertias differ too much for the scalar";
+    case kTooFewSteps:
+      return "refinement converges too slowly: its last correction is too large; take more steps "
+             "(--refine) or --scalar double";
+    case kNoAnswer:
+      return "process " + std::to_string(place) + " did not answer within the time limit";
+  }
+  return "unknown failure";
+}
+
+// Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
+constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
+typedef Real Lanes __attribute__((vector_size(64)));
+typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
+typedef Bits LaneBits __attribute__((vector_size(64)));
+
+// Where registers are narrower, gcc tells that vectors are passed in other ways; none is, all is
+// inlined.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+#define ADAGEN_ALWAYS __attribute__((always_inline))
+#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
+#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
+
+ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
+ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
+
+// Whether any bit is set. Half by half: compilers take lanes apart one by one if left to it.
+typedef std::int64_t FourWords __attribute__((vector_size(32)));
+typedef std::int64_t TwoWords __attribute__((vector_size(16)));
+template <class T>
+ADAGEN_INLINE bool any_of(const T& x) {
+  if constexpr (sizeof x > sizeof(TwoWords)) {
+    typedef std::conditional_t<sizeof x == sizeof(FourWords), TwoWords, FourWords> Half;
+    Half halves[2];
+    std::memcpy(halves, &x, sizeof x);
+    const Half either = halves[0] | halves[1];
+    return any_of(either);
+  } else {
+    std::int64_t words[2]{};
+    std::memcpy(words, &x, sizeof x);
+    return (words[0] | words[1]) != 0;
+  }
+}
+
+// Whether all numbers are positive: false for NaN.
+ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
+template <class T>
+ADAGEN_INLINE bool all_positive(const T& x) {
+  return !any_of(~(x > T{}));
+}
+
+// One number or the other, lane by lane.
+ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
+  const LaneBits bits =
+      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
+  return reinterpret_cast<Lanes>(bits);
+}
+
+ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
+ADAGEN_INLINE bool all_zero(const Lanes& x) { return !any_of(x != Lanes{}); }
+
+ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
+ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
+  Lanes result = x;
+  for (int k = 0; k < kLanes; ++k) result[k] = std::tanh(x[k]);
+  return result;
+}
+
+// Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
+// three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
+// kLargestAngle; beyond, each lane is left to the C library.
+template <class R>
+struct Trigonometry;
+
+template <>
+struct Trigonometry<double> {
+  [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
+  [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
+  [[maybe_unused]] static constexpr double kParts[3] = {
+      1.57079632673412561417e+00, 6.07710050630396597660e-11, 2.02226624871116645580e-21};
+  [[maybe_unused]] static constexpr double kSine[6] = {
+      1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
+      -1.98412698295895385996e-4, 8.33333333332211858878e-3,  -1.66666666666666307295e-1};
+  [[maybe_unused]] static constexpr double kCosine[6] = {
+      -1.13585365213876817300e-11, 2.08757008419747316778e-9,  -2.75573141792967388112e-7,
+      2.48015872888517045348e-5,   -1.38888888888730564116e-3, 4.16666666666665929218e-2};
+};
+
+template <>
+struct Trigonometry<float> {
+  [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
+  [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
+  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f,
+                                                       7.54978995489188216e-8f};
+  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f,
+                                                      -1.6666654611e-1f};
+  [[maybe_unused]] static constexpr float kCosine[3] = {
+      2.443315711809948e-5f, -1.388731625493765e-3f, 4.166664568298827e-2f};
+};
+
+template <std::size_t n>
+ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
+  Lanes result = Lanes{} + coefficients[0];
+  ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
+  return result;
+}
+
+ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
+                                         Lanes& cosine) {
+  for (int k = 0; k < kLanes; ++k)
+    if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
+// Of angles that are not too large.
+ADAGEN_INLINE void near_sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  using Table = Trigonometry<Real>;
+  const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
+  const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
+  const Lanes turns = shifted - Table::kRound;
+  const Lanes rest =
+      ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
+  const Lanes square = rest * rest;
+  const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
+  const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
+  const LaneBits swapped = -(quadrant & 1);
+  const LaneBits s_bits = reinterpret_cast<LaneBits>(s);
+  const LaneBits c_bits = reinterpret_cast<LaneBits>(c);
+  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
+  const LaneBits sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
+  const LaneBits cosine_bits =
+      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
+  sine = reinterpret_cast<Lanes>(sine_bits);
+  cosine = reinterpret_cast<Lanes>(cosine_bits);
+}
+
+ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
+  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
+  return (angle > kLargest) | (angle < -kLargest);
+}
+
+ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  near_sine_and_cosine(angle, sine, cosine);
+  const LaneBits beyond = too_large(angle);
+  if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
+}
+
+constexpr std::array<MessageInfo, 0> kMessages{ {
+} };
+
+// What a process does in an evaluation as the others see it: the messages that it sends and
+// receives, in order, and what those received hold. Played again, it computes the same by itself:
+// what it sends goes nowhere, and what it receives is there at once. (--stretches)
+class Take {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  // Notes from here on what goes through the channel.
+  void record() { playing_ = false; }
+
+  // Plays from the start, and looks at the clock at each message.
+  void play() {
+    playing_ = true;
+    next_ = 0;
+  }
+
+  bool playing() const { return playing_; }
+  const std::vector<int>& messages() const { return messages_; }
+  const std::vector<Clock::rep>& looks() const { return looks_; }  // one at each message
+
+  // Message k was sent, or received with this content, its status before it.
+  ADAGEN_NOINLINE void note(int k, const Number* content = nullptr) {
+    messages_.push_back(k);
+    looks_.push_back(0);
+    starts_.push_back(contents_.size());
+    const std::size_t size =
+        content ? static_cast<std::size_t>(kMessages[static_cast<std::size_t>(k)].size) + 1 : 0;
+    contents_.insert(contents_.end(), content, content + size);
+  }
+
+  // The next message is due; returns its content, if it is one received.
+  ADAGEN_NOINLINE const Number* pass() {
+    looks_[next_] = Clock::now().time_since_epoch().count();
+    return contents_.data() + starts_[next_++];
+  }
+
+ private:
+  bool playing_ = false;
+  std::size_t next_ = 0;
+  std::vector<int> messages_;
+  std::vector<Clock::rep> looks_;
+  std::vector<std::size_t> starts_;  // in contents_
+  std::vector<Number> contents_;
+};
+
+// Exchange between processes. Processes on one node meet in a shared window: a message is a slot
+// that its source fills and then numbers (release), and that its target reads once it sees the
+// number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
+// one is written again, two evaluations later, its target has answered in the one between.
+enum class ChannelMode { kAuto, kWindow, kMessage };
+
+inline void relax() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
+
+class Channel {
+ public:
+  Channel() = default;
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
+
+  // Collective. Returns an empty string, or what is wrong. hosts: if not 0, processes are taken to
+  // be on so many hosts, in equal parts, whatever they share.
+  std::string open(MPI_Comm comm, ChannelMode mode, double time_limit, int hosts = 0) {
+    MPI_Comm_dup(comm, &comm_);
+    MPI_Comm_rank(comm_, &rank_);
+    time_limit_ = std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(std::min(time_limit, 1e8)));
+    ports_.resize(kMessages.size());
+    find_node(hosts);
+    const bool window = mode == ChannelMode::kMessage || open_window();
+    std::array<int, 2> ways{};  // messages through MPI, through the window
+    for (std::size_t k = 0; k < ports_.size(); ++k) {
+      const MessageInfo& info = kMessages[k];
+      if (info.source != rank_ && info.target != rank_) continue;
+      ++ways[ports_[k].slots ? 1 : 0];
+      if (!ports_[k].slots) ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, ways.data(), 2, MPI_INT, MPI_SUM, comm_);
+    name_ = ways[0] == 0   ? (ways[1] == 0 ? "message" : "window")
+            : ways[1] == 0 ? "message"
+                           : "mixed";
+    if (mode != ChannelMode::kWindow || ways[0] == 0) return "";
+    return window ? "channel window: not all processes are on one node"
+                  : "channel window: this MPI gives processes no common memory";
+  }
+
+  void close() {
+    if (comm_ == MPI_COMM_NULL) return;
+    int status = kFine;
+    for (std::size_t k = 0; k < ports_.size(); ++k)  // what others still wait for gets there
+      wait(ports_[k].request, kMessages[k].target, status);
+    if (window_ != MPI_WIN_NULL) {
+      MPI_Win_unlock_all(window_);
+      MPI_Win_free(&window_);
+    }
+    if (node_ != MPI_COMM_NULL) MPI_Comm_free(&node_);
+    MPI_Comm_free(&comm_);
+  }
+
+  // Where to write message k. Waits for an MPI message that is still under way.
+  Number* outgoing(int k, int& status) {
+    Port& port = ports_[k];
+    if (port.slots) return port.slot(port.count + 1, k).content() + 1;
+    wait(port.request, kMessages[k].target, status);
+    return port.buffer.data() + 1;
+  }
+
+  void send(int k, int& status) {
+    if (take_) {
+      if (take_->playing()) return void(take_->pass());
+      take_->note(k);
+    }
+    Port& port = ports_[k];
+    if (port.slots) {
+      Slot& slot = port.slot(++port.count, k);
+      slot.content()[0] = static_cast<Number>(status);
+      slot.number.store(port.count, std::memory_order_release);
+      return;
+    }
+    port.buffer[0] = static_cast<Number>(status);
+    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
+              kMessages[k].target, k, comm_, &port.request);
+  }
+
+  // Waits for message k and returns its content; what its source knows of failures joins the
+  // status.
+  const Number* receive(int k, int& status) {
+    if (take_ && take_->playing()) return opened(take_->pass(), status);
+    Port& port = ports_[k];
+    const Number* content;
+    if (port.slots) {
+      const std::uint64_t number = ++port.count;
+      Slot& slot = port.slot(number, k);
+      if (!wait_until([&] { return slot.number.load(std::memory_order_acquire) >= number; }))
+        fail(status, failure(kNoAnswer, kMessages[k].source));
+      content = slot.content();
+    } else {
+      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
+                kMessages[k].source, k, comm_, &port.request);
+      wait(port.request, kMessages[k].source, status);
+      content = port.buffer.data();
+    }
+    if (take_) take_->note(k, content);
+    return opened(content, status);
+  }
+
+  // Notes from here on what is sent and received, or plays it; null for neither.
+  void use(Take* take) { take_ = take; }
+
+  // Waits until a peer has done its part; then tells done of it. What never comes is given up.
+  template <class Done>
+  void wait(MPI_Request& request, int peer, int& status, Done done) {
+    if (request == MPI_REQUEST_NULL) return;
+    MPI_Status found;
+    const bool in_time = wait_until([&] {
+      int flag = 0;
+      MPI_Test(&request, &flag, &found);
+      return flag != 0;
+    });
+    if (in_time) return done(found);
+    give_up(request);
+    fail(status, failure(kNoAnswer, peer));
+  }
+  void wait(MPI_Request& request, int peer, int& status) {
+    wait(request, peer, status, [](const MPI_Status&) {});
+  }
+
+  static void give_up(MPI_Request& request) {
+    if (request != MPI_REQUEST_NULL) MPI_Cancel(&request), MPI_Request_free(&request);
+  }
+
+  static void fail(int& status, int failure) {
+    if (status == kFine) status = failure;
+  }
+
+  MPI_Comm comm() const { return comm_; }
+  int rank() const { return rank_; }
+  bool broken() const { return broken_; }
+  bool windowed() const { return window_ != MPI_WIN_NULL; }
+  bool on_one_host() const { return on_one_host_; }
+  const char* name() const { return name_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  struct alignas(kCacheLine) Slot {
+    std::atomic<std::uint64_t> number;
+    Number* content() {
+      return reinterpret_cast<Number*>(reinterpret_cast<char*>(this) + kCacheLine);
+    }
+  };
+
+  struct Port {
+    char* slots = nullptr;
+    std::uint64_t count = 0;
+    Slot& slot(std::uint64_t number, int k) const {
+      return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
+    }
+    std::vector<Number> buffer;
+    MPI_Request request = MPI_REQUEST_NULL;
+  };
+
+  static const Number* opened(const Number* content, int& status) {
+    if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
+    return content + 1;
+  }
+
+  static std::size_t slot_bytes(const MessageInfo& info) {
+    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Number);
+    return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
+  }
+
+  void find_node(int hosts) {
+    MPI_Comm real;
+    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &real);
+    MPI_Comm_split(real, rank_ * hosts / kProcesses, 0, &node_);
+    MPI_Comm_free(&real);
+    int size = 0;
+    MPI_Comm_size(node_, &size);
+    on_one_host_ = size == kProcesses;
+  }
+
+  // Each process holds the slots of the messages that it sends to processes on its node. Returns
+  // whether there was memory to share.
+  bool open_window() {
+    std::vector<int> on_node(kProcesses, MPI_UNDEFINED), all(kProcesses);
+    for (int p = 0; p < kProcesses; ++p) all[p] = p;
+    MPI_Group whole, near;
+    MPI_Comm_group(comm_, &whole);
+    MPI_Comm_group(node_, &near);
+    MPI_Group_translate_ranks(whole, kProcesses, all.data(), near, on_node.data());
+    MPI_Group_free(&whole);
+    MPI_Group_free(&near);
+    const auto near_pair = [&](const MessageInfo& info) {
+      return on_node[info.source] != MPI_UNDEFINED && on_node[info.target] != MPI_UNDEFINED;
+    };
+    if (std::none_of(kMessages.begin(), kMessages.end(), near_pair)) return true;
+    std::size_t own = 0;
+    for (const MessageInfo& info : kMessages)
+      if (info.source == rank_ && near_pair(info)) own += 2 * slot_bytes(info);
+    if (!share_memory(own)) return false;
+    std::vector<char*> next(kProcesses, nullptr);
+    for (int p = 0; p < kProcesses; ++p) {
+      if (on_node[p] == MPI_UNDEFINED) continue;
+      MPI_Aint bytes;
+      int unit;
+      MPI_Win_shared_query(window_, on_node[p], &bytes, &unit, &next[p]);
+    }
+    for (std::size_t k = 0; k < ports_.size(); ++k) {
+      const MessageInfo& info = kMessages[k];
+      if (!near_pair(info)) continue;
+      ports_[k].slots = next[info.source];
+      next[info.source] += 2 * slot_bytes(info);
+      if (info.source == rank_) {
+        std::memset(ports_[k].slots, 0, 2 * slot_bytes(info));  // first touch
+        for (std::uint64_t n : {0, 1}) new (&ports_[k].slot(n, static_cast<int>(k))) Slot{};
+      }
+    }
+    MPI_Win_sync(window_);
+    MPI_Barrier(node_);
+    MPI_Win_sync(window_);
+    return true;
+  }
+
+  // Returns whether all processes of the node could.
+  bool share_memory(std::size_t own) {
+    char* base = nullptr;
+    MPI_Info hints;
+    MPI_Info_create(&hints);
+    MPI_Info_set(hints, "alloc_shared_noncontig",
+                 "true");  // every part on pages of its own process
+    MPI_Comm_set_errhandler(node_, MPI_ERRORS_RETURN);
+    int good = MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base,
+                                       &window_) == MPI_SUCCESS;
+    MPI_Comm_set_errhandler(node_, MPI_ERRORS_ARE_FATAL);
+    MPI_Info_free(&hints);
+    MPI_Allreduce(MPI_IN_PLACE, &good, 1, MPI_INT, MPI_MIN, node_);
+    if (good != 0)
+      MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
+    else
+      window_ = MPI_WIN_NULL;
+    return good != 0;
+  }
+
+  // Spins briefly, then yields, so that more processes than cores still finish.
+  template <class Ready>
+  bool wait_until(Ready ready) {
+    for (int k = 0; k < 4000; ++k) {
+      if (ready()) return true;
+      relax();
+    }
+    if (broken_) return false;  // a peer is gone: do not wait for it once more
+    const Clock::time_point end = Clock::now() + time_limit_;
+    while (!ready()) {
+      std::this_thread::yield();
+      if (Clock::now() > end) {
+        broken_ = true;
+        return false;
+      }
+    }
+    return true;
+  }
+
+  MPI_Comm comm_ = MPI_COMM_NULL, node_ = MPI_COMM_NULL;
+  MPI_Win window_ = MPI_WIN_NULL;
+  int rank_ = 0;
+  Clock::duration time_limit_{};
+  bool broken_ = false, on_one_host_ = true;
+  Take* take_ = nullptr;
+  const char* name_ = "message";
+  std::vector<Port> ports_;
+};
+
+// Time stamps between the stages of a process's work (--trace); nothing is stamped otherwise.
+struct Stage {
+  const char* what;
+  int joint;    // that it ends or begins with; -1 for none
+  int message;  // sent or received; -1 for work
+};
+
+std::chrono::steady_clock::rep* trace_stamps =
+    nullptr;  // where an evaluation puts them: its start, then each end
+
+[[maybe_unused]] inline void stamp(int k) {
+  if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
+}
+
+// ---- 4. joints ----------------------------------------------------------------------------------
+
+// What is computed with.
+using Value = Real;
+
+// The memory of a process: the state, angles with sine and cosine, what messages hold, and values
+// that one function leaves to another.
+struct Workspace {
+  const Value* q = nullptr;
+  const Value* v = nullptr;
+  const Value* tau = nullptr;
+  Value* qdd = nullptr;
+  int status = kFine;
+  alignas(kCacheLine) std::array<Value, 32> angle{}, sine{}, cosine{};
+  std::array<Value, kNv> result{};
+  alignas(kCacheLine) std::array<Value, 24> lanes{};  // results of rows
+  std::array<Real*, kPlanMessages> to{};          // messages to be sent
+  std::array<const Real*, kPlanMessages> from{};  // messages received
+  alignas(kCacheLine) std::array<Value, 564> x{};
+};
+
+// What straight lines of numbers need.
+inline bool all(bool good, bool also = true) { return good && also; }
+
+// Zero for finite numbers only: x - x is.
+inline Real unlike_zero(const Real* x, int count) {
+  Real sum = 0;
+  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
+  return sum;
+}
+
+// What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
+// results.
+#define ADAGEN_INPUTS                                                              \
+  [[maybe_unused]] const Value *const q = w.q, *const v = w.v, *const tau = w.tau; \
+  [[maybe_unused]] const Value *const sine = w.sine.data(), *const cosine = w.cosine.data();
+
+[[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+
+inline void fail(Workspace& w, Failure kind, int joint) {
+  Channel::fail(w.status, failure(kind, joint));
+}
+
+// A state was found not to be finite: which joint's?
+template <std::size_t reads, std::size_t owns>
+[[gnu::cold]] ADAGEN_NOINLINE void name_what_is_not_finite(Workspace& w,
+                                                           const std::array<int, reads>& read,
+                                                           const std::array<int, owns>& owned) {
+  for (const int j : read) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!all(unlike_zero(w.q + joint.q, joint.nq) + unlike_zero(w.v + joint.v, joint.nv) == 0))
+      fail(w, kNotFinite, j);
+  }
+  for (const int j : owned) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!all(unlike_zero(w.tau + joint.v, joint.nv) == 0)) fail(w, kNotFinite, j);
+  }
+}
+
+[[maybe_unused]] inline void require_length(Workspace& w, const Value& squared, int joint) {
+  if (!all(squared >= std::numeric_limits<Real>::min(),
+           squared <= std::numeric_limits<Real>::max()))
+    fail(w, kZeroQuaternion, joint);
+}
+
+// A pivot or a mobility has to be more than what rounding may have left of it.
+template <class T>
+[[maybe_unused]] void require_more(Workspace& w, const Value& x, const T& least, Failure kind,
+                                   int joint) {
+  if (!all(x > least, x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
+}
+
+// A result was found not to be finite: which joint's?
+template <std::size_t owns>
+[[gnu::cold]] ADAGEN_NOINLINE void name_what_overflows(Workspace& w,
+                                                       const std::array<int, owns>& owned) {
+  for (const int j : owned) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!all(unlike_zero(w.result.data() + joint.v, joint.nv) == 0)) fail(w, kOverflow, j);
+  }
+}
+
+// Limbs that are alike share code: one is in each lane.
+typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
+template <class T>
+[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Real));
+template <class T>
+using Half =
+    std::conditional_t<kWidth<T> == 8, Four, std::conditional_t<kWidth<T> == 4, Two, Real>>;
+
+// Lanes are for limbs: g++ is told not to look for more to put side by side.
+#if defined(__clang__)
+#define ADAGEN_AS_IT_STANDS
+#else
+#define ADAGEN_AS_IT_STANDS __attribute__((optimize("no-tree-slp-vectorize")))
+#endif
+
+template <class T>
+ADAGEN_INLINE T taken(const Real* from) {
+  T x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
+}
+template <class T>
+ADAGEN_INLINE void put(const T& x, Real* to) {
+  std::memcpy(to, &x, sizeof x);
+}
+
+// The sum of the first numbers, half by half.
+template <int count>
+ADAGEN_INLINE Real across(const Real& x) {
+  return x;
+}
+template <int count, class T>
+ADAGEN_INLINE Real across(const T& x) {
+  constexpr int half = kWidth<T> / 2;
+  Half<T> halves[2];
+  std::memcpy(halves, &x, sizeof x);
+  if constexpr (count == kWidth<T>) {
+    const Half<T> sum = halves[0] + halves[1];
+    return across<half>(sum);
+  } else if constexpr (count > half) {
+    return across<half>(halves[0]) + across<count - half>(halves[1]);
+  } else {
+    return across<count>(halves[0]);
+  }
+}
+
+// Zero for finite numbers only, of rows that lie one after the other.
+template <class T, int rows>
+ADAGEN_INLINE Real unlike_zero(const Real* from) {
+  T sum{};
+  ADAGEN_FOR (k, 0, rows) {
+    const T x = taken<T>(from + k * kWidth<T>);
+    sum += x - x;
+  }
+  return across<kWidth<T>>(sum);
+}
+
+// The same as for single numbers, in the name of a joint for each lane.
+template <class T, std::size_t count>
+ADAGEN_COLD void name_what_is_not_more(Workspace& w, const T& x, const T& least, Failure kind,
+                                       const int (&joints)[count]) {
+  for (std::size_t k = 0; k < count; ++k) require_more(w, x[k], least[k], kind, joints[k]);
+}
+template <class T, class L, std::size_t count>
+ADAGEN_INLINE void require_more(Workspace& w, const T& x, const L& least, Failure kind,
+                                const int (&joints)[count]) {
+  const auto good = (x > least) & (x <= std::numeric_limits<Real>::max());
+  if (__builtin_expect(any_of(~good), 0)) name_what_is_not_more(w, x, T{} + least, kind, joints);
+}
+template <class T, std::size_t count>
+ADAGEN_INLINE void require_length(Workspace& w, const T& squared, const int (&joints)[count]) {
+  for (std::size_t k = 0; k < count; ++k) require_length(w, squared[k], joints[k]);
+}
+
+// Sines and cosines of angles, whose places in q are given; as many are written as fill registers.
+template <std::size_t count, std::size_t... lane>
+ADAGEN_INLINE Lanes angles_of(const Real* q, const std::array<int, count>& places,
+                              std::size_t first, std::index_sequence<lane...>) {
+  return Lanes{q[places[std::min(first + lane, count - 1)]]...};
+}
+template <std::size_t count>
+ADAGEN_INLINE void take_sines_and_cosines(const Real* q, const std::array<int, count>& places,
+                                          Real* sine, Real* cosine) {
+  constexpr int kBlocks = (static_cast<int>(count) + kLanes - 1) / kLanes;
+  ADAGEN_FOR (block, 0, kBlocks) {
+    const Lanes angle = angles_of(q, places, static_cast<std::size_t>(block * kLanes),
+                                  std::make_index_sequence<kLanes>{});
+    Lanes s, c;
+    sine_and_cosine(angle, s, c);
+    store(s, sine + block * kLanes);
+    store(c, cosine + block * kLanes);
+  }
+}
+
+// Each function is a straight line. A value is called x and its number in the expression graph; zeros
+// and constants are folded in, nothing is computed twice, and what nobody needs is not there.
+// Frames are the links' own; accelerations are deviations from the field that the links would have
+// with all joint accelerations zero.
+
+// =================================================================================================
+// Process 0: 1607 products, 1481 sums, 16 quotients, 1782 of them in lanes
+// =================================================================================================
+
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
+  ADAGEN_INPUTS
+  // joint 0 "__base__": placement, velocity and reference acceleration of its link
+  const Real x62 = q[3] * q[3] + q[4] * q[4] + q[5] * q[5];
+  const Real x63 = q[6] * q[6] + x62;
+  require_length(w, x63, 0);
+  const Real x66 = 1 / x63 * 2.0;
+  const Real x67 = q[3] * x66;
+  const Real x68 = q[4] * x66;
+  const Real x92 = (q[5] * x67 - q[6] * x68) * 9.81;
+  const Real x99 = v[2] * v[4] - v[1] * v[5] + x92;
+  w.x[0] = x99;
+  const Real x93 = (q[5] * x68 + q[6] * x67) * 9.81;
+  const Real x104 = v[0] * v[5] - v[2] * v[3] + x93;
+  w.x[1] = x104;
+  const Real x94 = (1.0 - (q[4] * x68 + q[3] * x67)) * 9.81;
+  const Real x109 = v[1] * v[3] - v[0] * v[4] + x94;
+  w.x[2] = x109;
+  const Real x118 = v[4] * v[5];
+  const Real x119 = v[3] * v[3] + v[4] * v[4];
+  const Real x121 = v[3] * v[5];
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
+  const Four x296 = Four{v[6], v[12], v[21], v[29]};
+  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
+  const Real x135 = v[5] + v[18];
+  const Real x134 = v[4] * cosine[24] - v[3] * sine[24];
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x181 = x135 * cosine[25] - x134 * sine[25];
+  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
+  const Real x130 = v[3] * cosine[24] + v[4] * sine[24];
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x182 = x130 + v[19];
+  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
+  const Real x238 = x181 * cosine[26] + x182 * sine[26];
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
+  const Four x310 = Four{v[3], v[3], x238, x238};
+  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
+  const Real x242 = x182 * cosine[26] - x181 * sine[26];
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
+  const Four x311 = Four{v[4], v[4], x242, x242};
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x177 = x134 * cosine[25] + x135 * sine[25];
+  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
+  const Real x243 = x177 + v[20];
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
+  const Four x312 = Four{v[5], v[5], x243, x243};
+  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
+  const Real x137 = v[18] * x130;
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x191 = x137 * sine[25] - v[19] * x177;
+  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
+  const Real x136 = v[18] * x134;
+  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
+  const Real x252 = x191 * cosine[26] + x136 * sine[26] + v[20] * x242;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
+  const Four x313 = Four{0.0, 0.0, x252, x252};
+  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
+  const Real x255 = x136 * cosine[26] - x191 * sine[26] - v[20] * x238;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
+  const Four x314 = Four{0.0, 0.0, x255, x255};
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x188 = v[19] * x181 - x137 * cosine[25];
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
+  const Four x315 = Four{0.0, 0.0, x188, x188};
+  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
+  const Real x139 = x121 * 0.09;
+  const Real x140 = x118 * 0.09;
+  const Real x145 = cosine[24] * x139 + sine[24] * x140;
+  const Real x166 = x130 * x135;
+  const Real x168 = x166 - x137;
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x193 = x145 + x168 * 0.05;
+  const Real x222 = x181 * x182;
+  const Real x224 = x188 + x222;
+  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
+  const Real x263 = x193 + x224 * 0.04;
+  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
+  const Real x149 = cosine[24] * x140 - sine[24] * x139;
+  const Real x161 = x134 * x135;
+  const Real x162 = x161 - x136;
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x195 = x149 + x162 * 0.05;
+  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
+  const Real x141 = x119 * 0.09;
+  const Real x164 = x130 * x130 + x134 * x134;
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x198 = x141 + x164 * 0.05;
+  const Real x208 = sine[25] * x195 + cosine[25] * x198;
+  const Real x220 = x177 * x177 + x182 * x182;
+  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
+  const Real x260 = x208 + x220 * 0.04;
+  const Real x267 = sine[26] * x263 - cosine[26] * x260;
+  const Real x271 = sine[26] * x260 + cosine[26] * x263;
+  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
+  const Real x203 = cosine[25] * x195 - sine[25] * x198;
+  const Real x217 = x177 * x181;
+  const Real x218 = x217 - x136;
+  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
+  const Real x257 = x203 + x218 * 0.04;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
+  const Four x319 = x310 * x310;
+  const Four x320 = x311 * x311;
+  const Four x321 = x312 * x312;
+  const Four x324 = x310 * x311;
+  const Four x329 = x311 * x312;
+  const Four x334 = x310 * x312;
+  const Four x343 = Four{1.0, 1.0, 0.0, 0.0} * x312 - Four{0.0, 0.0, 1.0, 1.0} * x311;
+  const Four x346 = taken<Four>(cosine + 0) * x343 + taken<Four>(sine + 0) * x310;
+  const Four x350 = taken<Four>(cosine + 0) * x310 - taken<Four>(sine + 0) * x343;
+  const Four x351 = Four{1.0, 1.0, 0.0, 0.0} * x311 + Four{0.0, 0.0, 1.0, 1.0} * x312 + x296;
+  const Four x354 = Four{1.0, 1.0, 0.0, 0.0} * x314 + Four{0.0, 0.0, 1.0, 1.0} * x315;
+  const Four x358 = Four{1.0, 1.0, 0.0, 0.0} * x315 - Four{0.0, 0.0, 1.0, 1.0} * x314;
+  const Four x367 = taken<Four>(cosine + 0) * x358 + taken<Four>(sine + 0) * x313 + x296 * x350;
+  const Four x370 = taken<Four>(cosine + 0) * x313 - taken<Four>(sine + 0) * x358 - x296 * x346;
+  const Four x377 = Four{0.09, -0.09, 0.0, 0.0} * (x324 - x315) - Four{0.0, 0.0, 0.29, 0.29} * (x320 + x321);
+  const Four x379 = Four{0.0, 0.0, x267, x267} + x377 - (x314 + x334) * Four{0.05, 0.05, -0.15, 0.15};
+  const Four x385 = Four{0.0, 0.0, 0.29, 0.29} * (x315 + x324) - Four{0.09, -0.09, 0.0, 0.0} * (x319 + x321);
+  const Four x387 = Four{0.0, 0.0, x271, x271} + x385 - (x329 - x313) * Four{0.05, 0.05, -0.15, 0.15};
+  const Four x392 = Four{0.0, 0.0, x257, x257} + (x319 + x320) * Four{0.05, 0.05, -0.15, 0.15};
+  const Four x393 = Four{0.0, 0.0, 0.29, 0.29} * (x334 - x314) + x392;
+  const Four x394 = Four{0.09, -0.09, 0.0, 0.0} * (x313 + x329) + x393;
+  const Four x397 = Four{1.0, 1.0, 0.0, 0.0} * x387 + Four{0.0, 0.0, 1.0, 1.0} * x394;
+  const Four x401 = Four{1.0, 1.0, 0.0, 0.0} * x394 - Four{0.0, 0.0, 1.0, 1.0} * x387;
+  const Four x404 = taken<Four>(cosine + 0) * x401 + taken<Four>(sine + 0) * x379;
+  const Four x408 = taken<Four>(cosine + 0) * x379 - taken<Four>(sine + 0) * x401;
+  const Four x422 = x350 * x351;
+  const Four x423 = x422 - x367;
+  const Four x425 = x346 * x346 + x350 * x350;
+  const Four x427 = x346 * x351;
+  const Four x429 = x370 + x427;
+  // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": force that the reference field takes
+  const Four x1005 = x354 * Four{0.00175, 0.00175, 0.00064, 0.00064};
+  put(x1005, w.x.data() + 4);
+  const Four x1009 = x367 * Four{0.00308, 0.00308, 0.001366667, 0.001366667} - x422 * Four{0.0013299999999999998, 0.0013299999999999998, 0.0007266669999999999, 0.0007266669999999999} - x408 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
+  put(x1009, w.x.data() + 8);
+  const Four x1011 = x370 * Four{0.00308, 0.00308, 0.001366667, 0.001366667} + x427 * Four{0.0013299999999999998, 0.0013299999999999998, 0.0007266669999999999, 0.0007266669999999999} + x404 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
+  put(x1011, w.x.data() + 12);
+  const Four x1014 = x404 * Four{1.4, 1.4, 0.8, 0.8} + x429 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
+  put(x1014, w.x.data() + 16);
+  const Four x1017 = x408 * Four{1.4, 1.4, 0.8, 0.8} + x423 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
+  put(x1017, w.x.data() + 20);
+  const Four x1021 = x397 * Four{1.4, 1.4, 0.8, 0.8} - x425 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
+  put(x1021, w.x.data() + 24);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": placement, velocity and reference acceleration of their links
+  const Four x434 = Four{v[7], v[13], v[22], v[30]};
+  const Four x440 = Four{1.0, 1.0, 0.0, 0.0} * x346 + Four{0.0, 0.0, 1.0, 1.0} * x350;
+  const Four x447 = taken<Four>(cosine + 4) * x351 + taken<Four>(sine + 4) * x440;
+  const Four x451 = taken<Four>(cosine + 4) * x440 - taken<Four>(sine + 4) * x351;
+  const Four x452 = Four{1.0, 1.0, 0.0, 0.0} * x350 - Four{0.0, 0.0, 1.0, 1.0} * x346 + x434;
+  const Four x455 = Four{1.0, 1.0, 0.0, 0.0} * x367 + Four{0.0, 0.0, 1.0, 1.0} * x370;
+  const Four x459 = Four{1.0, 1.0, 0.0, 0.0} * x370 - Four{0.0, 0.0, 1.0, 1.0} * x367;
+  const Four x468 = taken<Four>(cosine + 4) * x354 + taken<Four>(sine + 4) * x455 + x434 * x451;
+  const Four x471 = taken<Four>(cosine + 4) * x455 - taken<Four>(sine + 4) * x354 - x434 * x447;
+  const Four x473 = x404 + x429 * Four{0.04, -0.04, 0.05, -0.05};
+  const Four x475 = x408 + x423 * Four{0.04, -0.04, 0.05, -0.05};
+  const Four x478 = x397 - x425 * Four{0.04, -0.04, 0.05, -0.05};
+  const Four x481 = Four{1.0, 1.0, 0.0, 0.0} * x473 + Four{0.0, 0.0, 1.0, 1.0} * x475;
+  const Four x485 = Four{1.0, 1.0, 0.0, 0.0} * x475 - Four{0.0, 0.0, 1.0, 1.0} * x473;
+  const Four x488 = taken<Four>(cosine + 4) * x478 + taken<Four>(sine + 4) * x481;
+  const Four x492 = taken<Four>(cosine + 4) * x481 - taken<Four>(sine + 4) * x478;
+  const Four x496 = x447 * x447;
+  const Four x497 = x451 * x451;
+  const Four x498 = x452 * x452;
+  const Four x499 = x497 + x498;
+  const Four x501 = x447 * x451;
+  const Four x502 = x501 - x459;
+  const Four x504 = x496 + x498;
+  const Four x506 = x451 * x452;
+  const Four x508 = x468 + x506;
+  const Four x509 = x496 + x497;
+  const Four x511 = x447 * x452;
+  const Four x512 = x511 - x471;
+  const Four x513 = x471 + x511;
+  // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": force that the reference field takes
+  const Four x1060 = x506 * Four{0.0015500000000000002, 0.0015500000000000002, 0.0006299999999999999, 0.0006299999999999999} + Four{0.00096, 0.00096, 0.0, 0.0} * (x509 - x504);
+  const Four x1071 = x511 * Four{0.00036999999999999994, 0.00036999999999999994, -7e-05, -7e-05} - x502 * Four{0.00096, 0.00096, 0.0, 0.0} + x471 * Four{0.00187, 0.00187, 0.00077, 0.00077};
+  const Four x1081 = x459 * Four{0.00342, 0.00342, 0.0014, 0.0014} - x501 * Four{0.00192, 0.00192, 0.00056, 0.00056};
+  const Four x1062 = x468 * Four{0.00379, 0.00379, 0.0013299999999999998, 0.0013299999999999998} + x1060 - x512 * Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998};
+  const Four x1089 = x1062 - x485 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998} - x492 * Four{0.024, 0.024, 0.0, 0.0};
+  put(x1089, w.x.data() + 28);
+  const Four x1093 = x508 * Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998} + x1071 - x485 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999};
+  const Four x1094 = x488 * Four{0.024, 0.024, 0.0, 0.0} + x1093;
+  put(x1094, w.x.data() + 32);
+  const Four x1083 = Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998} * (x504 - x499) + x1081 + x513 * Four{0.00096, 0.00096, 0.0, 0.0};
+  const Four x1099 = x1083 + x492 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x488 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998};
+  put(x1099, w.x.data() + 36);
+  const Four x1108 = x513 * Four{0.024, 0.024, 0.0, 0.0} - (x499 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x502 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998});
+  const Four x1109 = x488 * Four{1.2, 1.2, 0.7, 0.7} + x1108;
+  put(x1109, w.x.data() + 40);
+  const Four x1115 = (x459 + x501) * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x504 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998};
+  const Four x1117 = (x506 - x468) * Four{0.024, 0.024, 0.0, 0.0} + x1115 + x492 * Four{1.2, 1.2, 0.7, 0.7};
+  put(x1117, w.x.data() + 44);
+  const Four x1125 = x485 * Four{1.2, 1.2, 0.7, 0.7} - x509 * Four{0.024, 0.024, 0.0, 0.0} + x512 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999};
+  const Four x1126 = x1125 - x508 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998};
+  put(x1126, w.x.data() + 48);
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": placement, velocity and reference acceleration of their links
+  const Four x518 = Four{v[8], v[14], v[23], v[31]};
+  const Four x525 = taken<Four>(cosine + 8) * x452 + taken<Four>(sine + 8) * x447;
+  const Four x529 = taken<Four>(cosine + 8) * x447 - taken<Four>(sine + 8) * x452;
+  const Four x530 = x451 + x518;
+  const Four x539 = taken<Four>(cosine + 8) * x459 + taken<Four>(sine + 8) * x468 + x518 * x529;
+  const Four x542 = taken<Four>(cosine + 8) * x468 - taken<Four>(sine + 8) * x459 - x518 * x525;
+  const Four x546 = x488 - x502 * Four{0.12, 0.12, 0.1, 0.1};
+  const Four x549 = x492 + x504 * Four{0.12, 0.12, 0.1, 0.1};
+  const Four x552 = x485 - x508 * Four{0.12, 0.12, 0.1, 0.1};
+  const Four x555 = taken<Four>(cosine + 8) * x552 + taken<Four>(sine + 8) * x546;
+  const Four x559 = taken<Four>(cosine + 8) * x546 - taken<Four>(sine + 8) * x552;
+  const Four x572 = x529 * x530;
+  const Four x573 = x572 - x539;
+  const Four x575 = x525 * x525 + x529 * x529;
+  const Four x577 = x525 * x530;
+  const Four x579 = x542 + x577;
+  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
+  const Four x1150 = x471 * Four{0.00468, 0.00468, 0.00064, 0.00064};
+  put(x1150, w.x.data() + 52);
+  const Four x1154 = x539 * Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} - x572 * Four{0.038306700000000006, 0.038306700000000006, 0.0029866700000000003, 0.0029866700000000003} + x559 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
+  put(x1154, w.x.data() + 56);
+  const Four x1157 = x542 * Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} + x577 * Four{0.038306700000000006, 0.038306700000000006, 0.0029866700000000003, 0.0029866700000000003} - x555 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
+  put(x1157, w.x.data() + 60);
+  const Four x1161 = x555 * Four{2.6, 2.6, 0.8, 0.8} - x579 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
+  put(x1161, w.x.data() + 64);
+  const Four x1165 = x559 * Four{2.6, 2.6, 0.8, 0.8} - x573 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
+  put(x1165, w.x.data() + 68);
+  const Four x1169 = x549 * Four{2.6, 2.6, 0.8, 0.8} + x575 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
+  put(x1169, w.x.data() + 72);
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": placement, velocity and reference acceleration of their links
+  const Four x584 = Four{v[9], v[15], v[24], v[32]};
+  const Four x592 = taken<Four>(cosine + 12) * Four{1.0, 1.0, 0.0, 0.0} - taken<Four>(sine + 12) * Four{0.0, 0.0, 1.0, 1.0};
+  put(x592, w.x.data() + 76);
+  const Four x597 = taken<Four>(sine + 12) * Four{1.0, 1.0, 0.0, 0.0} + taken<Four>(cosine + 12) * Four{0.0, 0.0, 1.0, 1.0};
+  put(x597, w.x.data() + 80);
+  const Four x601 = x530 * x592 + x525 * x597;
+  const Four x605 = x525 * x592 - x530 * x597;
+  const Four x606 = x529 + x584;
+  const Four x615 = x471 * x592 + x539 * x597 + x584 * x605;
+  const Four x618 = x539 * x592 - x471 * x597 - x584 * x601;
+  const Four x622 = x555 - x579 * Four{0.24, 0.24, 0.11, 0.11};
+  const Four x625 = x559 - x573 * Four{0.24, 0.24, 0.11, 0.11};
+  const Four x628 = x549 + x575 * Four{0.24, 0.24, 0.11, 0.11};
+  const Four x631 = x592 * x628 + x597 * x622;
+  const Four x635 = x592 * x622 - x597 * x628;
+  const Four x640 = x606 * x606;
+  const Four x641 = x605 * x605 + x640;
+  const Four x643 = x601 * x605;
+  const Four x644 = x643 - x542;
+  const Four x645 = x542 + x643;
+  const Four x646 = x601 * x601 + x640;
+  const Four x648 = x605 * x606;
+  const Four x650 = x615 + x648;
+  const Four x653 = x601 * x606;
+  const Four x654 = x653 - x618;
+  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
+  const Four x1217 = x643 * Four{0.0410888, 0.0410888, -0.004428960000000001, -0.004428960000000001} + Four{0.00234, 0.00234, -0.00098, -0.00098} * (x646 - x641);
+  const Four x1202 = x615 * Four{0.0020025, 0.0020025, 0.00513771, 0.00513771} + x648 * Four{0.00018, 0.00018, 0.004708960000000001, 0.004708960000000001} - x654 * Four{0.00234, 0.00234, -0.00098, -0.00098};
+  const Four x1220 = x1202 + x625 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049};
+  put(x1220, w.x.data() + 84);
+  const Four x1211 = x618 * Four{0.043091300000000006, 0.043091300000000006, 0.00070875, 0.00070875} - x653 * Four{0.0412688, 0.0412688, 0.00028, 0.00028} + x650 * Four{0.00234, 0.00234, -0.00098, -0.00098};
+  const Four x1223 = x1211 + x625 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999};
+  put(x1223, w.x.data() + 88);
+  const Four x1228 = x542 * Four{0.043271300000000006, 0.043271300000000006, 0.005417710000000001, 0.005417710000000001} + x1217 - x635 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999};
+  const Four x1229 = x1228 - x631 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049};
+  put(x1229, w.x.data() + 92);
+  const Four x1235 = x641 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x644 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049} + x631 * Four{1.8, 1.8, 0.7, 0.7};
+  put(x1235, w.x.data() + 96);
+  const Four x1243 = x635 * Four{1.8, 1.8, 0.7, 0.7} - (x645 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x646 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049});
+  put(x1243, w.x.data() + 100);
+  const Four x1249 = x625 * Four{1.8, 1.8, 0.7, 0.7} - x654 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x650 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049};
+  put(x1249, w.x.data() + 104);
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": placement, velocity and reference acceleration of their links
+  const Four x660 = Four{v[10], v[16], v[25], v[33]};
+  const Four x669 = Four{1.0, 1.0, 0.0, 0.0} * x605 + Four{0.0, 0.0, 1.0, 1.0} * x606;
+  const Four x676 = taken<Four>(cosine + 16) * x601 + taken<Four>(sine + 16) * x669;
+  const Four x680 = taken<Four>(cosine + 16) * x669 - taken<Four>(sine + 16) * x601;
+  const Four x681 = Four{1.0, 1.0, 0.0, 0.0} * x606 - Four{0.0, 0.0, 1.0, 1.0} * x605 + x660;
+  const Four x684 = Four{1.0, 1.0, 0.0, 0.0} * x618 + Four{0.0, 0.0, 1.0, 1.0} * x542;
+  const Four x688 = Four{1.0, 1.0, 0.0, 0.0} * x542 - Four{0.0, 0.0, 1.0, 1.0} * x618;
+  const Four x697 = taken<Four>(cosine + 16) * x615 + taken<Four>(sine + 16) * x684 + x660 * x680;
+  const Four x700 = taken<Four>(cosine + 16) * x684 - taken<Four>(sine + 16) * x615 - x660 * x676;
+  const Four x706 = x641 * Four{0.3, 0.3, -0.01, -0.01} + x644 * Four{0.0, 0.0, 0.16, 0.16} + x631;
+  const Four x713 = x635 - (x645 * Four{0.3, 0.3, -0.01, -0.01} + x646 * Four{0.0, 0.0, 0.16, 0.16});
+  const Four x718 = x625 - x654 * Four{0.3, 0.3, -0.01, -0.01} + x650 * Four{0.0, 0.0, 0.16, 0.16};
+  const Four x721 = Four{1.0, 1.0, 0.0, 0.0} * x713 + Four{0.0, 0.0, 1.0, 1.0} * x718;
+  const Four x725 = Four{1.0, 1.0, 0.0, 0.0} * x718 - Four{0.0, 0.0, 1.0, 1.0} * x713;
+  const Four x728 = taken<Four>(cosine + 16) * x706 + taken<Four>(sine + 16) * x721;
+  const Four x732 = taken<Four>(cosine + 16) * x721 - taken<Four>(sine + 16) * x706;
+  const Four x737 = x680 * x680;
+  const Four x746 = x680 * x681;
+  const Four x747 = x746 - x697;
+  const Four x749 = x676 * x676 + x737;
+  const Four x751 = x676 * x681;
+  const Four x753 = x700 + x751;
+  // links 6 "left_ankle", 12 "right_ankle", 21 "left_wrist", 29 "right_wrist": force that the reference field takes
+  const Four x1272 = x688 * Four{7.2e-05, 7.2e-05, 9e-05, 9e-05};
+  put(x1272, w.x.data() + 108);
+  const Four x1276 = x697 * Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} - x746 * Four{0.0, 0.0, 1.666669999999999e-05, 1.666669999999999e-05} + x732 * Four{0.0, 0.0, 0.002, 0.002};
+  put(x1276, w.x.data() + 112);
+  const Four x1279 = x700 * Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} + x751 * Four{0.0, 0.0, 1.666669999999999e-05, 1.666669999999999e-05} - x728 * Four{0.0, 0.0, 0.002, 0.002};
+  put(x1279, w.x.data() + 116);
+  const Four x1283 = x728 * 0.2 - x753 * Four{0.0, 0.0, 0.002, 0.002};
+  put(x1283, w.x.data() + 120);
+  const Four x1287 = x732 * 0.2 - x747 * Four{0.0, 0.0, 0.002, 0.002};
+  put(x1287, w.x.data() + 124);
+  const Four x1291 = x725 * 0.2 + x749 * Four{0.0, 0.0, 0.002, 0.002};
+  put(x1291, w.x.data() + 128);
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": placement, velocity and reference acceleration of their links
+  const Four x758 = Four{v[11], v[17], v[26], v[34]};
+  const Four x765 = taken<Four>(cosine + 20) * x681 + taken<Four>(sine + 20) * x676;
+  const Four x769 = taken<Four>(cosine + 20) * x676 - taken<Four>(sine + 20) * x681;
+  const Four x770 = x680 + x758;
+  const Four x779 = taken<Four>(cosine + 20) * x688 + taken<Four>(sine + 20) * x697 + x758 * x769;
+  const Four x782 = taken<Four>(cosine + 20) * x697 - taken<Four>(sine + 20) * x688 - x758 * x765;
+  const Four x789 = (x737 + x681 * x681) * Four{0.02, 0.02, 0.0, 0.0} - x753 * Four{0.0, 0.0, 0.04, 0.04};
+  const Four x790 = x728 + x789;
+  const Four x795 = (x688 + x676 * x680) * Four{0.02, 0.02, 0.0, 0.0} + x747 * Four{0.0, 0.0, 0.04, 0.04};
+  const Four x797 = x732 - x795;
+  const Four x803 = x725 + x749 * Four{0.0, 0.0, 0.04, 0.04} - (x751 - x700) * Four{0.02, 0.02, 0.0, 0.0};
+  const Four x806 = taken<Four>(cosine + 20) * x803 + taken<Four>(sine + 20) * x790;
+  const Four x810 = taken<Four>(cosine + 20) * x790 - taken<Four>(sine + 20) * x803;
+  const Four x813 = x765 * x765;
+  const Four x814 = x769 * x769;
+  const Four x815 = x770 * x770;
+  const Four x818 = x765 * x769;
+  const Four x819 = x818 - x700;
+  const Four x821 = x813 + x815;
+  const Four x823 = x769 * x770;
+  const Four x826 = x813 + x814;
+  const Four x828 = x765 * x770;
+  const Four x830 = x782 + x828;
+  // links 7 "left_foot", 13 "right_foot", 22 "left_hand", 30 "right_hand": force that the reference field takes
+  const Four x1327 = Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0} * (x826 - x821) - x823 * Four{0.002606663, 0.002606663, 0.00013000000000000002, 0.00013000000000000002};
+  const Four x1350 = x779 * Four{0.00416667, 0.00416667, 0.000296667, 0.000296667} + x1327 - x797 * Four{0.024, 0.024, 0.0, 0.0};
+  const Four x1351 = x1350 - x810 * Four{0.024, 0.024, 0.0, 0.0};
+  put(x1351, w.x.data() + 132);
+  const Four x1352 = x806 * Four{0.024, 0.024, 0.0, 0.0};
+  const Four x1336 = x828 * Four{0.002960003, 0.002960003, -0.001706666, -0.001706666} - x819 * Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0} + x782 * Four{0.00381333, 0.00381333, 0.002133333, 0.002133333};
+  const Four x1356 = x1336 + x797 * Four{0.0, 0.0, 0.024, 0.024} + x1352;
+  put(x1356, w.x.data() + 136);
+  const Four x1345 = x700 * Four{0.001206667, 0.001206667, 0.002003333, 0.002003333} - x818 * Four{0.00035334, 0.00035334, -0.0018366659999999998, -0.0018366659999999998} + x830 * Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0};
+  const Four x1361 = x1345 - x810 * Four{0.0, 0.0, 0.024, 0.024} + x1352;
+  put(x1361, w.x.data() + 140);
+  const Four x1368 = (x814 + x815) * Four{0.0, 0.0, 0.024, 0.024} - x819 * Four{0.024, 0.024, 0.0, 0.0};
+  const Four x1370 = x830 * Four{0.024, 0.024, 0.0, 0.0} + x1368 + x806 * Four{0.8, 0.8, 0.4, 0.4};
+  put(x1370, w.x.data() + 144);
+  const Four x1377 = x821 * Four{0.024, 0.024, 0.0, 0.0} - (x700 + x818) * Four{0.0, 0.0, 0.024, 0.024};
+  const Four x1379 = (x823 - x779) * Four{0.024, 0.024, 0.0, 0.0} + x1377 + x810 * Four{0.8, 0.8, 0.4, 0.4};
+  put(x1379, w.x.data() + 148);
+  const Four x1387 = x797 * Four{0.8, 0.8, 0.4, 0.4} - x826 * Four{0.024, 0.024, 0.0, 0.0};
+  const Four x1388 = x1387 - (x828 - x782) * Four{0.0, 0.0, 0.024, 0.024};
+  const Four x1389 = x1388 - (x779 + x823) * Four{0.024, 0.024, 0.0, 0.0};
+  put(x1389, w.x.data() + 152);
+  // link 14 "waist_link": force that the reference field takes
+  const Real x1411 = x136 * 0.00106 - x161 * 6e-05 - x149 * 0.016;
+  w.x[156] = x1411;
+  const Real x1413 = x166 * 6e-05 - x137 * 0.00106 + x145 * 0.016;
+  w.x[157] = x1413;
+  const Real x1416 = x145 * 0.8 + x168 * 0.016;
+  w.x[158] = x1416;
+  const Real x1419 = x149 * 0.8 + x162 * 0.016;
+  w.x[159] = x1419;
+  const Real x1424 = x141 * 0.8 + x164 * 0.016;
+  w.x[160] = x1424;
+  // link 15 "abdomen": force that the reference field takes
+  const Real x1438 = x191 * 0.001125;
+  w.x[161] = x1438;
+  const Real x1447 = x188 * 0.0014025 + x222 * 0.00027750000000000013 + x193 * 0.018000000000000002;
+  w.x[162] = x1447;
+  const Real x1450 = x136 * 0.0014025 - x217 * 0.00027750000000000013 - x203 * 0.018000000000000002;
+  w.x[163] = x1450;
+  const Real x1453 = x203 * 0.9 + x218 * 0.018000000000000002;
+  w.x[164] = x1453;
+  const Real x1458 = x208 * 0.9 + x220 * 0.018000000000000002;
+  w.x[165] = x1458;
+  const Real x1462 = x193 * 0.9 + x224 * 0.018000000000000002;
+  w.x[166] = x1462;
+  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
+  const Real x276 = x243 * x243;
+  const Real x277 = x242 * x242 + x276;
+  const Real x279 = x238 * x242;
+  const Real x281 = x188 + x279;
+  const Real x282 = x238 * x238 + x276;
+  const Real x284 = x242 * x243;
+  const Real x286 = x252 + x284;
+  const Real x289 = x238 * x243;
+  const Real x290 = x289 - x255;
+  // link 16 "torso": force that the reference field takes
+  const Real x1506 = x188 * 0.38728300000000004 + x279 * 0.34484970000000004;
+  const Real x1489 = x252 * 0.0832833 - x284 * 0.040850000000000004 + x290 * 0.01615;
+  const Real x1509 = x1489 + x257 * 0.095;
+  w.x[167] = x1509;
+  const Real x1499 = x255 * 0.42813300000000004 - x289 * 0.30399970000000004 - x286 * 0.01615;
+  const Real x1512 = x1499 - x257 * 1.6150000000000002;
+  w.x[168] = x1512;
+  const Real x1516 = x1506 - 0.01615 * (x282 - x277) + x271 * 1.6150000000000002;
+  const Real x1517 = x1516 - x267 * 0.095;
+  w.x[169] = x1517;
+  const Real x1522 = (x279 - x188) * 0.095 - x277 * 1.6150000000000002;
+  const Real x1523 = x267 * 9.5 + x1522;
+  w.x[170] = x1523;
+  const Real x1529 = x281 * 1.6150000000000002 - x282 * 0.095 + x271 * 9.5;
+  w.x[171] = x1529;
+  const Real x1534 = x257 * 9.5 + x290 * 1.6150000000000002 + x286 * 0.095;
+  w.x[172] = x1534;
+  // joint 22 "neck_yaw": placement, velocity and reference acceleration of its link
+  const Real x839 = x242 * cosine[27] + x243 * sine[27];
+  const Real x843 = x243 * cosine[27] - x242 * sine[27];
+  const Real x844 = x238 + v[27];
+  const Real x853 = x255 * cosine[27] + x188 * sine[27] + v[27] * x843;
+  const Real x856 = x188 * cosine[27] - x255 * sine[27] - v[27] * x839;
+  const Real x859 = x267 - x277 * 0.38;
+  const Real x861 = x271 + x281 * 0.38;
+  const Real x863 = x257 + x290 * 0.38;
+  const Real x866 = cosine[27] * x861 + sine[27] * x863;
+  const Real x870 = cosine[27] * x863 - sine[27] * x861;
+  const Real x883 = x843 * x844;
+  const Real x884 = x883 - x853;
+  const Real x886 = x839 * x839 + x843 * x843;
+  const Real x888 = x839 * x844;
+  const Real x890 = x856 + x888;
+  // joint 23 "neck_pitch": placement, velocity and reference acceleration of its link
+  const Real x899 = x844 * cosine[28] + x839 * sine[28];
+  const Real x903 = x839 * cosine[28] - x844 * sine[28];
+  const Real x904 = x843 + v[28];
+  const Real x913 = x252 * cosine[28] + x853 * sine[28] + v[28] * x903;
+  const Real x916 = x853 * cosine[28] - x252 * sine[28] - v[28] * x899;
+  const Real x918 = x866 + x890 * 0.06;
+  const Real x920 = x870 + x884 * 0.06;
+  const Real x923 = x859 - x886 * 0.06;
+  const Real x926 = cosine[28] * x923 + sine[28] * x918;
+  const Real x930 = cosine[28] * x918 - sine[28] * x923;
+  const Real x935 = x904 * x904;
+  const Real x936 = x903 * x903 + x935;
+  const Real x938 = x899 * x903;
+  const Real x941 = x899 * x899 + x935;
+  const Real x943 = x903 * x904;
+  const Real x945 = x913 + x943;
+  const Real x948 = x899 * x904;
+  const Real x949 = x948 - x916;
+  // link 24 "head": force that the reference field takes
+  const Real x1605 = x856 * 0.028175999999999996 + x938 * 0.018479999999999996;
+  const Real x1589 = x913 * 0.008736 + x943 * 0.00096 + x949 * 0.00432;
+  const Real x1608 = x1589 + x920 * 0.048;
+  const Real x1598 = x916 * 0.027215999999999997 - x948 * 0.01944 - x945 * 0.00432;
+  const Real x1611 = x1598 - x920 * 0.216;
+  const Real x1615 = x1605 - 0.00432 * (x941 - x936) + x930 * 0.216;
+  const Real x1621 = (x938 - x856) * 0.048 - x936 * 0.216;
+  const Real x1627 = (x856 + x938) * 0.216 - x941 * 0.048;
+  const Real x1633 = x920 * 2.4 + x949 * 0.216 + x945 * 0.048;
+  // joint 0 "__base__": its torque on the base
+  const Real x1640 = x121 * 0.12400000000000001 - tau[0];
+  w.x[173] = x1640;
+  const Real x1641 = x118 * 0.12400000000000001 - tau[1];
+  w.x[174] = x1641;
+  const Real x1642 = x119 * 0.12400000000000001 + tau[2];
+  w.x[175] = x1642;
+  const Real x1644 = x118 * 0.015086599999999999 - tau[3];
+  w.x[176] = x1644;
+  const Real x1645 = x121 * 0.00020659999999999716 + tau[4];
+  w.x[177] = x1645;
+  const Real x1647 = v[3] * v[4] * 0.01488 + tau[5];
+  w.x[178] = x1647;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x3277 = 35.49119818285065 * (tau[28] - (x1615 - x926 * 0.048));
+  w.x[179] = x3277;
+  const Real x3290 = x926 * 2.4 + x1621 - 0.048 * x3277;
+  const Real x3292 = x930 * 2.4 + x1627 + 0.216 * x3277;
+  const Real x3296 = cosine[28] * 0.048 + sine[28] * 0.216;
+  w.x[180] = x3296;
+  const Real x3300 = sine[28] * 0.048 - cosine[28] * 0.216;
+  const Real x3301 = 2.0 * sine[28];
+  const Real x3308 = 0.00432 * x3301 - cosine[28] * 0.018479999999999996;
+  const Real x3312 = cosine[28] * x3308;
+  const Real x3319 = cosine[28] * 1.574105621805792 - 0.3679727427597956 * x3301;
+  const Real x3322 = 0.3679727427597956 + sine[28] * x3319;
+  w.x[181] = x3322;
+  const Real x3323 = cosine[28] * x3319;
+  const Real x3325 = 2.318228279386712 - x3323;
+  const Real x3326 = 0.06 * x3325;
+  const Real x3329 = x3300 + -0.144;
+  const Real x3330 = 0.06 * x3322;
+  w.x[182] = x3330;
+  const Real x3340 = -0.00432 + sine[28] * x3308 - 0.06 * x3296;
+  w.x[183] = x3340;
+  const Real x3355 = sine[28] * x3290 + cosine[28] * x3292;
+  const Real x3337 = 0.008736 - x3312 - (0.06 * x3300 + 0.06 * x3329);
+  const Real x3362 = -0.008 + x3329;
+  w.x[184] = x3362;
+  const Real x3363 = 0.00037000000000000005 + 0.06 * x3326;
+  w.x[185] = x3363;
+  const Real x3364 = 0.008 + x3326;
+  w.x[186] = x3364;
+  const Real x3365 = 0.027215999999999997 + x3312 + 0.00018;
+  require_more(w, x3365, 0.0, kFactorization, 22);
+  const Real x3366 = 0.4 + x3325;
+  w.x[187] = x3366;
+  const Real x3368 = 0.74412265758092 + x3323 + 0.4;
+  w.x[188] = x3368;
+  // link 23 "neck": force that the reference field takes
+  const Real x1556 = x853 * 0.00037000000000000005 - x883 * 0.00019 - x870 * 0.008;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x3358 = sine[28] * x1608 + cosine[28] * x1611 - 0.06 * x1633;
+  const Real x3369 = x1556 + x3358;
+  w.x[189] = x3369;
+  // link 23 "neck": force that the reference field takes
+  const Real x1558 = x856 * 0.00037000000000000005 + x888 * 0.00019 + x866 * 0.008;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x3370 = tau[28] + 0.06 * x3355 + x1558;
+  w.x[190] = x3370;
+  const Real x3372 = x866 * 0.4 + x890 * 0.008 + x3355;
+  w.x[191] = x3372;
+  const Real x3373 = x870 * 0.4 + x884 * 0.008 + x1633;
+  w.x[192] = x3373;
+  // link 23 "neck": force that the reference field takes
+  const Real x1568 = x859 * 0.4 - x886 * 0.008;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x3374 = cosine[28] * x3290 - sine[28] * x3292 + x1568;
+  w.x[193] = x3374;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3376 = 1 / x3365;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x3371 = cosine[28] * x1608 - sine[28] * x1611 + x252 * 0.00018;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3378 = x3376 * (tau[27] - x3371);
+  w.x[194] = x3378;
+  const Real x3379 = x3340 * x3376;
+  w.x[195] = x3379;
+  const Real x3380 = x3296 * x3376;
+  w.x[196] = x3380;
+  const Real x3383 = 0.00037000000000000005 + x3337 - x3340 * x3379;
+  w.x[197] = x3383;
+}
+
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
+  ADAGEN_INPUTS
+  const Four x592 = taken<Four>(w.x.data() + 76);
+  const Four x597 = taken<Four>(w.x.data() + 80);
+  const Four x1109 = taken<Four>(w.x.data() + 40);
+  const Four x1150 = taken<Four>(w.x.data() + 52);
+  const Four x1161 = taken<Four>(w.x.data() + 64);
+  const Four x1165 = taken<Four>(w.x.data() + 68);
+  const Four x1220 = taken<Four>(w.x.data() + 84);
+  const Four x1223 = taken<Four>(w.x.data() + 88);
+  const Four x1229 = taken<Four>(w.x.data() + 92);
+  const Four x1235 = taken<Four>(w.x.data() + 96);
+  const Four x1243 = taken<Four>(w.x.data() + 100);
+  const Four x1249 = taken<Four>(w.x.data() + 104);
+  const Four x1272 = taken<Four>(w.x.data() + 108);
+  const Four x1276 = taken<Four>(w.x.data() + 112);
+  const Four x1279 = taken<Four>(w.x.data() + 116);
+  const Four x1283 = taken<Four>(w.x.data() + 120);
+  const Four x1287 = taken<Four>(w.x.data() + 124);
+  const Four x1291 = taken<Four>(w.x.data() + 128);
+  const Four x1351 = taken<Four>(w.x.data() + 132);
+  const Four x1356 = taken<Four>(w.x.data() + 136);
+  const Four x1361 = taken<Four>(w.x.data() + 140);
+  const Four x1370 = taken<Four>(w.x.data() + 144);
+  const Four x1379 = taken<Four>(w.x.data() + 148);
+  const Four x1389 = taken<Four>(w.x.data() + 152);
+  const Real x3296 = w.x[180];
+  const Real x3322 = w.x[181];
+  const Real x3330 = w.x[182];
+  const Real x3340 = w.x[183];
+  const Real x3362 = w.x[184];
+  const Real x3363 = w.x[185];
+  const Real x3364 = w.x[186];
+  const Real x3366 = w.x[187];
+  const Real x3368 = w.x[188];
+  const Real x3369 = w.x[189];
+  const Real x3370 = w.x[190];
+  const Real x3372 = w.x[191];
+  const Real x3373 = w.x[192];
+  const Real x3378 = w.x[194];
+  const Real x3380 = w.x[196];
+  const Real x3383 = w.x[197];
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3386 = x3362 - x3340 * x3380;
+  const Real x3389 = 2.8 - x3296 * x3380;
+  const Real x3391 = x3369 + x3340 * x3378;
+  const Real x3393 = x3373 + x3296 * x3378;
+  const Real x3398 = sine[27] * (x3364 + x3386);
+  const Real x3400 = sine[27] * x3398;
+  const Real x3402 = x3386 - x3400;
+  const Real x3403 = x3364 - x3400;
+  const Real x3404 = cosine[27] * x3398;
+  const Real x3407 = cosine[27] * (x3383 - x3363);
+  const Real x3412 = cosine[27] * x3407;
+  const Real x3415 = cosine[27] * x3322;
+  const Real x3416 = sine[27] * x3322;
+  const Real x3418 = cosine[27] * (x3366 - x3389);
+  const Real x3419 = sine[27] * x3418;
+  const Real x3421 = cosine[27] * x3418;
+  const Real x3422 = x3389 + x3421;
+  const Real x3423 = x3366 - x3421;
+  const Real x3432 = x3404 + 0.38 * x3419;
+  const Real x3435 = x3403 + 0.38 * x3422;
+  const Real x3438 = x3402 - 0.38 * x3423;
+  const Real x3465 = cosine[27] * x3372 - sine[27] * x3393;
+  w.x[198] = x3465;
+  const Real x3468 = sine[27] * x3372 + cosine[27] * x3393;
+  w.x[199] = x3468;
+  const Real x3471 = cosine[27] * x3391 - sine[27] * x3370 - 0.38 * x3468;
+  w.x[200] = x3471;
+  const Real x3473 = sine[27] * x3391 + cosine[27] * x3370 + 0.38 * x3465;
+  w.x[201] = x3473;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1708 = taken<Four>(cosine + 20) * Four{0.47734793443427226, 0.47734793443427226, -0.28752084650929227, -0.28752084650929227};
+  const Four x1712 = taken<Four>(cosine + 20) * x1708;
+  const Four x1714 = Four{0.8, 0.8, 0.11247915349070774, 0.11247915349070774} - x1712;
+  const Four x1689 = taken<Four>(sine + 20) * Four{0.014320438033028168, 0.014320438033028168, 0.0, 0.0};
+  const Four x1695 = taken<Four>(cosine + 20) * x1689;
+  const Four x1698 = taken<Four>(cosine + 20) * Four{0.000782953140990845, 0.000782953140990845, -0.0018366659999999998, -0.0018366659999999998};
+  const Four x1703 = taken<Four>(cosine + 20) * x1698;
+  const Four x1683 = taken<Four>(cosine + 20) * Four{0.024, 0.024, 0.0, 0.0} + taken<Four>(sine + 20) * Four{0.0, 0.0, 0.024, 0.024};
+  const Four x1726 = Four{-0.016, -0.016, 0.0, 0.0} - x1683;
+  const Four x1764 = Four{0.003383716859009155, 0.003383716859009155, 0.002133333, 0.002133333} + x1703 + Four{0.02, 0.02, 0.0, 0.0} * x1683 - Four{0.02, 0.02, 0.0, 0.0} * x1726;
+  const Four x1795 = Four{7.2e-05, 7.2e-05, 9e-05, 9e-05} + x1764;
+  require_more(w, x1795, 0.0, kFactorization, {5, 11, 20, 28});
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1810 = 1 / x1795;
+  const Four x1817 = x1695 * x1810;
+  put(x1817, w.x.data() + 204);
+  const Four x1861 = 0.2 + x1714 - x1695 * x1817;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1710 = taken<Four>(sine + 20) * x1708;
+  const Four x1691 = taken<Four>(sine + 20) * x1689;
+  const Four x1693 = Four{-0.024, -0.024, 0.0, 0.0} + x1691;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1852 = x1710 + x1693 * x1817;
+  const Four x1857 = x1726 * x1817;
+  const Four x1945 = taken<Four>(sine + 16) * x1852 + taken<Four>(cosine + 16) * x1857;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1715 = Four{0.3226520655657278, 0.3226520655657278, 0.4, 0.4} + x1712;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1815 = x1693 * x1810;
+  put(x1815, w.x.data() + 208);
+  const Four x1847 = 0.2 + x1715 - x1693 * x1815;
+  const Four x1816 = x1726 * x1810;
+  put(x1816, w.x.data() + 212);
+  const Four x1856 = Four{1.0, 1.0, 0.6000000000000001, 0.6000000000000001} - x1726 * x1816;
+  const Four x1848 = x1693 * x1816;
+  const Four x1915 = taken<Four>(sine + 16) * 2.0;
+  const Four x1951 = taken<Four>(cosine + 16) * (x1847 - x1856) + x1848 * x1915;
+  const Four x1955 = taken<Four>(cosine + 16) * x1951;
+  const Four x1957 = x1847 - x1955;
+  const Four x1970 = Four{2.0, 2.0, 0.0, 0.0} * x1945 - Four{0.0, 0.0, 1.0, 1.0} * (x1957 - x1861);
+  const Four x1974 = Four{0.0, 0.0, 1.0, 1.0} * x1970;
+  const Four x1977 = x1861 - x1974;
+  const Four x1973 = x1945 - Four{1.0, 1.0, 0.0, 0.0} * x1970;
+  const Four x1991 = Four{0.3, 0.3, -0.01, -0.01} * x1973;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1688 = taken<Four>(cosine + 20) * Four{0.0, 0.0, 0.024, 0.024} - taken<Four>(sine + 20) * Four{0.024, 0.024, 0.0, 0.0};
+  const Four x1724 = x1688 + Four{0.0, 0.0, 0.016, 0.016};
+  const Four x1748 = taken<Four>(sine + 20) * x1698 - Four{0.0, 0.0, 0.04, 0.04} * x1683 - Four{0.02, 0.02, 0.0, 0.0} * x1724;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1826 = x1695 + x1748 * x1815;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1758 = Four{0.02, 0.02, 0.0, 0.0} * x1695 - Four{0.0, 0.0, 0.04, 0.04} * x1693;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1840 = x1758 * x1816;
+  const Four x1830 = Four{0.0, 0.0, 0.002, 0.002} + x1724 - x1748 * x1816;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1720 = Four{0.0, 0.0, 0.04, 0.04} * x1715 + Four{0.02, 0.02, 0.0, 0.0} * x1710;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1839 = Four{0.0, 0.0, -0.002, -0.002} - x1720 - x1758 * x1815;
+  const Four x1884 = taken<Four>(cosine + 16) * (x1840 - x1826) - taken<Four>(sine + 16) * (x1830 + x1839);
+  const Four x1889 = taken<Four>(cosine + 16) * x1884;
+  const Four x1891 = x1826 + x1889;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1694 = Four{0.009679561966971832, 0.009679561966971832, 0.0, 0.0} + x1691;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1833 = x1694 - x1748 * x1817;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1731 = Four{0.0, 0.0, 0.04, 0.04} * x1710 + Four{0.02, 0.02, 0.0, 0.0} * x1714;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1844 = x1731 - x1758 * x1817;
+  const Four x1878 = taken<Four>(sine + 16) * x1833 + taken<Four>(cosine + 16) * x1844;
+  const Four x1905 = Four{0.0, 0.0, 1.0, 1.0} * x1891 - Four{1.0, 1.0, 0.0, 0.0} * x1878;
+  const Four x1910 = Four{0.0, 0.0, 1.0, 1.0} * x1905;
+  const Four x1954 = taken<Four>(sine + 16) * x1951 - x1848;
+  const Four x1940 = taken<Four>(sine + 16) * x1857 - taken<Four>(cosine + 16) * x1852;
+  const Four x1964 = Four{0.0, 0.0, 1.0, 1.0} * x1954 + Four{1.0, 1.0, 0.0, 0.0} * x1940;
+  const Four x1978 = Four{0.0, 0.0, 0.16, 0.16} * x1964;
+  const Four x2010 = x1910 + x1978 + x1991;
+  const Four x1976 = x1957 + x1974;
+  const Four x1906 = Four{1.0, 1.0, 0.0, 0.0} * x1905;
+  const Four x1908 = x1878 + x1906;
+  const Four x1961 = Four{1.0, 1.0, 0.0, 0.0} * x1954 - Four{0.0, 0.0, 1.0, 1.0} * x1940;
+  const Four x2000 = x1908 + Four{0.0, 0.0, 0.16, 0.16} * x1961 + Four{0.3, 0.3, -0.01, -0.01} * x1976;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1737 = Four{0.00416667, 0.00416667, 0.000296667, 0.000296667} - x1703 + Four{0.0, 0.0, 0.04, 0.04} * x1688 + Four{0.0, 0.0, 0.04, 0.04} * x1724;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1813 = x1748 * x1810;
+  put(x1813, w.x.data() + 216);
+  const Four x1820 = Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} + x1737 - x1748 * x1813;
+  const Four x1814 = x1758 * x1810;
+  put(x1814, w.x.data() + 220);
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1793 = Four{0.0, 0.0, 0.04, 0.04} * x1720 + Four{0.02, 0.02, 0.0, 0.0} * x1731 + Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999};
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1836 = x1793 - x1758 * x1814;
+  const Four x1823 = Four{0.0, 0.0, 0.04, 0.04} * x1695 + Four{0.02, 0.02, 0.0, 0.0} * x1694 - x1748 * x1814;
+  const Four x1919 = taken<Four>(cosine + 16) * (x1820 - x1836) - x1823 * x1915;
+  const Four x1923 = taken<Four>(cosine + 16) * x1919;
+  const Four x1925 = x1820 - x1923;
+  const Four x1928 = Four{0.0, 0.0, 1.0, 1.0} * x1925;
+  const Four x1933 = Four{0.0, 0.0, 1.0, 1.0} * x1928;
+  const Four x1885 = taken<Four>(sine + 16) * x1884;
+  const Four x1888 = x1839 + x1885;
+  const Four x1894 = Four{0.0, 0.0, 1.0, 1.0} * x1888;
+  const Four x1956 = x1856 + x1955;
+  const Four x1988 = x1894 - Four{0.0, 0.0, 0.16, 0.16} * x1956 - Four{0.3, 0.3, -0.01, -0.01} * x1961;
+  const Four x2055 = x1933 - Four{0.0, 0.0, 0.16, 0.16} * x1894 + Four{0.3, 0.3, -0.01, -0.01} * x1908;
+  const Four x2102 = x2055 - Four{0.0, 0.0, 0.16, 0.16} * x1988 + Four{0.3, 0.3, -0.01, -0.01} * x2000 + Four{0.043271300000000006, 0.043271300000000006, 0.005417710000000001, 0.005417710000000001};
+  require_more(w, x2102, 0.0, kFactorization, {4, 10, 19, 27});
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2119 = 1 / x2102;
+  const Four x2126 = x2010 * x2119;
+  put(x2126, w.x.data() + 224);
+  const Four x2172 = Four{1.8, 1.8, 0.7, 0.7} + x1977 - x2010 * x2126;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1887 = x1830 + x1885;
+  const Four x1875 = taken<Four>(cosine + 16) * x1833 - taken<Four>(sine + 16) * x1844;
+  const Four x1901 = Four{0.0, 0.0, 1.0, 1.0} * x1887 + Four{1.0, 1.0, 0.0, 0.0} * x1875;
+  const Four x2003 = x1901 + Four{0.0, 0.0, 0.16, 0.16} * x1977;
+  const Four x1922 = x1823 + taken<Four>(sine + 16) * x1919;
+  const Four x1979 = x1889 - x1840 + x1978;
+  const Four x1990 = Four{1.0, 1.0, 0.0, 0.0} * x1887 - Four{0.0, 0.0, 1.0, 1.0} * x1875 + Four{0.0, 0.0, 0.16, 0.16} * x1973;
+  const Four x2029 = Four{0.0, 0.0, 1.0, 1.0} * x1922 - Four{0.0, 0.0, 0.16, 0.16} * x1910 - Four{0.0, 0.0, 0.16, 0.16} * x1979;
+  const Four x2030 = x2029 - Four{0.3, 0.3, -0.01, -0.01} * x1990;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2142 = Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049} + x2003 + x2030 * x2126;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x2006 = Four{0.3, 0.3, -0.01, -0.01} * x1977 - x1906;
+  const Four x1982 = Four{1.0, 1.0, 0.0, 0.0} * x1888 + Four{0.3, 0.3, -0.01, -0.01} * x1964;
+  const Four x1993 = x1910 - x1891 + x1991;
+  const Four x2044 = Four{1.0, 1.0, 0.0, 0.0} * x1928 - Four{0.3, 0.3, -0.01, -0.01} * x1910 - Four{0.0, 0.0, 0.16, 0.16} * x1982;
+  const Four x2045 = x2044 - Four{0.3, 0.3, -0.01, -0.01} * x1993;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2154 = Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x2006 + x2045 * x2126;
+  const Four x2187 = x592 * x2142 - x597 * x2154;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x2036 = x1925 - x1933 - Four{0.3, 0.3, -0.01, -0.01} * x1906 + Four{0.3, 0.3, -0.01, -0.01} * x2006;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2123 = x2045 * x2119;
+  put(x2123, w.x.data() + 228);
+  const Four x2145 = Four{0.043091300000000006, 0.043091300000000006, 0.00070875, 0.00070875} + x2036 - x2045 * x2123;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x2015 = x1836 + x1923 + Four{0.0, 0.0, 0.16, 0.16} * x1901 + Four{0.0, 0.0, 0.16, 0.16} * x2003;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2122 = x2030 * x2119;
+  put(x2122, w.x.data() + 232);
+  const Four x2130 = Four{0.0020025, 0.0020025, 0.00513771, 0.00513771} + x2015 - x2030 * x2122;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x2021 = Four{1.0, 1.0, 0.0, 0.0} * x1922 - Four{0.0, 0.0, 0.16, 0.16} * x1906 + Four{0.3, 0.3, -0.01, -0.01} * x2003;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2133 = Four{0.00234, 0.00234, -0.00098, -0.00098} + x2021 - x2030 * x2123;
+  const Four x2206 = 2.0 * x597;
+  const Four x2210 = x592 * (x2130 - x2145) - x2133 * x2206;
+  const Four x2214 = x592 * x2210;
+  const Four x2287 = x2145 + x2214 + Four{0.00468, 0.00468, 0.00064, 0.00064};
+  require_more(w, x2287, 0.0, kFactorization, {3, 9, 18, 26});
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2302 = 1 / x2287;
+  const Four x2309 = x2187 * x2302;
+  put(x2309, w.x.data() + 236);
+  const Four x2349 = Four{2.6, 2.6, 0.8, 0.8} + x2172 - x2187 * x2309;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x2103 = Four{-0.018000000000000002, -0.018000000000000002, -0.049, -0.049} + x1988;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2124 = x2103 * x2119;
+  put(x2124, w.x.data() + 240);
+  const Four x2157 = Four{1.8, 1.8, 0.7, 0.7} + x1956 - x2103 * x2124;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x2104 = Four{-0.234, -0.234, 0.013999999999999999, 0.013999999999999999} - x2000;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2125 = x2104 * x2119;
+  put(x2125, w.x.data() + 244);
+  const Four x2166 = Four{1.8, 1.8, 0.7, 0.7} + x1976 - x2104 * x2125;
+  const Four x2160 = x1961 - x2103 * x2125;
+  const Four x2228 = x592 * (x2157 - x2166) - x2160 * x2206;
+  const Four x2232 = x592 * x2228;
+  const Four x2234 = x2157 - x2232;
+  const Four x2139 = x1990 - x2030 * x2125;
+  const Four x2136 = x1979 - x2030 * x2124;
+  const Four x2151 = x1993 - x2045 * x2125;
+  const Four x2148 = x1982 - x2045 * x2124;
+  const Four x2196 = x592 * (x2136 - x2151) - x597 * (x2139 + x2148);
+  const Four x2197 = x597 * x2196;
+  const Four x2199 = x2139 + x2197;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2308 = x2199 * x2302;
+  put(x2308, w.x.data() + 248);
+  const Four x2340 = Four{2.6, 2.6, 0.8, 0.8} + x2234 - x2199 * x2308;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2163 = x1964 + x2103 * x2126;
+  const Four x2169 = x1973 + x2104 * x2126;
+  const Four x2223 = x597 * x2163 + x592 * x2169;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2343 = x2223 - x2199 * x2309;
+  const Four x2389 = taken<Four>(sine + 8) * 2.0;
+  const Four x2411 = taken<Four>(cosine + 8) * (x2340 - x2349) - x2343 * x2389;
+  const Four x2415 = taken<Four>(cosine + 8) * x2411;
+  const Four x2416 = x2349 + x2415;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2261 = Four{0.24, 0.24, 0.11, 0.11} * x2199;
+  put(x2261, w.x.data() + 252);
+  const Four x2235 = Four{0.24, 0.24, 0.11, 0.11} * x2223;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2334 = x2261 * x2309 - x2235;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2201 = x592 * x2196;
+  const Four x2237 = x2136 - x2201 + x2235;
+  const Four x2258 = x2133 + x597 * x2210 + Four{0.24, 0.24, 0.11, 0.11} * x2187;
+  put(x2258, w.x.data() + 256);
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2319 = x2237 - x2258 * x2308;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2190 = x597 * x2142 + x592 * x2154;
+  const Four x2242 = x2190 + Four{0.24, 0.24, 0.11, 0.11} * x2172;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2322 = Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001} + x2242 - x2258 * x2309;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2238 = Four{0.24, 0.24, 0.11, 0.11} * x2234;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2331 = Four{-0.26, -0.26, -0.04000000000000001, -0.04000000000000001} - x2238 + x2261 * x2308;
+  const Four x2379 = taken<Four>(cosine + 8) * (x2319 - x2334) - taken<Four>(sine + 8) * (x2322 + x2331);
+  const Four x2384 = taken<Four>(cosine + 8) * x2379;
+  const Four x2385 = x2334 + x2384;
+  const Four x2414 = x2343 + taken<Four>(sine + 8) * x2411;
+  const Four x2418 = Four{0.12, 0.12, 0.1, 0.1} * x2414;
+  const Four x2433 = x2385 + x2418;
+  put(x2433, w.x.data() + 260);
+  const Four x2380 = taken<Four>(sine + 8) * x2379;
+  const Four x2382 = x2322 + x2380;
+  const Four x2417 = x2340 - x2415;
+  const Four x2423 = x2382 + Four{0.12, 0.12, 0.1, 0.1} * x2417;
+  const Four x2306 = x2261 * x2302;
+  put(x2306, w.x.data() + 264);
+  const Four x2328 = Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} + Four{0.24, 0.24, 0.11, 0.11} * x2238 - x2261 * x2306;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2253 = x2130 - x2214 + (Four{0.24, 0.24, 0.11, 0.11} * x2190 + Four{0.24, 0.24, 0.11, 0.11} * x2242);
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2305 = x2258 * x2302;
+  put(x2305, w.x.data() + 268);
+  const Four x2313 = Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} + x2253 - x2258 * x2305;
+  const Four x2316 = x2258 * x2306 - Four{0.24, 0.24, 0.11, 0.11} * x2237;
+  const Four x2393 = taken<Four>(cosine + 8) * (x2313 - x2328) - x2316 * x2389;
+  const Four x2397 = taken<Four>(cosine + 8) * x2393;
+  const Four x2451 = x2328 + x2397 + Four{0.12, 0.12, 0.1, 0.1} * x2382 + Four{0.12, 0.12, 0.1, 0.1} * x2423;
+  const Four x2475 = Four{0.00342, 0.00342, 0.0014, 0.0014} + x2451;
+  require_more(w, x2475, 0.0, kFactorization, {2, 8, 17, 25});
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2492 = 1 / x2475;
+  put(x2492, w.x.data() + 272);
+  const Four x2499 = x2433 * x2492;
+  put(x2499, w.x.data() + 276);
+  const Four x2543 = Four{1.2, 1.2, 0.7, 0.7} + x2416 - x2433 * x2499;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2476 = Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998} + x2423;
+  put(x2476, w.x.data() + 280);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2497 = x2476 * x2492;
+  put(x2497, w.x.data() + 284);
+  const Four x2528 = Four{1.2, 1.2, 0.7, 0.7} + x2417 - x2476 * x2497;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2202 = x2151 + x2201;
+  put(x2202, w.x.data() + 288);
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2310 = x2202 * x2302;
+  put(x2310, w.x.data() + 292);
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2220 = x592 * x2163 - x597 * x2169;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2325 = x2148 + x2197 + Four{0.24, 0.24, 0.11, 0.11} * x2220 - x2258 * x2310;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2231 = x2160 + x597 * x2228;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2337 = x2261 * x2310 - Four{0.24, 0.24, 0.11, 0.11} * x2231;
+  const Four x2346 = x2231 - x2199 * x2310;
+  const Four x2352 = x2220 - x2187 * x2310;
+  const Four x2406 = taken<Four>(sine + 8) * x2346 + taken<Four>(cosine + 8) * x2352;
+  const Four x2429 = taken<Four>(cosine + 8) * x2325 - taken<Four>(sine + 8) * x2337 + Four{0.12, 0.12, 0.1, 0.1} * x2406;
+  const Four x2477 = Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x2429;
+  put(x2477, w.x.data() + 296);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2498 = x2477 * x2492;
+  put(x2498, w.x.data() + 300);
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2479 = x2166 + x2232 + Four{2.6, 2.6, 0.8, 0.8} - x2202 * x2310 + Four{1.2, 1.2, 0.7, 0.7};
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2537 = x2479 - x2477 * x2498;
+  const Four x2531 = x2406 - x2476 * x2498;
+  const Four x2596 = taken<Four>(sine + 4) * 2.0;
+  const Four x2627 = taken<Four>(cosine + 4) * (x2528 - x2537) - x2531 * x2596;
+  const Four x2631 = taken<Four>(cosine + 4) * x2627;
+  const Four x2633 = x2528 - x2631;
+  const Four x2534 = x2414 - x2476 * x2499;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2403 = taken<Four>(cosine + 8) * x2346 - taken<Four>(sine + 8) * x2352;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2540 = x2403 - x2477 * x2499;
+  const Four x2622 = taken<Four>(sine + 4) * x2534 + taken<Four>(cosine + 4) * x2540;
+  const Four x2645 = Four{0.0, 0.0, 1.0, 1.0} * (x2633 - x2543) + Four{2.0, 2.0, 0.0, 0.0} * x2622;
+  const Four x2650 = Four{0.0, 0.0, 1.0, 1.0} * x2645;
+  const Four x2653 = x2543 + x2650;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2426 = taken<Four>(sine + 8) * x2325 + taken<Four>(cosine + 8) * x2337 - Four{0.12, 0.12, 0.1, 0.1} * x2403;
+  const Four x2420 = x2319 - x2384 - x2418;
+  const Four x2444 = x2316 + taken<Four>(sine + 8) * x2393 - Four{0.12, 0.12, 0.1, 0.1} * x2385;
+  const Four x2445 = Four{0.12, 0.12, 0.1, 0.1} * x2420 + x2444;
+  put(x2445, w.x.data() + 304);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2511 = Four{-0.024, -0.024, 0.0, 0.0} + x2426 - x2445 * x2498;
+  const Four x2508 = x2420 - x2445 * x2497;
+  const Four x2521 = Four{0.00096, 0.00096, 0.0, 0.0} * x2498;
+  const Four x2520 = Four{0.024, 0.024, 0.0, 0.0} - Four{0.00096, 0.00096, 0.0, 0.0} * x2497;
+  const Four x2566 = taken<Four>(cosine + 4) * (x2508 + x2521) - taken<Four>(sine + 4) * (x2511 + x2520);
+  const Four x2567 = taken<Four>(sine + 4) * x2566;
+  const Four x2569 = x2511 + x2567;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2383 = x2331 + x2380;
+  const Four x2432 = x2383 - Four{0.12, 0.12, 0.1, 0.1} * x2416;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2514 = Four{-0.048, -0.048, -0.020999999999999998, -0.020999999999999998} + x2432 - x2445 * x2499;
+  const Four x2525 = Four{0.0, 0.0, -0.006999999999999999, 0.006999999999999999} - Four{0.00096, 0.00096, 0.0, 0.0} * x2499;
+  const Four x2557 = taken<Four>(cosine + 4) * x2514 - taken<Four>(sine + 4) * x2525;
+  const Four x2582 = Four{0.0, 0.0, 1.0, 1.0} * x2569 + Four{1.0, 1.0, 0.0, 0.0} * x2557;
+  put(x2582, w.x.data() + 308);
+  const Four x2496 = Four{0.00096, 0.00096, 0.0, 0.0} * x2492;
+  put(x2496, w.x.data() + 312);
+  const Four x2517 = Four{0.00187, 0.00187, 0.00077, 0.00077} - Four{0.00096, 0.00096, 0.0, 0.0} * x2496;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2439 = x2313 - x2397 - Four{0.12, 0.12, 0.1, 0.1} * x2383 - Four{0.12, 0.12, 0.1, 0.1} * x2432;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2495 = x2445 * x2492;
+  put(x2495, w.x.data() + 316);
+  const Four x2502 = Four{0.00379, 0.00379, 0.0013299999999999998, 0.0013299999999999998} + x2439 - x2445 * x2495;
+  const Four x2505 = Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998} - x2445 * x2496;
+  const Four x2600 = taken<Four>(cosine + 4) * (x2502 - x2517) - x2505 * x2596;
+  const Four x2604 = taken<Four>(cosine + 4) * x2600;
+  const Four x2725 = x2517 + x2604 + Four{0.00175, 0.00175, 0.00064, 0.00064};
+  require_more(w, x2725, 0.0, kFactorization, {1, 7, 16, 24});
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2740 = 1 / x2725;
+  put(x2740, w.x.data() + 320);
+  const Four x2746 = x2582 * x2740;
+  put(x2746, w.x.data() + 324);
+  const Four x2786 = Four{1.4, 1.4, 0.8, 0.8} + x2653 - x2582 * x2746;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2652 = x2633 - x2650;
+  const Four x2579 = Four{1.0, 1.0, 0.0, 0.0} * x2569 - Four{0.0, 0.0, 1.0, 1.0} * x2557;
+  put(x2579, w.x.data() + 328);
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2745 = x2579 * x2740;
+  put(x2745, w.x.data() + 332);
+  const Four x2777 = Four{1.4, 1.4, 0.8, 0.8} + x2652 - x2579 * x2745;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2649 = Four{1.0, 1.0, 0.0, 0.0} * x2645 - x2622;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2780 = x2649 - x2579 * x2746;
+  const Four x2847 = taken<Four>(sine + 0) * 2.0;
+  const Four x2880 = taken<Four>(cosine + 0) * (x2777 - x2786) - x2780 * x2847;
+  const Four x2884 = taken<Four>(cosine + 0) * x2880;
+  const Four x2885 = x2786 + x2884;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2571 = taken<Four>(cosine + 4) * x2566;
+  const Four x2572 = x2571 - x2521;
+  put(x2572, w.x.data() + 336);
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2747 = x2572 * x2740;
+  put(x2747, w.x.data() + 340);
+  const Four x2792 = x2537 + x2631 + Four{1.4, 1.4, 0.8, 0.8} - x2572 * x2747;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2630 = x2531 + taken<Four>(sine + 4) * x2627;
+  const Four x2619 = taken<Four>(cosine + 4) * x2534 - taken<Four>(sine + 4) * x2540;
+  const Four x2637 = Four{1.0, 1.0, 0.0, 0.0} * x2630 - Four{0.0, 0.0, 1.0, 1.0} * x2619;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2783 = x2637 - x2579 * x2747;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2640 = Four{0.0, 0.0, 1.0, 1.0} * x2630 + Four{1.0, 1.0, 0.0, 0.0} * x2619;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2789 = x2640 - x2582 * x2747;
+  const Four x2872 = taken<Four>(cosine + 0) * x2783 - taken<Four>(sine + 0) * x2789;
+  const Four x2898 = Four{0.0, 0.0, 1.0, 1.0} * (x2792 - x2885) + Four{2.0, 2.0, 0.0, 0.0} * x2872;
+  const Four x2903 = Four{0.0, 0.0, 1.0, 1.0} * x2898;
+  const Four x2906 = x2885 + x2903;
+  put(x2906, w.x.data() + 344);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2570 = x2520 + x2567;
+  const Four x2603 = x2505 + taken<Four>(sine + 4) * x2600;
+  const Four x2681 = Four{1.0, 1.0, 0.0, 0.0} * x2603 - Four{0.04, -0.04, 0.05, -0.05} * x2582;
+  put(x2681, w.x.data() + 348);
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2762 = Four{1.0, 1.0, 0.0, 0.0} * x2570 - Four{0.04, -0.04, 0.05, -0.05} * x2640 - x2681 * x2747;
+  put(x2762, w.x.data() + 352);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2687 = Four{0.0, 0.0, 1.0, 1.0} * x2603 + Four{0.04, -0.04, 0.05, -0.05} * x2579;
+  put(x2687, w.x.data() + 356);
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2774 = Four{0.0, 0.0, 1.0, 1.0} * x2570 + Four{0.04, -0.04, 0.05, -0.05} * x2637 - x2687 * x2747;
+  put(x2774, w.x.data() + 360);
+  const Four x2806 = taken<Four>(cosine + 0) * x2762 - taken<Four>(sine + 0) * x2774;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2573 = x2508 - x2571;
+  const Four x2560 = taken<Four>(sine + 4) * x2514 + taken<Four>(cosine + 4) * x2525;
+  const Four x2586 = Four{0.0, 0.0, 1.0, 1.0} * x2573 + Four{1.0, 1.0, 0.0, 0.0} * x2560;
+  const Four x2591 = Four{0.0, 0.0, 1.0, 1.0} * x2586;
+  const Four x2654 = Four{0.04, -0.04, 0.05, -0.05} * x2649;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2771 = x2591 + x2654 - x2687 * x2746;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2656 = x2573 - x2591 - x2654;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2756 = x2656 - x2681 * x2745;
+  put(x2756, w.x.data() + 364);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2588 = Four{1.0, 1.0, 0.0, 0.0} * x2586;
+  const Four x2661 = x2588 - Four{0.04, -0.04, 0.05, -0.05} * x2653;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2759 = Four{-0.041999999999999996, 0.041999999999999996, -0.024, 0.024} + x2661 - x2681 * x2746;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2590 = x2588 - x2560;
+  const Four x2658 = x2590 + Four{0.04, -0.04, 0.05, -0.05} * x2652;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2768 = Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024} + x2658 - x2687 * x2745;
+  put(x2768, w.x.data() + 368);
+  const Four x2815 = taken<Four>(cosine + 0) * (x2756 - x2771) - taken<Four>(sine + 0) * (x2759 + x2768);
+  const Four x2820 = taken<Four>(cosine + 0) * x2815;
+  put(x2820, w.x.data() + 372);
+  const Four x2821 = x2771 + x2820;
+  const Four x2837 = Four{0.0, 0.0, 1.0, 1.0} * x2821 - Four{1.0, 1.0, 0.0, 0.0} * x2806;
+  const Four x2838 = Four{1.0, 1.0, 0.0, 0.0} * x2837;
+  put(x2838, w.x.data() + 376);
+  const Four x2840 = x2806 + x2838;
+  put(x2840, w.x.data() + 380);
+  const Four x2875 = taken<Four>(sine + 0) * x2783 + taken<Four>(cosine + 0) * x2789;
+  const Four x2883 = x2780 + taken<Four>(sine + 0) * x2880;
+  const Four x2893 = Four{0.0, 0.0, 1.0, 1.0} * x2875 + Four{1.0, 1.0, 0.0, 0.0} * x2883;
+  put(x2893, w.x.data() + 384);
+  const Four x2951 = x2840 + Four{0.05, 0.05, -0.15, 0.15} * x2893 + Four{0.0, 0.0, 0.29, 0.29} * x2906;
+  put(x2951, w.x.data() + 388);
+  const Four x2816 = taken<Four>(sine + 0) * x2815;
+  put(x2816, w.x.data() + 392);
+  const Four x2818 = x2759 + x2816;
+  const Four x2823 = Four{0.0, 0.0, 1.0, 1.0} * x2818;
+  const Four x2886 = x2777 - x2884;
+  put(x2886, w.x.data() + 396);
+  const Four x2918 = x2823 + Four{0.05, 0.05, -0.15, 0.15} * x2886 + Four{0.0, 0.0, 0.29, 0.29} * x2893;
+  put(x2918, w.x.data() + 400);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2606 = x2502 - x2604;
+  const Four x2609 = Four{0.0, 0.0, 1.0, 1.0} * x2606;
+  const Four x2613 = Four{0.0, 0.0, 1.0, 1.0} * x2609;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2744 = x2687 * x2740;
+  put(x2744, w.x.data() + 404);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2723 = x2613 + Four{0.04, -0.04, 0.05, -0.05} * x2590 + Four{0.04, -0.04, 0.05, -0.05} * x2658 + Four{0.00308, 0.00308, 0.001366667, 0.001366667};
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2765 = x2723 - x2687 * x2744;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2673 = x2606 - x2613 - Four{0.04, -0.04, 0.05, -0.05} * x2588 - Four{0.04, -0.04, 0.05, -0.05} * x2661;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2743 = x2681 * x2740;
+  put(x2743, w.x.data() + 408);
+  const Four x2750 = Four{0.00308, 0.00308, 0.001366667, 0.001366667} + x2673 - x2681 * x2743;
+  put(x2750, w.x.data() + 412);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2678 = Four{1.0, 1.0, 0.0, 0.0} * x2609 - Four{0.04, -0.04, 0.05, -0.05} * x2591 + Four{0.04, -0.04, 0.05, -0.05} * x2656;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2753 = x2678 - x2681 * x2744;
+  put(x2753, w.x.data() + 416);
+  const Four x2851 = taken<Four>(cosine + 0) * (x2750 - x2765) - x2753 * x2847;
+  put(x2851, w.x.data() + 420);
+  const Four x2855 = taken<Four>(cosine + 0) * x2851;
+  put(x2855, w.x.data() + 424);
+  const Four x2856 = x2765 + x2855;
+  const Four x2862 = Four{0.0, 0.0, 1.0, 1.0} * x2856;
+  const Four x2866 = Four{0.0, 0.0, 1.0, 1.0} * x2862;
+  const Four x2997 = x2866 + Four{0.05, 0.05, -0.15, 0.15} * x2823 + Four{0.05, 0.05, -0.15, 0.15} * x2918;
+  const Four x2999 = Four{0.0, 0.0, 0.29, 0.29} * x2840 + x2997 + Four{0.0, 0.0, 0.29, 0.29} * x2951;
+  put(x2999, w.x.data() + 428);
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3444 = x3363 + x3412 - 0.38 * x3402 - 0.38 * x3438;
+  const Real x3474 = x2999[2] + x2999[3] + 0.42813300000000004 + x3444;
+  w.x[432] = x3474;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2842 = Four{0.0, 0.0, 1.0, 1.0} * x2837;
+  put(x2842, w.x.data() + 436);
+  const Four x2890 = Four{1.0, 1.0, 0.0, 0.0} * x2875 - Four{0.0, 0.0, 1.0, 1.0} * x2883;
+  put(x2890, w.x.data() + 440);
+  const Four x2908 = Four{0.05, 0.05, -0.15, 0.15} * x2890;
+  put(x2908, w.x.data() + 444);
+  const Four x2902 = Four{1.0, 1.0, 0.0, 0.0} * x2898 - x2872;
+  put(x2902, w.x.data() + 448);
+  const Four x2930 = Four{0.0, 0.0, 0.29, 0.29} * x2902;
+  const Four x2933 = x2842 - x2908 - x2930;
+  put(x2933, w.x.data() + 452);
+  const Four x2825 = Four{1.0, 1.0, 0.0, 0.0} * x2818;
+  const Four x2844 = x2821 - x2842;
+  put(x2844, w.x.data() + 456);
+  const Four x3009 = Four{0.09, -0.09, 0.0, 0.0} * x2918 - (Four{1.0, 1.0, 0.0, 0.0} * x2862 + Four{0.05, 0.05, -0.15, 0.15} * x2825);
+  const Four x3011 = x3009 - Four{0.0, 0.0, 0.29, 0.29} * x2844 + Four{0.0, 0.0, 0.29, 0.29} * x2933;
+  put(x3011, w.x.data() + 460);
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3450 = sine[27] * x3407 - 0.38 * x3404 - 0.38 * x3432;
+  const Real x3475 = x3011[2] + x3011[3] + x3450;
+  w.x[464] = x3475;
+  const Real x3476 = x2918[2] + x2918[3] + (sine[27] * x3330 + 0.38 * x3416);
+  w.x[465] = x3476;
+  const Real x3478 = x2933[2] + x2933[3] - x3432;
+  w.x[466] = x3478;
+  const Real x3479 = -1.6150000000000002 - (x2951[2] + x2951[3]) + x3438;
+  w.x[467] = x3479;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2905 = x2792 - x2903;
+  put(x2905, w.x.data() + 468);
+  const Four x2939 = Four{0.0, 0.0, 0.29, 0.29} * x2905 - (x2838 + Four{0.09, -0.09, 0.0, 0.0} * x2890);
+  put(x2939, w.x.data() + 472);
+  const Four x2924 = x2825 - Four{0.09, -0.09, 0.0, 0.0} * x2886 + Four{0.0, 0.0, 0.29, 0.29} * x2890;
+  put(x2924, w.x.data() + 476);
+  const Four x3021 = Four{0.0, 0.0, 0.29, 0.29} * x2838 + Four{0.09, -0.09, 0.0, 0.0} * x2825 + Four{0.09, -0.09, 0.0, 0.0} * x2924;
+  const Four x3024 = x2856 - x2866 - x3021 + Four{0.0, 0.0, 0.29, 0.29} * x2939;
+  put(x3024, w.x.data() + 480);
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3454 = x3383 - x3412 + 0.38 * x3403 + 0.38 * x3435;
+  const Real x3480 = x3024[2] + x3024[3] + 0.38728300000000004 + x3454;
+  w.x[484] = x3480;
+  require_more(w, x3480, 0.0, kFactorization, 15);
+  const Real x3429 = cosine[27] * x3330 + 0.38 * x3415;
+  const Real x3481 = x2924[2] + x2924[3] + -0.095 + x3429;
+  w.x[485] = x3481;
+  const Real x3482 = x2939[2] + x2939[3] + 1.6150000000000002 + x3435;
+  w.x[486] = x3482;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2907 = Four{0.09, -0.09, 0.0, 0.0} * x2893;
+  put(x2907, w.x.data() + 488);
+  const Four x2955 = x2844 - x2907 + x2930;
+  put(x2955, w.x.data() + 492);
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3483 = x2955[2] + x2955[3] + x3432;
+  w.x[496] = x3483;
+  const Real x3484 = x2886[2] + x2886[3] + 9.5 + x3368;
+  w.x[497] = x3484;
+  const Real x3485 = x2890[2] + x2890[3] + x3415;
+  w.x[498] = x3485;
+  const Real x3486 = x2893[2] + x2893[3] + x3416;
+  w.x[499] = x3486;
+  const Real x3487 = x2905[2] + x2905[3] + 9.5 + x3422;
+  w.x[500] = x3487;
+  const Real x3488 = x2902[2] + x2902[3] + x3419;
+  w.x[501] = x3488;
+  const Real x3489 = x2906[2] + x2906[3] + 9.5 + x3423;
+  w.x[502] = x3489;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1653 = Four{tau[11], tau[17], tau[26], tau[34]};
+  const Four x1656 = Four{828.7290528372782, 828.7290528372782, 499.16813630085466, 499.16813630085466} * (x1653 - x1361);
+  put(x1656, w.x.data() + 504);
+  const Four x1675 = x1370 + Four{0.024, 0.024, 0.0, 0.0} * x1656;
+  const Four x1678 = x1379 - Four{0.0, 0.0, 0.024, 0.024} * x1656;
+  const Four x1778 = taken<Four>(sine + 20) * x1675 + taken<Four>(cosine + 20) * x1678;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1809 = Four{tau[10], tau[16], tau[25], tau[33]};
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1673 = x1356 + Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0} * x1656;
+  const Four x1790 = taken<Four>(cosine + 20) * x1351 - taken<Four>(sine + 20) * x1673 - Four{0.02, 0.02, 0.0, 0.0} * x1389;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1812 = x1810 * (x1809 - (x1272 + x1790));
+  put(x1812, w.x.data() + 508);
+  const Four x1867 = x1283 + x1778 + x1693 * x1812;
+  const Four x1869 = x1287 + x1389 + x1726 * x1812;
+  const Four x2075 = taken<Four>(cosine + 16) * x1867 - taken<Four>(sine + 16) * x1869;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2118 = Four{tau[9], tau[15], tau[24], tau[32]};
+  put(x2118, w.x.data() + 512);
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1781 = taken<Four>(sine + 20) * x1351 + taken<Four>(cosine + 20) * x1673 + Four{0.0, 0.0, 0.04, 0.04} * x1389;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1863 = x1276 + x1781 + x1748 * x1812;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1775 = taken<Four>(cosine + 20) * x1675 - taken<Four>(sine + 20) * x1678;
+  const Four x1800 = x1653 - Four{0.0, 0.0, 0.04, 0.04} * x1778 + Four{0.02, 0.02, 0.0, 0.0} * x1775 + x1279;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1865 = x1800 + x1758 * x1812;
+  const Four x2064 = taken<Four>(sine + 16) * x1863 + taken<Four>(cosine + 16) * x1865;
+  const Four x2078 = taken<Four>(sine + 16) * x1867 + taken<Four>(cosine + 16) * x1869;
+  const Four x1871 = x1291 + x1775 + x1695 * x1812;
+  const Four x2082 = Four{1.0, 1.0, 0.0, 0.0} * x2078 - Four{0.0, 0.0, 1.0, 1.0} * x1871;
+  const Four x2095 = Four{0.0, 0.0, 1.0, 1.0} * x2064 + Four{1.0, 1.0, 0.0, 0.0} * x1809 - Four{0.0, 0.0, 0.16, 0.16} * x2075;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2121 = x2119 * (x2118 - (x2095 - Four{0.3, 0.3, -0.01, -0.01} * x2082 + x1229));
+  put(x2121, w.x.data() + 516);
+  const Four x2178 = x1235 + x2075 + x2103 * x2121;
+  put(x2178, w.x.data() + 520);
+  const Four x2180 = x1243 + x2082 + x2104 * x2121;
+  put(x2180, w.x.data() + 524);
+  const Four x2276 = x597 * x2178 + x592 * x2180;
+  put(x2276, w.x.data() + 528);
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2301 = Four{tau[8], tau[14], tau[23], tau[31]};
+  put(x2301, w.x.data() + 532);
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x2085 = Four{0.0, 0.0, 1.0, 1.0} * x2078 + Four{1.0, 1.0, 0.0, 0.0} * x1871;
+  const Four x2087 = taken<Four>(cosine + 16) * x1863 - taken<Four>(sine + 16) * x1865 + Four{0.0, 0.0, 0.16, 0.16} * x2085;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2174 = x1220 + x2087 + x2030 * x2121;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x2090 = Four{1.0, 1.0, 0.0, 0.0} * x2064 - Four{0.0, 0.0, 1.0, 1.0} * x1809 + Four{0.3, 0.3, -0.01, -0.01} * x2085;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2176 = x1223 + x2090 + x2045 * x2121;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2303 = x2301 - (x592 * x2174 - x597 * x2176 + x1150);
+  const Four x2304 = x2302 * x2303;
+  put(x2304, w.x.data() + 536);
+  const Four x2362 = x1161 + x2276 + x2199 * x2304;
+  put(x2362, w.x.data() + 540);
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2183 = x1249 + x2085 - x2010 * x2121;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2364 = x1165 + x2183 + x2187 * x2304;
+  put(x2364, w.x.data() + 544);
+  const Four x2465 = taken<Four>(sine + 8) * x2362 + taken<Four>(cosine + 8) * x2364;
+  put(x2465, w.x.data() + 548);
+  const Four x2484 = x1109 + x2465;
+  put(x2484, w.x.data() + 552);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2491 = Four{tau[7], tau[13], tau[22], tau[30]};
+  put(x2491, w.x.data() + 556);
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2279 = x597 * x2174 + x592 * x2176 + Four{0.24, 0.24, 0.11, 0.11} * x2183;
+  put(x2279, w.x.data() + 560);
+}
+
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
+  ADAGEN_INPUTS
+  const Four x592 = taken<Four>(w.x.data() + 76);
+  const Four x597 = taken<Four>(w.x.data() + 80);
+  const Four x1005 = taken<Four>(w.x.data() + 4);
+  const Four x1009 = taken<Four>(w.x.data() + 8);
+  const Four x1011 = taken<Four>(w.x.data() + 12);
+  const Four x1014 = taken<Four>(w.x.data() + 16);
+  const Four x1017 = taken<Four>(w.x.data() + 20);
+  const Four x1021 = taken<Four>(w.x.data() + 24);
+  const Four x1089 = taken<Four>(w.x.data() + 28);
+  const Four x1094 = taken<Four>(w.x.data() + 32);
+  const Four x1099 = taken<Four>(w.x.data() + 36);
+  const Four x1117 = taken<Four>(w.x.data() + 44);
+  const Four x1126 = taken<Four>(w.x.data() + 48);
+  const Four x1154 = taken<Four>(w.x.data() + 56);
+  const Four x1157 = taken<Four>(w.x.data() + 60);
+  const Four x1169 = taken<Four>(w.x.data() + 72);
+  const Real x1411 = w.x[156];
+  const Real x1413 = w.x[157];
+  const Real x1416 = w.x[158];
+  const Real x1419 = w.x[159];
+  const Real x1424 = w.x[160];
+  const Real x1438 = w.x[161];
+  const Real x1447 = w.x[162];
+  const Real x1450 = w.x[163];
+  const Real x1453 = w.x[164];
+  const Real x1458 = w.x[165];
+  const Real x1462 = w.x[166];
+  const Real x1509 = w.x[167];
+  const Real x1512 = w.x[168];
+  const Real x1517 = w.x[169];
+  const Real x1523 = w.x[170];
+  const Real x1529 = w.x[171];
+  const Real x1534 = w.x[172];
+  const Real x1640 = w.x[173];
+  const Real x1641 = w.x[174];
+  const Real x1642 = w.x[175];
+  const Real x1644 = w.x[176];
+  const Real x1645 = w.x[177];
+  const Real x1647 = w.x[178];
+  const Four x2118 = taken<Four>(w.x.data() + 512);
+  const Four x2178 = taken<Four>(w.x.data() + 520);
+  const Four x2180 = taken<Four>(w.x.data() + 524);
+  const Four x2202 = taken<Four>(w.x.data() + 288);
+  const Four x2258 = taken<Four>(w.x.data() + 256);
+  const Four x2261 = taken<Four>(w.x.data() + 252);
+  const Four x2276 = taken<Four>(w.x.data() + 528);
+  const Four x2279 = taken<Four>(w.x.data() + 560);
+  const Four x2301 = taken<Four>(w.x.data() + 532);
+  const Four x2304 = taken<Four>(w.x.data() + 536);
+  const Four x2362 = taken<Four>(w.x.data() + 540);
+  const Four x2364 = taken<Four>(w.x.data() + 544);
+  const Four x2433 = taken<Four>(w.x.data() + 260);
+  const Four x2445 = taken<Four>(w.x.data() + 304);
+  const Four x2465 = taken<Four>(w.x.data() + 548);
+  const Four x2476 = taken<Four>(w.x.data() + 280);
+  const Four x2477 = taken<Four>(w.x.data() + 296);
+  const Four x2484 = taken<Four>(w.x.data() + 552);
+  const Four x2491 = taken<Four>(w.x.data() + 556);
+  const Four x2492 = taken<Four>(w.x.data() + 272);
+  const Four x2572 = taken<Four>(w.x.data() + 336);
+  const Four x2579 = taken<Four>(w.x.data() + 328);
+  const Four x2582 = taken<Four>(w.x.data() + 308);
+  const Four x2681 = taken<Four>(w.x.data() + 348);
+  const Four x2687 = taken<Four>(w.x.data() + 356);
+  const Four x2740 = taken<Four>(w.x.data() + 320);
+  const Four x2750 = taken<Four>(w.x.data() + 412);
+  const Four x2753 = taken<Four>(w.x.data() + 416);
+  const Four x2756 = taken<Four>(w.x.data() + 364);
+  const Four x2762 = taken<Four>(w.x.data() + 352);
+  const Four x2768 = taken<Four>(w.x.data() + 368);
+  const Four x2774 = taken<Four>(w.x.data() + 360);
+  const Four x2816 = taken<Four>(w.x.data() + 392);
+  const Four x2820 = taken<Four>(w.x.data() + 372);
+  const Four x2838 = taken<Four>(w.x.data() + 376);
+  const Four x2840 = taken<Four>(w.x.data() + 380);
+  const Four x2842 = taken<Four>(w.x.data() + 436);
+  const Four x2844 = taken<Four>(w.x.data() + 456);
+  const Four x2851 = taken<Four>(w.x.data() + 420);
+  const Four x2855 = taken<Four>(w.x.data() + 424);
+  const Four x2886 = taken<Four>(w.x.data() + 396);
+  const Four x2890 = taken<Four>(w.x.data() + 440);
+  const Four x2893 = taken<Four>(w.x.data() + 384);
+  const Four x2902 = taken<Four>(w.x.data() + 448);
+  const Four x2905 = taken<Four>(w.x.data() + 468);
+  const Four x2906 = taken<Four>(w.x.data() + 344);
+  const Four x2907 = taken<Four>(w.x.data() + 488);
+  const Four x2908 = taken<Four>(w.x.data() + 444);
+  const Four x2918 = taken<Four>(w.x.data() + 400);
+  const Four x2924 = taken<Four>(w.x.data() + 476);
+  const Four x2933 = taken<Four>(w.x.data() + 452);
+  const Four x2939 = taken<Four>(w.x.data() + 472);
+  const Four x2951 = taken<Four>(w.x.data() + 388);
+  const Four x2955 = taken<Four>(w.x.data() + 492);
+  const Four x2999 = taken<Four>(w.x.data() + 428);
+  const Four x3011 = taken<Four>(w.x.data() + 460);
+  const Four x3024 = taken<Four>(w.x.data() + 480);
+  const Real x3374 = w.x[193];
+  const Real x3465 = w.x[198];
+  const Real x3468 = w.x[199];
+  const Real x3471 = w.x[200];
+  const Real x3473 = w.x[201];
+  const Real x3474 = w.x[432];
+  const Real x3475 = w.x[464];
+  const Real x3476 = w.x[465];
+  const Real x3478 = w.x[466];
+  const Real x3479 = w.x[467];
+  const Real x3480 = w.x[484];
+  const Real x3481 = w.x[485];
+  const Real x3482 = w.x[486];
+  const Real x3483 = w.x[496];
+  const Real x3484 = w.x[497];
+  const Real x3485 = w.x[498];
+  const Real x3486 = w.x[499];
+  const Real x3487 = w.x[500];
+  const Real x3488 = w.x[501];
+  const Real x3489 = w.x[502];
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2357 = x1154 + x2279 + x2258 * x2304;
+  const Four x2360 = x2118 - Four{0.24, 0.24, 0.11, 0.11} * x2276 + x1157 - x2261 * x2304;
+  const Four x2471 = taken<Four>(cosine + 8) * x2357 - taken<Four>(sine + 8) * x2360 + Four{0.12, 0.12, 0.1, 0.1} * x2465;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2494 = x2492 * (x2491 - (x1099 + x2471));
+  put(x2494, w.x.data() + 152);
+  const Four x2549 = x2484 + x2476 * x2494;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2296 = x592 * x2178 - x597 * x2180 + x1169;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2551 = x2296 + x2202 * x2304 + x1117 + x2477 * x2494;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2739 = Four{tau[6], tau[12], tau[21], tau[29]};
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2462 = taken<Four>(cosine + 8) * x2362 - taken<Four>(sine + 8) * x2364;
+  const Four x2468 = taken<Four>(sine + 8) * x2357 + taken<Four>(cosine + 8) * x2360 - Four{0.12, 0.12, 0.1, 0.1} * x2462;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2545 = x1089 + x2468 + x2445 * x2494;
+  const Four x2547 = x1094 + x2301 + Four{0.00096, 0.00096, 0.0, 0.0} * x2494;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2741 = x2739 - (taken<Four>(cosine + 4) * x2545 - taken<Four>(sine + 4) * x2547 + x1005);
+  const Four x2742 = x2740 * x2741;
+  put(x2742, w.x.data() + 148);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2734 = taken<Four>(cosine + 4) * x2549 - taken<Four>(sine + 4) * x2551 + x1021;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2802 = x2734 + x2572 * x2742;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2708 = taken<Four>(sine + 4) * x2549 + taken<Four>(cosine + 4) * x2551;
+  const Four x2553 = x1126 + x2462 + x2433 * x2494;
+  const Four x2712 = Four{1.0, 1.0, 0.0, 0.0} * x2708 - Four{0.0, 0.0, 1.0, 1.0} * x2553;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2798 = x1014 + x2712 + x2579 * x2742;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2715 = Four{0.0, 0.0, 1.0, 1.0} * x2708 + Four{1.0, 1.0, 0.0, 0.0} * x2553;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2800 = x1017 + x2715 + x2582 * x2742;
+  const Four x3042 = taken<Four>(cosine + 0) * x2798 - taken<Four>(sine + 0) * x2800;
+  const Four x3049 = Four{1.0, 1.0, 0.0, 0.0} * x2802 - Four{0.0, 0.0, 1.0, 1.0} * x3042;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2694 = taken<Four>(sine + 4) * x2545 + taken<Four>(cosine + 4) * x2547;
+  const Four x2718 = Four{1.0, 1.0, 0.0, 0.0} * x2694 - Four{0.0, 0.0, 1.0, 1.0} * x2491 - Four{0.04, -0.04, 0.05, -0.05} * x2715;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2794 = x1009 + x2718 + x2681 * x2742;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2720 = Four{0.0, 0.0, 1.0, 1.0} * x2694 + Four{1.0, 1.0, 0.0, 0.0} * x2491 + Four{0.04, -0.04, 0.05, -0.05} * x2712;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2796 = x1011 + x2720 + x2687 * x2742;
+  const Four x3052 = Four{0.0, 0.0, 1.0, 1.0} * x2802 + Four{1.0, 1.0, 0.0, 0.0} * x3042;
+  const Four x3056 = taken<Four>(sine + 0) * x2794 + taken<Four>(cosine + 0) * x2796 + Four{0.09, -0.09, 0.0, 0.0} * x3052;
+  const Four x3057 = Four{0.05, 0.05, -0.15, 0.15} * x3049 + x3056;
+  const Four x3028 = taken<Four>(cosine + 0) * x2794 - taken<Four>(sine + 0) * x2796;
+  const Four x3045 = taken<Four>(sine + 0) * x2798 + taken<Four>(cosine + 0) * x2800;
+  const Four x3062 = Four{1.0, 1.0, 0.0, 0.0} * x2739 - Four{0.0, 0.0, 1.0, 1.0} * x3028 - Four{0.05, 0.05, -0.15, 0.15} * x3045;
+  const Four x3063 = x3062 - Four{0.0, 0.0, 0.29, 0.29} * x3052;
+  const Four x3067 = Four{0.0, 0.0, 1.0, 1.0} * x2739 + Four{1.0, 1.0, 0.0, 0.0} * x3028 - Four{0.09, -0.09, 0.0, 0.0} * x3045;
+  const Four x3068 = Four{0.0, 0.0, 0.29, 0.29} * x3049 + x3067;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3497 = 1 / x3480;
+  const Real x3499 = x3497 * (tau[20] - (x3068[2] + x3068[3] + x1517 + x3473));
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2809 = taken<Four>(sine + 0) * x2762 + taken<Four>(cosine + 0) * x2774;
+  const Four x2819 = x2768 + x2816;
+  const Four x2829 = Four{1.0, 1.0, 0.0, 0.0} * x2809 - Four{0.0, 0.0, 1.0, 1.0} * x2819;
+  const Four x2929 = x2829 + Four{0.09, -0.09, 0.0, 0.0} * x2902 + Four{0.05, 0.05, -0.15, 0.15} * x2905;
+  const Four x2854 = x2753 + taken<Four>(sine + 0) * x2851;
+  const Four x2911 = x2756 - x2820 + x2907 + x2908;
+  const Four x2985 = Four{1.0, 1.0, 0.0, 0.0} * x2854 - Four{0.05, 0.05, -0.15, 0.15} * x2838 - Four{0.09, -0.09, 0.0, 0.0} * x2911;
+  const Four x2987 = Four{0.09, -0.09, 0.0, 0.0} * x2844 + x2985 + Four{0.0, 0.0, 0.29, 0.29} * x2929;
+  const Real x3194 = x2987[2] + x2987[3];
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3500 = x3194 * x3497;
+  const Real x3501 = x3475 * x3497;
+  const Real x3502 = x3481 * x3497;
+  const Real x3503 = x3482 * x3497;
+  const Real x3504 = x3483 * x3497;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2832 = Four{0.0, 0.0, 1.0, 1.0} * x2809 + Four{1.0, 1.0, 0.0, 0.0} * x2819;
+  const Four x2944 = x2832 + Four{0.09, -0.09, 0.0, 0.0} * x2906 + Four{0.05, 0.05, -0.15, 0.15} * x2902;
+  const Four x2963 = x2750 - x2855 + Four{0.09, -0.09, 0.0, 0.0} * x2832 + Four{0.05, 0.05, -0.15, 0.15} * x2829;
+  const Four x2965 = Four{0.09, -0.09, 0.0, 0.0} * x2944 + x2963 + Four{0.05, 0.05, -0.15, 0.15} * x2929;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3507 = x2965[2] + x2965[3] + 0.0832833 - x3194 * x3500;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2975 = Four{0.05, 0.05, -0.15, 0.15} * x2842 - Four{0.0, 0.0, 1.0, 1.0} * x2854 - Four{0.05, 0.05, -0.15, 0.15} * x2911;
+  const Four x2977 = x2975 - Four{0.09, -0.09, 0.0, 0.0} * x2840 - Four{0.0, 0.0, 0.29, 0.29} * x2944;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3510 = x2977[2] + x2977[3] + -0.01615 - x3194 * x3501;
+  const Real x3513 = x2911[2] + x2911[3] - x3194 * x3502;
+  const Real x3516 = x2929[2] + x2929[3] - x3194 * x3503;
+  const Real x3519 = x2944[2] + x2944[3] + 0.095 - x3194 * x3504;
+  const Real x3522 = x3474 - x3475 * x3501;
+  const Real x3525 = x3476 + x3475 * x3502;
+  const Real x3529 = x3478 - x3475 * x3503;
+  const Real x3532 = x3479 - x3475 * x3504;
+  const Real x3535 = x3484 - x3481 * x3502;
+  const Real x3538 = x3485 - x3481 * x3503;
+  const Real x3541 = x3486 - x3481 * x3504;
+  const Real x3544 = x3487 - x3482 * x3503;
+  const Real x3547 = x3488 - x3482 * x3504;
+  const Real x3550 = x3489 - x3483 * x3504;
+  const Real x3552 = x3057[2] + x3057[3] + x1509 + tau[27] + x3194 * x3499;
+  const Real x3554 = x3063[2] + x3063[3] + x1512 + x3471 + x3475 * x3499;
+  const Real x3556 = x3045[2] + x3045[3] + x1523 + x3374 + x3481 * x3499;
+  const Real x3558 = x3049[2] + x3049[3] + x1529 + x3465 + x3482 * x3499;
+  const Real x3560 = x3052[2] + x3052[3] + x1534 + x3468 + x3483 * x3499;
+  const Real x3564 = cosine[26] * x3519 - sine[26] * x3532;
+  const Real x3567 = sine[26] * x3519 + cosine[26] * x3532;
+  const Real x3573 = cosine[26] * (x3513 - x3529) - sine[26] * (x3516 - x3525);
+  const Real x3574 = sine[26] * x3573;
+  const Real x3576 = x3516 + x3574;
+  const Real x3578 = cosine[26] * x3573;
+  const Real x3580 = x3513 - x3578;
+  const Real x3583 = 2.0 * sine[26];
+  const Real x3587 = cosine[26] * (x3507 - x3522) - x3510 * x3583;
+  const Real x3591 = cosine[26] * x3587;
+  const Real x3597 = cosine[26] * x3541 - sine[26] * x3547;
+  const Real x3600 = sine[26] * x3541 + cosine[26] * x3547;
+  const Real x3605 = cosine[26] * (x3535 - x3544) - x3538 * x3583;
+  const Real x3608 = x3538 + sine[26] * x3605;
+  const Real x3609 = cosine[26] * x3605;
+  const Real x3611 = x3535 - x3609;
+  const Real x3612 = 0.04 * x3600;
+  const Real x3615 = x3567 - 0.04 * x3550;
+  const Real x3619 = x3574 - x3525 - 0.04 * x3597;
+  const Real x3620 = 0.04 * x3611;
+  const Real x3622 = x3580 - x3612;
+  const Real x3628 = 0.04 * x3580 - 0.04 * x3612;
+  const Real x3631 = x3510 + sine[26] * x3587 - 0.04 * x3564;
+  const Real x3652 = sine[26] * x3556 + cosine[26] * x3558;
+  const Real x3638 = x3507 - x3591 - (0.04 * x3567 + 0.04 * x3615);
+  const Real x3661 = 0.0014025 + x3638;
+  require_more(w, x3661, 0.0, kFactorization, 14);
+  const Real x3662 = -0.018000000000000002 + x3615;
+  const Real x3657 = sine[26] * x3552 + cosine[26] * x3554 - 0.04 * x3560;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3673 = 1 / x3661;
+  const Real x3675 = x3673 * (tau[19] - (x1450 + x3657));
+  const Real x3676 = x3628 * x3673;
+  const Real x3677 = x3631 * x3673;
+  const Real x3678 = x3662 * x3673;
+  const Real x3679 = x3619 * x3673;
+  const Real x3680 = x3622 * x3673;
+  const Real x3683 = 0.0014025 + 0.04 * x3620 - x3628 * x3676;
+  const Real x3686 = 0.04 * x3576 - x3628 * x3677;
+  const Real x3689 = x3612 - x3628 * x3678;
+  const Real x3692 = 0.04 * x3608 - x3628 * x3679;
+  const Real x3695 = 0.018000000000000002 + x3620 - x3628 * x3680;
+  const Real x3698 = x3522 + x3591 + 0.001125 - x3631 * x3677;
+  const Real x3701 = x3564 - x3631 * x3678;
+  const Real x3704 = x3529 + x3578 - x3631 * x3679;
+  const Real x3707 = x3576 - x3631 * x3680;
+  const Real x3710 = 0.9 + x3550 - x3662 * x3678;
+  const Real x3713 = x3597 - x3662 * x3679;
+  const Real x3716 = x3600 - x3662 * x3680;
+  const Real x3719 = x3544 + x3609 + 0.9 - x3619 * x3679;
+  const Real x3722 = x3608 - x3619 * x3680;
+  const Real x3725 = 0.9 + x3611 - x3622 * x3680;
+  const Real x3727 = tau[20] + 0.04 * x3652 + x1447 + x3628 * x3675;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3667 = cosine[26] * x3552 - sine[26] * x3554 + x1438;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3729 = x3667 + x3631 * x3675;
+  const Real x3731 = x1453 + x3560 + x3662 * x3675;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3670 = cosine[26] * x3556 - sine[26] * x3558 - x1458;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3733 = x3670 + x3619 * x3675;
+  const Real x3735 = x1462 + x3652 + x3622 * x3675;
+  const Real x3739 = cosine[25] * x3695 - sine[25] * x3707;
+  const Real x3742 = sine[25] * x3695 + cosine[25] * x3707;
+  const Real x3748 = cosine[25] * (x3689 - x3704) - sine[25] * (x3692 + x3701);
+  const Real x3749 = sine[25] * x3748;
+  const Real x3752 = x3701 + x3749;
+  const Real x3753 = cosine[25] * x3748;
+  const Real x3754 = x3704 + x3753;
+  const Real x3755 = x3689 - x3753;
+  const Real x3758 = 2.0 * sine[25];
+  const Real x3762 = cosine[25] * (x3683 - x3698) - x3686 * x3758;
+  const Real x3766 = cosine[25] * x3762;
+  const Real x3772 = cosine[25] * x3716 - sine[25] * x3722;
+  const Real x3775 = sine[25] * x3716 + cosine[25] * x3722;
+  const Real x3780 = cosine[25] * (x3710 - x3719) - x3713 * x3758;
+  const Real x3783 = x3713 + sine[25] * x3780;
+  const Real x3784 = cosine[25] * x3780;
+  const Real x3785 = x3719 + x3784;
+  const Real x3787 = 0.05 * x3772;
+  const Real x3790 = x3739 + 0.05 * x3725;
+  const Real x3791 = 0.05 * x3785;
+  const Real x3806 = 0.05 * x3752;
+  const Real x3813 = x3686 + sine[25] * x3762 + 0.05 * x3742;
+  const Real x3824 = cosine[25] * x3731 - sine[25] * x3733;
+  const Real x3811 = x3698 + x3766 + (0.05 * x3739 + 0.05 * x3790);
+  const Real x3837 = x3683 - x3766 + 0.001;
+  require_more(w, x3837, 0.0, kFactorization, 13);
+  const Real x3832 = cosine[25] * x3727 - sine[25] * x3729 + 0.05 * x3735;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3847 = 1 / x3837;
+  const Real x3849 = x3847 * (tau[18] - (sine[25] * x3727 + cosine[25] * x3729));
+  const Real x3850 = x3806 * x3847;
+  const Real x3852 = x3813 * x3847;
+  const Real x3853 = x3742 * x3847;
+  const Real x3854 = x3752 * x3847;
+  const Real x3855 = x3755 * x3847;
+  const Real x3858 = 0.00106 + 0.05 * x3791 - x3806 * x3850;
+  const Real x3861 = x3806 * x3852 - (0.05 * x3754 + 0.05 * x3787);
+  const Real x3864 = x3806 * x3853 - x3787;
+  const Real x3867 = -0.016 - x3791 + x3806 * x3854;
+  const Real x3870 = x3806 * x3855 - 0.05 * x3783;
+  const Real x3873 = 0.00106 + x3811 - x3813 * x3852;
+  const Real x3876 = 0.016 + x3790 - x3813 * x3853;
+  const Real x3879 = x3754 + x3787 - x3813 * x3854;
+  const Real x3882 = x3692 + x3749 + 0.05 * x3775 - x3813 * x3855;
+  const Real x3885 = 0.8 + x3725 - x3742 * x3853;
+  const Real x3888 = x3772 - x3742 * x3854;
+  const Real x3891 = x3775 - x3742 * x3855;
+  const Real x3894 = 0.8 + x3785 - x3752 * x3854;
+  const Real x3897 = x3783 - x3752 * x3855;
+  const Real x3903 = tau[19] - 0.05 * x3824 + x1411 - x3806 * x3849;
+  const Real x3905 = x1413 + x3832 + x3813 * x3849;
+  const Real x3907 = x1416 + x3735 + x3742 * x3849;
+  const Real x3909 = x1419 + x3824 + x3752 * x3849;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3845 = sine[25] * x3731 + cosine[25] * x3733 - x1424;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3924 = cosine[24] * (x3864 - x3879) - sine[24] * (x3867 + x3876);
+  const Real x3925 = sine[24] * x3924;
+  const Real x3927 = x3867 + x3925;
+  const Real x3928 = x3876 + x3925;
+  const Real x3929 = cosine[24] * x3924;
+  const Real x3931 = x3864 - x3929;
+  const Real x3934 = 2.0 * sine[24];
+  const Real x3938 = cosine[24] * (x3858 - x3873) - x3861 * x3934;
+  const Real x3942 = cosine[24] * x3938;
+  const Real x3948 = cosine[24] * x3891 - sine[24] * x3897;
+  const Real x3951 = sine[24] * x3891 + cosine[24] * x3897;
+  const Real x3956 = cosine[24] * (x3885 - x3894) - x3888 * x3934;
+  const Real x3959 = x3888 + sine[24] * x3956;
+  const Real x3960 = cosine[24] * x3956;
+  const Real x3961 = x3894 + x3960;
+  const Real x3962 = x3885 - x3960;
+  const Real x3963 = 0.09 * x3959;
+  const Real x3965 = x3879 + x3929 - x3963;
+  const Real x3967 = x3928 + 0.09 * x3961;
+  const Real x3970 = x3927 - 0.09 * x3962;
+  const Real x3986 = x3861 + sine[24] * x3938 - 0.09 * x3931;
+  const Real x4002 = cosine[24] * x3907 - sine[24] * x3909;
+  const Real x4005 = sine[24] * x3907 + cosine[24] * x3909;
+  const Real x3982 = x3873 + x3942 - 0.09 * x3927 - 0.09 * x3970;
+  const Real x4011 = x2965[0] + x2965[1] + 0.034926700000000005 + x3982;
+  require_more(w, x4011, 0.0, kFactorization, 0);
+  const Real x4012 = x2977[0] + x2977[1] + (0.09 * x3965 + x3986);
+  const Real x4013 = x2911[0] + x2911[1] + x3965;
+  const Real x4014 = x2929[0] + x2929[1] + -0.12400000000000001 + x3970;
+  const Real x3974 = cosine[24] * x3870 - sine[24] * x3882 - 0.09 * x3951;
+  const Real x4015 = x2944[0] + x2944[1] + x3974;
+  const Real x3991 = x3858 - x3942 + 0.09 * x3928 + 0.09 * x3967;
+  const Real x4016 = x2999[0] + x2999[1] + 0.0200467 + x3991;
+  const Real x3976 = sine[24] * x3870 + cosine[24] * x3882 + 0.09 * x3948;
+  const Real x4020 = x2886[0] + x2886[1] + 6.2 + x3961;
+  const Real x4023 = x2905[0] + x2905[1] + 6.2 + x3962;
+  const Real x3900 = x3710 - x3784 + 0.8 - x3755 * x3855;
+  const Real x4025 = x2906[0] + x2906[1] + 6.2 + x3900;
+  const Real x4008 = cosine[24] * x3903 - sine[24] * x3905 - 0.09 * x4005;
+  const Real x4026 = x3057[0] + x3057[1] + x1644 + x4008;
+  const Real x4010 = sine[24] * x3903 + cosine[24] * x3905 + 0.09 * x4002;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Real x3117 = x2987[0] + x2987[1];
+  const Real x3142 = x3024[0] + x3024[1] + 0.0351333;
+  // link 1 "pelvis": acceleration from its articulated-body inertia
+  const Real x4032 = 1 / x4011;
+  const Real x4033 = x4012 * x4032;
+  const Real x4034 = x3117 * x4032;
+  const Real x4035 = x4013 * x4032;
+  const Real x4036 = x4014 * x4032;
+  const Real x4037 = x4015 * x4032;
+  const Real x4040 = x4016 - x4012 * x4033;
+  const Real x4043 = x3011[0] + x3011[1] - x3117 * x4033;
+  const Real x4046 = 0.12400000000000001 - (x2918[0] + x2918[1]) + x3967 - x4013 * x4033;
+  const Real x4049 = x2933[0] + x2933[1] + (x3931 + x3963) - x4014 * x4033;
+  const Real x4052 = x3976 - (x2951[0] + x2951[1]) - x4015 * x4033;
+  const Real x4053 = 1 / x4040;
+  const Real x4054 = x4043 * x4053;
+  const Real x4055 = x4046 * x4053;
+  const Real x4056 = x4049 * x4053;
+  const Real x4057 = x4052 * x4053;
+  const Real x4063 = x3142 - x3117 * x4034 - x4043 * x4054;
+  const Real x4069 = x2924[0] + x2924[1] - x4013 * x4034 - x4046 * x4054;
+  const Real x4075 = x2939[0] + x2939[1] - x4014 * x4034 - x4049 * x4054;
+  const Real x4081 = x2955[0] + x2955[1] - x4015 * x4034 - x4052 * x4054;
+  const Real x4082 = 1 / x4063;
+  const Real x4083 = x4069 * x4082;
+  const Real x4084 = x4075 * x4082;
+  const Real x4085 = x4081 * x4082;
+  const Real x4093 = x4020 - x4013 * x4035 - x4046 * x4055;
+  const Real x4094 = x4093 - x4069 * x4083;
+  const Real x4101 = x2890[0] + x2890[1] + x3959 - x4014 * x4035;
+  const Real x4103 = x4101 - x4049 * x4055 - x4075 * x4083;
+  const Real x4110 = x2893[0] + x2893[1] + x3948 - x4015 * x4035;
+  const Real x4112 = x4110 - x4052 * x4055 - x4081 * x4083;
+  const Real x4113 = 1 / x4094;
+  const Real x4114 = x4103 * x4113;
+  const Real x4115 = x4112 * x4113;
+  const Real x4125 = x4023 - x4014 * x4036 - x4049 * x4056;
+  const Real x4127 = x4125 - x4075 * x4084 - x4103 * x4114;
+  const Real x4136 = x2902[0] + x2902[1] + x3951 - x4015 * x4036;
+  const Real x4138 = x4136 - x4052 * x4056 - x4081 * x4084;
+  const Real x4139 = x4138 - x4112 * x4114;
+  const Real x4140 = 1 / x4127;
+  const Real x4141 = x4139 * x4140;
+  const Real x4153 = x4025 - x4015 * x4037 - x4052 * x4057;
+  const Real x4155 = x4153 - x4081 * x4085 - x4112 * x4115;
+  const Real x4156 = x4155 - x4139 * x4141;
+  const Real x4159 = x4016 * 1.7763568394002505e-15;
+  require_more(w, x4040, x4159, kFactorization, 0);
+  const Real x4160 = x3142 * 1.7763568394002505e-15;
+  require_more(w, x4063, x4160, kFactorization, 0);
+  const Real x4161 = x4020 * 1.7763568394002505e-15;
+  require_more(w, x4094, x4161, kFactorization, 0);
+  const Real x4162 = x4023 * 1.7763568394002505e-15;
+  require_more(w, x4127, x4162, kFactorization, 0);
+  const Real x4163 = x4025 * 1.7763568394002505e-15;
+  require_more(w, x4156, x4163, kFactorization, 0);
+  const Real x4172 = x4026 * x4033 - (x3063[0] + x3063[1] - x1645 + x4010);
+  const Real x4177 = x4026 * x4034 - (x3068[0] + x3068[1] - x1647 + tau[18]);
+  const Real x4178 = x4177 - x4054 * x4172;
+  const Real x4185 = x4026 * x4035 - (x3045[0] + x3045[1] + x1640 + x4002);
+  const Real x4187 = x4185 - x4055 * x4172 - x4083 * x4178;
+  const Real x4196 = x4026 * x4036 - (x3049[0] + x3049[1] + x1641 + x4005);
+  const Real x4198 = x4196 - x4056 * x4172 - x4084 * x4178;
+  const Real x4199 = x4198 - x4114 * x4187;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x4031 = x3052[0] + x3052[1] - x1642 + (x3845 + x3755 * x3849);
+  // link 1 "pelvis": acceleration from its articulated-body inertia
+  const Real x4211 = x4026 * x4037 - x4031 - x4057 * x4172;
+  const Real x4213 = x4211 - x4085 * x4178 - x4115 * x4187;
+  const Real x4221 = 1 / x4156 * (x4213 - x4141 * x4199);
+  w.x[197] = x4221;
+  const Real x4224 = x4140 * x4199 - x4141 * x4221;
+  w.x[192] = x4224;
+  const Real x4230 = x4113 * x4187 - x4115 * x4221 - x4114 * x4224;
+  w.x[191] = x4230;
+  const Real x4238 = x4082 * x4178 - x4085 * x4221 - x4084 * x4224;
+  const Real x4239 = x4238 - x4083 * x4230;
+  w.x[190] = x4239;
+  w.result[5] = x4239;
+  const Real x4249 = x4053 * x4172 - x4057 * x4221 - x4056 * x4224;
+  const Real x4251 = x4249 - x4055 * x4230 - x4054 * x4239;
+  w.result[4] = x4251;
+  const Real x4264 = x4026 * x4032 + x4037 * x4221 + x4036 * x4224;
+  const Real x4268 = x4035 * x4230 + x4264 + x4034 * x4239;
+  const Real x4270 = x4033 * x4251 + x4268;
+  const Real x4271 = -x4270;
+  w.result[3] = x4271;
+  // joint 13 "waist_yaw": its acceleration, and that of the link beyond
+  const Real x4281 = sine[24] * x4251 - cosine[24] * x4270;
+  w.x[189] = x4281;
+  const Real x4285 = sine[24] * x4270 + cosine[24] * x4251;
+  const Real x4304 = x3849 - x3855 * x4221 + x3850 * x4281;
+  const Real x4274 = x4230 + 0.09 * x4251;
+  const Real x4277 = x4224 + 0.09 * x4270;
+  const Real x4288 = cosine[24] * x4274 + sine[24] * x4277;
+  const Real x4292 = cosine[24] * x4277 - sine[24] * x4274;
+  const Real x4306 = x4304 - x3852 * x4285 - x3853 * x4288;
+  const Real x4307 = x4306 - x3854 * x4292;
+  w.x[188] = x4307;
+  // joint 14 "waist_roll": its acceleration, and that of the link beyond
+  const Real x4321 = cosine[25] * x4307 - sine[25] * x4285;
+  const Real x4311 = x4288 + 0.05 * x4285;
+  const Real x4314 = x4292 - 0.05 * x4281;
+  const Real x4324 = cosine[25] * x4314 + sine[25] * x4221;
+  const Real x4328 = cosine[25] * x4221 - sine[25] * x4314;
+  const Real x4340 = x3675 - x3680 * x4311 - x3678 * x4324;
+  const Real x4317 = cosine[25] * x4285 + sine[25] * x4307;
+  w.x[187] = x4317;
+  const Real x4342 = x4340 - x3679 * x4328 - x3676 * x4317;
+  const Real x4343 = x4342 - x3677 * x4321;
+  w.x[186] = x4343;
+  // joint 15 "waist_pitch": its acceleration, and that of the link beyond
+  const Real x4353 = cosine[26] * x4321 + sine[26] * x4343;
+  w.x[185] = x4353;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": their accelerations, and those of the links beyond
+  const Four x4381 = Four{x4271, x4271, x4353, x4353};
+  put(x4381, w.x.data() + 144);
+  // joint 15 "waist_pitch": its acceleration, and that of the link beyond
+  const Real x4357 = cosine[26] * x4343 - sine[26] * x4321;
+  w.x[184] = x4357;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": their accelerations, and those of the links beyond
+  const Four x4382 = Four{x4251, x4251, x4357, x4357};
+  put(x4382, w.x.data() + 140);
+  // joint 15 "waist_pitch": its acceleration, and that of the link beyond
+  const Real x4350 = x4311 + 0.04 * x4317;
+  const Real x4360 = cosine[26] * x4328 + sine[26] * x4350;
+  w.x[183] = x4360;
+  const Real x4364 = cosine[26] * x4350 - sine[26] * x4328;
+  w.x[182] = x4364;
+  const Real x4376 = x3499 - x3502 * x4360 - x3503 * x4364;
+  const Real x4347 = x4324 - 0.04 * x4343;
+  w.x[181] = x4347;
+  const Real x4378 = x4376 - x3500 * x4353 - x3501 * x4357;
+  const Real x4379 = x4378 - x3504 * x4347;
+  w.x[180] = x4379;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": their accelerations, and those of the links beyond
+  const Four x4383 = Four{x4239, x4239, x4379, x4379};
+  put(x4383, w.x.data() + 136);
+  const Four x4385 = Four{x4224, x4224, x4364, x4364};
+  put(x4385, w.x.data() + 132);
+  const Four x4386 = Four{x4221, x4221, x4347, x4347};
+  put(x4386, w.x.data() + 128);
+  const Four x4389 = Four{0.09, -0.09, 0.0, 0.0} * x4383;
+  put(x4389, w.x.data() + 124);
+  const Four x4393 = Four{x4230, x4230, x4360, x4360} - Four{0.05, 0.05, -0.15, 0.15} * x4382;
+  put(x4393, w.x.data() + 120);
+}
+
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_3(Workspace& w) {
+  ADAGEN_INPUTS
+  const Real x99 = w.x[0];
+  const Real x104 = w.x[1];
+  const Real x109 = w.x[2];
+  const Four x592 = taken<Four>(w.x.data() + 76);
+  const Four x597 = taken<Four>(w.x.data() + 80);
+  const Four x1656 = taken<Four>(w.x.data() + 504);
+  const Four x1812 = taken<Four>(w.x.data() + 508);
+  const Four x1813 = taken<Four>(w.x.data() + 216);
+  const Four x1814 = taken<Four>(w.x.data() + 220);
+  const Four x1815 = taken<Four>(w.x.data() + 208);
+  const Four x1816 = taken<Four>(w.x.data() + 212);
+  const Four x1817 = taken<Four>(w.x.data() + 204);
+  const Four x2121 = taken<Four>(w.x.data() + 516);
+  const Four x2122 = taken<Four>(w.x.data() + 232);
+  const Four x2123 = taken<Four>(w.x.data() + 228);
+  const Four x2124 = taken<Four>(w.x.data() + 240);
+  const Four x2125 = taken<Four>(w.x.data() + 244);
+  const Four x2126 = taken<Four>(w.x.data() + 224);
+  const Four x2304 = taken<Four>(w.x.data() + 536);
+  const Four x2305 = taken<Four>(w.x.data() + 268);
+  const Four x2306 = taken<Four>(w.x.data() + 264);
+  const Four x2308 = taken<Four>(w.x.data() + 248);
+  const Four x2309 = taken<Four>(w.x.data() + 236);
+  const Four x2310 = taken<Four>(w.x.data() + 292);
+  const Four x2494 = taken<Four>(w.x.data() + 152);
+  const Four x2495 = taken<Four>(w.x.data() + 316);
+  const Four x2496 = taken<Four>(w.x.data() + 312);
+  const Four x2497 = taken<Four>(w.x.data() + 284);
+  const Four x2498 = taken<Four>(w.x.data() + 300);
+  const Four x2499 = taken<Four>(w.x.data() + 276);
+  const Four x2742 = taken<Four>(w.x.data() + 148);
+  const Four x2743 = taken<Four>(w.x.data() + 408);
+  const Four x2744 = taken<Four>(w.x.data() + 404);
+  const Four x2745 = taken<Four>(w.x.data() + 332);
+  const Four x2746 = taken<Four>(w.x.data() + 324);
+  const Four x2747 = taken<Four>(w.x.data() + 340);
+  const Real x3277 = w.x[179];
+  const Real x3378 = w.x[194];
+  const Real x3379 = w.x[195];
+  const Real x3380 = w.x[196];
+  const Real x4221 = w.x[197];
+  const Real x4224 = w.x[192];
+  const Real x4230 = w.x[191];
+  const Real x4239 = w.x[190];
+  const Real x4281 = w.x[189];
+  const Real x4307 = w.x[188];
+  const Real x4317 = w.x[187];
+  const Real x4343 = w.x[186];
+  const Real x4347 = w.x[181];
+  const Real x4353 = w.x[185];
+  const Real x4357 = w.x[184];
+  const Real x4360 = w.x[183];
+  const Real x4364 = w.x[182];
+  const Real x4379 = w.x[180];
+  const Four x4381 = taken<Four>(w.x.data() + 144);
+  const Four x4382 = taken<Four>(w.x.data() + 140);
+  const Four x4383 = taken<Four>(w.x.data() + 136);
+  const Four x4385 = taken<Four>(w.x.data() + 132);
+  const Four x4386 = taken<Four>(w.x.data() + 128);
+  const Four x4389 = taken<Four>(w.x.data() + 124);
+  const Four x4393 = taken<Four>(w.x.data() + 120);
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": their accelerations, and those of the links beyond
+  const Four x4394 = x4393 - x4389;
+  const Four x4399 = x4385 + Four{0.05, 0.05, -0.15, 0.15} * x4381 + Four{0.0, 0.0, 0.29, 0.29} * x4383;
+  const Four x4405 = x4386 - Four{0.0, 0.0, 0.29, 0.29} * x4382 + Four{0.09, -0.09, 0.0, 0.0} * x4381;
+  const Four x4412 = Four{1.0, 1.0, 0.0, 0.0} * x4383 - Four{0.0, 0.0, 1.0, 1.0} * x4382;
+  const Four x4415 = taken<Four>(cosine + 0) * x4412 + taken<Four>(sine + 0) * x4381;
+  const Four x4419 = taken<Four>(cosine + 0) * x4381 - taken<Four>(sine + 0) * x4412;
+  const Four x4422 = Four{1.0, 1.0, 0.0, 0.0} * x4399 + Four{0.0, 0.0, 1.0, 1.0} * x4405;
+  const Four x4426 = Four{1.0, 1.0, 0.0, 0.0} * x4405 - Four{0.0, 0.0, 1.0, 1.0} * x4399;
+  const Four x4429 = taken<Four>(cosine + 0) * x4426 + taken<Four>(sine + 0) * x4394;
+  const Four x4433 = taken<Four>(cosine + 0) * x4394 - taken<Four>(sine + 0) * x4426;
+  const Four x4445 = x2742 - x2743 * x4415 - x2744 * x4419;
+  const Four x4447 = x4445 - x2747 * x4422 - x2745 * x4429;
+  const Four x4448 = x4447 - x2746 * x4433;
+  const Four x4449 = x4448 - (Four{1.0, 1.0, 0.0, 0.0} * x4382 + Four{0.0, 0.0, 1.0, 1.0} * x4383);
+  put(x4449, w.lanes.data() + 0);
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": their accelerations, and those of the links beyond
+  const Four x4457 = x4429 + Four{0.04, -0.04, 0.05, -0.05} * x4419;
+  const Four x4460 = x4433 - Four{0.04, -0.04, 0.05, -0.05} * x4415;
+  const Four x4463 = Four{1.0, 1.0, 0.0, 0.0} * x4415 + Four{0.0, 0.0, 1.0, 1.0} * x4419;
+  const Four x4470 = taken<Four>(cosine + 4) * x4448 + taken<Four>(sine + 4) * x4463;
+  const Four x4474 = taken<Four>(cosine + 4) * x4463 - taken<Four>(sine + 4) * x4448;
+  const Four x4477 = Four{1.0, 1.0, 0.0, 0.0} * x4457 + Four{0.0, 0.0, 1.0, 1.0} * x4460;
+  const Four x4481 = Four{1.0, 1.0, 0.0, 0.0} * x4460 - Four{0.0, 0.0, 1.0, 1.0} * x4457;
+  const Four x4484 = taken<Four>(cosine + 4) * x4422 + taken<Four>(sine + 4) * x4477;
+  const Four x4488 = taken<Four>(cosine + 4) * x4477 - taken<Four>(sine + 4) * x4422;
+  const Four x4500 = x2494 - x2499 * x4481 - x2497 * x4484;
+  const Four x4502 = x4500 - x2498 * x4488 - x2495 * x4470;
+  const Four x4503 = x4502 - x2496 * x4474;
+  const Four x4504 = x4503 - (Four{1.0, 1.0, 0.0, 0.0} * x4419 - Four{0.0, 0.0, 1.0, 1.0} * x4415);
+  put(x4504, w.lanes.data() + 4);
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": their accelerations, and those of the links beyond
+  const Four x4510 = x4484 + Four{0.12, 0.12, 0.1, 0.1} * x4503;
+  const Four x4513 = x4481 - Four{0.12, 0.12, 0.1, 0.1} * x4470;
+  const Four x4516 = taken<Four>(cosine + 8) * x4503 + taken<Four>(sine + 8) * x4470;
+  const Four x4520 = taken<Four>(cosine + 8) * x4470 - taken<Four>(sine + 8) * x4503;
+  const Four x4523 = taken<Four>(cosine + 8) * x4513 + taken<Four>(sine + 8) * x4510;
+  const Four x4527 = taken<Four>(cosine + 8) * x4510 - taken<Four>(sine + 8) * x4513;
+  const Four x4539 = x2304 - x2310 * x4488 - x2305 * x4516;
+  const Four x4541 = x2306 * x4520 + x4539 - x2308 * x4523;
+  const Four x4542 = x4541 - x2309 * x4527;
+  const Four x4543 = x4542 - x4474;
+  put(x4543, w.lanes.data() + 8);
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": their accelerations, and those of the links beyond
+  const Four x4550 = x4523 - Four{0.24, 0.24, 0.11, 0.11} * x4520;
+  const Four x4552 = x4527 + Four{0.24, 0.24, 0.11, 0.11} * x4516;
+  const Four x4555 = x592 * x4542 + x597 * x4516;
+  const Four x4559 = x592 * x4516 - x597 * x4542;
+  const Four x4562 = x592 * x4488 + x597 * x4550;
+  const Four x4566 = x592 * x4550 - x597 * x4488;
+  const Four x4578 = x2121 + x2126 * x4552 - x2124 * x4562;
+  const Four x4580 = x4578 - x2125 * x4566 - x2122 * x4555;
+  const Four x4581 = x4580 - x2123 * x4559;
+  const Four x4582 = x4581 - x4520;
+  put(x4582, w.lanes.data() + 12);
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": their accelerations, and those of the links beyond
+  const Four x4590 = x4562 - Four{0.0, 0.0, 0.16, 0.16} * x4581;
+  const Four x4593 = x4566 - Four{0.3, 0.3, -0.01, -0.01} * x4581;
+  const Four x4598 = x4552 + Four{0.3, 0.3, -0.01, -0.01} * x4559 + Four{0.0, 0.0, 0.16, 0.16} * x4555;
+  const Four x4601 = Four{1.0, 1.0, 0.0, 0.0} * x4559 + Four{0.0, 0.0, 1.0, 1.0} * x4581;
+  const Four x4608 = taken<Four>(cosine + 16) * x4555 + taken<Four>(sine + 16) * x4601;
+  const Four x4612 = taken<Four>(cosine + 16) * x4601 - taken<Four>(sine + 16) * x4555;
+  const Four x4615 = Four{1.0, 1.0, 0.0, 0.0} * x4593 + Four{0.0, 0.0, 1.0, 1.0} * x4598;
+  const Four x4619 = Four{1.0, 1.0, 0.0, 0.0} * x4598 - Four{0.0, 0.0, 1.0, 1.0} * x4593;
+  const Four x4622 = taken<Four>(cosine + 16) * x4590 + taken<Four>(sine + 16) * x4615;
+  const Four x4638 = x1812 - x1813 * x4608 - x1814 * x4612;
+  const Four x4640 = x4638 - x1817 * x4619 - x1815 * x4622;
+  const Four x4641 = x4640 - x1816 * (taken<Four>(cosine + 16) * x4615 - taken<Four>(sine + 16) * x4590);
+  const Four x4642 = x4641 - (Four{1.0, 1.0, 0.0, 0.0} * x4581 - Four{0.0, 0.0, 1.0, 1.0} * x4559);
+  put(x4642, w.lanes.data() + 16);
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": their accelerations, and those of the links beyond
+  const Four x4649 = x4622 - Four{0.0, 0.0, 0.04, 0.04} * x4612;
+  const Four x4656 = x4619 + Four{0.02, 0.02, 0.0, 0.0} * x4612;
+  const Four x4678 = x1656 - Four{19.88949726809468, 19.88949726809468, 0.0, 0.0} * (taken<Four>(cosine + 20) * x4656 + taken<Four>(sine + 20) * x4649);
+  const Four x4679 = (taken<Four>(cosine + 20) * x4649 - taken<Four>(sine + 20) * x4656) * Four{0.0, 0.0, 11.980035271220512, 11.980035271220512} + x4678;
+  const Four x4680 = x4679 - Four{0.5966849180428403, 0.5966849180428403, 0.0, 0.0} * (taken<Four>(cosine + 20) * x4608 - taken<Four>(sine + 20) * x4641);
+  const Four x4681 = x4680 - x4612;
+  put(x4681, w.lanes.data() + 20);
+  // joint 13 "waist_yaw": its acceleration, and that of the link beyond
+  const Real x4308 = x4307 - x4239;
+  w.result[18] = x4308;
+  // joint 14 "waist_roll": its acceleration, and that of the link beyond
+  const Real x4344 = x4343 - x4281;
+  w.result[19] = x4344;
+  // joint 15 "waist_pitch": its acceleration, and that of the link beyond
+  const Real x4380 = x4379 - x4317;
+  w.result[20] = x4380;
+  // joint 22 "neck_yaw": its acceleration, and that of the link beyond
+  const Real x4689 = x4364 + 0.38 * x4379;
+  const Real x4692 = x4347 - 0.38 * x4357;
+  const Real x4699 = cosine[27] * x4379 - sine[27] * x4357;
+  const Real x4711 = x3378 - x3379 * (cosine[27] * x4357 + sine[27] * x4379);
+  const Real x4712 = x4711 - x3380 * (cosine[27] * x4692 - sine[27] * x4689);
+  const Real x4713 = x4712 - x4353;
+  w.result[27] = x4713;
+  // joint 23 "neck_pitch": its acceleration, and that of the link beyond
+  const Real x4716 = cosine[27] * x4689 + sine[27] * x4692 + 0.06 * x4699;
+  const Real x4739 = x3277 + (cosine[28] * x4360 + sine[28] * x4716) * 1.7035775127768316;
+  const Real x4740 = x4739 - 7.666098807495741 * (cosine[28] * x4716 - sine[28] * x4360);
+  const Real x4741 = x4740 - x4699;
+  w.result[28] = x4741;
+  // joint 0 "__base__": acceleration of the base
+  const Real x4742 = x4230 - x99;
+  w.result[0] = x4742;
+  const Real x4743 = x4224 - x104;
+  w.result[1] = x4743;
+  const Real x4744 = x4221 - x109;
+  w.result[2] = x4744;
+}
+
+// ---- 5. processes -------------------------------------------------------------------------------
+
+// Process 0: 30 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
+constexpr std::array<int, 30> kRead_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
+constexpr std::array<int, 30> kOwned_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
+constexpr std::array<int, 29> kAngles_0{7, 13, 22, 30, 8, 14, 23, 31, 9, 15, 24, 32, 10, 16, 25, 33, 11, 17, 26, 34, 12, 18, 27, 35, 19, 20, 21, 28, 29};
+
+void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  ADAGEN_INPUTS
+  stamp(0);
+  if (!all(unlike_zero(q + 0, 3) == 0))
+    name_what_is_not_finite(w, kRead_0, kOwned_0);
+  take_sines_and_cosines(q, kAngles_0, w.sine.data(), w.cosine.data());
+  part_0_0(w);
+  part_0_1(w);
+  part_0_2(w);
+  part_0_3(w);
+  stamp(1);
+  stamp(2);
+  stamp(3);
+  if (__builtin_expect(w.status != kFine || !all(unlike_zero(w.result.data() + 0, 6) + unlike_zero(w.result.data() + 18, 3) + unlike_zero(w.result.data() + 27, 2) + unlike_zero<Four, 6>(w.lanes.data() + 0) == 0), 0)) {
+    // The state's own faults are named before all others.
+    const int found = std::exchange(w.status, kFine);
+    name_what_is_not_finite(w, kRead_0, kOwned_0);
+    Channel::fail(w.status, found);
+    w.result[6] = w.lanes[0];
+    w.result[7] = w.lanes[4];
+    w.result[8] = w.lanes[8];
+    w.result[9] = w.lanes[12];
+    w.result[10] = w.lanes[16];
+    w.result[11] = w.lanes[20];
+    w.result[12] = w.lanes[1];
+    w.result[13] = w.lanes[5];
+    w.result[14] = w.lanes[9];
+    w.result[15] = w.lanes[13];
+    w.result[16] = w.lanes[17];
+    w.result[17] = w.lanes[21];
+    w.result[21] = w.lanes[2];
+    w.result[22] = w.lanes[6];
+    w.result[23] = w.lanes[10];
+    w.result[24] = w.lanes[14];
+    w.result[25] = w.lanes[18];
+    w.result[26] = w.lanes[22];
+    w.result[29] = w.lanes[3];
+    w.result[30] = w.lanes[7];
+    w.result[31] = w.lanes[11];
+    w.result[32] = w.lanes[15];
+    w.result[33] = w.lanes[19];
+    w.result[34] = w.lanes[23];
+    name_what_overflows(w, kOwned_0);
+  }
+  if (w.status != kFine) return;
+  std::copy_n(w.result.data() + 0, 6, w.qdd + 0);
+  std::copy_n(w.result.data() + 18, 3, w.qdd + 18);
+  std::copy_n(w.result.data() + 27, 2, w.qdd + 27);
+  w.qdd[6] = w.lanes[0];
+  w.qdd[7] = w.lanes[4];
+  w.qdd[8] = w.lanes[8];
+  w.qdd[9] = w.lanes[12];
+  w.qdd[10] = w.lanes[16];
+  w.qdd[11] = w.lanes[20];
+  w.qdd[12] = w.lanes[1];
+  w.qdd[13] = w.lanes[5];
+  w.qdd[14] = w.lanes[9];
+  w.qdd[15] = w.lanes[13];
+  w.qdd[16] = w.lanes[17];
+  w.qdd[17] = w.lanes[21];
+  w.qdd[21] = w.lanes[2];
+  w.qdd[22] = w.lanes[6];
+  w.qdd[23] = w.lanes[10];
+  w.qdd[24] = w.lanes[14];
+  w.qdd[25] = w.lanes[18];
+  w.qdd[26] = w.lanes[22];
+  w.qdd[29] = w.lanes[3];
+  w.qdd[30] = w.lanes[7];
+  w.qdd[31] = w.lanes[11];
+  w.qdd[32] = w.lanes[15];
+  w.qdd[33] = w.lanes[19];
+  w.qdd[34] = w.lanes[23];
+}
+
+[[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
+
+// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
+// reads.
+constexpr std::array<Range, 1> kReadQ_0{ {{0, 36}} };
+constexpr std::array<Range, 1> kReadV_0{ {{0, 35}} };
+constexpr std::array<Range, 1> kOwn_0{ {{0, 35}} };
+constexpr std::array<Range, 1> kTorque_0{ {{0, 35}} };
+[[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
+    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
+} };
+
+// The entries of a vector that a process needs, one after another, and back.
+inline Number* pack(Number* to, const Ranges& which, const Number* x) {
+  for (int k = 0; k < which.count; ++k)
+    to = std::copy_n(x + which.ranges[k].first, which.ranges[k].count, to);
+  return to;
+}
+inline const Number* unpack(const Number* from, const Ranges& which, Number* x) {
+  for (int k = 0; k < which.count; ++k) {
+    const auto& [first, count] = which.ranges[k];
+    std::copy_n(from, count, x + first);
+    from += count;
+  }
+  return from;
+}
+
+// Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
+// first the state to each process, then the accelerations from each.
+class Solver {
+ public:
+  Workspace w;
+  Channel channel;
+  std::string text;  // of the last failure
+
+  // State and result in place: reads what this process needs, writes what it owns.
+  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    if (channel.broken()) return finish(failure(kNoAnswer, 0));
+    prepare(q, v, tau, qdd);
+    run();
+    return finish(w.status);
+  }
+
+  // Everything through process 0: it has the state and gets all accelerations.
+  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    if constexpr (kProcesses == 1) return solve(q, v, tau, qdd);
+    if (channel.broken()) return finish(failure(kNoAnswer, 0));
+    return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
+  }
+
+  // At process 0: the others' next solve_at_root returns kEnded, and so does this.
+  int end_at_root() {
+    if constexpr (kProcesses == 1) return kFine;
+    return solve_as_root(q_.data(), v_.data(), tau_.data(), qdd_.data(), failure(kEnded, 0));
+  }
+
+ private:
+  // A pose that the first try cannot stand is known to all processes: they try again together.
+  void run() {
+    const std::size_t rank = static_cast<std::size_t>(channel.rank());
+    kRun[rank](w, channel);
+#ifdef ADAGEN_RECOVERS
+    if (failure_kind(w.status) != kSingularPose) return;
+    w.status = kFine;
+    kRecover[rank](w, channel);
+#endif
+  }
+
+  int solve_for_root() {
+    const int rank = channel.rank();
+    const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
+    if (own.own.count == 0) return finish(kFine);
+    int status = kFine;
+    const Number* content = channel.receive(state_message(rank), status);
+    content = unpack(content, own.q, q_.data());
+    content = unpack(content, own.v, v_.data());
+    unpack(content, own.tau, tau_.data());
+    prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
+    Channel::fail(w.status, status);
+    run();
+    Number* result = channel.outgoing(result_message(rank), w.status);
+    pack(result, own.own, qdd_.data());
+    channel.send(result_message(rank), w.status);
+    return finish(w.status);
+  }
+
+  int solve_as_root(const Number* q, const Number* v, const Number* tau, Number* qdd,
+                    int status = kFine) {
+    for (int p = 1; p < kProcesses; ++p) {
+      const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
+      if (other.own.count == 0) continue;
+      Number* content = channel.outgoing(state_message(p), status);
+      content = pack(content, other.q, q);
+      content = pack(content, other.v, v);
+      pack(content, other.tau, tau);
+      channel.send(state_message(p), status);
+    }
+    prepare(q, v, tau, qdd_.data());
+    Channel::fail(w.status, status);
+    run();
+    for (int p = 1; p < kProcesses; ++p) {
+      const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
+      if (other.own.count == 0) continue;
+      const Number* result = channel.receive(result_message(p), w.status);
+      unpack(result, other.own, qdd_.data());
+    }
+    if (w.status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
+    return finish(w.status);
+  }
+
+  void prepare(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    w.q = q;
+    w.v = v;
+    w.tau = tau;
+    w.qdd = qdd;
+    w.status = kFine;
+  }
+
+  int finish(int status) {
+    if (status != kFine) text = describe(status);
+    return status;
+  }
+
+  static int state_message(int process) { return kPlanMessages + 2 * (process - 1); }
+  static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
+
+  std::array<Number, kNq> q_{};
+  std::array<Number, kNv> v_{}, qdd_{};
+  std::array<Number, kNtau> tau_{};
+};
+
+}  // namespace
+
+struct humanoid_lanes_p1_solver : Solver {};
+
+extern "C" {
+
+int humanoid_lanes_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv) {
+  if (k < 0 || k >= kJointCount) return 0;
+  const JointConstants& joint = kJoints[k];
+  *name = joint.name, *q = joint.q, *nq = joint.nq, *v = joint.v, *nv = joint.nv;
+  return 1;
+}
+
+humanoid_lanes_p1_solver* humanoid_lanes_p1_open(MPI_Comm comm, const char* channel, double time_limit) {
+  int size = 0;
+  MPI_Comm_size(comm, &size);
+  const std::string kind = channel;
+  if (size != kProcesses || (kind != "auto" && kind != "window" && kind != "message")) return nullptr;
+  auto* const solver = new humanoid_lanes_p1_solver;
+  const ChannelMode mode = kind == "window"    ? ChannelMode::kWindow
+                           : kind == "message" ? ChannelMode::kMessage
+                                               : ChannelMode::kAuto;
+  if (solver->channel.open(comm, mode, time_limit).empty()) return solver;
+  humanoid_lanes_p1_close(solver);
+  return nullptr;
+}
+
+int humanoid_lanes_p1_solve(humanoid_lanes_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
+  return solver->solve(q, v, tau, qdd);
+}
+
+int humanoid_lanes_p1_solve_at_root(humanoid_lanes_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
+  return solver->solve_at_root(q, v, tau, qdd);
+}
+
+const char* humanoid_lanes_p1_failure(const humanoid_lanes_p1_solver* solver) { return solver->text.c_str(); }
+
+void humanoid_lanes_p1_close(humanoid_lanes_p1_solver* solver) {
+  solver->channel.close();
+  delete solver;
+}
+
+}  // extern "C"
+
+// ---- 6. program ---------------------------------------------------------------------------------
+
+#ifndef ADAGEN_NO_MAIN
+namespace {
+
+// An independent check: inverse dynamics by Newton's and Euler's equations, body by body, in
+// double. It shares the model's constants with the solver, and no arithmetic.
+namespace check {
+
+using Vec = std::array<double, 3>;
+using Mat = std::array<Vec, 3>;
+
+Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Vec cross(const Vec& a, const Vec& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vec times(const Mat& m, const Vec& a) {
+  Vec result{};
+  for (int i = 0; i < 3; ++i) result[i] = m[i][0] * a[0] + m[i][1] * a[1] + m[i][2] * a[2];
+  return result;
+}
+Vec transposed_times(const Mat& m, const Vec& a) {
+  Vec result{};
+  for (int i = 0; i < 3; ++i) result[i] = m[0][i] * a[0] + m[1][i] * a[1] + m[2][i] * a[2];
+  return result;
+}
+Mat times(const Mat& a, const Mat& b) {
+  Mat result{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
+  return result;
+}
+Vec vec3(const Number* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
+Mat mat3(const Number* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
+
+struct Body {
+  Mat turn;   // child to parent coordinates
+  Vec shift;  // child origin in parent coordinates
+  Vec w, dw;  // angular velocity and acceleration, in the body's frame
+  Vec a;      // acceleration of its origin minus gravity, in the body's frame
+  Vec f, n;   // force on it through its joint, and moment about its origin
+};
+
+// Rotation and origin of the child frame in the joint frame.
+void displace(const JointConstants& joint, const Number* q, Mat& turn, Vec& shift) {
+  turn = {Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
+  shift = {};
+  const auto about_z = [&turn](double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    turn = {Vec{c, -s, 0}, Vec{s, c, 0}, Vec{0, 0, 1}};
+  };
+  const auto orient = [&turn](const Number* p) {
+    double x = double(p[0]), y = double(p[1]), z = double(p[2]), w = double(p[3]);
+    const double length = std::sqrt(x * x + y * y + z * z + w * w);
+    x /= length, y /= length, z /= length, w /= length;
+    turn = {Vec{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+            Vec{2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+            Vec{2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}};
+  };
+  switch (joint.kind) {
+    case JointKind::kRevolute:
+      about_z(double(q[0]));
+      break;
+    case JointKind::kPrismatic:
+      shift[2] = double(q[0]);
+      break;
+    case JointKind::kSpherical:
+      orient(q);
+      break;
+    case JointKind::kPlanar:
+      about_z(double(q[2])), shift = {double(q[0]), double(q[1]), 0};
+      break;
+    case JointKind::kFloating:
+      orient(q + 3), shift = vec3(q);
+      break;
+  }
+}
+
+// Angular and linear part of a joint's velocity or acceleration, in the child's frame.
+void motion(const JointConstants& joint, const Number* x, Vec& angular, Vec& linear) {
+  angular = linear = {};
+  switch (joint.kind) {
+    case JointKind::kRevolute:
+      angular[2] = double(x[0]);
+      break;
+    case JointKind::kPrismatic:
+      linear[2] = double(x[0]);
+      break;
+    case JointKind::kSpherical:
+      angular = vec3(x);
+      break;
+    case JointKind::kPlanar:
+      linear = {double(x[0]), double(x[1]), 0}, angular[2] = double(x[2]);
+      break;
+    case JointKind::kFloating:
+      linear = vec3(x), angular = vec3(x + 3);
+      break;
+  }
+}
+
+// What a joint's damping, friction, spring and rotor take of its torque.
+void add_passive(const JointConstants& joint, const Number* q, const Number* v, const Number* qdd,
+                 double* tau) {
+  const Passive& own = joint.passive;
+  for (int k = 0; k < joint.nv; ++k) {
+    const double rate = double(v[joint.v + k]);
+    tau[k] += double(own.damping) * rate + double(own.rotor) * double(qdd[joint.v + k]) +
+              double(own.friction) * std::tanh(rate / double(own.friction_speed));
+  }
+  if (own.stiffness != 0) tau[0] += double(own.stiffness) * (double(q[joint.q]) - double(own.rest));
+}
+
+// The outer forces push their links.
+void push(const Number* outer, std::array<Body, kLinkCount>& body) {
+  for (const OuterForce& one : kOuterForces) {
+    Body& b = body[static_cast<std::size_t>(one.link)];
+    const Mat turn = mat3(one.rotation);
+    const Vec force = times(turn, vec3(outer)), moment = times(turn, vec3(outer + 3));
+    const Vec lever = cross(vec3(one.translation), force);
+    for (int k = 0; k < 3; ++k) b.f[k] -= force[k], b.n[k] -= moment[k] + lever[k];
+    outer += 6;
+  }
+}
+
+// Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
+// through their sources' torques.
+void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const Number* outer,
+                      double* tau) {
+  static std::array<Body, kLinkCount> body;
+  body[0] = {};
+  for (int k = 0; k < 3; ++k) body[0].a[k] = -kGravity[k];
+  for (int j = 0; j < kJointCount; ++j) {
+    const JointConstants& joint = kJoints[j];
+    const LinkConstants& link = kLinks[j + 1];
+    const Body& parent = body[joint.parent];
+    Body& b = body[j + 1];
+    Mat turn;
+    Vec shift, spin, slide, spin_rate, slide_rate;
+    displace(joint, q + joint.q, turn, shift);
+    motion(joint, v + joint.v, spin, slide);
+    motion(joint, qdd + joint.v, spin_rate, slide_rate);
+    b.turn = times(mat3(joint.rotation), turn);
+    b.shift = vec3(joint.translation) + times(mat3(joint.rotation), shift);
+    const Vec carried = transposed_times(b.turn, parent.w);
+    b.w = carried + spin;
+    b.dw = transposed_times(b.turn, parent.dw) + cross(carried, spin) + spin_rate;
+    const Vec at_origin =
+        parent.a + cross(parent.dw, b.shift) + cross(parent.w, cross(parent.w, b.shift));
+    const Vec coriolis = cross(carried, slide);
+    b.a =
+        transposed_times(b.turn, at_origin) + coriolis + coriolis + cross(spin, slide) + slide_rate;
+    const Vec c = vec3(link.com);
+    const Vec at_com = b.a + cross(b.dw, c) + cross(b.w, cross(b.w, c));
+    const Mat inertia = mat3(link.tensor);
+    for (int k = 0; k < 3; ++k) b.f[k] = double(link.mass) * at_com[k];
+    b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
+  }
+  push(outer, body);
+  for (int j = kJointCount - 1; j >= 0; --j) {
+    const JointConstants& joint = kJoints[j];
+    const Body& b = body[j + 1];
+    double* t = tau + joint.v;
+    switch (joint.kind) {
+      case JointKind::kRevolute:
+        t[0] = b.n[2];
+        break;
+      case JointKind::kPrismatic:
+        t[0] = b.f[2];
+        break;
+      case JointKind::kSpherical:
+        std::copy(b.n.begin(), b.n.end(), t);
+        break;
+      case JointKind::kPlanar:
+        t[0] = b.f[0], t[1] = b.f[1], t[2] = b.n[2];
+        break;
+      case JointKind::kFloating:
+        std::copy(b.f.begin(), b.f.end(), t);
+        std::copy(b.n.begin(), b.n.end(), t + 3);
+        break;
+    }
+    add_passive(joint, q, v, qdd, t);
+    Body& parent = body[joint.parent];
+    const Vec force = times(b.turn, b.f);
+    parent.f = parent.f + force;
+    parent.n = parent.n + times(b.turn, b.n) + cross(b.shift, force);
+  }
+  for (int j = 0; j < kJointCount; ++j) {
+    if (kJoints[j].source < 0) continue;
+    tau[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * tau[kJoints[j].v];
+    tau[kJoints[j].v] = 0;
+  }
+}
+
+// How far slaved accelerations are from following their sources, relative to their size, and
+// prescribed ones from what was prescribed.
+double slip(const Number* tau, const Number* qdd) {
+  double worst = 0;
+  for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      worst = std::max(worst, std::abs(double(qdd[k]) - double(tau[k])));
+    if (joint.source < 0) continue;
+    const double own = double(qdd[joint.v]);
+    const double due = joint.multiplier * double(qdd[kJoints[joint.source].v]);
+    worst = std::max(worst, std::abs(own - due) / std::max(1.0, std::abs(due)));
+  }
+  return worst;
+}
+
+// The larger of that and of |ID(q, v, qdd) - tau| relative to the size of the torques that it
+// balances.
+double residual(const Number* q, const Number* v, const Number* tau, const Number* qdd) {
+  static std::array<double, kNv> needed, at_rest;
+  static std::array<Number, kNv> zero{};
+  inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
+  inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
+  std::array<double, kNv> given{};
+  for (int k = 0; k < kNv; ++k) given[k] = double(tau[k]);
+  for (const JointConstants& joint : kJoints) {
+    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+      given[k] = needed[k] = at_rest[k] = 0;  // nobody asks for its torque
+  }
+  for (int j = 0; j < kJointCount; ++j) {
+    if (kJoints[j].source < 0) continue;
+    given[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * given[kJoints[j].v];
+    given[kJoints[j].v] = 0;
+  }
+  double error = 0, size = 0;
+  for (int k = 0; k < kNv; ++k) {
+    error += (needed[k] - given[k]) * (needed[k] - given[k]);
+    size += given[k] * given[k] + at_rest[k] * at_rest[k];
+  }
+  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(tau, qdd));
+}
+
+}  // namespace check
+
+// Reads JSON piece by piece; what is wrong is thrown.
+class JsonReader {
+ protected:
+  explicit JsonReader(std::string text) : text_(std::move(text)) {}
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw std::runtime_error(where_ + what);
+  }
+
+  void white() {
+    while (at_ < text_.size() && std::strchr(" \t\r\n", text_[at_]) != nullptr) ++at_;
+  }
+  char peek() {
+    white();
+    if (at_ >= text_.size()) refuse("the file ends too early");
+    return text_[at_];
+  }
+  void expect(char c) {
+    if (peek() != c) refuse(std::string("expected '") + c + "', found '" + text_[at_] + "'");
+    ++at_;
+  }
+  bool take(char c) {
+    if (peek() != c) return false;
+    ++at_;
+    return true;
+  }
+
+  template <class Item>
+  void array(Item item) {
+    if (++depth_ > 64) refuse("nested too deeply");
+    expect('[');
+    if (!take(']')) {
+      do item();
+      while (take(','));
+      expect(']');
+    }
+    --depth_;
+  }
+  template <class Item>
+  void object(Item item) {
+    if (++depth_ > 64) refuse("nested too deeply");
+    expect('{');
+    if (!take('}')) {
+      do {
+        const std::string key = string();
+        expect(':');
+        item(key);
+      } while (take(','));
+      expect('}');
+    }
+    --depth_;
+  }
+
+  std::vector<double> numbers() {
+    std::vector<double> result;
+    if (peek() == '[')
+      array([&] { result.push_back(number()); });
+    else
+      result.push_back(number());
+    return result;
+  }
+
+  double number() {
+    peek();
+    const std::size_t start = at_;
+    const auto digits = [this] {
+      const std::size_t first = at_;
+      while (at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9') ++at_;
+      return at_ > first;
+    };
+    const auto next_is = [this](char a, char b) {
+      return at_ < text_.size() && (text_[at_] == a || text_[at_] == b);
+    };
+    if (next_is('-', '-')) ++at_;
+    bool good = digits();
+    if (good && next_is('.', '.')) ++at_, good = digits();
+    if (good && next_is('e', 'E')) {
+      ++at_;
+      if (next_is('+', '-')) ++at_;
+      good = digits();
+    }
+    double value = 0;
+    if (good) {
+      const auto end = std::from_chars(text_.data() + start, text_.data() + at_, value);
+      good = end.ec == std::errc() && end.ptr == text_.data() + at_ && std::isfinite(value);
+    }
+    if (!good) refuse("expected a finite number");
+    return value;
+  }
+
+  bool boolean() {
+    peek();
+    for (const bool value : {true, false}) {
+      const std::string word = value ? "true" : "false";
+      if (text_.compare(at_, word.size(), word) == 0) {
+        at_ += word.size();
+        return value;
+      }
+    }
+    refuse("expected true or false");
+  }
+
+  std::string string() {
+    expect('"');
+    std::string result;
+    for (;;) {
+      if (at_ >= text_.size()) refuse("a string does not end");
+      const char c = text_[at_++];
+      if (c == '"') return result;
+      if (static_cast<unsigned char>(c) < 0x20) refuse("a control character in a string");
+      if (c != '\\') {
+        result += c;
+        continue;
+      }
+      if (at_ >= text_.size()) refuse("a string does not end");
+      const char escape = text_[at_++];
+      const char* const from = "\"\\/bfnrt";
+      const char* const to = "\"\\/\b\f\n\r\t";
+      if (const char* place = std::strchr(from, escape); place != nullptr && escape != '\0')
+        result += to[place - from];
+      else if (escape == 'u')
+        append_utf8(result, code_point());
+      else
+        refuse("an unknown escape in a string");
+    }
+  }
+
+  unsigned hex4() {
+    if (at_ + 4 > text_.size()) refuse("a string does not end");
+    unsigned value = 0;
+    const auto end = std::from_chars(text_.data() + at_, text_.data() + at_ + 4, value, 16);
+    if (end.ec != std::errc() || end.ptr != text_.data() + at_ + 4)
+      refuse("four hexadecimal digits expected");
+    at_ += 4;
+    return value;
+  }
+  unsigned code_point() {
+    const unsigned high = hex4();
+    if (high < 0xD800 || high > 0xDBFF) return high;
+    if (text_.compare(at_, 2, "\\u") != 0) refuse("half a surrogate pair in a string");
+    at_ += 2;
+    return 0x10000 + ((high - 0xD800) << 10) + ((hex4() - 0xDC00) & 0x3FF);
+  }
+  static void append_utf8(std::string& s, unsigned c) {
+    const auto put = [&s](unsigned byte) { s += static_cast<char>(byte); };
+    if (c < 0x80) return put(c);
+    if (c < 0x800) return put(0xC0 | c >> 6), put(0x80 | (c & 63));
+    if (c < 0x10000) return put(0xE0 | c >> 12), put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
+    put(0xF0 | c >> 18), put(0x80 | (c >> 12 & 63)), put(0x80 | (c >> 6 & 63)),
+        put(0x80 | (c & 63));
+  }
+
+  void skip() {
+    const char c = peek();
+    if (c == '{')
+      object([&](const std::string&) { skip(); });
+    else if (c == '[')
+      array([&] { skip(); });
+    else if (c == '"')
+      string();
+    else if (c == 't' || c == 'f')
+      boolean();
+    else if (text_.compare(at_, 4, "null") == 0)
+      at_ += 4;
+    else
+      number();
+  }
+
+  std::string text_, where_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+// Reads a states file (JSON) and writes a result file, joints by name.
+struct States {
+  int count = 0;
+  std::vector<Number> q, v, tau;  // one state after the other
+};
+
+class StatesReader : private JsonReader {
+ public:
+  explicit StatesReader(std::string text) : JsonReader(std::move(text)) {}
+
+  // Returns an empty string, or what is wrong, as "LINE: message".
+  std::string read(States& states) {
+    try {
+      parse(states);
+      return "";
+    } catch (const std::runtime_error& error) {
+      return std::to_string(
+                 1 + std::count(text_.begin(), text_.begin() + static_cast<long>(at_), '\n')) +
+             ": error: " + error.what();
+    }
+  }
+
+ private:
+  void parse(States& states) {
+    std::array<bool, kJointCount> seen{};
+    std::vector<std::vector<double>> forces(kOuterCount);
+    bool joints = false;
+    object([&](const std::string& key) {
+      if (key == "joints") {
+        joints = true;
+        object([&](const std::string& name) { read_joint(name, seen, states); });
+      } else if (key == "forces" && kOuterCount > 0) {
+        object([&](const std::string& name) { read_force(name, forces); });
+      } else if (key == "floating") {
+        if (boolean() != kFloatingBase)
+          refuse(std::string("\"floating\": this solver's base is ") +
+                 (kFloatingBase ? "floating" : "fixed") + "; generate it anew");
+      } else if (key == "gravity") {
+        const std::vector<double> given = numbers();
+        if (given.size() != 3 || !std::equal(given.begin(), given.end(), kGravity.begin()))
+          refuse("\"gravity\": another gravity is compiled into this solver; generate it anew");
+      } else {
+        refuse("unknown member " + quoted(key.c_str()));
+      }
+    });
+    white();
+    if (at_ != text_.size()) refuse("text behind the end");
+    if (!joints) refuse("\"joints\" is missing");
+    for (int j = 0; j < kJointCount; ++j)
+      if (!seen[j] && kJoints[j].source < 0)
+        refuse("joint " + quoted(kJoints[j].name) + " is missing");
+    fill_slaved(states);
+    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
+  }
+
+  void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
+    int j = 0;
+    while (j < kJointCount && name != kJoints[j].name) ++j;
+    if (j == kJointCount) refuse("unknown joint " + quoted(name.c_str()));
+    const std::string joint = "joint " + quoted(name.c_str());
+    if (seen[j]) refuse(joint + " comes twice");
+    seen[j] = true;
+    std::array<bool, 3> found{};
+    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
+    object([&](const std::string& key) {
+      if (key == "type" || (key == "qdd" && key != input))
+        return skip();  // as in a file of true answers
+      const char* const fields[] = {"q", "v", input};
+      const auto field = std::find(std::begin(fields), std::end(fields), key);
+      if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
+      bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
+      if (there) refuse(joint + ": " + key + " comes twice");
+      there = true;
+      where_ = joint + ": " + key + ": ";
+      read_field(kJoints[j], key, states);
+      where_.clear();
+    });
+    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
+  }
+
+  // One of q, v and tau of a joint: an entry for each state.
+  void read_field(const JointConstants& joint, const std::string& key, States& states) {
+    const bool is_q = key == "q";
+    const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
+    const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
+    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
+    std::vector<Number>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
+    int count = 0;
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != size)
+        refuse("state " + std::to_string(count + 1) + " has " + std::to_string(entry.size()) +
+               " numbers, not " + std::to_string(size));
+      const std::size_t row = stride * static_cast<std::size_t>(count);
+      if (values.size() < row + stride) values.resize(row + stride);
+      for (std::size_t k = 0; k < size; ++k)
+        values[row + start + k] = static_cast<Number>(entry[k]);
+      ++count;
+    });
+    if (count == 0) refuse("there is no state");
+    if (states.count == 0) states.count = count;
+    if (count != states.count)
+      refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
+  }
+
+  // One link's outer force: six numbers for each state.
+  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
+    std::size_t k = 0;
+    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
+    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
+    where_ = "force on link " + quoted(name.c_str()) + ": ";
+    if (!forces[k].empty()) refuse("comes twice");
+    array([&] {
+      const std::vector<double> entry = numbers();
+      if (entry.size() != 6) refuse("needs six numbers for each state");
+      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
+    });
+    where_.clear();
+  }
+
+  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
+    if (given.size() != 6 * static_cast<std::size_t>(states.count))
+      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
+             std::to_string(given.size() / 6) + " states, but the joints have " +
+             std::to_string(states.count));
+    for (std::size_t i = 0; i < given.size(); ++i)
+      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Number>(given[i]);
+  }
+
+  static void fill_slaved(States& states) {
+    for (int s = 0; s < states.count; ++s)
+      slave(states.q.data() + static_cast<long>(s) * kNq,
+            states.v.data() + static_cast<long>(s) * kNv);
+  }
+};
+
+// more: further members of the file, each after a comma.
+bool write_result(const std::string& path, const std::vector<Number>& qdd, int count,
+                  const std::string& more) {
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  if (file == nullptr) return false;
+  std::fputs("{\"joints\": {", file);
+  for (int j = 0; j < kJointCount; ++j) {
+    std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",", quoted(kJoints[j].name).c_str());
+    for (int s = 0; s < count; ++s) {
+      const Number* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
+      std::fputs(s == 0 ? "" : ", ", file);
+      if (kJoints[j].nv > 1) std::fputs("[", file);
+      for (int k = 0; k < kJoints[j].nv; ++k)
+        if (x[k] == x[k])
+          std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
+        else  // of a batch, a state that failed
+          std::fputs(k == 0 ? "null" : ", null", file);
+      if (kJoints[j].nv > 1) std::fputs("]", file);
+    }
+    std::fputs("]}", file);
+  }
+  std::fprintf(file, "\n}%s}\n", more.c_str());
+  const bool good = std::ferror(file) == 0;
+  return std::fclose(file) == 0 && good;
+}
+
+constexpr ChannelMode kChannelMode = ChannelMode::kAuto;
+
+// Configurations as points of a manifold. Near an anchor q0 a configuration has local coordinates
+// x, as many as velocities: a rotation vector in the child's frame where there is a quaternion,
+// the change of q itself elsewhere (of a floating or planar joint's position: in its joint frame).
+namespace manifold {
+
+using State = std::vector<double>;
+
+// a x b.
+inline void cross(const double* a, const double* b, double* result) {
+  for (int k = 0; k < 3; ++k)
+    result[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+// The joint's own rotation takes v, in the child's frame, to the joint frame: v + 2 p x (w v + p x
+// v) for a quaternion (p, w) of any length.
+inline void rotate(const double* quaternion, const double* v, double* result) {
+  double squared = 0, inner[3], outer[3];
+  for (int k = 0; k < 4; ++k) squared += quaternion[k] * quaternion[k];
+  cross(quaternion, v, inner);
+  for (int k = 0; k < 3; ++k) inner[k] += quaternion[3] * v[k];
+  cross(quaternion, inner, outer);
+  for (int k = 0; k < 3; ++k) result[k] = v[k] + 2 / squared * outer[k];
+}
+
+// Quaternions p times (x, w).
+inline void multiply(const double* p, const double* x, double w, double* result) {
+  double twisted[3];
+  cross(p, x, twisted);
+  for (int k = 0; k < 3; ++k) result[k] = p[3] * x[k] + w * p[k] + twisted[k];
+  result[3] = p[3] * w - (p[0] * x[0] + p[1] * x[1] + p[2] * x[2]);
+}
+
+inline double length(const double* x, int count) {
+  double squared = 0;
+  for (int k = 0; k < count; ++k) squared += x[k] * x[k];
+  return std::sqrt(squared);
+}
+
+constexpr bool turns_freely(const JointConstants& joint) { return joint.nq >= 4; }
+
+ADAGEN_HOT void normalise(State& q) {
+  for (const JointConstants& joint : kJoints) {
+    if (!turns_freely(joint)) continue;
+    double* const quaternion = &q[static_cast<std::size_t>(joint.q + joint.nq - 4)];
+    const double size = length(quaternion, 4);
+    if (!(size > 0)) continue;  // the solver refuses it by name
+    for (int k = 0; k < 4; ++k) quaternion[k] /= size;
+  }
+}
+
+// Velocity of the origin of a floating or planar joint's child, told in the joint frame; its row
+// count.
+inline int position_rate(const JointConstants& joint, const double* q, const double* v,
+                         double* rate) {
+  if (joint.kind == JointKind::kFloating) {
+    rotate(q + 3, v, rate);
+    return 3;
+  }
+  if (joint.kind != JointKind::kPlanar) return 0;
+  const double c = std::cos(q[2]), s = std::sin(q[2]);
+  rate[0] = c * v[0] - s * v[1];
+  rate[1] = s * v[0] + c * v[1];
+  return 2;
+}
+
+// q' as numbers: quaternions by half their product with the angular velocity.
+ADAGEN_HOT void rate(const State& q, const State& v, State& result) {
+  for (const JointConstants& joint : kJoints) {
+    const double* const own = &q[static_cast<std::size_t>(joint.q)];
+    const double* const speed = &v[static_cast<std::size_t>(joint.v)];
+    double* const to = &result[static_cast<std::size_t>(joint.q)];
+    const int done = position_rate(joint, own, speed, to);
+    if (turns_freely(joint)) {
+      const double half[3] = {speed[done] / 2, speed[done + 1] / 2, speed[done + 2] / 2};
+      multiply(own + done, half, 0, to + done);
+    } else {
+      std::copy(speed + done, speed + joint.nv, to + done);
+    }
+  }
+}
+
+// x' at local coordinates x, where the configuration is q: for rotations the inverse of the
+// exponential's derivative, v + x x v / 2 + c x x (x x v), c = (1 - a cot a) / (2 a)^2 at a =
+// |x|/2.
+ADAGEN_HOT void local_rate(const State& q, const State& x, const State& v, State& result) {
+  for (const JointConstants& joint : kJoints) {
+    const double* const speed = &v[static_cast<std::size_t>(joint.v)];
+    double* const to = &result[static_cast<std::size_t>(joint.v)];
+    const int done = position_rate(joint, &q[static_cast<std::size_t>(joint.q)], speed, to);
+    std::copy(speed + done, speed + joint.nv, to + done);
+    if (!turns_freely(joint)) continue;
+    const double* const turn = &x[static_cast<std::size_t>(joint.v + done)];
+    const double half = length(turn, 3) / 2;
+    const double c = half < 1e-3 ? 1.0 / 12 + half * half / 180
+                                 : (1 - half / std::tan(half)) / (4 * half * half);
+    double once[3], twice[3];
+    cross(turn, speed + done, once);
+    cross(turn, once, twice);
+    for (int k = 0; k < 3; ++k) to[done + k] += once[k] / 2 + c * twice[k];
+  }
+}
+
+// The configuration with local coordinates x about the anchor.
+ADAGEN_HOT void advance(const State& anchor, const State& x, State& q) {
+  for (const JointConstants& joint : kJoints) {
+    const double* const from = &anchor[static_cast<std::size_t>(joint.q)];
+    const double* const by = &x[static_cast<std::size_t>(joint.v)];
+    double* const to = &q[static_cast<std::size_t>(joint.q)];
+    const int plain = turns_freely(joint) ? joint.nq - 4 : joint.nq;
+    for (int k = 0; k < plain; ++k) to[k] = from[k] + by[k];
+    if (!turns_freely(joint)) continue;
+    const double* const turn = by + plain;
+    const double half = length(turn, 3) / 2;
+    const double part = half < 1e-3 ? 0.5 - half * half / 12 : std::sin(half) / (2 * half);
+    const double vector[3] = {part * turn[0], part * turn[1], part * turn[2]};
+    multiply(from + plain, vector, std::cos(half), to + plain);
+  }
+}
+
+}  // namespace manifold
+
+// Damping D, stiffness K and friction of joints as they act at the end of a step, where these
+// joints move with v + u instead of v: they take g(u) = (D + h K) u + friction at v + u less
+// friction at v of the torques with springs at q + h v, for which a0 would be the answer. From the
+// evaluations of unit torques, M = (H^-1) at these joints: u = h (a0 - M g(u)). One evaluation for
+// each such degree of freedom, and two.
+class PassiveTerms {
+ public:
+  using State = std::vector<double>;
+
+  PassiveTerms() : extra_(kNv), base_(kNv), unit_(kNv) {
+    for (const JointConstants& joint : kJoints)
+      for (int k = 0; k < joint.nv; ++k) {
+        const Passive& own = joint.passive;
+        if (!own.prescribed && (own.damping > 0 || own.stiffness > 0 || own.friction > 0))
+          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(own.damping),
+                           double(own.stiffness), double(own.friction),
+                           double(own.friction_speed)});
+      }
+    for (State* x : {&taken_, &next_, &slope_, &u_, &du_}) x->resize(rows_.size());
+    for (State* x : {&matrix_, &factors_}) x->resize(rows_.size() * rows_.size());
+  }
+
+  // a at the end of a step of length h from (q, v).
+  template <class Accelerate>
+  int accelerate(double h, const State& q, const State& v, State& a, Accelerate evaluate) {
+    const std::size_t n = rows_.size();
+    std::fill(extra_.begin(), extra_.end(), 0.0);
+    for (const Row& row : rows_) extra_[row.v] = -h * row.stiffness * v[row.v];
+    if (const int failed = evaluate(q, v, extra_, base_)) return failed;
+    if (n == 0) {
+      a = base_;
+      return kFine;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      const double before = extra_[rows_[k].v];
+      extra_[rows_[k].v] += 1;
+      if (const int failed = evaluate(q, v, extra_, unit_)) return failed;
+      extra_[rows_[k].v] = before;
+      for (std::size_t i = 0; i < n; ++i)
+        matrix_[i * n + k] = unit_[rows_[i].v] - base_[rows_[i].v];
+    }
+    settle(h, v);
+    for (std::size_t k = 0; k < n; ++k) extra_[rows_[k].v] -= taken_[k];
+    return evaluate(q, v, extra_, a);
+  }
+
+ private:
+  struct Row {
+    std::size_t v;
+    double damping, stiffness, friction, friction_speed;
+
+    bool rubs() const { return friction > 0; }
+
+    // What is taken at the end of a step that changes the velocity v by u.
+    double torque(double h, double at, double u) const {
+      const double linear = (damping + h * stiffness) * u;
+      if (!rubs()) return linear;
+      return linear +
+             friction * (std::tanh((at + u) / friction_speed) - std::tanh(at / friction_speed));
+    }
+
+    // Its derivative by u.
+    double slope(double h, double end) const {
+      if (!rubs()) return damping + h * stiffness;
+      const double part = std::tanh(end / friction_speed);
+      return damping + h * stiffness + friction / friction_speed * (1 - part) * (1 + part);
+    }
+  };
+
+  static constexpr int kMostSteps = 100;
+  static constexpr double kNear = 1e-10, kFlat = 0.1;
+
+  // taken_ <- g(u) by Newton's method. g grows with u and M is positive semi-definite, so that u is
+  // where a convex function is least: a step is shortened until that function no longer rises
+  // steeply. What is linear takes one step.
+  void settle(double h, const State& v) {
+    const bool rubs =
+        std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.rubs(); });
+    std::fill(taken_.begin(), taken_.end(), 0.0);
+    for (int step = 0; step < (rubs ? kMostSteps : 1); ++step) {
+      aim(h, v);
+      const double length = rubs ? step_length(h, v) : 1;
+      bool near = true;
+      for (std::size_t k = 0; k < rows_.size(); ++k) {
+        const double change = next_[k] - taken_[k];
+        taken_[k] += length * change;
+        near &= std::abs(change) <= kNear * std::abs(taken_[k]) ||
+                std::abs(du_[k]) <= kNear * (std::abs(v[rows_[k].v]) + std::abs(u_[k]));
+      }
+      if (near || length == 0) return;
+    }
+  }
+
+  // From taken_: u_; by the derivative there, next_ as taken_ would be and du_ as u_ would change.
+  ADAGEN_HOT void aim(double h, const State& v) {
+    const std::size_t n = rows_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Row& row = rows_[i];
+      double a = base_[row.v];
+      for (std::size_t k = 0; k < n; ++k) a -= matrix_[i * n + k] * taken_[k];
+      u_[i] = h * a;
+      slope_[i] = row.slope(h, v[row.v] + u_[i]);
+      next_[i] = slope_[i] * (h * base_[row.v] - u_[i]) + row.torque(h, v[row.v], u_[i]);
+      for (std::size_t k = 0; k < n; ++k)
+        factors_[i * n + k] = (i == k) + h * slope_[i] * matrix_[i * n + k];
+    }
+    solve();
+    for (std::size_t i = 0; i < n; ++i) {
+      du_[i] = 0;
+      for (std::size_t k = 0; k < n; ++k) du_[i] -= h * matrix_[i * n + k] * (next_[k] - taken_[k]);
+    }
+  }
+
+  // How much of the way from taken_ to next_ is gone, at most 1; 0 where there is nowhere to go.
+  double step_length(double h, const State& v) const {
+    const double start = rise(0, h, v);
+    if (!(start < 0)) return 0;
+    double low = 0, high = 1, length = 1;
+    for (int halvings = 0; halvings < 60; ++halvings) {
+      const double found = rise(length, h, v);
+      if (std::abs(found) <= -kFlat * start || (length == 1 && found < 0)) break;
+      (found > 0 ? high : low) = length;
+      length = (low + high) / 2;
+    }
+    return length;
+  }
+
+  // The convex function's derivative at a part of the way.
+  ADAGEN_HOT double rise(double part, double h, const State& v) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const double there = taken_[k] + part * (next_[k] - taken_[k]);
+      sum += du_[k] * (rows_[k].torque(h, v[rows_[k].v], u_[k] + part * du_[k]) - there);
+    }
+    return sum;
+  }
+
+  // next_ <- factors_^-1 next_ by elimination, without pivoting: but for scales of rows and
+  // columns the matrix is symmetric and positive definite.
+  ADAGEN_HOT void solve() {
+    const std::size_t n = rows_.size();
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t i = k + 1; i < n; ++i) {
+        const double part = factors_[i * n + k] / factors_[k * n + k];
+        for (std::size_t j = k; j < n; ++j) factors_[i * n + j] -= part * factors_[k * n + j];
+        next_[i] -= part * next_[k];
+      }
+    for (std::size_t k = n; k-- > 0;) {
+      for (std::size_t j = k + 1; j < n; ++j) next_[k] -= factors_[k * n + j] * next_[j];
+      next_[k] /= factors_[k * n + k];
+    }
+  }
+
+  std::vector<Row> rows_;
+  State extra_, base_, unit_, matrix_, factors_;
+  State taken_, next_, slope_, u_, du_;  // torques twice; their derivatives; changes of velocity
+};
+
+// Fixed-step integrators of q' = G(q) v, v' = a(q, v). All but RK4 and the explicit Euler method
+// move quaternions by the exponential map, so that these keep their length.
+enum class Integrator { kEuler, kSemiImplicit, kImplicit, kRk4, kRkmk4 };
+
+struct IntegratorInfo {
+  const char* name;
+  Integrator kind;
+};
+
+constexpr std::array<IntegratorInfo, 5> kIntegrators{{
+    {"euler", Integrator::kEuler},
+    {"semi-implicit", Integrator::kSemiImplicit},
+    {"implicit", Integrator::kImplicit},
+    {"rk4", Integrator::kRk4},
+    {"rkmk4", Integrator::kRkmk4},
+}};
+
+class Stepper {
+ public:
+  using State = manifold::State;
+
+  Stepper() {
+    for (State* x : {&middle_q_, &q_rate_, &q_sum_}) x->resize(kNq);
+    for (State* x : {&middle_v_, &a_, &v_sum_, &x_, &x_rate_, &x_sum_, &none_}) x->resize(kNv);
+  }
+
+  // One step of length h from (q, v) to (q, v). accelerate(q, v, extra, a) evaluates with extra
+  // torques and returns a status; where that is a failure, the state stays as it was.
+  template <class Accelerate>
+  int step(Integrator kind, double h, State& q, State& v, Accelerate accelerate) {
+    switch (kind) {
+      case Integrator::kRk4:
+        return runge_kutta(h, q, v, accelerate);
+      case Integrator::kRkmk4:
+        return munthe_kaas(h, q, v, accelerate);
+      case Integrator::kImplicit:
+        return implicit(h, q, v, accelerate);
+      default:
+        return euler(kind == Integrator::kSemiImplicit, h, q, v, accelerate);
+    }
+  }
+
+ private:
+  static constexpr std::array<double, 4> kNode{0, 0.5, 0.5, 1}, kWeight{1, 2, 2, 1};
+
+  // y + h dy
+  ADAGEN_HOT static void move(const State& y, double h, const State& dy, State& result) {
+    for (std::size_t k = 0; k < y.size(); ++k) result[k] = y[k] + h * dy[k];
+  }
+
+  template <class Accelerate>
+  int euler(bool semi_implicit, double h, State& q, State& v, Accelerate accelerate) {
+    if (const int failed = accelerate(q, v, none_, a_)) return failed;
+    manifold::rate(q, v, q_rate_);
+    move(v, h, a_, v);
+    if (semi_implicit)
+      follow(h, q, v);
+    else
+      move(q, h, q_rate_, q);
+    manifold::normalise(q);
+    return kFine;
+  }
+
+  // The semi-implicit method with damping and springs as they are at the end of the step.
+  template <class Accelerate>
+  int implicit(double h, State& q, State& v, Accelerate accelerate) {
+    if (const int failed = passive_.accelerate(h, q, v, a_, accelerate)) return failed;
+    move(v, h, a_, v);
+    follow(h, q, v);
+    manifold::normalise(q);
+    return kFine;
+  }
+
+  // Moves q along v by the exponential map.
+  void follow(double h, State& q, const State& v) {
+    std::fill(x_.begin(), x_.end(), 0.0);
+    manifold::local_rate(q, x_, v, x_rate_);
+    move(x_, h, x_rate_, x_);
+    manifold::advance(q, x_, middle_q_);
+    q.swap(middle_q_);
+  }
+
+  // The classical method on q as numbers; quaternions are normalised after the step.
+  template <class Accelerate>
+  int runge_kutta(double h, State& q, State& v, Accelerate accelerate) {
+    middle_q_ = q;
+    middle_v_ = v;
+    std::fill(q_sum_.begin(), q_sum_.end(), 0.0);
+    std::fill(v_sum_.begin(), v_sum_.end(), 0.0);
+    for (std::size_t k = 0; k < kNode.size(); ++k) {
+      if (k > 0) {
+        move(q, kNode[k] * h, q_rate_, middle_q_);
+        move(v, kNode[k] * h, a_, middle_v_);
+      }
+      if (const int failed = accelerate(middle_q_, middle_v_, none_, a_)) return failed;
+      manifold::rate(middle_q_, middle_v_, q_rate_);
+      move(q_sum_, kWeight[k] / 6, q_rate_, q_sum_);
+      move(v_sum_, kWeight[k] / 6, a_, v_sum_);
+    }
+    move(q, h, q_sum_, q);
+    move(v, h, v_sum_, v);
+    manifold::normalise(q);
+    return kFine;
+  }
+
+  // Runge-Kutta-Munthe-Kaas: the same method on local coordinates about the step's start.
+  template <class Accelerate>
+  int munthe_kaas(double h, State& q, State& v, Accelerate accelerate) {
+    middle_q_ = q;
+    middle_v_ = v;
+    for (State* x : {&x_, &x_sum_, &v_sum_}) std::fill(x->begin(), x->end(), 0.0);
+    for (std::size_t k = 0; k < kNode.size(); ++k) {
+      if (k > 0) {
+        for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = kNode[k] * h * x_rate_[i];
+        manifold::advance(q, x_, middle_q_);
+        move(v, kNode[k] * h, a_, middle_v_);
+      }
+      if (const int failed = accelerate(middle_q_, middle_v_, none_, a_)) return failed;
+      manifold::local_rate(middle_q_, x_, middle_v_, x_rate_);
+      move(x_sum_, h * kWeight[k] / 6, x_rate_, x_sum_);
+      move(v_sum_, h * kWeight[k] / 6, a_, v_sum_);
+    }
+    manifold::advance(q, x_sum_, middle_q_);
+    q.swap(middle_q_);
+    move(v, 1, v_sum_, v);
+    manifold::normalise(q);
+    return kFine;
+  }
+
+  State middle_q_, middle_v_, q_rate_, a_, q_sum_, v_sum_, x_, x_rate_, x_sum_;
+  State none_;  // no extra torques
+  PassiveTerms passive_;
+};
+
+// Where --trajectory goes: times, configurations and velocities as CSV, a line each, or as .npz
+// (numpy: time (T), q (T, nq), v (T, nv), and the joints' names).
+class Trajectory {
+ public:
+  static constexpr double kMostBytes = 4e9;  // a member of a zip file without 64-bit extensions
+
+  static bool is_npz(const std::string& path) { return ends_with(path, ".npz"); }
+  static bool is_known(const std::string& path) { return is_npz(path) || ends_with(path, ".csv"); }
+
+  // False where the file cannot be written.
+  bool open(const std::string& path) {
+    path_ = path;
+    if (path.empty()) return true;
+    file_.reset(std::fopen(path.c_str(), "wb"));
+    if (file_ == nullptr) return false;
+    if (!is_npz(path)) write_names();
+    return true;
+  }
+
+  void record(double time, const std::vector<double>& q, const std::vector<double>& v) {
+    if (file_ == nullptr) return;
+    if (is_npz(path_)) {
+      times_.push_back(time);
+      q_.insert(q_.end(), q.begin(), q.end());
+      v_.insert(v_.end(), v.begin(), v.end());
+      return;
+    }
+    std::fprintf(file_.get(), "%.17g", time);
+    for (const std::vector<double>* values : {&q, &v})
+      for (const double x : *values) std::fprintf(file_.get(), ",%.17g", x);
+    std::fputc('\n', file_.get());
+  }
+
+  // False where writing has failed.
+  bool close() {
+    if (file_ == nullptr) return true;
+    if (is_npz(path_)) write_archive();
+    const bool good = std::ferror(file_.get()) == 0;
+    return std::fclose(file_.release()) == 0 && good;
+  }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  struct Member {
+    std::string name;
+    std::uint32_t check, size, offset;
+  };
+
+  static bool ends_with(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() &&
+           text.compare(text.size() - end.size(), end.size(), end) == 0;
+  }
+
+  // "time", then a name for each number: JOINT.q, or JOINT.q0 and so on where there are several.
+  void write_names() {
+    std::fputs("time", file_.get());
+    for (const char field : {'q', 'v'})
+      for (const JointConstants& joint : kJoints) {
+        std::string name;
+        for (const char* c = joint.name; *c != '\0'; ++c)
+          name += *c == '"' ? "\"\"" : std::string(1, *c);
+        const int count = field == 'q' ? joint.nq : joint.nv;
+        for (int k = 0; k < count; ++k)
+          std::fprintf(file_.get(), ",\"%s.%c%s\"", name.c_str(), field,
+                       count > 1 ? std::to_string(k).c_str() : "");
+      }
+    std::fputc('\n', file_.get());
+  }
+
+  void write_archive() {
+    std::vector<Member> members;
+    const auto rows = std::to_string(times_.size());
+    const auto add = [&](const char* name, const std::string& type, const std::string& shape,
+                         const void* data, std::size_t bytes) {
+      members.push_back(write_member(name, npy_head(type, shape), data, bytes));
+    };
+    add("time.npy", "<f8", "(" + rows + ",)", times_.data(), 8 * times_.size());
+    add("q.npy", "<f8", "(" + rows + ", " + std::to_string(kNq) + ")", q_.data(), 8 * q_.size());
+    add("v.npy", "<f8", "(" + rows + ", " + std::to_string(kNv) + ")", v_.data(), 8 * v_.size());
+    std::size_t longest = 1;
+    for (const JointConstants& joint : kJoints)
+      longest = std::max(longest, std::strlen(joint.name));
+    std::string names;  // UTF-8, padded with zeros
+    for (const JointConstants& joint : kJoints) {
+      names += joint.name;
+      names.resize((names.size() / longest + (names.size() % longest > 0)) * longest);
+    }
+    add("joints.npy", "|S" + std::to_string(longest), "(" + std::to_string(kJointCount) + ",)",
+        names.data(), names.size());
+    write_directory(members);
+  }
+
+  static std::string npy_head(const std::string& type, const std::string& shape) {
+    std::string text =
+        "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }";
+    text.resize((10 + text.size() + 1 + 63) / 64 * 64 - 11, ' ');
+    text += '\n';
+    return std::string("\x93NUMPY\x01\x00", 8) + low_bytes(text.size(), 2) + text;
+  }
+
+  static std::string low_bytes(std::uint64_t value, int count) {
+    std::string result;
+    for (int k = 0; k < count; ++k) result += static_cast<char>(value >> 8 * k & 0xFF);
+    return result;
+  }
+
+  static std::uint32_t crc32(std::uint32_t before, const void* data, std::size_t bytes) {
+    static const std::vector<std::uint32_t> table = [] {
+      std::vector<std::uint32_t> rows(256);
+      for (std::uint32_t k = 0; k < 256; ++k) {
+        std::uint32_t x = k;
+        for (int bit = 0; bit < 8; ++bit) x = x >> 1 ^ (x & 1 ? 0xEDB88320u : 0u);
+        rows[k] = x;
+      }
+      return rows;
+    }();
+    std::uint32_t x = ~before;
+    const auto* const at = static_cast<const unsigned char*>(data);
+    for (std::size_t k = 0; k < bytes; ++k) x = table[(x ^ at[k]) & 0xFF] ^ x >> 8;
+    return ~x;
+  }
+
+  // Method 0 (stored), 1 January 1980.
+  static std::string zip_fields(const Member& member) {
+    return low_bytes(20, 2) + low_bytes(0, 4) + low_bytes(0, 2) + low_bytes(0x21, 2) +
+           low_bytes(member.check, 4) + low_bytes(member.size, 4) + low_bytes(member.size, 4) +
+           low_bytes(member.name.size(), 2) + low_bytes(0, 2);
+  }
+
+  Member write_member(const char* name, const std::string& head, const void* data,
+                      std::size_t bytes) {
+    const Member member{name, crc32(crc32(0, head.data(), head.size()), data, bytes),
+                        static_cast<std::uint32_t>(head.size() + bytes), written_};
+    put(std::string("PK\x03\x04", 4) + zip_fields(member) + member.name + head);
+    if (bytes > 0) std::fwrite(data, 1, bytes, file_.get());
+    written_ += static_cast<std::uint32_t>(bytes);
+    return member;
+  }
+
+  void write_directory(const std::vector<Member>& members) {
+    const std::uint32_t start = written_;
+    for (const Member& member : members)
+      put(std::string("PK\x01\x02", 4) + low_bytes(20, 2) + zip_fields(member) + low_bytes(0, 10) +
+          low_bytes(member.offset, 4) + member.name);
+    const std::uint32_t size = written_ - start;
+    put(std::string("PK\x05\x06", 4) + low_bytes(0, 4) + low_bytes(members.size(), 2) +
+        low_bytes(members.size(), 2) + low_bytes(size, 4) + low_bytes(start, 4) + low_bytes(0, 2));
+  }
+
+  void put(const std::string& bytes) {
+    std::fwrite(bytes.data(), 1, bytes.size(), file_.get());
+    written_ += static_cast<std::uint32_t>(bytes.size());
+  }
+
+  std::string path_;
+  std::unique_ptr<std::FILE, Close> file_;
+  std::vector<double> times_, q_, v_;
+  std::uint32_t written_ = 0;
+};
+
+struct SimulationOptions {
+  double seconds = 0, step = 1e-3;  // no simulation where seconds are 0
+  const IntegratorInfo* integrator = &kIntegrators[3];
+  long long every = 1;  // steps between the rows of the trajectory
+  std::string trajectory;
+};
+
+// What the program is asked to do.
+struct Options {
+  std::string states, result, trace;
+  bool check = false, time = false, stretches = false, json = false, help = false, pin = true;
+  int repeat = 200;
+  std::uint64_t seed = 1;
+  double time_limit = 30, tolerance = kTolerance;
+  ChannelMode channel = kChannelMode;
+  int hosts = 0;  // as many as there are
+  SimulationOptions simulation;
+};
+
+enum ExitStatus : int { kDone = 0, kInputAtFault = 1, kUsage = 2, kFault = 3 };
+
+const char* const kUsageText =
+    "  --states FILE     solve these states (JSON, joints by name); --result FILE takes the "
+    "answer\n"
+    "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
+    "  --check           residual of an independent inverse dynamics, for the given or random "
+    "states\n"
+    "  --simulate S      integrate for S seconds from the one given state (or a random one), under "
+    "its\n"
+    "                    torques\n"
+    "  --step H          length of a step in seconds (0.001)\n"
+    "  --integrator NAME euler, semi-implicit, implicit, rk4 or rkmk4 (rk4)\n"
+    "  --trajectory FILE where the motion goes: FILE.csv or FILE.npz\n"
+    "  --every N         keep every Nth step of it (1), and the last\n"
+    "  --trace FILE      when each process did what, as JSON (medians over random states)\n"
+    "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
+    "                    (where there are more processes than cores, as --stretches)\n"
+    "  --stretches       time what each process computes between messages, one process at a time,\n"
+    "                    and play it through with what messages cost; stands in for --time\n"
+    "  --repeat N        evaluations of each random state when timing (200)\n"
+    "  --seed N          seed of the random states (1)\n"
+    "  --tolerance X     largest residual that --check lets pass\n"
+    "  --channel KIND    auto, window (processes share memory) or message (MPI messages)\n"
+    "  --hosts N         take the processes to be on N hosts, in equal parts: only those of one "
+    "share memory\n"
+    "  --timeout S       how long a process waits for another before it gives up, in seconds (30)\n"
+    "  --no-pin          leave the processes to the system's scheduler when timing\n"
+    "  --json            report as JSON on standard output\n"
+    "  --help            this text\n"
+    "Without --states, --check, --time, --trace or --simulate it checks and times. Exit status: 0 "
+    "done, 1 "
+    "input at "
+    "fault\n"
+    "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
+
+constexpr std::array<const char*, 5> kSimulationWords{"--simulate", "--step", "--integrator",
+                                                      "--trajectory", "--every"};
+
+// Takes one option of a simulation; number is not a number where the value is none of 0 or more.
+// Returns an empty string, or what is wrong.
+std::string parse_simulation(const std::string& word, const std::string& value, double number,
+                             SimulationOptions& options) {
+  if (word == "--integrator") {
+    std::string names;
+    for (const IntegratorInfo& info : kIntegrators) {
+      if (value == info.name) return options.integrator = &info, "";
+      names += (names.empty() ? "" : ", ") + std::string(info.name);
+    }
+    return "--integrator takes one of " + names;
+  }
+  if (word == "--trajectory") {
+    options.trajectory = value;
+    return Trajectory::is_known(value) ? "" : "--trajectory takes FILE.csv or FILE.npz";
+  }
+  if (word == "--every") {
+    options.every = number <= 1e12 ? static_cast<long long>(number) : 0;
+    const bool whole = options.every >= 1 && number == std::floor(number);
+    return whole ? "" : "--every takes a whole number from 1 to 1e12";
+  }
+  if (!(number > 0)) return word + " takes a number of seconds above 0";
+  (word == "--step" ? options.step : options.seconds) = number;
+  return "";
+}
+
+// Returns what is wrong with what was asked for together, and settles what was left open.
+std::string settle(bool simulation_words, Options& options) {
+  if (kBatch && (options.simulation.seconds > 0 || !options.trace.empty() || options.stretches))
+    return "a batch solver has neither --simulate nor --trace nor --stretches";
+  const bool others = options.check || options.time || !options.trace.empty();
+  if (options.simulation.seconds > 0) {
+    if (others || !options.result.empty())
+      return "--simulate goes alone: without --check, --time, --trace and --result";
+    return "";
+  }
+  if (simulation_words) return "--step, --integrator, --trajectory and --every need --simulate";
+  if (!options.result.empty() && options.states.empty()) return "--result needs --states";
+  if (options.json && options.result.empty() && !options.states.empty())
+    return "--json needs --result FILE where there are --states: both would go to standard output";
+  if (options.states.empty() && !others) options.check = options.time = true;
+  return "";
+}
+
+// Returns an empty string, or what is wrong.
+std::string parse(int count, char** words, Options& options) {
+  bool simulation_words = false;
+  for (int k = 1; k < count; ++k) {
+    const std::string word = words[k];
+    const auto flag = [&word](const char* name) { return word == name; };
+    if (flag("--check"))
+      options.check = true;
+    else if (flag("--time"))
+      options.time = true;
+    else if (flag("--stretches"))
+      options.time = options.stretches = true;
+    else if (flag("--json"))
+      options.json = true;
+    else if (flag("--help"))
+      options.help = true;
+    else if (flag("--no-pin"))
+      options.pin = false;
+    else {
+      const char* const known[] = {"--states",    "--result",  "--trace", "--repeat", "--seed",
+                                   "--tolerance", "--channel", "--hosts", "--timeout"};
+      const bool of_simulation =
+          std::any_of(kSimulationWords.begin(), kSimulationWords.end(), flag);
+      if (!of_simulation && std::none_of(std::begin(known), std::end(known), flag))
+        return "unknown option " + word;
+      if (k + 1 == count) return word + " needs a value";
+      const std::string value = words[++k];
+      char* end = nullptr;
+      const double number = std::strtod(value.c_str(), &end);
+      const bool numeric = !value.empty() && *end == '\0' && std::isfinite(number) && number >= 0;
+      if (of_simulation) {
+        simulation_words = true;
+        const std::string wrong =
+            parse_simulation(word, value, numeric ? number : std::nan(""), options.simulation);
+        if (!wrong.empty()) return wrong;
+      } else if (flag("--states"))
+        options.states = value;
+      else if (flag("--result"))
+        options.result = value;
+      else if (flag("--trace"))
+        options.trace = value;
+      else if (flag("--channel")) {
+        if (value == "auto")
+          options.channel = ChannelMode::kAuto;
+        else if (value == "window")
+          options.channel = ChannelMode::kWindow;
+        else if (value == "message")
+          options.channel = ChannelMode::kMessage;
+        else
+          return "--channel takes auto, window or message";
+      } else if (!numeric)
+        return word + " takes a number of 0 or more, not \"" + value + "\"";
+      else if (flag("--repeat")) {
+        if (number < 1 || number > 1e6 || number != std::floor(number))
+          return "--repeat takes a whole number from 1 to 1000000";
+        options.repeat = static_cast<int>(number);
+      } else if (flag("--seed")) {
+        if (number > 0x1p53 || number != std::floor(number))
+          return "--seed takes a whole number of 0 or more";
+        options.seed = static_cast<std::uint64_t>(number);
+      } else if (flag("--hosts")) {
+        if (number < 1 || number > kProcesses || number != std::floor(number))
+          return "--hosts takes a whole number from 1 to " + std::to_string(kProcesses) +
+                 ", that of processes";
+        options.hosts = static_cast<int>(number);
+      } else if (flag("--tolerance"))
+        options.tolerance = number;
+      else if (number <= 0 || number > 1e6)
+        return "--timeout takes a number of seconds above 0, at most 1000000";
+      else
+        options.time_limit = number;
+    }
+  }
+  return settle(simulation_words, options);
+}
+
+// Bounds the waits that the channel does not: MPI's own collective calls wait for ever for a
+// process that was stopped. Whoever sees no progress for the time limit, and a second for the
+// channel to say it better, ends, and mpiexec ends the others.
+class Watch {
+ public:
+  void start(int rank, double time_limit) {
+    std::snprintf(text(), kLength,
+                  "error: process %d: another process did not answer within the time limit\n",
+                  rank);
+    seconds_ = time_limit + 1;
+#if defined(__unix__) || defined(__APPLE__)
+    struct sigaction action = {};
+    action.sa_handler = give_up;
+    sigaction(SIGALRM, &action, nullptr);
+#endif
+    again();
+  }
+
+  // There was progress: the time starts anew.
+  void again() const {
+#if defined(__unix__) || defined(__APPLE__)
+    itimerval timer = {};
+    timer.it_value.tv_sec = static_cast<decltype(timer.it_value.tv_sec)>(seconds_);
+    timer.it_value.tv_usec =
+        static_cast<decltype(timer.it_value.tv_usec)>(1e6 * (seconds_ - std::floor(seconds_)));
+    setitimer(ITIMER_REAL, &timer, nullptr);
+#endif
+  }
+
+ private:
+  static constexpr std::size_t kLength = 100;
+
+  static char* text() {
+    static char place[kLength];
+    return place;
+  }
+
+#if defined(__unix__) || defined(__APPLE__)
+  // Only what a signal handler may call.
+  static void give_up(int) {
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, text(), std::strlen(text()));
+    _exit(kFault);
+  }
+#endif
+
+  double seconds_ = 0;
+};
+
+// The stages of each process's work, for --trace.
+constexpr std::array<Stage, 3> kStages_0{ {
+    {"kinematics", 29, -1},
+    {"assembly", 1, -1},
+    {"disassembly", 1, -1},
+} };
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data()};
+constexpr std::array<int, kProcesses> kStageCount{3};
+
+struct Statistics {
+  double median = 0, least = 0, percentile99 = 0;
+};
+
+Statistics statistics(std::vector<double> ns) {
+  std::sort(ns.begin(), ns.end());
+  const auto at = [&ns](double part) {
+    return ns[std::min(ns.size() - 1,
+                       static_cast<std::size_t>(part * static_cast<double>(ns.size())))];
+  };
+  return {at(0.5), ns.front(), at(0.99)};
+}
+
+double nanoseconds(std::chrono::steady_clock::rep ticks) {
+  using Duration = std::chrono::steady_clock::duration;
+  return std::chrono::duration<double, std::nano>(Duration(ticks)).count();
+}
+
+// What one look at the clock takes; each time between two looks holds one.
+double clock_cost() {
+  using Clock = std::chrono::steady_clock;
+  double best = 1e9;
+  for (int k = 0; k < 64; ++k) {
+    const Clock::time_point start = Clock::now();
+    for (int i = 0; i < 64; ++i) (void)Clock::now();
+    best = std::min(best, nanoseconds((Clock::now() - start).count()) / 65);
+  }
+  return best;
+}
+
+// What --trace FILE writes: when each stage of each process began and ended, as the medians over
+// many evaluations of random states; ns from the instant at which the processes start together.
+class Trace {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t kMost = 12800;  // evaluations that are kept
+
+  explicit Trace(int rank)
+      : rank_(rank),
+        stages_(kStageCount[static_cast<std::size_t>(rank)]),
+        stamps_(static_cast<std::size_t>(stages_) + 1) {}
+
+  void begin() { trace_stamps = stamps_.data(); }
+
+  // Collective. An evaluation counts from when the first process began.
+  void end(MPI_Comm comm, bool keep) {
+    trace_stamps = nullptr;
+    long long first = stamps_[0];
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_LONG_LONG, MPI_MIN, comm);
+    if (!keep || starts_.size() == kMost * (stamps_.size() - 1)) return;
+    for (std::size_t k = 0; k + 1 < stamps_.size(); ++k) {
+      starts_.push_back(nanoseconds(stamps_[k] - first));
+      lengths_.push_back(nanoseconds(stamps_[k + 1] - stamps_[k]));
+    }
+    lasts_.push_back(nanoseconds(stamps_.back() - first));
+  }
+
+  // Collective; process 0 returns the text.
+  std::string text(MPI_Comm comm, const char* channel, bool pinned) const {
+    std::vector<double> own;
+    for (int k = 0; k < stages_; ++k) {
+      own.push_back(median(starts_, k));
+      own.push_back(median(lengths_, k));
+    }
+    if (rank_ != 0) {
+      MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, comm);
+      return "";
+    }
+    std::string text = "{\"model\": " + quoted(kRobot) +
+                       ", \"processes\": " + std::to_string(kProcesses) + ", \"channel\": \"" +
+                       channel + "\", \"pinned\": " + (pinned ? "true" : "false") +
+                       ", \"evaluations\": " + std::to_string(lasts_.size()) +
+                       ", \"clock_ns\": " + number(clock_cost()) + ",\n \"stages\": [";
+    for (int p = 0; p < kProcesses; ++p) {
+      const std::size_t count = 2 * static_cast<std::size_t>(kStageCount[p]);
+      std::vector<double> times(count);
+      if (p == 0)
+        times = own;
+      else
+        MPI_Recv(times.data(), static_cast<int>(count), MPI_DOUBLE, p, kTag, comm,
+                 MPI_STATUS_IGNORE);
+      for (std::size_t k = 0; 2 * k < count; ++k)
+        text += row(p, kStages[p][k], times[2 * k], times[2 * k + 1]) + ",";
+    }
+    if (text.back() == ',') text.pop_back();
+    return text + "\n ]}\n";
+  }
+
+ private:
+  static constexpr int kTag = 0x7ace;
+
+  static std::string number(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", x);
+    return text;
+  }
+
+  static std::string row(int process, const Stage& stage, double start, double length) {
+    const std::string joint = stage.joint < 0 ? "null" : quoted(kJoints[stage.joint].name);
+    const std::string message = stage.message < 0 ? "null" : std::to_string(stage.message);
+    return "\n  {\"process\": " + std::to_string(process) + ", \"what\": \"" + stage.what +
+           "\", \"joint\": " + joint + ", \"message\": " + message +
+           ", \"start_ns\": " + number(start) + ", \"length_ns\": " + number(length) + "}";
+  }
+
+  double median(const std::vector<double>& all, int stage) const {
+    std::vector<double> one;
+    const std::size_t step = stamps_.size() - 1;
+    for (std::size_t k = static_cast<std::size_t>(stage); k < all.size(); k += step)
+      one.push_back(all[k]);
+    if (one.empty()) return 0;
+    std::nth_element(one.begin(), one.begin() + static_cast<long>(one.size() / 2), one.end());
+    return one[one.size() / 2];
+  }
+
+  int rank_, stages_;
+  std::vector<Clock::rep> stamps_;
+  std::vector<double> starts_, lengths_, lasts_;
+};
+
+// What the parts of the program share: the solver, the states at work, and how a failure is told.
+
+// Random states, the same on every machine (splitmix64).
+States random_states(int count, std::uint64_t seed) {
+  const auto uniform = [&seed] {
+    std::uint64_t z = (seed += 0x9E3779B97F4A7C15ULL);
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
+    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;  // in [-1, 1)
+  };
+  States states;
+  states.count = count;
+  const auto size = [count](int n) {
+    return static_cast<std::size_t>(count) * static_cast<std::size_t>(n);
+  };
+  states.q.resize(size(kNq));
+  states.v.resize(size(kNv));
+  states.tau.resize(size(kNtau));
+  for (int s = 0; s < count; ++s) {
+    Number* q =
+        states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Number* v =
+        states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    Number* tau = states.tau.data() +
+                  size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
+    for (const JointConstants& joint : kJoints) {
+      const bool turns = joint.kind == JointKind::kRevolute;
+      for (int k = 0; k < joint.nq; ++k)
+        q[joint.q + k] = static_cast<Number>(turns ? 3.141592653589793 * uniform() : uniform());
+      if (joint.nq >= 4) {
+        double p[4], squared;
+        do {
+          squared = 0;
+          for (double& x : p) x = uniform(), squared += x * x;
+        } while (squared > 1 || squared < 0.01);
+        for (int k = 0; k < 4; ++k)
+          q[joint.q + joint.nq - 4 + k] = static_cast<Number>(p[k] / std::sqrt(squared));
+      }
+      for (int k = 0; k < joint.nv; ++k) {
+        v[joint.v + k] = static_cast<Number>(uniform());
+        tau[joint.v + k] = static_cast<Number>(uniform());
+      }
+    }
+    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Number>(uniform());
+    slave(q, v);
+  }
+  return states;
+}
+
+// The states file, read by process 0 and handed to all.
+int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
+  int status = kDone;
+  if (rank == 0) {
+    std::ifstream file(path, std::ios::binary);
+    file.peek();  // tells a folder from a file
+    std::ostringstream text;
+    if (!file.bad()) text << file.rdbuf();
+    std::string wrong;
+    if (!file.is_open() || file.bad())
+      wrong = " error: cannot read the states file";
+    else
+      wrong = StatesReader(text.str()).read(states);
+    if (!wrong.empty()) {
+      std::fprintf(stderr, "%s:%s\n", path.c_str(), wrong.c_str());
+      status = kInputAtFault;
+    }
+  }
+  MPI_Bcast(&status, 1, MPI_INT, 0, comm);
+  if (status != kDone) return status;
+  MPI_Bcast(&states.count, 1, MPI_INT, 0, comm);
+  const auto share = [&](std::vector<Number>& x, int n) {
+    x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
+    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiNumber, 0, comm);
+  };
+  if (kBatch) return status;  // handed out as they are solved
+  share(states.q, kNq);
+  share(states.v, kNv);
+  share(states.tau, kNtau);
+  return status;
+}
+
+struct Session {
+  Options options;
+  int rank;
+  Watch watch;
+  Solver solver;
+  States states;
+  std::vector<Number> qdd;  // one acceleration after the other
+  bool pinned = false;
+
+  Session(Options given, int own_rank) : options(std::move(given)), rank(own_rank) {}
+
+  MPI_Comm comm() const { return solver.channel.comm(); }
+  const Number* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
+  const Number* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
+  const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
+  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
+
+  void use(States given) {
+    states = std::move(given);
+    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Number(0));
+  }
+
+  int complain(int status, const std::string& what, const std::string& file = "") const {
+    const std::string place = file.empty() ? "" : file + ": ";
+    if (rank == 0) std::fprintf(stderr, "%serror: %s\n", place.c_str(), what.c_str());
+    return status;
+  }
+
+  // A process that waited in vain cannot be waited for: the whole run ends.
+  void give_up_if_broken(int failed) const {
+    if (failure_kind(failed) != kNoAnswer) return;
+    std::fprintf(stderr, "error: process %d: %s\n", rank, describe(failed).c_str());
+    std::fflush(stderr);
+    MPI_Abort(MPI_COMM_WORLD, kFault);
+  }
+
+  const char* channel_name() const {
+    if (kProcesses == 1) return "none";
+    return solver.channel.name();
+  }
+};
+
+// The cores that the processes on this node may use: whether there is one for each of them.
+class Cores {
+ public:
+  // Collective.
+  explicit Cores(MPI_Comm comm) : comm_(comm) {
+    MPI_Comm node;
+    int processes = 1;
+    MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+    MPI_Comm_rank(node, &place_);
+    MPI_Comm_size(node, &processes);
+#if defined(__linux__)
+    CPU_ZERO(&own_);
+    cpu_set_t all;
+    known_ = sched_getaffinity(0, sizeof own_, &own_) == 0;
+    // Each may be bound to one of its own.
+    MPI_Allreduce(&own_, &all, static_cast<int>(sizeof all), MPI_BYTE, MPI_BOR, node);
+    count_ = CPU_COUNT(&all);
+    own_is_enough_ = known_ && CPU_COUNT(&own_) >= processes;
+#endif
+    if (count_ == 0) count_ = static_cast<int>(std::thread::hardware_concurrency());
+    int enough = count_ == 0 || count_ >= processes;
+    MPI_Allreduce(MPI_IN_PLACE, &enough, 1, MPI_INT, MPI_MIN, comm);
+    enough_ = enough != 0;
+    MPI_Comm_free(&node);
+  }
+
+  // Whether every process, on any node, can have one to itself.
+  bool enough() const { return enough_; }
+
+  int count() const { return count_; }
+
+  // Collective. Each process onto one of its own, if there are as many; whether all are.
+  bool pin() const {
+    int pinned = own_is_enough_ && pin_to(place_);
+    MPI_Allreduce(MPI_IN_PLACE, &pinned, 1, MPI_INT, MPI_MIN, comm_);
+    return pinned != 0;
+  }
+
+  // This process onto one that others may have, too.
+  void pin_in_turn() const { pin_to(place_); }
+
+ private:
+  // Onto the k-th of those that this process may use, counted round and round.
+  bool pin_to([[maybe_unused]] int k) const {
+#if defined(__linux__)
+    if (!known_) return false;
+    k %= CPU_COUNT(&own_);
+    int cpu = 0;
+    for (; cpu < CPU_SETSIZE; ++cpu)
+      if (CPU_ISSET(cpu, &own_) && k-- == 0) break;
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(cpu, &one);
+    return sched_setaffinity(0, sizeof one, &one) == 0;
+#else
+    return false;
+#endif
+  }
+
+  MPI_Comm comm_;
+  int place_ = 0, count_ = 0;
+  bool enough_ = true, own_is_enough_ = false;
+#if defined(__linux__)
+  bool known_ = false;
+  cpu_set_t own_;
+#endif
+};
+
+// A process's part in an evaluation: the messages that it sends and receives, in order, and how
+// long it computes before each and after the last; ns.
+struct Part {
+  std::vector<int> messages;
+  std::vector<double> stretches;  // one more than messages
+};
+
+// What a message costs, ns: its sender, from sent to seen, and per number to put it in and take it
+// out again.
+struct Hop {
+  double send, latency, number;
+};
+
+// When the last process is done, were all to begin together on cores of their own: their parts
+// played through, each message of a process waited for.
+inline double makespan(const std::vector<Part>& parts, const std::vector<MessageInfo>& messages,
+                       const Hop& hop) {
+  std::vector<double> clock(parts.size(), 0);
+  std::vector<std::size_t> at(parts.size(), 0), received(messages.size(), 0);
+  std::vector<std::vector<double>> sent(messages.size());  // when, each time
+  const auto advance = [&](std::size_t p) {
+    const std::size_t k = static_cast<std::size_t>(parts[p].messages[at[p]]);
+    const double ready = clock[p] + parts[p].stretches[at[p]];
+    const double copying = hop.number * messages[k].size / 2;
+    if (messages[k].source == static_cast<int>(p)) {
+      clock[p] = ready + hop.send + copying;
+      sent[k].push_back(clock[p]);
+    } else {
+      if (received[k] == sent[k].size()) return false;  // not sent yet
+      clock[p] = std::max(ready, sent[k][received[k]++] + hop.latency) + copying;
+    }
+    ++at[p];
+    return true;
+  };
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (std::size_t p = 0; p < parts.size(); ++p)
+      while (at[p] < parts[p].messages.size() && advance(p)) moved = true;
+  }
+  double last = 0;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    last = std::max(last, clock[p] + parts[p].stretches.back());
+  return last;
+}
+
+// As the cost profile default has them.
+constexpr Hop kWindowHop{0, 130, 0.176};
+constexpr Hop kMessageHop{22.3, 196, 0.484};
+
+// What messages cost on a channel.
+inline const Hop& hop_of(const Channel& channel) {
+  return channel.windowed() ? kWindowHop : kMessageHop;
+}
+
+// How long an evaluation would take if each process had a core of its own, where they have not: its
+// processes compute one at a time, the others asleep, with the messages that they have once had
+// (take.hpp); then these stretches and what messages cost are played through (makespan.hpp).
+class Stretches {
+ public:
+  explicit Stretches(Session& session) : session_(session) {}
+
+  // Collective. Evaluates each state of the session by evaluate(s), which returns its status; is
+  // told before each turn, and after it. Returns the first failure.
+  template <class Evaluate, class Turn>
+  int measure(Evaluate evaluate, Turn turn) {
+    takes_.assign(count(), Take());
+    lengths_.assign(count(), {});
+    int failed = record(evaluate);
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (failed != kFine) return failed;
+    const int repeat = evaluations() / session_.states.count, rounds = std::min(kRounds, repeat);
+    for (int round = 0; round < rounds; ++round)
+      for (int p = 0; p < kProcesses; ++p) {
+        rest();
+        if (p != session_.rank) continue;
+        turn();
+        play(evaluate, repeat * (round + 1) / rounds - repeat * round / rounds);
+      }
+    rest();
+    return kFine;
+  }
+
+  // Of each state, at most as many as are kept.
+  int evaluations() const {
+    return std::min(session_.options.repeat, kMost) * session_.states.count;
+  }
+
+  // Collective. Over the states, at process 0: medians of the stretches played through, and the
+  // least of all. Holds one look at the clock, as other times do.
+  Statistics played_through() {
+    const std::vector<std::vector<double>> told = bring_together();
+    if (session_.rank != 0) return {};
+    const std::vector<MessageInfo> messages(kMessages.begin(), kMessages.end());
+    std::vector<const double*> next;
+    for (const std::vector<double>& one : told) next.push_back(one.data());
+    work_.assign(kProcesses, 0);
+    std::vector<double> typical, least;
+    for (std::size_t s = 0; s < count(); ++s) {
+      std::vector<Part> medians(kProcesses), leasts(kProcesses);
+      for (std::size_t p = 0; p < kProcesses; ++p) {
+        next[p] = read(next[p], medians[p], leasts[p]);
+        for (const double ns : medians[p].stretches) work_[p] += ns / static_cast<double>(count());
+      }
+      typical.push_back(makespan(medians, messages, hop()) + look_);
+      least.push_back(makespan(leasts, messages, hop()) + look_);
+    }
+    Statistics found = statistics(std::move(typical));
+    found.least = *std::min_element(least.begin(), least.end());
+    return found;
+  }
+
+  // For how long each process computes in an evaluation, ns, as last played through.
+  const std::vector<double>& work() const { return work_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr int kTag = 0x57e7, kRounds = 5, kMost = 1000;
+
+  std::size_t count() const { return static_cast<std::size_t>(session_.states.count); }
+  const Hop& hop() const { return hop_of(session_.solver.channel); }
+
+  template <class Evaluate>
+  int record(Evaluate evaluate) {
+    int failed = kFine;
+    for (int s = 0; s < session_.states.count; ++s) {
+      Take& take = takes_[static_cast<std::size_t>(s)];
+      take.record();
+      session_.solver.channel.use(&take);
+      const int found = evaluate(s);
+      session_.solver.channel.use(nullptr);
+      session_.give_up_if_broken(found);
+      if (failed == kFine) failed = found;
+    }
+    return failed;
+  }
+
+  // A turn: all states as often as asked for, after once to warm up.
+  template <class Evaluate>
+  void play(Evaluate evaluate, int passes) {
+    look_ = clock_cost();
+    for (int pass = -1; pass < passes; ++pass)
+      for (int s = 0; s < session_.states.count; ++s) {
+        Take& take = takes_[static_cast<std::size_t>(s)];
+        take.play();
+        session_.solver.channel.use(&take);
+        const Clock::rep start = Clock::now().time_since_epoch().count();
+        evaluate(s);
+        const Clock::rep end = Clock::now().time_since_epoch().count();
+        session_.solver.channel.use(nullptr);
+        if (pass >= 0) keep(start, take.looks(), end, lengths_[static_cast<std::size_t>(s)]);
+      }
+  }
+
+  void keep(Clock::rep start, const std::vector<Clock::rep>& looks, Clock::rep end,
+            std::vector<double>& lengths) const {
+    for (std::size_t k = 0; k <= looks.size(); ++k) {
+      const Clock::rep until = k < looks.size() ? looks[k] : end;
+      lengths.push_back(std::max(0.0, nanoseconds(until - start) - look_));
+      start = until;
+    }
+  }
+
+  // Waits for the others, asleep: whoever computes is not disturbed.
+  void rest() const {
+    MPI_Request request;
+    MPI_Ibarrier(session_.comm(), &request);
+    for (int done = 0; MPI_Test(&request, &done, MPI_STATUS_IGNORE), !done;)
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    session_.watch.again();
+  }
+
+  // Collective. At process 0, for each process what it found of all states, one after the other:
+  // number of messages, the messages, then medians and least of their stretches.
+  std::vector<std::vector<double>> bring_together() {
+    std::vector<double> own;
+    for (std::size_t s = 0; s < count(); ++s) {
+      const std::vector<int>& messages = takes_[s].messages();
+      own.push_back(static_cast<double>(messages.size()));
+      own.insert(own.end(), messages.begin(), messages.end());
+      const std::vector<Statistics> found = of_stretches(lengths_[s], messages.size() + 1);
+      for (const Statistics& one : found) own.push_back(one.median);
+      for (const Statistics& one : found) own.push_back(one.least);
+    }
+    std::vector<std::vector<double>> all(kProcesses);
+    if (session_.rank != 0) {
+      MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, session_.comm());
+      return all;
+    }
+    all[0] = std::move(own);
+    for (int p = 1; p < kProcesses; ++p) {
+      MPI_Status status;
+      int size = 0;
+      MPI_Probe(p, kTag, session_.comm(), &status);
+      MPI_Get_count(&status, MPI_DOUBLE, &size);
+      all[static_cast<std::size_t>(p)].resize(static_cast<std::size_t>(size));
+      MPI_Recv(all[static_cast<std::size_t>(p)].data(), size, MPI_DOUBLE, p, kTag, session_.comm(),
+               MPI_STATUS_IGNORE);
+    }
+    return all;
+  }
+
+  static std::vector<Statistics> of_stretches(const std::vector<double>& lengths,
+                                              std::size_t stretches) {
+    std::vector<Statistics> found;
+    for (std::size_t first = 0; first < stretches; ++first) {
+      std::vector<double> one;
+      for (std::size_t k = first; k < lengths.size(); k += stretches) one.push_back(lengths[k]);
+      found.push_back(statistics(std::move(one)));
+    }
+    return found;
+  }
+
+  static const double* read(const double* from, Part& median, Part& least) {
+    const std::size_t messages = static_cast<std::size_t>(*from++);
+    median.messages.assign(from, from + messages);
+    least.messages = median.messages;
+    from += messages;
+    median.stretches.assign(from, from + messages + 1);
+    from += messages + 1;
+    least.stretches.assign(from, from + messages + 1);
+    return from + messages + 1;
+  }
+
+  Session& session_;
+  std::vector<Take> takes_;                   // of each state
+  std::vector<std::vector<double>> lengths_;  // of each state: one evaluation after the other
+  double look_ = 0;                           // at the clock
+  std::vector<double> work_;
+};
+
+// How long batches take (--time): on one process, two, four, ... and all.
+class BatchTiming {
+ public:
+  explicit BatchTiming(Session& session) : session_(session) {}
+
+  static constexpr int kStates = 1024;  // for each process
+
+  // Collective. Times batches of random states, each begun by start(), which returns when that was.
+  // Returns the first failure.
+  template <class S, class Start>
+  int measure(S& solver, Start start) {
+    const int count = kStates * (session_.rank == 0 ? kProcesses : 1);
+    session_.use(random_states(count, session_.options.seed));
+    for (int active = 1;; active = std::min(2 * active, kProcesses)) {
+      const int failed = measure_on(active, solver, start);
+      if (failed != kFine || active == kProcesses) return failed;
+    }
+  }
+
+  // Nanoseconds for each state and process, on all processes.
+  const Statistics& in_place() const { return steps_.back().in_place; }
+  const Statistics& at_root() const { return steps_.back().at_root; }
+
+  // Nothing where nothing was timed.
+  std::string json() const {
+    std::string text;
+    for (const Step& step : steps_) {
+      char words[120];
+      std::snprintf(words, sizeof words,
+                    "%s{\"processes\": %d, \"in_place\": %.4g, \"through_root\": %.4g}",
+                    text.empty() ? ", \"states_per_second\": [" : ", ", step.processes,
+                    step.per_second(step.in_place), step.per_second(step.at_root));
+      text += words;
+    }
+    return text + (text.empty() ? "" : "]");
+  }
+
+  void print(std::FILE* out) const {
+    if (steps_.empty()) return;
+    std::fprintf(out,
+                 "       states per second:  in place  per process   through 0  per process\n");
+    for (const Step& step : steps_) {
+      const double in_place = step.per_second(step.in_place);
+      const double at_root = step.per_second(step.at_root);
+      std::fprintf(out, "       %4d process%-2s   %11.3g  %11.3g %11.3g  %11.3g\n", step.processes,
+                   step.processes == 1 ? "" : "es", in_place, in_place / step.processes, at_root,
+                   at_root / step.processes);
+    }
+  }
+
+ private:
+  struct Step {
+    int processes;
+    Statistics in_place, at_root;
+    double per_second(const Statistics& ns) const { return 1e9 * processes / ns.median; }
+  };
+
+  template <class S, class Start>
+  int measure_on(int active, S& solver, Start start) {
+    std::vector<double> in_place, at_root;
+    int failed = kFine;
+    const auto time = [&](std::vector<double>* times, auto solve) {
+      const std::chrono::steady_clock::time_point begin = start();
+      const int found = solve();
+      const double ns = nanoseconds((std::chrono::steady_clock::now() - begin).count());
+      session_.give_up_if_broken(found);
+      if (failed == kFine) failed = found;
+      if (times != nullptr) times->push_back(ns / kStates);
+    };
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
+      session_.watch.again();
+      const Number *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
+      Number* const qdd = session_.acceleration(0);
+      time(pass < 0 ? nullptr : &in_place, [&] {
+        return solver.solve_batch(session_.rank < active ? kStates : 0, q, v, tau, qdd);
+      });
+      time(pass < 0 ? nullptr : &at_root, [&] {
+        return solver.solve_batch_at_root(kStates * active, q, v, tau, qdd, active - 1);
+      });
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    }
+    if (failed != kFine) return failed;
+    for (std::vector<double>* ns : {&in_place, &at_root})  // over when the last process is done
+      MPI_Allreduce(MPI_IN_PLACE, ns->data(), static_cast<int>(ns->size()), MPI_DOUBLE, MPI_MAX,
+                    session_.comm());
+    steps_.push_back({active, statistics(std::move(in_place)), statistics(std::move(at_root))});
+    return kFine;
+  }
+
+  Session& session_;
+  std::vector<Step> steps_;
+};
+
+// How long an evaluation takes (--time, --stretches), and where the time goes (--trace).
+class Timing {
+ public:
+  explicit Timing(Session& session) : session_(session) {}
+
+  int time_all() {
+    const Cores cores(session_.comm());
+    crowded_ = !cores.enough();
+    cores_ = cores.count();
+    if constexpr (kBatch) return time_batch(session_.solver, cores);
+    session_.use(random_states(kRandomStates, session_.options.seed));
+    if (crowded_ || session_.options.stretches) return time_stretches(cores);
+    session_.pinned = session_.options.pin && cores.pin();
+    std::vector<double> in_place, at_root;
+    int failed = kFine;
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine;
+         ++pass) {  // the first one warms up
+      session_.watch.again();
+      for (int s = 0; s < session_.states.count; ++s) {
+        Number* const qdd = session_.acceleration(s);
+        const Clock::time_point start = start_together();
+        const int first = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s), qdd);
+        const double in_place_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+        if (kProcesses > 1) MPI_Barrier(session_.comm());
+        const Clock::time_point start_root = Clock::now();
+        const int second =
+            session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s), qdd);
+        const double root_ns =
+            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
+        session_.give_up_if_broken(first);
+        session_.give_up_if_broken(second);
+        if (failed == kFine) failed = first != kFine ? first : second;
+        if (pass < 0) continue;
+        in_place.push_back(in_place_ns);
+        at_root.push_back(root_ns);
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    }
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+    // An evaluation is over when its last process is done.
+    MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
+                  MPI_MAX, session_.comm());
+    in_place_ = statistics(std::move(in_place));
+    at_root_ = statistics(std::move(at_root));
+    evaluations_ = session_.options.repeat * kRandomStates;
+    return kDone;
+  }
+
+  // Where processes share cores, or where it is asked for.
+  int time_stretches(const Cores& cores) {
+    const auto turn = [&] {
+      if (session_.options.pin) cores.pin_in_turn();
+    };
+    const auto in_place = [this](int s) {
+      return session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s),
+                                   session_.acceleration(s));
+    };
+    const auto at_root = [this](int s) {
+      return session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s),
+                                           session_.acceleration(s));
+    };
+    Stretches stretches(session_);
+    int failed = stretches.measure(at_root, turn);
+    if (failed == kFine) at_root_ = stretches.played_through();
+    if (failed == kFine) failed = stretches.measure(in_place, turn);
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+    in_place_ = stretches.played_through();
+    work_ = stretches.work();
+    evaluations_ = stretches.evaluations();
+    return kDone;
+  }
+
+  template <class S>
+  int time_batch(S& solver, const Cores& cores) {
+    session_.pinned = session_.options.pin && cores.pin();
+    int failed = kFine;
+    if constexpr (kBatch) failed = batches_.measure(solver, [this] { return start_together(); });
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random states: " + describe(failed));
+    in_place_ = batches_.in_place();
+    at_root_ = batches_.at_root();
+    evaluations_ = session_.options.repeat * BatchTiming::kStates;
+    return kDone;
+  }
+
+  // The same evaluations with time stamps between the stages of each process.
+  int trace_all() {
+    session_.use(random_states(kRandomStates, session_.options.seed));
+    if (!session_.pinned && session_.options.pin) session_.pinned = Cores(session_.comm()).pin();
+    Trace trace(session_.rank);
+    int failed = kFine;
+    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
+      session_.watch.again();
+      for (int s = 0; s < session_.states.count; ++s) {
+        start_together();
+        trace.begin();
+        const int found = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s),
+                                                session_.acceleration(s));
+        session_.give_up_if_broken(found);
+        trace.end(session_.comm(), pass >= 0);
+        if (failed == kFine) failed = found;
+      }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
+    }
+    if (failed != kFine)
+      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+    const std::string text = trace.text(session_.comm(), session_.channel_name(), session_.pinned);
+    int status = kDone;
+    if (session_.rank == 0) {
+      std::ofstream file(session_.options.trace, std::ios::binary);
+      if (!(file << text << std::flush))
+        status = session_.complain(kFault, "cannot write the trace", session_.options.trace);
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
+    return status;
+  }
+
+  // Nothing where nothing was timed.
+  std::string json() const {
+    if (evaluations_ == 0) return "";
+    std::string text = ", \"time\": {\"source\": ";
+    text += work_.empty() ? "\"clock\"" : "\"stretches\"";
+    text += ", \"evaluations\": " + std::to_string(evaluations_);
+    text += session_.pinned ? ", \"pinned\": true" : ", \"pinned\": false";
+    text += figures("in_place", in_place_) + figures("through_root", at_root_);
+    std::string each;
+    for (const double ns : work_) each += (each.empty() ? "" : ", ") + whole(ns);
+    if (!each.empty()) text += ", \"work_ns\": [" + each + "]";
+    return text + batches_.json() + "}";
+  }
+
+  void print(std::FILE* out) const {
+    if (evaluations_ == 0) return;
+    std::fprintf(out, "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
+                 kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "",
+                 kBatch ? "state and process" : "evaluation");
+    if (crowded_)
+      std::fprintf(out, "       (%d cores for %d processes: a wall time %s)\n", cores_, kProcesses,
+                   kBatch ? "says little" : "would mean nothing");
+    if (!work_.empty())
+      std::fprintf(out,
+                   "       (from measured stretches of computing, one process at a time, played "
+                   "through\n        with what messages cost: %.0f ns each and %.2f per number)\n",
+                   hop().send + hop().latency, hop().number);
+    std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
+                 in_place_.median, in_place_.least, in_place_.percentile99);
+    std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n", at_root_.median,
+                 at_root_.least, at_root_.percentile99);
+    if (!work_.empty()) {
+      std::fprintf(out, "       each process computes           ");
+      for (const double ns : work_) std::fprintf(out, "%8.0f ", ns);
+      std::fprintf(out, "\n");
+    }
+    batches_.print(out);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // All processes start an evaluation at the same instant of their common clock; hosts have none.
+  Clock::time_point start_together() const {
+    if (kProcesses == 1) return Clock::now();
+    if (!session_.solver.channel.on_one_host()) {
+      MPI_Barrier(session_.comm());
+      return Clock::now();
+    }
+    Clock::rep start = 0;
+    if (session_.rank == 0)
+      start = (Clock::now() + std::chrono::microseconds(5)).time_since_epoch().count();
+    MPI_Bcast(&start, static_cast<int>(sizeof start), MPI_BYTE, 0, session_.comm());
+    const Clock::time_point at{Clock::duration(start)};
+    const Clock::time_point latest = Clock::now() + std::chrono::microseconds(50);
+    Clock::time_point now;
+    while ((now = Clock::now()) < at && now < latest) relax();
+    return now;
+  }
+
+  static std::string whole(double ns) { return std::to_string(std::llround(ns)); }
+
+  static std::string figures(const char* what, const Statistics& of) {
+    return std::string(", \"") + what + "\": {\"median_ns\": " + whole(of.median) +
+           ", \"min_ns\": " + whole(of.least) + ", \"p99_ns\": " + whole(of.percentile99) + "}";
+  }
+
+  const Hop& hop() const { return hop_of(session_.solver.channel); }
+
+  Session& session_;
+  int evaluations_ = 0;
+  bool crowded_ = false;  // not a core for each process
+  int cores_ = 0;
+  Statistics in_place_, at_root_;
+  BatchTiming batches_{session_};
+  std::vector<double> work_;  // of each process, where times are from stretches
+};
+
+// --simulate: process 0 integrates, all processes evaluate. The torques of the initial state act
+// all the time.
+class Simulation {
+ public:
+  explicit Simulation(Session& session) : on_(session) {}
+
+  // Collective.
+  int run() {
+    int status = start();
+    MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
+    if (status != kDone) return status;
+    status = kProcesses == 1 || on_.rank == 0 ? integrate() : serve();
+    MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
+    return status;
+  }
+
+  // Nothing where nothing was simulated.
+  std::string json() const {
+    if (!done_) return "";
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  ", \"simulation\": {\"integrator\": \"%s\", \"step\": %.17g, \"seconds\": %.17g, "
+                  "\"steps\": %lld, \"evaluations\": %lld, \"wall_s\": %.9g}",
+                  asked().integrator->name, asked().step, asked().seconds, steps_, evaluations_,
+                  wall_);
+    return text;
+  }
+
+  void print() const {
+    if (!done_) return;
+    std::printf(
+        "simulation  %s: %g s in %lld steps of %g s, %lld evaluations, %.3g s of wall time\n",
+        asked().integrator->name, asked().seconds, steps_, asked().step, evaluations_, wall_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr const char* kSmaller = "; take a smaller --step";
+
+  const SimulationOptions& asked() const { return on_.options.simulation; }
+
+  // The initial state and the file to write; process 0's status counts.
+  int start() {
+    if (on_.options.states.empty()) {
+      on_.use(random_states(1, on_.options.seed));
+    } else {
+      const int status = load(on_.options.states, on_.comm(), on_.rank, on_.states);
+      if (status != kDone) return status;
+      if (on_.states.count != 1)
+        return on_.complain(
+            kInputAtFault, std::to_string(on_.states.count) + " states; a simulation starts at one",
+            on_.options.states);
+    }
+    const double steps = std::ceil(asked().seconds / asked().step * (1 - 1e-12));
+    if (steps > 1e12) return on_.complain(kUsage, "--simulate: more than 1e12 steps");
+    steps_ = std::max(1LL, static_cast<long long>(steps));
+    if (on_.rank != 0) return kDone;
+    const std::string& path = asked().trajectory;
+    const double rows = static_cast<double>(steps_) / static_cast<double>(asked().every) + 2;
+    if (Trajectory::is_npz(path) && rows * 8 * std::max(kNq, kNv) > Trajectory::kMostBytes)
+      return on_.complain(kUsage,
+                          "the trajectory has too many rows for .npz; say --every N or .csv");
+    if (!trajectory_.open(path)) return on_.complain(kFault, "cannot write the trajectory", path);
+    return kDone;
+  }
+
+  // Evaluates for process 0 until that says that it is over.
+  int serve() {
+    if (kProcess[static_cast<std::size_t>(on_.rank)].own.count == 0) return kDone;
+    for (int status = kFine; failure_kind(status) != kEnded;) {
+      status = on_.solver.solve_at_root(nullptr, nullptr, nullptr, nullptr);
+      on_.give_up_if_broken(status);
+      tick();
+    }
+    return kDone;
+  }
+
+  int integrate() {
+    q_.assign(on_.q(0), on_.q(0) + kNq);
+    v_.assign(on_.v(0), on_.v(0) + kNv);
+    const Clock::time_point began = next_ = Clock::now();
+    next_shown_ = began + std::chrono::seconds(1);
+    std::string wrong = follow();
+    wall_ = std::chrono::duration<double>(Clock::now() - began).count();
+    if (told_) std::fputc('\n', stderr);
+    on_.give_up_if_broken(on_.solver.end_at_root());
+    if (!trajectory_.close())
+      return on_.complain(kFault, "cannot write the trajectory", asked().trajectory);
+    if (!wrong.empty()) return on_.complain(kInputAtFault, wrong, on_.options.states);
+    done_ = true;
+    return kDone;
+  }
+
+  // Takes all steps; returns an empty string, or what stopped it.
+  std::string follow() {
+    Stepper stepper;
+    manifold::normalise(q_);
+    trajectory_.record(0, q_, v_);
+    for (long long k = 0; k < steps_; ++k) {
+      const double time = static_cast<double>(k) * asked().step;
+      const double next = k + 1 < steps_ ? time + asked().step : asked().seconds;
+      const int failed = stepper.step(asked().integrator->kind, next - time, q_, v_,
+                                      [this](const auto& q, const auto& v, const auto& extra,
+                                             auto& a) { return accelerate(q, v, extra, a); });
+      on_.give_up_if_broken(failed);
+      if (failed != kFine) return describe(failed) + at(time) + (k > 0 ? kSmaller : "");
+      slave(q_.data(), v_.data());
+      const int joint = not_finite();
+      if (joint >= 0)
+        return "joint " + quoted(kJoints[joint].name) + ": its state is not finite" + at(next) +
+               kSmaller;
+      if ((k + 1) % asked().every == 0 || k + 1 == steps_) trajectory_.record(next, q_, v_);
+      show(next);
+    }
+    return "";
+  }
+
+  static std::string at(double time) {
+    char text[40];
+    std::snprintf(text, sizeof text, ", at t = %.9g s", time);
+    return text;
+  }
+
+  ADAGEN_HOT int accelerate(const manifold::State& q, const manifold::State& v,
+                            const manifold::State& extra, manifold::State& a) {
+    std::copy(q.begin(), q.end(), real_q_.begin());
+    std::copy(v.begin(), v.end(), real_v_.begin());
+    std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
+    for (std::size_t k = 0; k < extra.size(); ++k)
+      real_tau_[k] = static_cast<Number>(double(real_tau_[k]) + extra[k]);
+    const int status =
+        on_.solver.solve_at_root(real_q_.data(), real_v_.data(), real_tau_.data(), real_a_.data());
+    std::copy(real_a_.begin(), real_a_.end(), a.begin());
+    ++evaluations_;
+    return status;
+  }
+
+  // The first joint whose state is not finite, or -1.
+  int not_finite() const {
+    const auto good = [](double x) { return std::isfinite(x); };
+    for (int j = 0; j < kJointCount; ++j) {
+      const auto q = q_.begin() + kJoints[j].q, v = v_.begin() + kJoints[j].v;
+      if (!std::all_of(q, q + kJoints[j].nq, good) || !std::all_of(v, v + kJoints[j].nv, good))
+        return j;
+    }
+    return -1;
+  }
+
+  // True about every tenth of a second; the watch hears of progress then.
+  bool tick() {
+    const Clock::time_point now = Clock::now();
+    if (now < next_) return false;
+    next_ = now + std::chrono::milliseconds(100);
+    on_.watch.again();
+    return true;
+  }
+
+  // Progress on stderr, on runs over a second: a bar that moves on a terminal, else a line every
+  // ten seconds.
+  void show(double time) {
+    if (!tick() || next_ < next_shown_) return;
+#if defined(__unix__) || defined(__APPLE__)
+    const bool moves = isatty(STDERR_FILENO) != 0;
+#else
+    const bool moves = false;
+#endif
+    next_shown_ = next_ + std::chrono::seconds(moves ? 0 : 10);
+    const double part = time / asked().seconds;
+    std::string bar(30, ' ');
+    std::fill_n(bar.begin(), static_cast<int>(30 * part), '#');
+    std::fprintf(stderr, "%ssimulating [%s] %3.0f %%, %.4g of %g s%s", moves ? "\r" : "",
+                 bar.c_str(), 100 * part, time, asked().seconds, moves ? "" : "\n");
+    told_ = moves;
+  }
+
+  Session& on_;
+  Trajectory trajectory_;
+  manifold::State q_, v_;
+  std::array<Number, kNq> real_q_{};
+  std::array<Number, kNv> real_v_{}, real_a_{};
+  std::array<Number, kNtau> real_tau_{};
+  bool done_ = false, told_ = false;
+  long long steps_ = 0, evaluations_ = 0;
+  double wall_ = 0;
+  Clock::time_point next_{}, next_shown_{};
+};
+
+// The sizes of the corrections of all states, for people and programs: errors before each step.
+class Corrections {
+ public:
+  template <class AnySolver>
+  void note([[maybe_unused]] const AnySolver& solver) {
+    if constexpr (kRefine > 0)
+      for (const double size : solver.w.refinement.corrections) sizes_.push_back(size);
+  }
+
+  // As a member of a JSON object, a comma before it; nothing without refinement.
+  std::string json() const {
+    if (sizes_.empty()) return "";
+    std::string text = ", \"refine\": {\"steps\": " + std::to_string(kRefine);
+    for (const double part : {0.5, 1.0}) {
+      text += part < 1 ? ", \"correction_median\": [" : ", \"correction_max\": [";
+      for (int k = 0; k < kRefine; ++k) text += (k == 0 ? "" : ", ") + number(at(k, part));
+      text += "]";
+    }
+    return text + "}";
+  }
+
+  // The same of every state, for the result file.
+  std::string every() const {
+    if (sizes_.empty()) return "";
+    std::string text = ", \"corrections\": [";
+    for (std::size_t s = 0; s < sizes_.size(); s += kRefine) {
+      text += s == 0 ? "[" : ", [";
+      for (std::size_t k = 0; k < kRefine; ++k)
+        text += (k == 0 ? "" : ", ") + number(sizes_[s + k]);
+      text += "]";
+    }
+    return text + "]";
+  }
+
+  void print(std::FILE* out) const {
+    if (sizes_.empty()) return;
+    for (int k = 0; k < kRefine; ++k)
+      std::fprintf(out, "refine error before step %d: median %.1e, largest %.1e\n", k + 1,
+                   at(k, 0.5), at(k, 1));
+  }
+
+ private:
+  // Of correction k, the least value that a part of all states does not exceed.
+  double at(int k, double part) const {
+    std::vector<double> of_step;
+    for (std::size_t s = static_cast<std::size_t>(k); s < sizes_.size(); s += kRefine)
+      of_step.push_back(sizes_[s]);
+    std::sort(of_step.begin(), of_step.end());
+    const double place = part * static_cast<double>(of_step.size() - 1);
+    return of_step[static_cast<std::size_t>(place)];
+  }
+
+  // Infinity is no JSON number.
+  static std::string number(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", x);
+    return std::isfinite(x) ? text : "null";
+  }
+
+  std::vector<double> sizes_;
+};
+
+// The program around the solver: solves given states, checks, times, simulates, reports.
+
+class Program {
+ public:
+  Program(Options options, int rank) : session_(std::move(options), rank) {}
+
+  int run() {
+    const Options& options = session_.options;
+    session_.watch.start(session_.rank, options.time_limit);
+    const std::string wrong = session_.solver.channel.open(MPI_COMM_WORLD, options.channel,
+                                                           options.time_limit, options.hosts);
+    if (!wrong.empty()) return session_.complain(kFault, wrong);
+    int status = options.simulation.seconds > 0 ? simulation_.run() : answer();
+    const auto also = [&status](bool asked, auto task) {
+      if (!asked || status == kFault || status == kUsage) return;
+      const int found = task();
+      if (status == kDone) status = found;
+    };
+    also(options.time, [this] { return timing_.time_all(); });
+    also(!options.trace.empty(), [this] { return timing_.trace_all(); });
+    if (status != kFault) collect_warnings();
+    if (session_.rank == 0 && status != kFault) report();
+    session_.watch.again();
+    session_.solver.channel.close();
+    return status;
+  }
+
+ private:
+  // Solves the given states, or random ones to be checked.
+  int answer() {
+    const Options& options = session_.options;
+    int status = kDone;
+    if (!options.states.empty()) {
+      status = load(options.states, session_.comm(), session_.rank, session_.states);
+      const bool loaded = status == kDone;
+      if (loaded) status = solve_all();
+      if ((status == kDone || (kBatch && loaded)) && session_.rank == 0) {
+        const std::string path = options.result.empty() ? "/dev/stdout" : options.result;
+        if (!write_result(path, session_.qdd, session_.states.count, corrections_.every()))
+          status = session_.complain(kFault, "cannot write the result", path);
+      }
+      MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
+    } else if (options.check) {
+      session_.states = random_states(kRandomStates, options.seed);
+      status = solve_all();
+    }
+    session_.watch.again();
+    if (status == kDone && options.check) status = check_all();
+    return status;
+  }
+
+  // Accelerations of all states, in place, then gathered at process 0.
+  int solve_all() {
+    Session& on = session_;
+    on.use(std::move(on.states));
+    if constexpr (kBatch) return solve_many(on.solver);
+    int failed = kFine, at = 0;
+    for (int s = 0; s < on.states.count && failed == kFine; ++s) {
+      on.watch.again();
+      failed = on.solver.solve(on.q(s), on.v(s), on.tau(s), on.acceleration(s));
+      on.give_up_if_broken(failed);
+      corrections_.note(on.solver);
+      // Processes that share no joint's motion do not hear of each other's failures by themselves.
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
+      at = s;
+    }
+    if (failed != kFine)
+      return on.complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
+                         on.options.states);
+    return bring_together();
+  }
+
+  // As many states at once as there are lanes. States that fail are named, all others solved.
+  template <class S>
+  int solve_many(S& solver) {
+    constexpr int kNamed = 20;
+    Session& on = session_;
+    int status = kDone;
+    if constexpr (kBatch) {
+      on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
+                                                      on.acceleration(0)));
+      solved_ = on.states.count;
+      for (std::size_t k = 0; solver.failed_state(k) >= 0; ++k, --solved_) {
+        status = kInputAtFault;
+        if (k < kNamed) on.complain(status, solver.text, on.options.states);
+        if (k == kNamed) on.complain(status, "and more states", on.options.states);
+      }
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
+    return status;
+  }
+
+  int bring_together() {
+    Session& on = session_;
+    solved_ = on.states.count;
+    // Each process wrote its own joints and left the others zero.
+    void* const all = on.qdd.data();
+    const int size = static_cast<int>(on.qdd.size());
+    if (on.rank == 0)
+      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiNumber, MPI_SUM, 0, on.comm());
+    else
+      MPI_Reduce(all, nullptr, size, kMpiNumber, MPI_SUM, 0, on.comm());
+    return kDone;
+  }
+
+  int check_all() {
+    Session& on = session_;
+    int status = kDone;
+    if (on.rank == 0) {
+      std::vector<double> residuals;
+      for (int s = 0; s < on.states.count; ++s)
+        residuals.push_back(check::residual(on.q(s), on.v(s), on.tau(s), on.acceleration(s)));
+      std::sort(residuals.begin(), residuals.end());
+      residual_median_ = residuals[residuals.size() / 2];
+      residual_max_ = residuals.back();
+      checked_ = true;
+      if (!(residual_max_ <= on.options.tolerance)) status = kInputAtFault;
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
+    return status;
+  }
+
+  // What processes have met that costs digits but is no failure, told once.
+  void collect_warnings() {
+    int joint = near_lock(session_.solver, 0);
+    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
+    if (joint == 0) return;
+    warning_ = "joints " + names_of_run(joint - 1) +
+               ": near gimbal lock at some state: accelerations lose three digits or more";
+    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
+  }
+
+  // Shapes that join no runs of joints as one have nothing to tell.
+  template <class S>
+  static auto near_lock(const S& solver, int) -> decltype(solver.w.near_lock) {
+    return solver.w.near_lock;
+  }
+  template <class S>
+  static int near_lock(const S&, long) {
+    return 0;
+  }
+
+  void report() const {
+    const Options& options = session_.options;
+    const bool right = residual_max_ <= options.tolerance;
+    if (options.json) {
+      std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"", quoted(kRobot).c_str(),
+                  kProcesses, session_.channel_name());
+      if (!options.states.empty() && options.simulation.seconds == 0)
+        std::printf(", \"solved\": %d", solved_);
+      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
+      if (checked_)
+        std::printf(
+            ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
+            "\"ok\": %s}",
+            residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
+      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
+                  simulation_.json().c_str());
+      return;
+    }
+    std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
+    if (checked_)
+      std::fprintf(out, "check  residual of inverse dynamics: median %.1e, largest %.1e: %s\n",
+                   residual_median_, residual_max_, right ? "right" : "WRONG");
+    corrections_.print(out);
+    timing_.print(out);
+    simulation_.print();
+  }
+
+  Session session_;
+  Timing timing_{session_};
+  Simulation simulation_{session_};
+  Corrections corrections_;
+  bool checked_ = false;
+  int solved_ = 0;
+  std::string warning_;
+  double residual_median_ = 0, residual_max_ = 0;
+};
+
+}  // namespace
+
+// Compiled for size, and with it what it alone calls: it runs once.
+[[gnu::cold]] int main(int count, char** words) {
+  Options options;
+  const std::string wrong = parse(count, words, options);
+  MPI_Init(&count, &words);
+  int rank = 0, size = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  int status = kDone;
+  if (!wrong.empty() || (size != kProcesses && !options.help)) {
+    status = kUsage;
+    if (rank == 0 && !wrong.empty()) std::fprintf(stderr, "error: %s; see --help\n", wrong.c_str());
+    else if (rank == 0)
+      std::fprintf(stderr, "error: this solver is for exactly %d process%s, started with %d: use mpiexec -n %d\n",
+                   kProcesses, kProcesses == 1 ? "" : "es", size, kProcesses);
+  } else if (options.help) {
+    if (rank == 0) std::printf("usage: mpiexec -n %d %s [options]\n%s", kProcesses, words[0], kUsageText);
+  } else {
+    status = std::make_unique<Program>(options, rank)->run();
+  }
+  MPI_Finalize();
+  return status;
+}
+#endif  // ADAGEN_NO_MAIN
+#endif  // ADAGEN_DECLARATIONS
