@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
@@ -50,7 +50,7 @@ def outward_units(
     joints: Sequence[PlanJoint],
     passed: Sequence[int],
     limbs: Sequence[Limbs],
-    treated: Collection[int],
+    treated: Iterable[int],
 ) -> Iterator[Limbs | Outward]:
     """Limbs side by side, and the runs between them, as joints are passed outwards.
 
@@ -63,15 +63,16 @@ def outward_units(
         treated: joints that are treated later.
     """
     sweep = {j: ends_of(joints, j) for j in passed if not is_base(joints[j])}
+    later = frozenset(treated)
     for part in parts_of(outward_order(sweep, limbs)):
         if isinstance(part, Limbs):
             yield part
         else:
-            yield from _outward_runs(joints, part, treated)
+            yield from _outward_runs(joints, part, later)
 
 
 def _outward_runs(
-    joints: Sequence[PlanJoint], passed: list[int], treated: Collection[int]
+    joints: Sequence[PlanJoint], passed: list[int], treated: frozenset[int]
 ) -> Iterator[Outward]:
     left = {joints[j].parent for j in passed if joints[j].parent != j}
     for run in runs(joints, passed):
