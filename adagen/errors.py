@@ -57,4 +57,6 @@ class EnvironmentFault(AdagenError):
 
 def printable(text: str) -> str:
     """Return text in one line without control characters (names in a URDF are hostile data)."""
+    if text.isprintable():
+        return text
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)

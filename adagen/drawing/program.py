@@ -12,6 +12,7 @@ from adagen.drawing.tree import (
     ROW,
     SIZE,
     Label,
+    captioned,
     draw_outline,
     outline_width,
     robot_label,
@@ -56,15 +57,16 @@ def program_svg(
     canvas = Canvas()
     joined = meeting(program) == "joined"
     owner = {j: p for p, process in enumerate(program.plan.processes) for j in process.owns}
-    left = schedule_rows(schedule, topology) if joined else swept_rows(program)
-    right = robot_rows(topology)
+    right = captioned(robot_rows(topology), robot_label(topology))
     if joined:
         nodes = {node.joint: node for node in preorder(schedule.root)}
-        label, process_of = tree_label(nodes, topology), lambda j: nodes[j].processes[0]
+        left = captioned(schedule_rows(schedule, topology), tree_label(nodes, topology))
+        process_of = {joint: node.processes[0] for joint, node in nodes.items()}
     else:
-        label, process_of = _swept_label(program, topology), owner.__getitem__
-    middle = MARGIN + outline_width(left, label) + 2 * MARGIN
-    width = max(middle + outline_width(right, robot_label(topology)) + MARGIN, _chart(program))
+        left = captioned(swept_rows(program), _swept_label(program, topology))
+        process_of = owner
+    middle = MARGIN + outline_width(left) + 2 * MARGIN
+    width = max(middle + outline_width(right) + MARGIN, _chart(program))
     middle = max(middle, width / 2)
     canvas.text(MARGIN, 34, shorten(name, width - 2 * MARGIN, 18), 18, bold=True)
     canvas.text(MARGIN, 54, shorten(f"{title(program)}: {said}", width - 2 * MARGIN, SIZE), SIZE)
@@ -80,8 +82,8 @@ def program_svg(
     owned = "joint under joint, in its owner's colour; joint number"
     canvas.text(middle, bottom + 15, owned, 10, fill=MUTED)
     bottom += 34
-    draw_outline(canvas, left, process_of, label, MARGIN, bottom)
-    draw_outline(canvas, right, owner.__getitem__, robot_label(topology), middle, bottom)
+    draw_outline(canvas, left, process_of, MARGIN, bottom)
+    draw_outline(canvas, right, owner, middle, bottom)
     return canvas.document(width, bottom + ROW * max(len(left), len(right)) + MARGIN, name)
 
 

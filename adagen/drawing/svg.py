@@ -35,8 +35,8 @@ def colour(process: int) -> tuple[str, str]:
 
 def text_width(text: str, size: float) -> float:
     """Return an estimate of the width of text in a sans-serif face, on the safe side."""
-    units = sum(1.05 if east_asian_width(c) in "WF" else 0.62 for c in text)
-    return units * size
+    wide = 0 if text.isascii() else sum(east_asian_width(c) in "WF" for c in text)
+    return (1.05 * wide + 0.62 * (len(text) - wide)) * size
 
 
 def shorten(text: str, width: float, size: float) -> str:

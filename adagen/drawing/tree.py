@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from adagen.drawing.outline import Row, robot_rows, schedule_rows
 from adagen.drawing.svg import INK, MUTED, Canvas, colour, shorten, text_width, time_axis
@@ -38,10 +38,10 @@ def schedule_svg(schedule: Schedule, topology: Topology, title: str) -> str:
     """
     canvas = Canvas()
     nodes = {node.joint: node for node in preorder(schedule.root)}
-    left, right = schedule_rows(schedule, topology), robot_rows(topology)
-    of_tree, of_robot = tree_label(nodes, topology), robot_label(topology)
-    middle = MARGIN + outline_width(left, of_tree) + 2 * MARGIN
-    width = max(middle + outline_width(right, of_robot) + MARGIN, _chart_width(nodes))
+    left = captioned(schedule_rows(schedule, topology), tree_label(nodes, topology))
+    right = captioned(robot_rows(topology), robot_label(topology))
+    middle = MARGIN + outline_width(left) + 2 * MARGIN
+    width = max(middle + outline_width(right) + MARGIN, _chart_width(nodes))
     middle = max(middle, width / 2)
     bottom = _head(canvas, schedule, title, width)
     bottom = _gantt(canvas, schedule, topology, bottom, width)
@@ -55,12 +55,9 @@ def schedule_svg(schedule: Schedule, topology: Topology, title: str) -> str:
         middle, bottom + 15, "joint under joint, in the same colours; joint number", 10, fill=MUTED
     )
     bottom += 34
-
-    def process_of(joint: int) -> int:
-        return nodes[joint].processes[0]
-
-    draw_outline(canvas, left, process_of, of_tree, MARGIN, bottom)
-    draw_outline(canvas, right, process_of, of_robot, middle, bottom)
+    process_of = {joint: node.processes[0] for joint, node in nodes.items()}
+    draw_outline(canvas, left, process_of, MARGIN, bottom)
+    draw_outline(canvas, right, process_of, middle, bottom)
     return canvas.document(width, bottom + ROW * len(left) + MARGIN, title)
 
 
@@ -98,14 +95,23 @@ def robot_label(topology: Topology) -> Label:
     return label
 
 
-def _note_column(rows: list[Row], label: Label) -> float:
+Captioned = list[tuple[Row, str, str]]
+"""Rows of an outline, each with its name and note."""
+
+
+def captioned(rows: list[Row], label: Label) -> Captioned:
+    """Return rows with what they say."""
+    return [(row, *label(row)) for row in rows]
+
+
+def _note_column(rows: Captioned) -> float:
     """Return where the notes of an outline begin, from its left edge."""
-    return max(row.indent * INDENT + text_width(label(row)[0], SIZE) for row in rows) + 30
+    return max(row.indent * INDENT + text_width(name, SIZE) for row, name, _ in rows) + 30
 
 
-def outline_width(rows: list[Row], label: Label) -> float:
+def outline_width(rows: Captioned) -> float:
     """Return how wide an outline is, pixels."""
-    return _note_column(rows, label) + max(text_width(label(row)[1], 9) for row in rows)
+    return _note_column(rows) + max(text_width(note, 9) for _, _, note in rows)
 
 
 def _head(canvas: Canvas, schedule: Schedule, title: str, width: float) -> float:
@@ -215,27 +221,25 @@ def _messages(
 
 def draw_outline(
     canvas: Canvas,
-    rows: list[Row],
-    process_of: Callable[[int], int],
-    label: Label,
+    rows: Captioned,
+    process_of: Mapping[int, int],
     x: float,
     y: float,
 ) -> None:
     """Draw an outline, each row with its process in a circle."""
 
     def centre(row: int) -> tuple[float, float]:
-        return x + 7 + rows[row].indent * INDENT, y + row * ROW
+        return x + 7 + rows[row][0].indent * INDENT, y + row * ROW
 
-    for i, row in enumerate(rows):
+    for i, (row, _, _) in enumerate(rows):
         if row.above >= 0:
             (px, py), (cx, cy) = centre(row.above), centre(i)
             canvas.path([(px, py), (px, cy), (cx, cy)] if px != cx else [(px, py), (cx, cy)])
-    notes = x + _note_column(rows, label)
-    for i, row in enumerate(rows):
+    notes = x + _note_column(rows)
+    for i, (row, name, note) in enumerate(rows):
         cx, cy = centre(i)
-        process = process_of(row.joint)
+        process = process_of[row.joint]
         fill, ink = colour(process)
-        name, note = label(row)
         canvas.circle(cx, cy, 7, fill)
         canvas.text(cx, cy + 3, str(process), 8.5, fill=ink, anchor="middle")
         canvas.text(cx + 12, cy + 4, name, SIZE)

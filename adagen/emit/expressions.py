@@ -17,10 +17,7 @@ class Printer:
         """Return a literal that reads back to the same double (or its nearest float)."""
         if self.suffix and abs(value) <= _VANISHES:  # compilers warn of such literals
             value = 0.0
-        text = repr(float(value) + 0.0)
-        if not any(c in text for c in ".e"):
-            text += ".0"
-        return text + self.suffix
+        return repr(float(value) + 0.0) + self.suffix
 
     def numbers(self, values: Iterable[float]) -> str:
         """Return literals, comma-separated."""

@@ -140,7 +140,7 @@ class KernelLines:
     _pass_kinematics = _kinematics
 
     def _number(self, limbs: Limbs) -> str:
-        return f"kLimbs{self.slots.all_limbs.index(limbs)}"
+        return f"kLimbs{self.slots.numbers[limbs]}"
 
     def _link_inertia(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Links)

@@ -100,9 +100,9 @@ def values(words: Words) -> dict[str, object]:
         "in_segments": bool(slots.segments),
         "quaternions": any(writer.oriented for writer in writers),
         "by_columns": any(writer.columns for writer in writers),
-        "limbs": [_limbs(words, slots, limbs) for limbs in slots.all_limbs],
+        "limbs": [_limbs(words, slots, limbs) for limbs in slots.numbers],
         "prescribed_abreast": any(
-            plan.joints[j].prescribed for limbs in slots.all_limbs for j in limbs.members()
+            plan.joints[j].prescribed for limbs in slots.numbers for j in limbs.members()
         ),
     }
 

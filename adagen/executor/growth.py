@@ -46,13 +46,17 @@ class Growth:
 def predicted_growth(plan: Plan) -> Growth:
     """Return the growth of a plan's joins, the larger of two generic configurations.
 
+    Without joins there is nothing to compare: one configuration shows whether it can be solved.
+
     g_i is the largest generalised eigenvalue of (M_i with bare links, M_i as assembled), where
     M_i = N_i (Phi_Ai + Phi_Bi) N_i^T; eps times the sum of g predicts the error.
 
     Raises:
         FloatingPointError: a factorization fails already here; the message names the joint.
     """
-    return max((_growth(plan, seed) for seed in (1, 2)), key=lambda growth: growth.error)
+    joins = any(isinstance(step, Join) for process in plan.processes for step in process.steps)
+    seeds = (1, 2) if joins else (1,)
+    return max((_growth(plan, seed) for seed in seeds), key=lambda growth: growth.error)
 
 
 def _growth(plan: Plan, seed: int) -> Growth:
@@ -121,5 +125,5 @@ def _bare_mobility(plan: Plan, number: int) -> NDArray[np.float64] | None:
     """A link's mobility; None where it has none of its own and is joined with others at once."""
     link = plan.links[number]
     inertia = Inertia(link.mass, np.array(link.com), np.array(link.tensor))
-    places = [joint.translation for joint in plan.joints if joint.parent == number]
+    places = [plan.joints[j].translation for j in plan.children[number]]
     return inverse_inertia(inertia, link.name)[1] if is_solid(inertia, places) else None

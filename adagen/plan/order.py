@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from heapq import heappop, heappush
 
 from adagen.plan.abreast import Limbs
 from adagen.plan.types import PlanJoint
@@ -51,7 +52,7 @@ def outward_order(sweep: Mapping[int, Ends], limbs: Iterable[Limbs]) -> list[Uni
 def _ordered(
     sweep: Mapping[int, Ends],
     limbs: Iterable[Limbs],
-    open_: Counter[int],
+    open_: Mapping[int, int],
     links: Mapping[int, tuple[int, int]],
 ) -> list[Unit]:
     """Units whose links are complete, the earliest in the sweep first.
@@ -61,23 +62,29 @@ def _ordered(
     """
     taken = [each for each in limbs if each.rows[0][0] in sweep]
     unit_of: dict[int, Unit] = {j: each for each in taken for j in each.members()}
-    waiting = list(dict.fromkeys(unit_of.get(j, j) for j in sweep))
+    units = list(dict.fromkeys(unit_of.get(j, j) for j in sweep))
+    needing: dict[int, list[int]] = {}  # by link, the places of the units that wait for it
+    waiting: list[int] = []  # for how many joints of other units each unit waits
+    for place, unit in enumerate(units):
+        own = [links[j] for j in _joints_in(unit)]
+        needed = {link for link, _ in own}
+        for link in needed:
+            needing.setdefault(link, []).append(place)
+        within = sum(link in needed for _, link in own)
+        waiting.append(sum(open_[link] for link in needed) - within)
+    ready = [place for place, count in enumerate(waiting) if not count]
     found: list[Unit] = []
-    while waiting:
-        unit = next(u for u in waiting if _ready(u, open_, links))
-        waiting.remove(unit)
-        found.append(unit)
-        for j in _joints_in(unit):
-            open_[links[j][1]] -= 1
+    while ready:
+        found.append(units[heappop(ready)])
+        for j in _joints_in(found[-1]):
+            for place in needing.get(links[j][1], ()):
+                waiting[place] -= 1
+                if not waiting[place]:
+                    heappush(ready, place)
+    assert len(found) == len(units), "limbs that wait for each other"
     return found
 
 
 def _joints_in(unit: Unit) -> list[int]:
     """Return the joints of a unit."""
     return [unit] if isinstance(unit, int) else list(unit.members())
-
-
-def _ready(unit: Unit, open_: Counter[int], links: Mapping[int, tuple[int, int]]) -> bool:
-    """Whether all that adds to the links that a unit needs is done, or in the unit itself."""
-    own = Counter(links[j][1] for j in _joints_in(unit))
-    return all(open_[link] == own[link] for link, _ in (links[j] for j in _joints_in(unit)))

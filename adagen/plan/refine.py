@@ -57,7 +57,7 @@ def joints_at(plan: Plan, process: Process) -> tuple[int, ...]:
 
 def paths_of(plan: Plan, process: Process) -> tuple[int, ...]:
     """Return the joints between these links and the ground, ascending."""
-    return tuple(sorted({j for link in links_of_process(process) for j in plan.path(link - 1)}))
+    return tuple(sorted(plan.paths(link - 1 for link in links_of_process(process))))
 
 
 def refinable(plan: Plan) -> Plan:

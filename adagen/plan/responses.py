@@ -7,15 +7,25 @@ needed.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import fields, is_dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import is_dataclass
 
 from adagen.plan.steps import Block, HoldMobility, Propagate
 from adagen.plan.types import Plan, Process
 
 
+def mentions(plan: Plan, process: Process) -> Counter[Block]:
+    """Return how often a process's steps and the messages name each block.
+
+    It is empty where the process takes no mobility for an inertia, and there are no responses.
+    """
+    if not any(isinstance(step, HoldMobility) for step in process.steps):
+        return Counter()
+    return Counter(_blocks((*process.steps, *plan.messages)))
+
+
 def responses(
-    plan: Plan, process: Process, steps: Sequence[Propagate]
+    plan: Plan, steps: Sequence[Propagate], named: Counter[Block]
 ) -> Iterator[Sequence[Propagate]]:
     """Part steps that follow each other into runs of which the last one's mobility is asked for.
 
@@ -25,34 +35,28 @@ def responses(
 
     Args:
         plan: the plan.
-        process: the process that has the steps.
-        steps: some of its steps, in order.
+        steps: some of a process's steps, in order.
+        named: that process's ``mentions``.
     """
-    mentions: Counter[Block] = Counter()
-    if len(steps) > 1 and any(isinstance(step, HoldMobility) for step in process.steps):
-        mentions.update(_blocks((*process.steps, *plan.messages)))
     first = 0
     for k, step in enumerate(steps):
-        if k + 1 < len(steps) and _goes_on(plan, mentions, step, steps[k + 1], k == first):
+        if named and k + 1 < len(steps) and _goes_on(plan, named, step, steps[k + 1], k == first):
             continue
         yield steps[first : k + 1]
         first = k + 1
 
 
 def _goes_on(
-    plan: Plan, mentions: Mapping[Block, int], step: Propagate, after: Propagate, begins: bool
+    plan: Plan, named: Counter[Block], step: Propagate, after: Propagate, begins: bool
 ) -> bool:
-    """Whether a step's mobility serves the next one alone.
-
-    ``mentions``: how often steps and messages name each block, where the ground is held at all.
-    """
+    """Whether a step's mobility serves the next one alone."""
     if begins and step.near is not None:
         return False
     for each in (step, after):
         if each.reversed or each.spreads or plan.joints[each.joint].prescribed:
             return False
     follows = plan.joints[after.joint].parent == step.joint + 1 == after.joint
-    return follows and after.near == step.block and mentions.get(step.block) == 2
+    return follows and after.near == step.block and named[step.block] == 2
 
 
 def _blocks(of: object) -> Iterator[Block]:
@@ -62,5 +66,6 @@ def _blocks(of: object) -> Iterator[Block]:
         for each in of:
             yield from _blocks(each)
     elif is_dataclass(of):
-        for field in fields(of):
-            yield from _blocks(getattr(of, field.name))
+        for value in vars(of).values():
+            if not isinstance(value, int):
+                yield from _blocks(value)

@@ -12,6 +12,7 @@ from adagen.plan.types import Plan
 
 FORMAT = 1
 _STEPS = {step.__name__: step for step in get_args(Step)}
+_ENCODER = json.JSONEncoder(allow_nan=False)
 
 
 def plan_to_json(plan: Plan) -> str:
@@ -47,7 +48,7 @@ def _lines(items: Any) -> str:
 
 
 def _dump(value: Any) -> str:
-    return json.dumps(value, allow_nan=False)
+    return _ENCODER.encode(value)
 
 
 def _said(value: Any) -> list[Any]:
@@ -60,10 +61,10 @@ def _said(value: Any) -> list[Any]:
 
 
 def _encode(value: Any) -> Any:
-    if is_dataclass(value):
-        return {field.name: _encode(getattr(value, field.name)) for field in _said(value)}
     if isinstance(value, tuple):
         return [_encode(item) for item in value]
+    if is_dataclass(value):
+        return {field.name: _encode(getattr(value, field.name)) for field in _said(value)}
     return value
 
 

@@ -7,6 +7,7 @@ can be laid side by side.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import groupby
 from typing import Literal
 
 from adagen.plan.steps import (
@@ -65,17 +66,22 @@ class Stage:
 def stages(process: Process) -> tuple[Stage, ...]:
     """Return the stages of a process in order."""
     found: list[Stage] = []
-    for k, step in enumerate(process.steps):
-        what = _what(step)
-        message = step.message if isinstance(step, Send | Receive) else None
-        joint = getattr(step, "joint", None)
-        if message is None and found and found[-1].what == what:
-            before = found.pop()
-            if joint is None or (what == "disassembly" and before.joint is not None):
-                joint = before.joint
-            found.append(Stage(what, before.first, k + 1, joint, None))
+    first = 0
+    for what, group in groupby(process.steps, _what):
+        steps = list(group)
+        last = first + len(steps)
+        if what in ("send", "receive"):
+            found += [
+                Stage(what, k, k + 1, None, step.message)
+                for k, step in enumerate(steps, start=first)
+                if isinstance(step, Send | Receive)
+            ]
         else:
-            found.append(Stage(what, k, k + 1, joint, message))
+            ways = steps if what == "disassembly" else reversed(steps)
+            joints = (getattr(step, "joint", None) for step in ways)
+            joint = next((j for j in joints if j is not None), None)
+            found.append(Stage(what, first, last, joint, None))
+        first = last
     return tuple(found)
 
 

@@ -6,7 +6,9 @@ name are in adagen/plan/steps/.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from adagen.model.kinds import KINDS
 from adagen.plan.steps import Bias, Block, Force, Step
@@ -200,6 +202,14 @@ class Plan:
         """Columns of every bias, force and acceleration: the motion, and one per slaved joint."""
         return 1 + len(self.slaved)
 
+    @cached_property
+    def children(self) -> tuple[tuple[int, ...], ...]:
+        """For each link the joints that it is the parent of, ascending."""
+        below: list[list[int]] = [[] for _ in self.links]
+        for j, joint in enumerate(self.joints):
+            below[joint.parent].append(j)
+        return tuple(map(tuple, below))
+
     def recovering(self) -> Plan:
         """Return the plan of what is done where a mobility cannot be taken for an inertia."""
         processes = (replace(p, steps=p.recovery, recovery=()) for p in self.processes)
@@ -209,9 +219,11 @@ class Plan:
         """Return where the six numbers of outer force ``k`` start in tau."""
         return sum(KINDS[joint.kind].nv for joint in self.joints) + 6 * k
 
-    def path(self, joint: int) -> list[int]:
-        """Return the joints from the ground down to ``joint``, itself included."""
-        path = [joint]
-        while self.joints[path[-1]].parent > 0:
-            path.append(self.joints[path[-1]].parent - 1)
-        return path[::-1]
+    def paths(self, joints: Iterable[int]) -> set[int]:
+        """Return the joints from the ground down to some joints, these included."""
+        found: set[int] = set()
+        for joint in joints:
+            while joint >= 0 and joint not in found:
+                found.add(joint)
+                joint = self.joints[joint].parent - 1
+        return found

@@ -9,7 +9,7 @@ from typing import Any
 from adagen.plan.abreast import Limbs, placed_links
 from adagen.plan.edges import is_base
 from adagen.plan.order import inward_order, outward_order
-from adagen.plan.responses import responses
+from adagen.plan.responses import mentions, responses
 from adagen.plan.stages import stages
 from adagen.plan.steps import (
     Accelerate,
@@ -59,6 +59,7 @@ class Loops:
         self.placed = placed_links(plan)
         starts = {s.link for s in process.steps if isinstance(s, StartLink)}
         self.own = starts - self.placed  # links whose own inertia the sweep adds as it passes them
+        self.named = mentions(plan, process)
         self.holding: set[int] = set()  # links at which an inertia has been left
         self.bare: set[int] = set()  # links whose own inertia is set up
         self.by_columns: set[int] = set()  # those of them that are set up by columns, too
@@ -184,7 +185,7 @@ class Loops:
         self._add("link_columns", Links(tuple(sorted(among))), "columns")
 
     def _propagate(self, steps: list[Propagate]) -> None:
-        for run in responses(self.plan, self.process, steps):
+        for run in responses(self.plan, steps, self.named):
             if len(run) > 1:
                 block = Run(run[0].joint, run[-1].joint)
                 self._add("propagate", block, "response", run)

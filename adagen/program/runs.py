@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
@@ -55,7 +55,7 @@ def outward_units(
     joints: Sequence[PlanJoint],
     passed: Sequence[int],
     limbs: Sequence[Limbs],
-    treated: Collection[int],
+    treated: Iterable[int],
 ) -> Iterator[Limbs | Outward]:
     """Limbs side by side, and the runs between them, as joints are passed outwards.
 
@@ -77,7 +77,7 @@ def outward_units(
 
 
 def _outward_runs(
-    joints: Sequence[PlanJoint], passed: list[int], treated: Collection[int]
+    joints: Sequence[PlanJoint], passed: list[int], treated: frozenset[int]
 ) -> Iterator[Outward]:
     left = {joints[j].parent for j in passed if joints[j].parent != j}
     for run in runs(joints, passed):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
 
 from adagen.plan import Plan
 from adagen.plan.abreast import Limbs, limbs_abreast
@@ -28,10 +30,10 @@ class Slots:
     limbs: tuple[tuple[Limbs, ...], ...]
     segments: tuple[Run, ...]
 
-    @property
-    def all_limbs(self) -> list[Limbs]:
-        """The limbs of all processes, as they are numbered in emitted code."""
-        return [limbs for own in self.limbs for limbs in own]
+    @cached_property
+    def numbers(self) -> dict[Limbs, int]:
+        """The limbs of all processes in order, and how they are numbered in emitted code."""
+        return {limbs: k for k, limbs in enumerate(chain.from_iterable(self.limbs))}
 
     @property
     def plain(self) -> bool:

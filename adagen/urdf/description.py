@@ -24,7 +24,7 @@ TYPES = (
 WITH_AXIS = frozenset({"revolute", "continuous", "prismatic", "planar"})
 SCALAR_TYPES = frozenset({"revolute", "continuous", "prismatic"})
 MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
-LIMIT = 10000
+LIMIT = 20000
 """Links at most."""
 
 

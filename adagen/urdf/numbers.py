@@ -13,7 +13,8 @@ SMALLEST_MASS = 1e-40
 
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
-_SPACE = re.compile(r"[ \t\r\n]+")
+_NOT_ZERO = re.compile(r"[^eE]*[1-9]")
+_WORD = re.compile(r"[^ \t\r\n]+")
 _SHOWN = 40
 _LONGEST = 1000
 
@@ -25,11 +26,11 @@ def number(text: str) -> float:
         ValueError: saying what is wrong with it, in words that follow the name of the attribute.
     """
     shown = f'"{text if len(text) <= _SHOWN else text[:_SHOWN] + "..."}"'
-    if "${" in text or "$(" in text:
-        raise ValueError(f"{shown} is an unexpanded xacro expression: run xacro first")
-    if _NOT_FINITE.fullmatch(text):
-        raise ValueError(f"{shown} is not finite: write a finite number")
     if len(text) > _LONGEST or not _NUMBER.fullmatch(text):
+        if "${" in text or "$(" in text:
+            raise ValueError(f"{shown} is an unexpanded xacro expression: run xacro first")
+        if _NOT_FINITE.fullmatch(text):
+            raise ValueError(f"{shown} is not finite: write a finite number")
         raise ValueError(f"{shown} is not a number: write one like 1, -0.5 or 2.5e-3")
     value = float(text)
     if math.isinf(value):
@@ -38,7 +39,7 @@ def number(text: str) -> float:
         raise ValueError(
             f"{shown} is too large to compute with: give at most {LARGEST:g}, in SI units"
         )
-    if value == 0.0 and any(digit in "123456789" for digit in re.split("[eE]", text)[0]):
+    if value == 0.0 and _NOT_ZERO.match(text):
         raise ValueError(f"{shown} is too small for a double: write 0")
     return value
 
@@ -49,7 +50,7 @@ def numbers(text: str, count: int) -> tuple[float, ...]:
     Raises:
         ValueError: as for ``number``, and where there are more or fewer.
     """
-    words = [word for word in _SPACE.split(text) if word]
+    words = _WORD.findall(text)
     if len(words) != count:
         needed = {1: "one number", 3: "three numbers"}.get(count, f"{count} numbers")
         raise ValueError(f"has {len(words)} numbers: it needs {needed}, separated by spaces")

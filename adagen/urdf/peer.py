@@ -146,10 +146,7 @@ def _origin(
     """Return our origin (xyz and rpy say more than a matrix), compared with yourdfpy's matrix."""
     if theirs is None:
         theirs = np.eye(4)
-    rotation = rounded(rotation_from_rpy(ours.rpy))
-    good = np.array_equal(theirs[:3, 3], np.array(ours.xyz)) and np.allclose(
-        theirs[:3, :3], rotation, rtol=0.0, atol=ROTATION_TOLERANCE
-    )
-    if not good:
+    apart = np.abs(theirs[:3, :3] - rounded(rotation_from_rpy(ours.rpy))).max()
+    if theirs[:3, 3].tolist() != list(ours.xyz) or not apart <= ROTATION_TOLERANCE:
         raise _differs(where, line, ours, theirs.tolist(), notes)
     return ours

@@ -113,7 +113,7 @@ def test_limbs_of_any_plan_can_be_passed_in_order(
                 assert all(plan.joints[j].parent == i + 1 for i, j in zip(row, next_, strict=True))
             for lane, first in enumerate(each.rows[0]):
                 own = {row[lane] for row in each.rows}
-                assert not set(plan.path(first)) & (set(each.members()) - own)
+                assert not plan.paths([first]) & (set(each.members()) - own)
         sweep = {
             s.joint: ends_of(plan.joints, s.joint)
             for s in process.steps

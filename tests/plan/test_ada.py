@@ -131,7 +131,7 @@ def test_a_process_reads_no_more_than_its_joints_need() -> None:
     model = human_figure()
     plan = make_plan(model, random_schedule(model, 4, np.random.default_rng(4)))
     for process in plan.processes:
-        needed = {j for own in process.owns for j in plan.path(own)}
+        needed = plan.paths(process.owns)
         assert set(process.reads) == needed
 
 

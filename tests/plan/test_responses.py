@@ -9,7 +9,7 @@ import pytest
 
 from adagen.model import KINDS, Model
 from adagen.plan import Plan, make_plan
-from adagen.plan.responses import responses
+from adagen.plan.responses import mentions, responses
 from adagen.plan.steps import HoldMobility, Propagate, Send
 from adagen.schedule import Topology, load_profile, named_schedule
 from tests.emitted import kernels_of
@@ -38,7 +38,7 @@ def test_what_holds_a_chain_is_asked_for_at_one_link(seed: int) -> None:
     rng = np.random.default_rng(seed)
     plan = gathered(random_tree(rng, 20, KINDS_PASSED, branching=0.0))
     p, steps = carried(plan)
-    (run,) = responses(plan, plan.processes[p], steps)
+    (run,) = responses(plan, steps, mentions(plan, plan.processes[p]))
     assert list(run) == steps
     assert len(steps) > 1
     text = kernels_of(plan)
@@ -51,7 +51,8 @@ def test_a_mobility_that_is_asked_for_is_computed() -> None:
     asked = steps[3].block  # say that a message tells it
     told = replace(plan.messages[0], blocks=(asked,))
     plan = replace(plan, messages=(told, *plan.messages[1:]))
-    found = [list(run) for run in responses(plan, plan.processes[p], steps)]
+    named = mentions(plan, plan.processes[p])
+    found = [list(run) for run in responses(plan, steps, named)]
     assert found == [steps[:4], *([step] for step in steps[4:])]
 
 
@@ -61,5 +62,5 @@ def test_where_nothing_is_held_all_mobilities_are_carried() -> None:
     process = plan.processes[p]
     free = tuple(step for step in process.steps if not isinstance(step, HoldMobility))
     assert any(isinstance(step, Send) for step in free)
-    found = list(responses(plan, replace(process, steps=free), steps))
+    found = list(responses(plan, steps, mentions(plan, replace(process, steps=free))))
     assert found == [[step] for step in steps]
