@@ -28,6 +28,7 @@ from adagen.search.price import Pricing, played
 from adagen.search.trees import schedule_of
 
 _USUAL = 128  # joints up to which a robot gets all expansions
+_PLAYED = 32  # the same where chains are priced as they are played
 _FEWEST = 64  # expansions that any robot gets
 _JOINTS = 20
 """Joints that may be priced in shares of processes for each expansion."""
@@ -132,7 +133,8 @@ class Families:
         floor = JoinedFloor(
             self.model, self.seen, self.processes, self.profile, self._pricing(self.best), cuttable
         )
-        lower, spent, made = floor.lower(self.least, self.expansions, tie)
+        most = min(self.expansions, max(_FEWEST, self.most * _PLAYED // len(self.topology)))
+        lower, spent, made = floor.lower(self.least, most, tie)
         self.expanded += spent
         self.bounds.append(lower)
         if lower < self.least:

@@ -12,14 +12,15 @@ import heapq
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby, permutations
-from math import prod
 
 from adagen.search.bounds import Around, Bounds
+from adagen.search.guess import Guess, evenly
 from adagen.search.layouts import Frame, Layout, LayoutPrices
 from adagen.search.limbs import Core
 
 _LOOK = 2  # what a look at a frame or a layout costs
-_MANY = 32  # shares of a process from which on a first layout is guessed
+_FRAMES = 12  # frames in which layouts are guessed that bring nothing, before that ends
+_MANY = 100  # times as many frames that are looked at for these
 _ALL_NUMBERS = 3
 """Processes up to which all ways to number them are tried."""
 
@@ -109,12 +110,15 @@ class GatheredSearch:
         self.best, self.lower = known, known
         self.layout: Layout | None = None
         self.candidates = 0
+        joints = len(self.robot.joints)
+        self.share = round(joints * (1 + min(1.0, joints / 1000)))  # what pricing one costs
 
     def run(self) -> None:
         """Search as far as the budget goes."""
+        self._first()
         order = 0
         heap: list[tuple[float, int, Frame]] = []
-        waiting = [self._frame(())] if len(self.robot.trees) > 1 else list(self._opened(()))
+        waiting = self._begun()
         left = self.best
         while True:
             for frame in waiting:
@@ -127,12 +131,46 @@ class GatheredSearch:
             bound, _, frame = heapq.heappop(heap)
             if self._meets(frame):
                 left = min(left, _HandOut(self, frame, bound).run())
-            waiting = [*self._grown(frame.cores)]
-            if len(self.robot.trees) > 1:
-                waiting += self._opened(frame.cores)
+            waiting = self._after(frame)
         if heap:
             left = min(left, heap[0][0])
         self.lower = min(left, self.best)
+
+    def _begun(self) -> list[Frame]:
+        """The frames that all others come from."""
+        return [self._frame(())] if len(self.robot.trees) > 1 else list(self._opened(()))
+
+    def _after(self, frame: Frame) -> list[Frame]:
+        """The frames that come from another one."""
+        more = self._opened(frame.cores) if len(self.robot.trees) > 1 else ()
+        return [*self._grown(frame.cores), *more]
+
+    def _first(self) -> None:
+        """Price some layouts that share out evenly what limbs take by themselves.
+
+        The most promising of those frames that come first are looked at, as long as that helps.
+        """
+        floors, waiting = self.bounds.floors, self._begun()
+        guesses: list[tuple[float, int, Frame, Guess]] = []
+        for seen in range(_FRAMES * _MANY):
+            if seen == len(waiting) or not self.spent.on(_LOOK):
+                break
+            frame = waiting[seen]
+            if self.bounds.frame(frame.cores, frame.limbs) >= self.best:
+                continue
+            waiting += self._after(frame)
+            if self._meets(frame):
+                guess = evenly([floors.alone(limb) for limb in frame.limbs], self.processes)
+                core = sum(floors.core(core.joints).both for core in frame.cores)
+                guesses.append((guess.time + core, seen, frame, guess))
+        waited = 0
+        for _, _, frame, guess in sorted(guesses, key=lambda each: each[:2]):
+            before = self.best
+            if waited == _FRAMES or 4 * self.spent.spent > self.spent.limit:
+                break
+            self.spent.on(self.share * len(guess.shares))
+            self.consider(frame, guess.shares)
+            waited = 0 if self.best < before else waited + 1
 
     def _frame(self, cores: tuple[Core, ...]) -> Frame:
         return Frame(cores, self.robot.limbs(cores))
@@ -277,29 +315,14 @@ class _HandOut:
     def run(self) -> float:
         """Look for faster layouts; return a bound on those that were not looked at."""
         counts = tuple(len(own) for own in self.classes)
-        if prod(n + 1 for n in counts) > _MANY:
-            self._guess()
         self._next(counts, [], self.search.processes)
         return self.left
-
-    def _guess(self) -> None:
-        """Consider the layout that gives the heaviest limb left to the process that has least."""
-        search, floors = self.search, self.search.bounds.floors
-        if not search.spent.on(len(search.robot.joints)):
-            return
-        loads = [0.0] * search.processes
-        shares: list[list[int]] = [[] for _ in loads]
-        weights = [floors.alone(limb) for limb in self.frame.limbs]
-        for k in sorted(range(len(weights)), key=lambda k: -weights[k]):
-            p = loads.index(min(loads))
-            loads[p] += weights[k]
-            shares[p].append(k)
-        search.consider(self.frame, [tuple(sorted(own)) for own in shares if own])
 
     def _next(self, remaining: Counts, blocks: list[_Block], processes: int) -> None:
         """Hand out what remains to so many processes."""
         search = self.search
         if not any(remaining):
+            search.spent.on(len(blocks) ** 2)  # as many messages
             search.consider(self.frame, self._shares(blocks))
             return
         if processes == 0:
@@ -315,7 +338,7 @@ class _HandOut:
             bound = max(self._bound(rest, blocks, processes - 1, more=True), self._least(counts))
             if bound >= search.best:
                 continue
-            cost = _LOOK if counts in self.blocks else len(search.robot.joints)
+            cost = _LOOK if counts in self.blocks else search.share
             if not search.spent.on(cost):
                 self.left = min(self.left, max(bound, self.bound))
                 return

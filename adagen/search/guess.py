@@ -1,0 +1,63 @@
+"""First layouts: limbs handed out by what they take by themselves, before anything is proven."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import product
+
+
+@dataclass(frozen=True)
+class Guess:
+    """Limbs handed out evenly.
+
+    Attributes:
+        time: of the busiest process.
+        shares: the numbers of each one's limbs; none is empty.
+    """
+
+    time: float
+    shares: tuple[tuple[int, ...], ...]
+
+
+def evenly(weights: Sequence[float], processes: int) -> Guess:
+    """Hand out limbs, the heaviest first to who has least, and exchange them while that helps.
+
+    Args:
+        weights: what each limb takes.
+        processes: P.
+    """
+    shares: list[list[int]] = [[] for _ in range(processes)]
+    loads = [0.0] * processes
+    for k in sorted(range(len(weights)), key=lambda k: (-weights[k], k)):
+        p = loads.index(min(loads))
+        shares[p].append(k)
+        loads[p] += weights[k]
+    while _exchange(weights, shares, loads):
+        pass
+    given = tuple(tuple(sorted(own)) for own in shares if own)
+    return Guess(max(loads, default=0.0), given)
+
+
+def _exchange(weights: Sequence[float], shares: list[list[int]], loads: list[float]) -> bool:
+    """Give a limb of the busiest process away, perhaps for another, if both have less then."""
+    busiest = loads.index(max(loads))
+    for p in range(len(loads)):
+        difference = loads[busiest] - loads[p]
+        offers = product(shares[busiest], (None, *shares[p])) if p != busiest else ()
+        best, least = None, difference * (1 - 1e-9)
+        for give, take in offers:
+            moved = weights[give] - (0.0 if take is None else weights[take])
+            if abs(difference - 2 * moved) < least:
+                best, least = (give, take, moved), abs(difference - 2 * moved)
+        if best is not None:
+            give, take, moved = best
+            shares[busiest].remove(give)
+            shares[p].append(give)
+            if take is not None:
+                shares[p].remove(take)
+                shares[busiest].append(take)
+            loads[busiest] -= moved
+            loads[p] += moved
+            return True
+    return False

@@ -1,0 +1,35 @@
+"""Limbs handed out evenly."""
+
+from __future__ import annotations
+
+from itertools import product
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from adagen.search.guess import evenly
+
+WEIGHTS = st.lists(st.floats(0.01, 10.0), min_size=1, max_size=7)
+
+
+@given(WEIGHTS, st.integers(1, 4))
+def test_every_limb_is_handed_out_once(weights: list[float], processes: int) -> None:
+    guess = evenly(weights, processes)
+    assert sorted(k for own in guess.shares for k in own) == list(range(len(weights)))
+    assert len(guess.shares) <= processes
+    loads = [sum(weights[k] for k in own) for own in guess.shares]
+    assert abs(max(loads) - guess.time) < 1e-9
+
+
+@given(WEIGHTS, st.integers(1, 3))
+def test_the_busiest_has_at_most_a_third_more_than_it_must(
+    weights: list[float], processes: int
+) -> None:
+    """Graham's bound for the heaviest first: 4/3 - 1/(3P) of the least."""
+    least = min(
+        max(
+            sum(w for w, p in zip(weights, of, strict=True) if p == own) for own in range(processes)
+        )
+        for of in product(range(processes), repeat=len(weights))
+    )
+    assert evenly(weights, processes).time <= (4 / 3) * least + 1e-9
