@@ -87,9 +87,10 @@ def _robots() -> Iterator[Model]:
 
 
 def straight_plans(profile: CostProfile) -> list[tuple[str, Plan]]:
-    """Return labels and plans of robots that are small enough for a straight line of statements.
+    """Return labels and plans of robots that are carried out as straight lines of statements.
 
-    Their operations for each degree of freedom differ, and so does what waits for what.
+    Their operations for each degree of freedom differ, and so does what waits for what; two are so
+    long that their instructions are fetched anew in each evaluation.
     """
     robots = [
         robot("pair", chain(2), ["revolute"], 1),
@@ -97,6 +98,8 @@ def straight_plans(profile: CostProfile) -> list[tuple[str, Plan]]:
         squared(robot("arm", chain(14), ["revolute"], 1)),
         squared(robot("hand", star(4, 3), ["revolute"], 1)),
         squared(robot("balls", chain(5), ["spherical"], 1)),
+        robot("tangle", chain(16), ["revolute"], 1),
+        squared(robot("line", chain(40), ["revolute"], 1)),
     ]
     return [
         (f"straight {model.name}", _plan(model, "segment", 1, 1, "", profile)) for model in robots

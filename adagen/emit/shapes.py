@@ -147,6 +147,9 @@ def _cheapest(plan: Plan, profile: CostProfile | None) -> str:
     several = sum(bool(process.steps) for process in plan.processes) > 1
     if (plan.form == "ada" and several) or why_not_unrolled(plan) is not None:
         return loops
+    steps = (step for process in plan.processes for step in process.steps)
+    if any(isinstance(step, FusedJoin) for step in steps):
+        return loops  # which warn where such joints are near gimbal lock
     if sum(KINDS[joint.kind].nv for joint in plan.joints) > MOST_FREEDOMS:
         return loops
     if profile is None or profile.steps is None:

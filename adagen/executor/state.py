@@ -58,6 +58,7 @@ class State:
         self._constants: dict[float, Any] = {}
         self.columns = plan.right_hand_sides
         self.angles: list[Expression] = []
+        self._place_of_angles: dict[tuple[Expression, ...], int] = {}
         self.checks: list[Check] = []
         self.lengths: list[tuple[Expression, int]] = []
         self.results: dict[int, Array] = {}
@@ -126,10 +127,11 @@ class State:
         """Cosine and sine; they are taken of all angles of the process at once."""
         width, angles = angle.node.width, self.angles
         own = [angle] if width == 1 else [self.graph.lane(angle, k) for k in range(width)]
-        places = range(0, len(angles), width)
-        k = next((k for k in places if angles[k : k + width] == own), len(angles))
+        k = self._place_of_angles.setdefault(tuple(own), len(angles))
         if k == len(angles):
             angles.extend(own)
+            for place, single in enumerate(own, start=k):
+                self._place_of_angles.setdefault((single,), place)
         cosine = self.graph.input(f"cosine[{k}]", READY, width)
         return cosine, self.graph.input(f"sine[{k}]", READY, width)
 

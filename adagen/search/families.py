@@ -148,6 +148,12 @@ class Families:
             self._priced = Pricing(make_plan(self.model, schedule), self.profile)
         return self._priced
 
+    def _exchange(self) -> float:
+        """The least that processes take which exchange anything, in any shape; microseconds."""
+        fastest = max(self.costs.speed(p) for p in range(self.processes))
+        begin = min(self.costs["process.evaluation"], self.costs["unrolled.evaluation"]) / fastest
+        return begin + self.costs.channel("auto").latency
+
     def taken(self) -> Schedule:
         """Return the candidate that is emitted the fastest, with what is known of it.
 
@@ -162,7 +168,10 @@ class Families:
             name: predict(make_plan(self.model, each), self.profile).makespan
             for name, each in self.fastest.items()
         }
-        best = self.fastest[min(emitted, key=emitted.__getitem__)]
+        name = min(emitted, key=emitted.__getitem__)
+        best, time = self.fastest[name], emitted[name]
+        if name == "alone" and time <= self._exchange():
+            best, lower = replace(best, makespan=time), time  # whatever the shape
         return replace(
             best,
             lower_bound=lower,

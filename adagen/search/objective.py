@@ -33,6 +33,8 @@ LIMITS = (1e1, 1e2, 1e3, 1e4, 1e5)
 HARDLY_SINGULAR = {"double": 1e12, "float": 1e5}
 """Growth that objective `time` lets pass: factorizations still succeed."""
 _TRIALS = 6
+_WORSE = 3.0
+"""How much more than in the worst of so many generic states joins may lose in others."""
 _BETTER = 0.5  # of the predicted error, for a slower schedule to be taken
 
 
@@ -105,7 +107,7 @@ def predicted_digits(objective: str, model: Model, plan: Plan) -> Digits:
     growth = predicted_growth(plan)
     joined = growth.largest > 1.0
     name = model.joints[growth.joint].name if joined else None
-    error = min(1.0, max(growth.error, _tried(plan)))
+    error = min(1.0, max(growth.error, _tried(plan) * (_WORSE if joined else 1.0)))
     return Digits(objective, error, growth.largest, name)
 
 

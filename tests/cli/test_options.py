@@ -75,7 +75,7 @@ def is_refused(case: Case) -> bool:
     return (
         (refined and (batch or straight or case["--shape"] == "kernels"))
         or (case["--scalar"] == "mixed" and case["--refine"] in ("0", "1"))
-        or (case["--scene"] == "effects" and (refined or straight))
+        or (case["--scene"] == "effects" and refined)
         or (batch and case["--shape"] == "joints")
         or (case["--form"] == "ada" and case["--shape"] == "kernels")
         or (searched and case["--schedule"] != "auto")
