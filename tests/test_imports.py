@@ -1,0 +1,30 @@
+"""Imports between the packages of the compiler go one way."""
+
+from __future__ import annotations
+
+import ast
+from graphlib import TopologicalSorter
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1] / "adagen"
+
+
+def imported(file: Path) -> set[str]:
+    """Return the packages of adagen that a file imports as it is loaded."""
+    found = set()
+    for node in ast.parse(file.read_text(encoding="utf-8")).body:  # not those inside of functions
+        if isinstance(node, ast.ImportFrom) and node.module and node.module.startswith("adagen."):
+            found.add(node.module.split(".")[1])
+    return found
+
+
+def test_packages_have_an_order() -> None:
+    packages: dict[str, set[str]] = {}
+    for file in ROOT.rglob("*.py"):
+        name = file.relative_to(ROOT).parts[0].removesuffix(".py")
+        if name not in ("__init__", "__main__"):
+            packages.setdefault(name, set()).update(imported(file) - {name})
+    order = list(TopologicalSorter(packages).static_order())  # raises where there is a circle
+    assert order.index("plan") < order.index("executor") < order.index("program")
+    assert order.index("program") < order.index("cost") < order.index("emit")
+    assert order.index("emit") < order.index("search") < order.index("cli")
