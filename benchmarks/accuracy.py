@@ -29,7 +29,8 @@ from adagen.reference import (
     joint_space_inertia,
     residual,
 )
-from adagen.schedule import Topology, find_schedule, load_profile
+from adagen.schedule import Topology, load_profile
+from adagen.search import find_schedule
 from adagen.states import States, random_states
 from adagen.urdf import read_robot
 from benchmarks.page import write_between_marks

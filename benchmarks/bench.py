@@ -18,13 +18,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from adagen.bench.contest import Rules
-from adagen.bench.record import Record, read_record, write_record
-from adagen.bench.report import markdown
 from adagen.cli.bench import draw
 from adagen.cli.console import note
 from adagen.cli.contest import Entry, contest
 from adagen.errors import AdagenError
+from adagen.studies.bench.contest import Rules
+from adagen.studies.bench.record import Record, read_record, write_record
+from adagen.studies.bench.report import markdown
 from benchmarks.page import write_between_marks
 from benchmarks.paper import robots
 

@@ -19,7 +19,6 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from statistics import median
 
-from adagen.bench.machine import machine
 from adagen.build import Toolchain, find_toolchain
 from adagen.calibrate.measure import Program
 from adagen.cost import timeline
@@ -29,6 +28,7 @@ from adagen.plan import Plan, make_plan
 from adagen.program import lower
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
+from adagen.studies.bench.machine import machine
 from adagen.urdf import read_robot
 from benchmarks.page import write_between_marks
 

@@ -24,7 +24,8 @@ from adagen.build import find_toolchain
 from adagen.emit import emit, stem_of
 from adagen.model import Model
 from adagen.plan import FORMS, make_plan
-from adagen.schedule import Topology, find_schedule, load_profile
+from adagen.schedule import Topology, load_profile
+from adagen.search import find_schedule
 from adagen.urdf import read_robot
 from tests.large import human161
 

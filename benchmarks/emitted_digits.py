@@ -24,8 +24,8 @@ from adagen.plan import Plan, make_plan
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
-from adagen.stability import robots
 from adagen.states import States, random_states
+from adagen.studies.stability import robots
 from benchmarks.page import write_between_marks
 from benchmarks.solvers import answers
 

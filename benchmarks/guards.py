@@ -14,14 +14,14 @@ import sys
 from pathlib import Path
 from statistics import median
 
-from adagen.bench.contest import Contestant, Rules, Times, hold
-from adagen.bench.emitted import Emitted
 from adagen.build import find_toolchain
-from adagen.chart import Variant
 from adagen.emit import stem_of
 from adagen.emit.shapes import SHAPES
 from adagen.model import Model
 from adagen.plan import FORMS
+from adagen.studies.bench.contest import Contestant, Rules, Times, hold
+from adagen.studies.bench.emitted import Emitted
+from adagen.studies.chart import Variant
 from adagen.urdf import read_robot
 
 HUMANOID = Path(__file__).resolve().parents[1] / "generated_examples/models/humanoid.urdf"

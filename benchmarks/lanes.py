@@ -12,14 +12,14 @@ import argparse
 import sys
 from pathlib import Path
 
-from adagen.bench.contest import Contestant, Rules, Times, hold
-from adagen.bench.emitted import Emitted
 from adagen.build import find_toolchain
 from adagen.build.toolchain import with_compiler
-from adagen.chart import Variant
 from adagen.emit import emit, stem_of
 from adagen.executor import straight_line
 from adagen.model import Model
+from adagen.studies.bench.contest import Contestant, Rules, Times, hold
+from adagen.studies.bench.emitted import Emitted
+from adagen.studies.chart import Variant
 from adagen.urdf import read_robot
 
 WAYS = {

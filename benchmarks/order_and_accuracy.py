@@ -23,10 +23,11 @@ from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.cuts import LARGEST_GROWTH
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
-from adagen.schedule import Node, Schedule, Topology, load_profile, named_schedule
+from adagen.schedule import Node, Schedule, Topology, load_profile
 from adagen.schedule.tree import Named
-from adagen.stability import robots
+from adagen.search import named_schedule
 from adagen.states import random_states
+from adagen.studies.stability import robots
 from adagen.urdf import read_robot
 from benchmarks.page import write_between_marks
 from tests.schedules import random_schedule, wrapped

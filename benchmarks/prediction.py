@@ -33,8 +33,8 @@ from adagen.errors import AdagenError
 from adagen.executor.growth import predicted_growth
 from adagen.model import Model
 from adagen.plan import Plan, make_plan, plan_to_json
-from adagen.schedule import Schedule, Topology, find_schedule, load_profile
-from adagen.search import best_schedule
+from adagen.schedule import Schedule, Topology, load_profile
+from adagen.search import best_schedule, find_schedule
 from adagen.urdf import read_robot
 from benchmarks.page import write_between_marks
 from benchmarks.prediction_report import report

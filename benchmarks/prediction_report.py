@@ -11,8 +11,8 @@ from statistics import median
 
 import numpy as np
 
+from adagen.emit.predicted import predict
 from adagen.plan import plan_from_json
-from adagen.predict import predict
 from adagen.schedule import load_profile
 
 

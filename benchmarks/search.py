@@ -16,14 +16,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from adagen.emit.predicted import predict
 from adagen.model import Model
+from adagen.paper.restricted import joined_between_processes
 from adagen.plan import make_plan
-from adagen.predict import predict
-from adagen.schedule import Schedule, Topology, find_schedule, load_profile
-from adagen.schedule.restricted import joined_between_processes
+from adagen.schedule import Schedule, Topology, load_profile
 from adagen.schedule.tree import Split
-from adagen.search import best_schedule
-from adagen.stability.robots import chain, rod
+from adagen.search import best_schedule, find_schedule
+from adagen.studies.stability.robots import chain, rod
 from adagen.urdf import read_robot
 from benchmarks.paper import robots
 from benchmarks.paper.measured import machine, model_of

@@ -24,7 +24,8 @@ from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.run import Completed, launch
-from adagen.schedule import Topology, find_schedule, load_profile, named_schedule
+from adagen.schedule import Topology, load_profile
+from adagen.search import find_schedule, named_schedule
 from adagen.states import States, read_result, write_states
 
 Array = NDArray[np.float64]

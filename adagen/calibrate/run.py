@@ -28,9 +28,9 @@ from adagen.calibrate.fit import (
 from adagen.calibrate.measure import Measurement, Program, least
 from adagen.calibrate.samples import calibration_plans, straight_plans
 from adagen.calibrate.surrogate import fit_equation11
+from adagen.emit.predicted import predict
 from adagen.emit.shapes import stepwise
 from adagen.plan import Plan
-from adagen.predict import predict
 from adagen.schedule import CostProfile, load_profile
 from adagen.schedule.costs import CHANNELS, StepCosts
 

@@ -15,7 +15,7 @@ from adagen.cli.parser import Parser, make_parser, parse, whole
 from adagen.cli.tables import table_of
 
 if TYPE_CHECKING:
-    from adagen.bench.record import Record
+    from adagen.studies.bench.record import Record
 
 PEERS = ("pinocchio", "casadi", "mujoco")
 QUICK = ("--procs 1", "--procs 2")
@@ -37,8 +37,8 @@ examples:
 def run(argv: Sequence[str]) -> int:
     """Carry out ``adagen bench`` with the arguments after the verb; return the exit status."""
     options = parse(_parser(), argv)
-    from adagen.bench.contest import Rules
     from adagen.cli.contest import VARIANTS, Entry, contest
+    from adagen.studies.bench.contest import Rules
 
     rules = Rules(rounds=3, repeat=5) if options.quick else Rules(options.rounds)
     variants = tuple(options.variant or (QUICK if options.quick else VARIANTS))
@@ -107,7 +107,7 @@ def _show(record: Record) -> None:
     """Print each robot's table."""
     from rich.console import Console
 
-    from adagen.bench.report import DETAILS, details
+    from adagen.studies.bench.report import DETAILS, details
 
     console = Console(width=None if sys.stdout.isatty() else 120)
     for model in record.models:
@@ -123,9 +123,9 @@ def publish(record: Record, folder: Path) -> None:
     Raises:
         EnvironmentFault: writing failed.
     """
-    from adagen.bench.record import write_record
-    from adagen.bench.report import markdown
     from adagen.cli.files import write_files
+    from adagen.studies.bench.record import write_record
+    from adagen.studies.bench.report import markdown
 
     write_files(folder, {"bench.md": markdown(record)})
     write_record(record, folder / "bench.json")
@@ -135,7 +135,7 @@ def publish(record: Record, folder: Path) -> None:
 def draw(record: Record, folder: Path, endings: Sequence[str] = ("svg",)) -> list[Path]:
     """Write a record's pictures into a folder, where matplotlib is installed; return the files."""
     try:
-        from adagen.bench.pictures import draw_all
+        from adagen.studies.bench.pictures import draw_all
     except ImportError:
         note("without pictures: matplotlib is not installed (pip install 'adagen[bench]')")
         return []

@@ -15,10 +15,10 @@ from adagen.cli.tables import table_of
 from adagen.errors import AdagenError
 
 if TYPE_CHECKING:
-    from adagen.bench.contest import Contestant
-    from adagen.chart import Chart, Point, Variant
-    from adagen.chart.truth import Truth
     from adagen.model import Model
+    from adagen.studies.bench.contest import Contestant
+    from adagen.studies.chart import Chart, Point, Variant
+    from adagen.studies.chart.truth import Truth
 
 
 def run(argv: Sequence[str]) -> int:
@@ -30,7 +30,7 @@ def run(argv: Sequence[str]) -> int:
     if options.step is not None and options.simulate is None:
         parser.error("--step is for --simulate S")
     if options.picture:
-        from adagen.chart.draw import pyplot
+        from adagen.studies.chart.draw import pyplot
 
         pyplot()  # missing: said before anything is measured
     for name in options.models:
@@ -47,9 +47,9 @@ def run(argv: Sequence[str]) -> int:
 def _chart(options: argparse.Namespace) -> None:
     """Measure, write and show one robot's chart, and emit what keeps the budget."""
     from adagen.build import find_toolchain
-    from adagen.chart import Study, chart_of
-    from adagen.chart.truth import truth_of
     from adagen.cli import pipeline
+    from adagen.studies.chart import Study, chart_of
+    from adagen.studies.chart.truth import truth_of
 
     model = pipeline.read_model(options, Stages(), options.gravity)
     with speaking(Path(options.model).stem) as said, tempfile.TemporaryDirectory() as folder:
@@ -65,7 +65,7 @@ def _chart(options: argparse.Namespace) -> None:
 
 
 def _variants(options: argparse.Namespace) -> list[Variant]:
-    from adagen.chart import every_variant
+    from adagen.studies.chart import every_variant
 
     refinements = (0,) if options.quick else options.refine
     schedules = ("auto",) if options.quick else options.schedules
@@ -79,8 +79,8 @@ def _peers(
     model: Model, truth: Truth, folder: Path, said: Callable[[str], None]
 ) -> list[Contestant]:
     """Return the peers that are installed and can treat the robot, with notes on the others."""
-    from adagen.bench.peers import PEERS, missing
     from adagen.model import canonical
+    from adagen.studies.bench.peers import PEERS, missing
 
     found: list[Contestant] = []
     for name, (_, make) in PEERS.items():
@@ -97,7 +97,7 @@ def _peers(
 
 
 def _write(chart: Chart, options: argparse.Namespace) -> None:
-    from adagen.chart import write_csv, write_json
+    from adagen.studies.chart import write_csv, write_json
 
     options.out.mkdir(parents=True, exist_ok=True)
     path = options.out / f"chart_{Path(options.model).stem}"
@@ -105,7 +105,7 @@ def _write(chart: Chart, options: argparse.Namespace) -> None:
     write_json(chart, paths[0])
     write_csv(chart, paths[1])
     if options.picture:
-        from adagen.chart.draw import save, work_precision
+        from adagen.studies.chart.draw import save, work_precision
 
         paths += save(work_precision(chart), path)
     note(f"wrote {', '.join(map(str, paths))}")
@@ -132,10 +132,10 @@ def _show(chart: Chart) -> None:
 
 def _answer(point: Point, model: Model, options: argparse.Namespace) -> None:
     """Say which variant keeps the budget, and emit it."""
-    from adagen.chart import Variant
     from adagen.cli import pipeline
     from adagen.cli.files import write_files
     from adagen.schedule import load_profile
+    from adagen.studies.chart import Variant
 
     assert point.time_ns is not None
     variant = Variant(

@@ -13,7 +13,7 @@ from adagen.cli.console import Stages, note, speaking
 from adagen.cli.tables import table_of
 
 if TYPE_CHECKING:
-    from adagen.chart.motion import MotionChart
+    from adagen.studies.chart.motion import MotionChart
 
 _HALVINGS = 4
 
@@ -25,10 +25,10 @@ def chart_motion(options: argparse.Namespace) -> None:
         AdagenError: the robot is refused, or its reference motion fails.
     """
     from adagen.build import build_executable, find_toolchain
-    from adagen.chart.motion import Player, motion_chart
-    from adagen.chart.variants import REFERENCE
     from adagen.cli import pipeline
     from adagen.emit import stem_of
+    from adagen.studies.chart.motion import Player, motion_chart
+    from adagen.studies.chart.variants import REFERENCE
 
     model = pipeline.read_model(options, Stages(), options.gravity)
     toolchain = find_toolchain()
@@ -46,9 +46,9 @@ def chart_motion(options: argparse.Namespace) -> None:
 
 
 def _write(chart: MotionChart, options: argparse.Namespace) -> None:
-    from adagen.chart.motion import MotionPoint
-    from adagen.chart.record import write_rows
     from adagen.cli.files import write_file
+    from adagen.studies.chart.motion import MotionPoint
+    from adagen.studies.chart.record import write_rows
 
     options.out.mkdir(parents=True, exist_ok=True)
     path = options.out / f"chart_motion_{Path(options.model).stem}"
@@ -57,8 +57,8 @@ def _write(chart: MotionChart, options: argparse.Namespace) -> None:
     names = [field.name for field in dataclasses.fields(MotionPoint)]
     write_rows(paths[1], names, [vars(point) for point in chart.points])
     if options.picture:
-        from adagen.chart.draw import save
-        from adagen.chart.draw_motion import motion_picture
+        from adagen.studies.chart.draw import save
+        from adagen.studies.chart.draw_motion import motion_picture
 
         paths += save(motion_picture(chart), path)
     note(f"wrote {', '.join(map(str, paths))}")
@@ -68,7 +68,7 @@ def _show(chart: MotionChart) -> None:
     """Print fitted orders and the errors at the least step, for people."""
     from rich.console import Console
 
-    from adagen.chart.motion import INTEGRATORS
+    from adagen.studies.chart.motion import INTEGRATORS
 
     title = f"{chart.model}: orders in the step, over {chart.seconds:g} s"
     columns = ("integrator", "state", "energy", "momentum", "error at least step")

@@ -11,7 +11,7 @@ from adagen.cli.parser import Parser, make_parser, seconds, whole
 from adagen.errors import UsageError
 
 if TYPE_CHECKING:
-    from adagen.chart import Budget
+    from adagen.studies.chart import Budget
 
 _DESCRIPTION = """\
 Draw each robot's work-precision diagram: the time of an evaluation against the largest forward
@@ -85,8 +85,8 @@ def _add_variants(parser: Parser) -> None:
 
 def _add_names(add: Callable[..., Any]) -> None:
     """Add the options that name what is tried, by the argument group's ``add_argument``."""
-    from adagen.chart.variants import NAMES, SCHEDULES
     from adagen.emit.shapes import BASELINES, SHAPES
+    from adagen.studies.chart.variants import NAMES, SCHEDULES
 
     for name, what, known, default in (
         ("--shapes", "code shapes, ", ("auto", *SHAPES), ("auto",)),
@@ -161,7 +161,7 @@ def _list_of(kind: Callable[[str], Any], known: Any) -> Callable[[str], tuple[An
 
 
 def _budget(text: str) -> Budget:
-    from adagen.chart import parse_budget
+    from adagen.studies.chart import parse_budget
 
     try:
         return parse_budget(text)

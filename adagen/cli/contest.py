@@ -11,23 +11,23 @@ from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from adagen.bench.answers import DIRECT, Errors, Judge
-from adagen.bench.contest import Contestant, Rules, Times, cores, hold
-from adagen.bench.emitted import Emitted
-from adagen.bench.machine import machine
-from adagen.bench.peers import PEERS, missing
-from adagen.bench.record import ModelRecord, Record, Row
 from adagen.build import find_toolchain
 from adagen.cli import pipeline
 from adagen.cli.console import Stages, note, progress, speaking
 from adagen.cli.options import AUTO, add_emission, add_model, add_schedule, check_emission
 from adagen.cli.parser import make_parser, parse
+from adagen.emit.predicted import is_priced, predict
 from adagen.emit.shapes import chosen_shape
 from adagen.errors import AdagenError, UsageError
 from adagen.model import Model, canonical
-from adagen.predict import is_priced, predict
 from adagen.schedule import load_profile
 from adagen.states import States, random_states
+from adagen.studies.bench.answers import DIRECT, Errors, Judge
+from adagen.studies.bench.contest import Contestant, Rules, Times, cores, hold
+from adagen.studies.bench.emitted import Emitted
+from adagen.studies.bench.machine import machine
+from adagen.studies.bench.peers import PEERS, missing
+from adagen.studies.bench.record import ModelRecord, Record, Row
 
 VARIANTS = (
     "--procs 1",

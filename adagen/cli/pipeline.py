@@ -129,7 +129,7 @@ def _named_schedule(
         InputError: the robot has no joint at which anything could be joined.
     """
     from adagen.plan.clusters import fold_of
-    from adagen.schedule import named_schedule
+    from adagen.search import named_schedule
 
     seen = fold_of(model, options.form)
     if not len(seen.topology):
@@ -146,8 +146,8 @@ def _read_schedule(
     options: argparse.Namespace, topology: Topology, profile: CostProfile
 ) -> Schedule:
     """Return the schedule in the file that the user gave."""
-    from adagen.schedule import schedule_from_json
     from adagen.schedule.tree import Named
+    from adagen.search import schedule_from_json
 
     try:
         text = Path(options.schedule).read_text(encoding="utf-8")

@@ -81,9 +81,9 @@ def priced_shape(options: argparse.Namespace) -> str:
 
 def program_for(plan: Plan, options: argparse.Namespace) -> Program:
     """Return the program that a plan is emitted as under the options, for one state at a time."""
-    from adagen.predict import program_of
+    from adagen.emit.predicted import priced_program
 
-    return program_of(plan, priced_shape(options), _profile(options))
+    return priced_program(plan, priced_shape(options), _profile(options))
 
 
 def timeline_of(program: Program, options: argparse.Namespace) -> Timeline | None:

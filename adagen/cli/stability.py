@@ -13,7 +13,7 @@ from adagen.cli.console import note, progress
 from adagen.cli.parser import Parser, make_parser, parse
 
 if TYPE_CHECKING:
-    from adagen.stability import Outcome
+    from adagen.studies.stability import Outcome
 
 _EPILOG = """\
 Every case shows a weak method failing as it is expected to, and the shipped one keeping its digits
@@ -57,7 +57,7 @@ def parser_of_stability() -> Parser:
 
 
 def _judge(options: argparse.Namespace, refuse: object) -> int:
-    from adagen.stability import CASES, run_case
+    from adagen.studies.stability import CASES, run_case
 
     assert callable(refuse)
     known = {case.number: case for case in CASES}
@@ -118,8 +118,8 @@ def _show(outcomes: Sequence[Outcome]) -> None:
 
 
 def _draw(options: argparse.Namespace, refuse: object) -> int:
-    from adagen.stability.draw import draw_conditions, draw_map
-    from adagen.stability.maps import NAMES, make_map
+    from adagen.studies.stability.draw import draw_conditions, draw_map
+    from adagen.studies.stability.maps import NAMES, make_map
 
     assert callable(refuse)
     for name in options.family or ():

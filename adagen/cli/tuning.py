@@ -21,7 +21,7 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
     """
     from adagen.build import find_toolchain
     from adagen.emit import emit, stem_of
-    from adagen.emit.refine import refinement_steps
+    from adagen.emit.joints.refine import refinement_steps
     from adagen.emit.shapes import SHAPES, chosen_shape
     from adagen.run.tune import candidates, compilers, table, tune
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from adagen.model.kinds import KINDS
-from adagen.plan.abreast import Limbs
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
     Accelerate,
     AccelerateRoot,

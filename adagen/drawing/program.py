@@ -18,8 +18,8 @@ from adagen.drawing.tree import (
     robot_label,
     tree_label,
 )
-from adagen.plan.abreast import Limbs
 from adagen.plan.edges import edges_from, joints_at
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Receive, Send
 from adagen.program import Operation, Program
 from adagen.program.runs import Run

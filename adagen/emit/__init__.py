@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from adagen import __version__
 from adagen.emit.head import algorithm, program_lines
+from adagen.emit.joints.refine import checked_shape, refinement_messages, refinement_steps
 from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
-from adagen.emit.refine import checked_shape, refinement_messages, refinement_steps
 from adagen.emit.shapes import KNOWN, chosen_shape
 from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words

@@ -7,7 +7,7 @@ from functools import partial
 
 from adagen.emit import effects
 from adagen.emit.entries import Range, entries_of, ranges, read_joints
-from adagen.emit.joints import function_of
+from adagen.emit.joints.rows import function_of
 from adagen.emit.stages import stage_rows, stamped
 from adagen.emit.words import Words
 from adagen.plan.steps import (

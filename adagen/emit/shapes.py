@@ -15,21 +15,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from adagen.cost import timeline
-from adagen.emit import kernels
-from adagen.emit.effects import has_effects
-from adagen.emit.joints import joint_rows
-from adagen.emit.processes import step_rows
-from adagen.emit.refine import add_corrections, refinement_values
-from adagen.emit.unrolled import (
-    pays_unrolled_in_lanes,
-    unrolled_values,
-    why_not_unrolled,
-)
+from adagen.emit import baselines, joints, kernels, unrolled
 from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
-from adagen.plan.steps import FusedJoin, StartLink
+from adagen.plan.steps import FusedJoin
 from adagen.program import lower
 from adagen.schedule import CostProfile, load_profile
 
@@ -47,57 +38,16 @@ class Shape:
     values: Callable[[Words], dict[str, object]]
 
 
-def _joints_why_not(plan: Plan) -> str | None:
-    if any(message.inertias for message in plan.messages):
-        return "the processes of this plan gather their inertias"
-    return None
-
-
-def _joints(words: Words) -> dict[str, object]:
-    segments = any(
-        isinstance(step, StartLink) for process in words.plan.processes for step in process.steps
-    )
-    fused = any(
-        isinstance(step, FusedJoin) for process in words.plan.processes for step in process.steps
-    )
-    runtime = ["spatial.hpp", "status.hpp", "joins.hpp"]
-    runtime += ["fused.hpp"] * fused + ["inertia.hpp", "articulated.hpp"] * segments
-    if has_effects(words.plan):
-        runtime += ["effects.hpp", *["geared.hpp"] * segments]
-    rows = joint_rows(words)
-    if words.refine:
-        runtime += ["wide.hpp", "refine.hpp", "refine_joins.hpp"]
-        runtime += ["refine_segment.hpp"] * segments + ["refine_fused.hpp"] * fused
-        add_corrections(words, rows)
-    return {
-        "runtime": runtime,
-        "joint_functions": rows,
-        "steps": step_rows(words),
-        **refinement_values(words),
-    }
-
-
 SHAPES: dict[str, Shape] = {
     "kernels": Shape(kernels.why_not, kernels.values),
-    "joints": Shape(_joints_why_not, _joints),
-    "unrolled": Shape(why_not_unrolled, unrolled_values),
+    "joints": Shape(joints.why_not, joints.values),
+    "unrolled": Shape(unrolled.why_not, unrolled.values),
 }
 
 
-def _baseline_why_not(plan: Plan) -> str | None:
-    if len(plan.processes) > 1:
-        return "a baseline runs on one process"
-    passive = ("damping", "friction", "stiffness", "rotor_inertia", "prescribed")
-    if any(getattr(joint, name) for joint in plan.joints for name in passive) or plan.wrenches:
-        return "a baseline knows no passive effects, prescribed motions or outer forces"
-    return "a baseline knows no slaved joints" if plan.slaved else None
-
-
-def _baseline(_: Words) -> dict[str, object]:
-    return {"runtime": ["spatial.hpp", "status.hpp", "joins.hpp", "inertia.hpp", "articulated.hpp"]}
-
-
-BASELINES = {name: Shape(_baseline_why_not, _baseline) for name in ("crba", "aba", "aba_exact")}
+BASELINES = {
+    name: Shape(baselines.why_not, baselines.values) for name in ("crba", "aba", "aba_exact")
+}
 """Textbook algorithms as loops over any tree, to compare with; never chosen by themselves."""
 
 KNOWN = {**SHAPES, **BASELINES}
@@ -130,9 +80,9 @@ def chosen_shape(
     if shape == "auto":
         if not batch:
             return _cheapest(plan, profile)
-        alone = len(plan.processes) == 1 and why_not_unrolled(plan) is None
+        alone = len(plan.processes) == 1 and unrolled.why_not(plan) is None
         only = kernels.why_not(plan) is not None
-        pays = alone and (only or pays_unrolled_in_lanes(plan))
+        pays = alone and (only or unrolled.pays_in_lanes(plan))
         shape = "unrolled" if pays else "kernels"
     reason = KNOWN[shape].why_not(plan)
     if reason is not None:
@@ -145,7 +95,7 @@ def _cheapest(plan: Plan, profile: CostProfile | None) -> str:
     """The shape that a plan takes least time in; form `ada` is read joint by joint on several."""
     loops = stepwise(plan)
     several = sum(bool(process.steps) for process in plan.processes) > 1
-    if (plan.form == "ada" and several) or why_not_unrolled(plan) is not None:
+    if (plan.form == "ada" and several) or unrolled.why_not(plan) is not None:
         return loops
     steps = (step for process in plan.processes for step in process.steps)
     if any(isinstance(step, FusedJoin) for step in steps):

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from adagen.exact import Exact, exact, identity, rotated_inertia, rounded
 from adagen.plan import Plan
-from adagen.plan.abreast import Limbs
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.types import PlanJoint, PlanLink
 
 Array = NDArray[np.float64]

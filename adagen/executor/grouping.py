@@ -6,7 +6,7 @@ from adagen.executor.align import unlike
 from adagen.executor.lanes import Grouping, fit_for_lanes
 from adagen.executor.run import Simulated, simulate
 from adagen.plan import Plan
-from adagen.plan.abreast import Limbs, limbs_abreast, more_alike
+from adagen.plan.simd_groups import Limbs, more_alike, simd_groups
 from adagen.plan.types import Process
 
 
@@ -18,7 +18,7 @@ def grouping_of(plan: Plan) -> Grouping:
 
 
 def _alike(plan: Plan, process: Process) -> list[Limbs]:
-    found = limbs_abreast(plan, process)
+    found = simd_groups(plan, process)
     return more_alike(plan, process, found, lambda limbs: unlike(plan, limbs))
 
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from adagen.plan import Plan
-from adagen.plan.abreast import Limbs
 from adagen.plan.order import ends_of, inward_order, outward_order
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Accelerate, Articulate, Kinematics, StartLink, Step
 from adagen.plan.types import PlanJoint, Process
 

@@ -20,7 +20,7 @@ from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Segments
 from adagen.executor.state import Refining, State
 from adagen.graph import Expression, Graph, Numbers, total
-from adagen.plan.abreast import Limbs
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
     ApplyCoupling,
     Disassemble,

@@ -13,8 +13,8 @@ from adagen.executor.lanes import rows_of
 from adagen.executor.rows import Rows
 from adagen.graph import Expression, Factors, Graph, Numbers, factorize, total
 from adagen.model.kinds import HELD, KINDS, JointKind
-from adagen.plan.abreast import Limbs
 from adagen.plan.digits import EPSILON
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.types import FACTORS, Plan, PlanJoint
 
 Array = NDArray[Any]

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heappop, heappush
 
-from adagen.plan.abreast import Limbs
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.types import PlanJoint
 
 Unit = Limbs | int

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from adagen.plan.abreast import Limbs, placed_links
 from adagen.plan.order import ends_of
+from adagen.plan.simd_groups import Limbs, placed_links
 from adagen.plan.steps import (
     Articulate,
     HoldMobility,

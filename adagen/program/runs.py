@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from adagen.plan.abreast import Limbs
 from adagen.plan.edges import is_base
 from adagen.plan.order import Ends, Unit, ends_of, outward_order
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Accelerate, Articulate, Deliver
 from adagen.plan.types import PlanJoint
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
 
 from adagen.plan import Plan
-from adagen.plan.abreast import Limbs
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Kinematics
 from adagen.plan.types import FACTORS, PlanJoint
 from adagen.program.runs import Run, outward_units

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from adagen.plan.abreast import Limbs
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Receive, Send
 from adagen.plan.types import Plan
 from adagen.program.runs import Run

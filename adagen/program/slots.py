@@ -8,7 +8,7 @@ from functools import cached_property
 from itertools import chain
 
 from adagen.plan import Plan
-from adagen.plan.abreast import Limbs, limbs_abreast
+from adagen.plan.simd_groups import Limbs, simd_groups
 from adagen.plan.types import FACTORS
 from adagen.program.runs import Run
 from adagen.program.segments import LANES, segments_of, slots_of
@@ -60,7 +60,7 @@ class Slots:
     def of(plan: Plan, batch: bool) -> Slots:
         """Lay out a plan's joints; those of a batch have their lanes for states."""
         limbs = tuple(
-            () if batch else tuple(limbs_abreast(plan, process)) for process in plan.processes
+            () if batch else tuple(simd_groups(plan, process)) for process in plan.processes
         )
         segments = () if batch else tuple(segments_of(plan, limbs))
         count, width = len(plan.joints), LANES[FACTORS[plan.scalar]]

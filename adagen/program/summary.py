@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from adagen.errors import printable
-from adagen.plan.abreast import Limbs
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Join, SolveMobility, SolveRoot
 from adagen.plan.types import Process
 from adagen.program.runs import spans

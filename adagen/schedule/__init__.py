@@ -1,13 +1,9 @@
 """Which joint joins which partial chains on which process, and what that is predicted to cost."""
 
-from adagen.schedule.budget import Progress
-from adagen.schedule.named import named_schedule
 from adagen.schedule.profile import CostProfile, load_profile, parse_profile
-from adagen.schedule.search import find_schedule
 from adagen.schedule.sweeps import makespan_of, total_work
 from adagen.schedule.text import (
     gathered_line,
-    schedule_from_json,
     schedule_line,
     schedule_to_dict,
     schedule_to_json,
@@ -21,19 +17,15 @@ __all__ = [
     "CostProfile",
     "InvalidSchedule",
     "Node",
-    "Progress",
     "Schedule",
     "Topology",
-    "find_schedule",
     "gathered_line",
     "levels",
     "load_profile",
     "makespan_of",
-    "named_schedule",
     "parse_profile",
     "postorder",
     "preorder",
-    "schedule_from_json",
     "schedule_line",
     "schedule_to_dict",
     "schedule_to_json",

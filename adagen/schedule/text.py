@@ -1,22 +1,16 @@
-"""A schedule as JSON, as an indented tree and in one line; and back from JSON."""
+"""A schedule as JSON, as an indented tree and in one line (back: adagen/search/given.py)."""
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Iterable
-from dataclasses import replace
 from typing import Any
 
-from adagen.errors import InputError, printable
+from adagen.errors import printable
 from adagen.schedule import deepjson
-from adagen.schedule.draft import Draft
-from adagen.schedule.named import as_schedule, named_schedule
-from adagen.schedule.profile import CostProfile
 from adagen.schedule.topology import Topology
-from adagen.schedule.tree import Gathered, Meeting, Node, Schedule, postorder
-from adagen.schedule.validity import InvalidSchedule
+from adagen.schedule.tree import Gathered, Node, Schedule, postorder
 
 
 def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:
@@ -73,153 +67,6 @@ def _gathered_to_dict(gathered: Gathered, topology: Topology) -> dict[str, Any]:
 def schedule_to_json(schedule: Schedule, topology: Topology) -> str:
     """Return a schedule as JSON in one line, without a newline at its end."""
     return deepjson.dumps(schedule_to_dict(schedule, topology))
-
-
-def schedule_from_json(
-    text: str, topology: Topology, profile: CostProfile, file: str | None = None
-) -> Schedule:
-    """Return the schedule that a JSON text describes, checked and priced anew.
-
-    Read are ``root``: joints by name, their ``processes`` and ``children``; and ``meeting``, if it
-    is there. Which side a child is on follows from the robot; where the file tells it, it must
-    agree.
-
-    Args:
-        text: as written by :func:`schedule_to_json`, or by a person.
-        topology: the robot.
-        profile: prices the tree.
-        file: what messages call it.
-
-    Raises:
-        InputError: it is not JSON, not a schedule, or not one of this robot.
-    """
-    try:
-        data = deepjson.loads(text)
-    except json.JSONDecodeError as error:
-        raise InputError(f"not JSON: {error.msg}", file, error.lineno) from None
-    except (ValueError, RecursionError) as error:
-        raise InputError(f"not JSON: {error}", file) from None
-    if isinstance(data, dict) and "gathered" in data:
-        try:
-            return _read_gathered(data, topology, profile)
-        except InvalidSchedule as error:
-            raise InputError(f"{error}: correct the schedule or leave it to adagen", file) from None
-    root = data.get("root") if isinstance(data, dict) else None
-    if not isinstance(root, dict):
-        raise InputError('not a schedule: expected {"root": {"joint": ..., ...}}', file)
-    try:
-        found = as_schedule(_read(root, topology), topology, profile, "file", _meeting(data))
-        return replace(found, shape=_shape(data))
-    except InvalidSchedule as error:
-        raise InputError(f"{error}: correct the schedule or leave it to adagen", file) from None
-
-
-def _read_gathered(data: dict[str, Any], topology: Topology, profile: CostProfile) -> Schedule:
-    """The schedule of processes that gather; its tree stands for nothing."""
-    told, processes = data["gathered"], data.get("processes")
-    if not isinstance(processes, int) or isinstance(processes, bool) or not 1 <= processes <= 1024:
-        raise InvalidSchedule('"processes" is a number from 1 to 1024')
-    if not isinstance(told, dict) or not isinstance(told.get("owners"), dict):
-        raise InvalidSchedule('"gathered" holds "roots" and "owners"')
-    index = {name: j + 1 for j, name in enumerate(topology.names)}
-    owners: list[int | None] = []
-    for name in topology.names:
-        if name not in told["owners"]:
-            raise InvalidSchedule(f"joint '{name}' has no owner; null: the core")
-        owner = told["owners"][name]
-        if owner is not None and not (type(owner) is int and 0 <= owner < processes):
-            raise InvalidSchedule(f"the owner of joint '{name}' is no process of {processes}")
-        owners.append(owner)
-    if unknown := sorted(set(told["owners"]) - set(index)):
-        raise InvalidSchedule(f"the robot has no joint '{unknown[0]}'")
-    roots = told.get("roots")
-    if not isinstance(roots, list) or any(r is not None and r not in index for r in roots):
-        raise InvalidSchedule('"roots" names the joint above each root; null: the ground')
-    gathered = Gathered(tuple(0 if r is None else index[r] for r in roots), tuple(owners))
-    found = named_schedule("sequential", topology, processes, profile=profile)
-    return replace(
-        found,
-        strategy="file",
-        meeting="gather",
-        gathered=gathered,
-        lower_bound=0.0,
-        shape=_shape(data),
-    )
-
-
-def _shape(data: dict[str, Any]) -> str:
-    shape = data.get("shape", "auto")
-    if shape not in ("auto", "kernels", "joints", "unrolled"):
-        raise InvalidSchedule('"shape" is "auto", "kernels", "joints" or "unrolled"')
-    return str(shape)
-
-
-def _meeting(data: dict[str, Any]) -> Meeting:
-    match data.get("meeting", "join"):
-        case "join":
-            return "join"
-        case "gather":
-            return "gather"
-    raise InvalidSchedule('"meeting" is "join" or "gather"')
-
-
-def _read(root: dict[str, Any], topology: Topology) -> Draft:
-    index = {name: j for j, name in enumerate(topology.names)}
-    draft = Draft(len(topology))
-    seen: set[int] = set()
-    stack: list[tuple[Any, int]] = [(root, -1)]
-    while stack:
-        entry, above = stack.pop()
-        joint = _joint(entry, index, seen)
-        draft.ranges[joint] = _range(entry, joint, topology)
-        if above < 0:
-            draft.root = joint
-        else:
-            _hang(draft, topology, above, joint, entry)
-        children = entry.get("children", [])
-        if not isinstance(children, list):
-            raise InvalidSchedule(f"the children of joint '{topology.names[joint]}' are no list")
-        stack += [(child, joint) for child in reversed(children)]
-    missing = next((j for j in range(len(topology)) if j not in seen), None)
-    if missing is not None:
-        raise InvalidSchedule(f"joint '{topology.names[missing]}' is missing")
-    return draft
-
-
-def _joint(entry: Any, index: dict[str, int], seen: set[int]) -> int:
-    name = entry.get("joint") if isinstance(entry, dict) else None
-    if not isinstance(name, str):
-        raise InvalidSchedule('a node without "joint": NAME')
-    if name not in index:
-        raise InvalidSchedule(f"the robot has no joint '{name}'")
-    joint = index[name]
-    if joint in seen:
-        raise InvalidSchedule(f"joint '{name}' appears more than once")
-    if entry.get("index", joint) != joint:
-        raise InvalidSchedule(f"joint '{name}' has the index {joint}, not {entry['index']!r}")
-    seen.add(joint)
-    return joint
-
-
-def _range(entry: dict[str, Any], joint: int, topology: Topology) -> tuple[int, int]:
-    match entry.get("processes"):
-        case [int(a), int(b)] if 0 <= a < b <= 1 << 20:
-            return a, b
-    raise InvalidSchedule(f"joint '{topology.names[joint]}' needs \"processes\": [first, last + 1]")
-
-
-def _hang(draft: Draft, topology: Topology, above: int, joint: int, entry: Any) -> None:
-    is_end = topology.is_below(above, joint)
-    side = "end" if is_end else "root"
-    name = topology.names[joint]
-    if entry.get("side", side) != side:
-        raise InvalidSchedule(f"joint '{name}' is on the {side} side of its parent in the tree")
-    slots = draft.end_child if is_end else draft.root_child
-    if slots[above] >= 0:
-        raise InvalidSchedule(
-            f"joint '{topology.names[above]}' has two descendants on its {side} side"
-        )
-    slots[above] = joint
 
 
 def schedule_tree(schedule: Schedule, topology: Topology) -> str:

@@ -2,5 +2,15 @@
 
 from adagen.search.best import best_schedule
 from adagen.search.choose import choose_processes, predicted_time
+from adagen.search.given import schedule_from_json
+from adagen.search.named import named_schedule
+from adagen.search.schedules import find_schedule
 
-__all__ = ["best_schedule", "choose_processes", "predicted_time"]
+__all__ = [
+    "best_schedule",
+    "choose_processes",
+    "find_schedule",
+    "named_schedule",
+    "predicted_time",
+    "schedule_from_json",
+]

@@ -6,13 +6,14 @@ from collections.abc import Sequence
 from typing import Any
 
 from adagen.model import Model
+from adagen.paper.search import EXPANSIONS
 from adagen.plan import can_gather
 from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
-from adagen.schedule import CostProfile, Schedule, Topology, find_schedule
-from adagen.schedule.search import EXPANSIONS
+from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.search.families import Families, scaled
 from adagen.search.played import played_schedule
+from adagen.search.schedules import find_schedule
 
 _USUAL = {"strategy": "exact", "split": "always", "tie": "work", "improved": True}
 """How a search is asked for where nothing is said; who says otherwise asks for the paper's."""

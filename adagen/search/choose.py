@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from adagen.emit.predicted import predict
 from adagen.model import Model
 from adagen.plan import make_plan
-from adagen.predict.simulate import predict
 from adagen.schedule import CostProfile, Schedule
 
 WORTH = 0.03

@@ -13,9 +13,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from adagen.emit.predicted import predict
 from adagen.model import Model
 from adagen.plan import make_plan
-from adagen.predict import predict
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.fold import Fold
 from adagen.search.bounds import Bounds

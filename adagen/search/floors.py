@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 
-from adagen.plan.abreast import KINDS
+from adagen.plan.simd_groups import KINDS
 from adagen.plan.types import PlanJoint
 from adagen.program.runs import FEWEST_IN_COLUMNS, OF_ONE_FREEDOM, Run
 from adagen.schedule.costs import PRESCRIBED, StepCosts

@@ -1,6 +1,6 @@
 """Schedules whose processes are joined at cuts: what the search by steps finds, and a bound on all.
 
-That search (adagen/schedule/segment_search.py) prices joints one by one. What is played takes limbs
+That search (adagen/search/segment_search.py) prices joints one by one. What is played takes limbs
 side by side and runs by columns, too, so that its own bound says nothing about the price that is
 played. Under the least that each joint can take, it bounds that price as well.
 """
@@ -15,29 +15,29 @@ from typing import Any
 import numpy as np
 
 from adagen.model import Model
-from adagen.plan.abreast import KINDS
+from adagen.paper.budget import Budget
 from adagen.plan.constants import joints_of
 from adagen.plan.edges import on_the_way
 from adagen.plan.segment import laid_out
+from adagen.plan.simd_groups import KINDS
 from adagen.plan.steps import Force, Kinematics
 from adagen.plan.types import Process
 from adagen.schedule import CostProfile, Schedule
-from adagen.schedule.budget import Budget
 from adagen.schedule.chains import WHOLE, Chain
 from adagen.schedule.costs import PRESCRIBED
 from adagen.schedule.fold import Fold
 from adagen.schedule.found import Found
 from adagen.schedule.profile import TICKS
-from adagen.schedule.segment_bounds import SegmentBounds
-from adagen.schedule.segment_front import Label, State, draft_of
-from adagen.schedule.segment_schedule import find_segments
-from adagen.schedule.segment_search import FOREVER, SegmentSearch
 from adagen.schedule.segments import SegmentCosts
 from adagen.schedule.sweeps import Sweeps
 from adagen.schedule.tree import Tie
 from adagen.search.floors import Floor, Floors
 from adagen.search.limbs import Robot
 from adagen.search.price import Pricing
+from adagen.search.segment_bounds import SegmentBounds
+from adagen.search.segment_front import Label, State, draft_of
+from adagen.search.segment_schedule import find_segments
+from adagen.search.segment_search import FOREVER, SegmentSearch
 
 LONG = 512
 """Joints up to which the longest ways through chains are looked at."""

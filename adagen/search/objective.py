@@ -23,9 +23,10 @@ from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.digits import EPSILON, generic_configuration
 from adagen.plan.types import FACTORS
-from adagen.schedule import CostProfile, Schedule, named_schedule
+from adagen.schedule import CostProfile, Schedule
 from adagen.schedule.tree import Named
 from adagen.search.best import best_schedule
+from adagen.search.named import named_schedule
 
 OBJECTIVES = ("time", "accuracy", "both")
 LIMITS = (1e1, 1e2, 1e3, 1e4, 1e5)

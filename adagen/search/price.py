@@ -10,14 +10,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from adagen.cost import operation_features, step_features
+from adagen.emit.predicted import predict
 from adagen.emit.shapes import SHAPES
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.plan.abreast import Limbs
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.stages import stages
 from adagen.plan.steps import Kinematics, Receive, Send, Step
 from adagen.plan.types import Message, PlanJoint, Process
-from adagen.predict import predict
 from adagen.program import Operation
 from adagen.program.loops import Loops
 from adagen.program.segments import segments_of

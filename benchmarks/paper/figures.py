@@ -9,22 +9,15 @@ from math import comb, factorial
 from rich.console import Console
 from rich.table import Table
 
-from adagen.schedule import (
-    Node,
-    Schedule,
-    Topology,
-    find_schedule,
-    levels,
-    load_profile,
-    schedule_line,
-)
+from adagen.paper.literal import literal_rule
+from adagen.paper.single import SingleProcess
+from adagen.schedule import Node, Schedule, Topology, levels, load_profile, schedule_line
 from adagen.schedule.chains import Chain, Chains
 from adagen.schedule.draft import Draft
-from adagen.schedule.literal import literal_rule
-from adagen.schedule.named import as_schedule
 from adagen.schedule.profile import TICKS
-from adagen.schedule.single import SingleProcess
 from adagen.schedule.tree import Strategy
+from adagen.search import find_schedule
+from adagen.search.named import as_schedule
 from benchmarks.paper.pictures import Branch, branch, forest, height, save
 
 PAPER = load_profile("paper")

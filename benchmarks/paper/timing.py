@@ -5,9 +5,10 @@ from __future__ import annotations
 from rich.console import Console
 from rich.table import Table
 
-from adagen.schedule import Schedule, Topology, find_schedule, load_profile, named_schedule
+from adagen.schedule import Schedule, Topology, load_profile
 from adagen.schedule.draft import Draft
-from adagen.schedule.named import as_schedule
+from adagen.search import find_schedule, named_schedule
+from adagen.search.named import as_schedule
 from benchmarks.paper import robots
 from benchmarks.paper.measured import build, machine, measure, model_of
 from benchmarks.paper.pictures import Line, chart, save

@@ -2845,7 +2845,7 @@ ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>]) {
 }
 
 template <const auto& limbs>
-void outward_abreast(Workspace& w) {
+void outward_group(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;
   Frame<Value> frames[kWidth<T>];
   const Frame<Value>* sides[kWidth<T>];
@@ -2861,7 +2861,7 @@ void outward_abreast(Workspace& w) {
 
 // Adds to bodies what the sweep finds at the links beyond a row of joints.
 template <int p, class T>
-ADAGEN_INLINE void meet_abreast(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+ADAGEN_INLINE void meet_group(Workspace& w, const Joints<T>& joints, Body<T>& X) {
   const Body<Value> none{};
   const Body<Value>* sides[kWidth<T>];
   bool any = false;
@@ -2886,13 +2886,13 @@ constexpr bool bare_rows(const L& limbs) {
 
 // What hangs on the links that the limbs hang on.
 template <int p, const auto& limbs>
-auto inward_abreast(Workspace& w) {
+auto inward_group(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;
   Body<T> X{};
   constexpr bool quick = bare_rows<p>(limbs);
-  if constexpr (quick) meet_abreast<p>(w, limbs.at(limbs.kRows - 1), X);
+  if constexpr (quick) meet_group<p>(w, limbs.at(limbs.kRows - 1), X);
   each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
-    if constexpr (!quick) meet_abreast<p>(w, limbs.at(k), X);
+    if constexpr (!quick) meet_group<p>(w, limbs.at(k), X);
     step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
       if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
     });
@@ -2901,7 +2901,7 @@ auto inward_abreast(Workspace& w) {
 }
 
 template <int p, const auto& limbs>
-void accelerate_abreast(Workspace& w) {
+void accelerate_group(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;
   const Motion<Value>* sides[kWidth<T>];
   ADAGEN_FOR (lane, 0, kWidth<T>)
@@ -3394,11 +3394,11 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   pass_outward<7, 7>(w);  // "spine"
   outward<8, 8>(w);  // "left_shoulder"
   outward<12, 13>(w);  // "right_shoulder" .. "right_elbow"
-  outward_abreast<kLimbs0>(w);
+  outward_group<kLimbs0>(w);
   stamp(1);
   set_up_links<block(5), block(20) + 1>(w);
   {
-    const auto X = inward_abreast<2, kLimbs0>(w);
+    const auto X = inward_group<2, kLimbs0>(w);
     leave<true>(w, 8, lane(X, 0));
     leave<true>(w, 14, lane(X, 1));
   }
@@ -3457,7 +3457,7 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.loads[8] = w.j_right_shoulder.F_on_trunk;
   w.motions[8] = motion_of(w.j_right_shoulder.b_trunk + w.j_right_shoulder.Phi_trunk * w.loads[8]);
   accelerate<2, 12, 13>(w);  // "right_shoulder" .. "right_elbow"
-  accelerate_abreast<2, kLimbs0>(w);
+  accelerate_group<2, kLimbs0>(w);
   stamp(9);
   require_finite(w, w.answer.data(), 23, 3, &JointConstants::v, kOverflow);
   require_finite(w, w.answer.data(), 30, 10, &JointConstants::v, kOverflow);

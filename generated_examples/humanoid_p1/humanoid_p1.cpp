@@ -2487,7 +2487,7 @@ ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>]) {
 }
 
 template <const auto& limbs>
-void outward_abreast(Workspace& w) {
+void outward_group(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;
   Frame<Value> frames[kWidth<T>];
   const Frame<Value>* sides[kWidth<T>];
@@ -2503,7 +2503,7 @@ void outward_abreast(Workspace& w) {
 
 // Adds to bodies what the sweep finds at the links beyond a row of joints.
 template <int p, class T>
-ADAGEN_INLINE void meet_abreast(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+ADAGEN_INLINE void meet_group(Workspace& w, const Joints<T>& joints, Body<T>& X) {
   const Body<Value> none{};
   const Body<Value>* sides[kWidth<T>];
   bool any = false;
@@ -2528,13 +2528,13 @@ constexpr bool bare_rows(const L& limbs) {
 
 // What hangs on the links that the limbs hang on.
 template <int p, const auto& limbs>
-auto inward_abreast(Workspace& w) {
+auto inward_group(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;
   Body<T> X{};
   constexpr bool quick = bare_rows<p>(limbs);
-  if constexpr (quick) meet_abreast<p>(w, limbs.at(limbs.kRows - 1), X);
+  if constexpr (quick) meet_group<p>(w, limbs.at(limbs.kRows - 1), X);
   each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
-    if constexpr (!quick) meet_abreast<p>(w, limbs.at(k), X);
+    if constexpr (!quick) meet_group<p>(w, limbs.at(k), X);
     step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
       if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
     });
@@ -2543,7 +2543,7 @@ auto inward_abreast(Workspace& w) {
 }
 
 template <int p, const auto& limbs>
-void accelerate_abreast(Workspace& w) {
+void accelerate_group(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;
   const Motion<Value>* sides[kWidth<T>];
   ADAGEN_FOR (lane, 0, kWidth<T>)
@@ -2573,13 +2573,13 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   turn<block(0), block(29) + 1>(w);
   free_base_frame<0>(w);
   outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
-  outward_abreast<kLimbs0>(w);
+  outward_group<kLimbs0>(w);
   outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
   stamp(1);
   set_up_links<block(0), block(29) + 1>(w);
   free_base<0, true>(w);
   {
-    const auto X = inward_abreast<0, kLimbs0>(w);
+    const auto X = inward_group<0, kLimbs0>(w);
     leave<false>(w, 1, lane(X, 0));
     leave<false>(w, 1, lane(X, 1));
     leave<true>(w, 16, lane(X, 2));
@@ -2590,7 +2590,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   solve_root<0, 1>(w);
   stamp(2);
   accelerate<0, 13, 15>(w);  // "waist_yaw" .. "waist_pitch"
-  accelerate_abreast<0, kLimbs0>(w);
+  accelerate_group<0, kLimbs0>(w);
   accelerate<0, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
   free_acceleration<0>(w);
   stamp(3);

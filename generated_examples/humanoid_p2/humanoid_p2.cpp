@@ -2496,7 +2496,7 @@ ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>]) {
 }
 
 template <const auto& limbs>
-void outward_abreast(Workspace& w) {
+void outward_group(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;
   Frame<Value> frames[kWidth<T>];
   const Frame<Value>* sides[kWidth<T>];
@@ -2512,7 +2512,7 @@ void outward_abreast(Workspace& w) {
 
 // Adds to bodies what the sweep finds at the links beyond a row of joints.
 template <int p, class T>
-ADAGEN_INLINE void meet_abreast(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+ADAGEN_INLINE void meet_group(Workspace& w, const Joints<T>& joints, Body<T>& X) {
   const Body<Value> none{};
   const Body<Value>* sides[kWidth<T>];
   bool any = false;
@@ -2537,13 +2537,13 @@ constexpr bool bare_rows(const L& limbs) {
 
 // What hangs on the links that the limbs hang on.
 template <int p, const auto& limbs>
-auto inward_abreast(Workspace& w) {
+auto inward_group(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;
   Body<T> X{};
   constexpr bool quick = bare_rows<p>(limbs);
-  if constexpr (quick) meet_abreast<p>(w, limbs.at(limbs.kRows - 1), X);
+  if constexpr (quick) meet_group<p>(w, limbs.at(limbs.kRows - 1), X);
   each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
-    if constexpr (!quick) meet_abreast<p>(w, limbs.at(k), X);
+    if constexpr (!quick) meet_group<p>(w, limbs.at(k), X);
     step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
       if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
     });
@@ -2552,7 +2552,7 @@ auto inward_abreast(Workspace& w) {
 }
 
 template <int p, const auto& limbs>
-void accelerate_abreast(Workspace& w) {
+void accelerate_group(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;
   const Motion<Value>* sides[kWidth<T>];
   ADAGEN_FOR (lane, 0, kWidth<T>)
@@ -2586,13 +2586,13 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   take_angles<0, 15>(w);
   turn<block(0), block(15) + 1>(w);
   free_base_frame<0>(w);
-  outward_abreast<kLimbs0>(w);
+  outward_group<kLimbs0>(w);
   outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
   stamp(1);
   set_up_links<block(0), block(14) + 1>(w);
   free_base<0, true>(w);
   {
-    const auto X = inward_abreast<0, kLimbs0>(w);
+    const auto X = inward_group<0, kLimbs0>(w);
     leave<false>(w, 1, lane(X, 0));
     leave<false>(w, 1, lane(X, 1));
   }
@@ -2612,7 +2612,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   solve_root<0, 16>(w);
   stamp(5);
   accelerate_reversed<0, 13, 15>(w);  // "waist_yaw" .. "waist_pitch"
-  accelerate_abreast<0, kLimbs0>(w);
+  accelerate_group<0, kLimbs0>(w);
   free_acceleration<0>(w);
   stamp(6);
   require_finite(w, w.answer.data(), 0, 21, &JointConstants::v, kOverflow);
@@ -2632,13 +2632,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   turn<block(13), block(29) + 1>(w);
   free_base_frame<0>(w);
   pass_outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
-  outward_abreast<kLimbs1>(w);
+  outward_group<kLimbs1>(w);
   outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
   stamp(1);
   set_up_links<block(15), block(29) + 1>(w);
   place<16, true>(w);  // "torso" itself
   {
-    const auto X = inward_abreast<1, kLimbs1>(w);
+    const auto X = inward_group<1, kLimbs1>(w);
     leave<false>(w, 16, lane(X, 0));
     leave<false>(w, 16, lane(X, 1));
   }
@@ -2657,7 +2657,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(4);
   solve_root<1, 16>(w);
   stamp(5);
-  accelerate_abreast<1, kLimbs1>(w);
+  accelerate_group<1, kLimbs1>(w);
   accelerate<1, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
   stamp(6);
   require_finite(w, w.answer.data(), 21, 14, &JointConstants::v, kOverflow);

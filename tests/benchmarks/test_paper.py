@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from adagen.schedule import Topology, find_schedule, load_profile
+from adagen.schedule import Topology, load_profile
+from adagen.search import find_schedule
 from benchmarks.paper import figures, pictures, robots, timing
 from benchmarks.paper.measured import model_of
 

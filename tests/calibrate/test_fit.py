@@ -24,13 +24,13 @@ from adagen.calibrate.nnls import nnls
 from adagen.calibrate.samples import calibration_plans, straight_plans
 from adagen.calibrate.surrogate import fit_equation11, join_time
 from adagen.calibrate.write import profile_text
+from adagen.emit.predicted import predict
 from adagen.emit.shapes import chosen_shape
 from adagen.plan import Plan
-from adagen.predict import predict
 from adagen.schedule import load_profile, parse_profile
 from adagen.schedule.costs import NAMES, ChannelCosts, StepCosts
 from adagen.schedule.profile import CostProfile
-from tests.predict.costs import MESSAGE, WINDOW, step_costs
+from tests.cost.costs import MESSAGE, WINDOW, step_costs
 
 
 def played(plan: Plan, costs: StepCosts, noise: float, rng: np.random.Generator) -> Sample:

@@ -10,7 +10,7 @@ import pytest
 from adagen.calibrate import Calibration, Progress
 from adagen.cli import main
 from adagen.schedule import load_profile
-from tests.predict.costs import step_profile
+from tests.cost.costs import step_profile
 
 
 @pytest.fixture

@@ -12,13 +12,13 @@ import pytest
 from adagen.calibrate import profile_text
 from adagen.cli import main
 from adagen.cli.predicted import prediction
+from adagen.emit.predicted import predict
 from adagen.plan import make_plan
-from adagen.predict import predict
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from tests.cli.test_generate import write_arm
+from tests.cost.costs import step_profile
 from tests.models import serial_chain
-from tests.predict.costs import step_profile
 
 
 @pytest.fixture

@@ -10,9 +10,9 @@ import pytest
 from adagen.cost import timeline
 from adagen.drawing import draw
 from adagen.drawing.program import swept_rows
+from adagen.emit.predicted import priced_program
 from adagen.model import Model
 from adagen.plan import make_plan
-from adagen.predict import program_of
 from adagen.program import Program
 from adagen.schedule import Schedule, Topology, load_profile
 from adagen.search import best_schedule
@@ -24,7 +24,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 def made(model: Model, processes: int, form: str = "segment") -> tuple[Schedule, Program]:
     schedule = best_schedule(model, processes, PROFILE, form)
-    return schedule, program_of(make_plan(model, schedule, form=form))
+    return schedule, priced_program(make_plan(model, schedule, form=form))
 
 
 @pytest.mark.parametrize("processes", [1, 2, 4])

@@ -9,7 +9,7 @@ import numpy as np
 
 from adagen.model import BASE, FLOATING, REVOLUTE, JointKind, Model
 from adagen.plan import Plan
-from adagen.plan.abreast import Limbs
+from adagen.plan.simd_groups import Limbs
 from tests.models import Part, assemble, random_inertia, random_rotation
 
 

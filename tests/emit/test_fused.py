@@ -13,7 +13,8 @@ from adagen.model import Mimic, Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.steps import FusedJoin
-from adagen.schedule import load_profile, named_schedule
+from adagen.schedule import load_profile
+from adagen.search import named_schedule
 from adagen.states import States, random_states, write_states
 from tests.emitted import ROUNDING, Builder
 from tests.models import three_axis_chain

@@ -8,12 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.emit.predicted import predict
 from adagen.emit.shapes import SHAPES
 from adagen.executor import interpret
 from adagen.model import Model, Passive
 from adagen.model.kinds import REVOLUTE, SPHERICAL
 from adagen.plan import Plan, make_plan
-from adagen.plan.abreast import limbs_abreast, placed_links
+from adagen.plan.simd_groups import placed_links, simd_groups
 from adagen.plan.steps import (
     Articulate,
     Disassemble,
@@ -22,7 +23,6 @@ from adagen.plan.steps import (
     Propagate,
     SolveMobility,
 )
-from adagen.predict import predict
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from adagen.states import random_states, write_states
@@ -63,8 +63,8 @@ def test_limbs_with_joints_of_prescribed_motion_are_taken_side_by_side(
     model = figure("left_knee", "right_elbow", "neck")
     plan = make_plan(model, best_schedule(model, 1, PROFILE))
     assert SHAPES["kernels"].why_not(plan) is None
-    abreast = {j for limbs in limbs_abreast(plan, plan.processes[0]) for j in limbs.members()}
-    given = {plan.joints[j].name for j in abreast if plan.joints[j].prescribed}
+    grouped = {j for limbs in simd_groups(plan, plan.processes[0]) for j in limbs.members()}
+    given = {plan.joints[j].name for j in grouped if plan.joints[j].prescribed}
     assert given == {"left_knee", "right_elbow"}
     require_right(plan, model, builder, tmp_path)
 
@@ -216,8 +216,8 @@ def test_spherical_joints_have_damping_and_rotors(builder: Builder, tmp_path: Pa
     """Limbs side by side among them."""
     model = driven(human_figure())
     plan = make_plan(model, best_schedule(model, 1, PROFILE))
-    abreast = {j for limbs in limbs_abreast(plan, plan.processes[0]) for j in limbs.members()}
-    assert geared_balls(plan) & abreast
+    grouped = {j for limbs in simd_groups(plan, plan.processes[0]) for j in limbs.members()}
+    assert geared_balls(plan) & grouped
     assert SHAPES["kernels"].why_not(plan) is None
     require_right(plan, model, builder, tmp_path)
 

@@ -19,7 +19,8 @@ from adagen.model import Model
 from adagen.plan import MEETINGS, Plan, make_plan
 from adagen.plan.steps import Receive, Send
 from adagen.program import lower
-from adagen.schedule import Topology, find_schedule, load_profile, named_schedule
+from adagen.schedule import Topology, load_profile
+from adagen.search import find_schedule, named_schedule
 from tests.models import random_tree, serial_chain
 from tests.schedules import random_schedule
 

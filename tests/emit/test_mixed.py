@@ -14,8 +14,8 @@ from adagen.errors import UsageError
 from adagen.plan import make_plan, plan_from_json, plan_to_json
 from adagen.plan.cuts import cuttable_joints
 from adagen.reference import inverse_dynamics
-from adagen.stability.robots import with_mass
 from adagen.states import States, random_states, write_states
+from adagen.studies.stability.robots import with_mass
 from tests.emitted import Builder, energy_errors, text_of
 from tests.links import with_light_link
 from tests.models import random_tree, serial_chain

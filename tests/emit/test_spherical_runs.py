@@ -11,7 +11,8 @@ import pytest
 from adagen.model import Model
 from adagen.model.kinds import REVOLUTE, SPHERICAL
 from adagen.plan import make_plan
-from adagen.schedule import Topology, load_profile, named_schedule
+from adagen.schedule import Topology, load_profile
+from adagen.search import named_schedule
 from adagen.states import random_states, write_states
 from tests.emitted import ROUNDING, Builder, kernels_of, plan_of
 from tests.models import random_tree, serial_chain

@@ -7,18 +7,18 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from adagen.emit.predicted import predict
 from adagen.emit.shapes import SHAPES, chosen_shape
 from adagen.executor import interpret, simulate
 from adagen.graph import Operations
 from adagen.model import FLOATING, REVOLUTE, Inertia, Model
 from adagen.plan import FORMS, make_plan
-from adagen.predict import predict
 from adagen.reference import forward_dynamics
 from adagen.schedule import load_profile
 from adagen.states import random_states
+from tests.cost.costs import step_profile
 from tests.emitted import plan_of
 from tests.models import Part, assemble, random_tree, rod, serial_chain, star, vector
-from tests.predict.costs import step_profile
 from tests.schedules import random_schedule
 
 PROFILE = load_profile("default")

@@ -16,7 +16,7 @@ from adagen.executor import grouping_of, interpret, simulate, straight_line
 from adagen.executor.align import aligned, unlike
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, Model
 from adagen.plan import make_plan
-from adagen.plan.abreast import Limbs
+from adagen.plan.simd_groups import Limbs
 from adagen.states import random_states, write_states
 from tests.emit.limbs import alike
 from tests.emitted import QUICK, ROUNDING, Builder, Solver, plan_of, text_of

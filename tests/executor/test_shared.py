@@ -12,7 +12,8 @@ from adagen.executor import interpret
 from adagen.model import Model
 from adagen.plan import Plan, can_gather, make_plan
 from adagen.plan.clusters import fold_of
-from adagen.schedule import load_profile, named_schedule
+from adagen.schedule import load_profile
+from adagen.search import named_schedule
 from tests.reference.test_reference_truth import SHARED, loaded
 
 PROFILE = load_profile("default")

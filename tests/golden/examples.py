@@ -11,8 +11,8 @@ from adagen.drawing import draw
 from adagen.emit import emit, program_of
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.schedule import Schedule, Topology, load_profile, named_schedule, schedule_to_json
-from adagen.search import best_schedule
+from adagen.schedule import Schedule, Topology, load_profile, schedule_to_json
+from adagen.search import best_schedule, named_schedule
 from adagen.urdf import read_robot
 from tests.golden.make_models import MODELS, ROBOTS
 

@@ -17,7 +17,8 @@ from adagen.plan import FORMS, make_plan, plan_from_json, plan_to_json
 from adagen.plan.steps import Join, Receive, Send
 from adagen.plan.types import Plan
 from adagen.reference import exact_forward_dynamics, forward_dynamics
-from adagen.schedule import Node, Topology, find_schedule, load_profile
+from adagen.schedule import Node, Topology, load_profile
+from adagen.search import find_schedule
 from adagen.states import random_states
 from tests.links import with_inertia
 from tests.models import (

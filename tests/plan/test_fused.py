@@ -21,8 +21,8 @@ from adagen.plan.fused_frame import joint_coordinates
 from adagen.plan.steps import FusedJoin, Join, LinkBias
 from adagen.plan.types import Plan
 from adagen.reference import exact_forward_dynamics, forward_dynamics
-from adagen.schedule import Schedule, Topology, load_profile, named_schedule, validate
-from adagen.search import best_schedule
+from adagen.schedule import Schedule, Topology, load_profile, validate
+from adagen.search import best_schedule, named_schedule
 from adagen.states import random_states
 from tests.links import with_inertia
 from tests.models import random_tree, serial_chain, three_axis_chain

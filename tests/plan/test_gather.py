@@ -20,8 +20,8 @@ from adagen.plan.steps import (
     Send,
     SolveRoot,
 )
-from adagen.schedule import Schedule, Topology, find_schedule, load_profile
-from adagen.search import best_schedule
+from adagen.schedule import Schedule, Topology, load_profile
+from adagen.search import best_schedule, find_schedule
 from adagen.states import random_states
 from tests.links import with_light_link
 from tests.models import random_tree, serial_chain

@@ -11,7 +11,8 @@ from adagen.model import KINDS, Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.responses import mentions, responses
 from adagen.plan.steps import HoldMobility, Propagate, Send
-from adagen.schedule import Topology, load_profile, named_schedule
+from adagen.schedule import Topology, load_profile
+from adagen.search import named_schedule
 from tests.emitted import kernels_of
 from tests.models import random_tree, serial_chain
 

@@ -7,6 +7,7 @@ import pytest
 
 from adagen.executor import interpret
 from adagen.model import Model
+from adagen.paper.restricted import joined_between_processes
 from adagen.plan import make_plan
 from adagen.plan.cuts import cuttable_joints
 from adagen.plan.steps import (
@@ -21,8 +22,8 @@ from adagen.plan.steps import (
 )
 from adagen.plan.types import Plan
 from adagen.reference import exact_forward_dynamics
-from adagen.schedule import Topology, find_schedule, load_profile
-from adagen.schedule.restricted import joined_between_processes
+from adagen.schedule import Topology, load_profile
+from adagen.search import find_schedule
 from adagen.states import random_states
 from tests.links import with_light_link
 from tests.models import human_figure, serial_chain, star, three_axis_chain

@@ -12,7 +12,7 @@ from adagen.calibrate.schedules import random_schedule
 from adagen.emit.shapes import SHAPES
 from adagen.errors import UsageError
 from adagen.plan import Plan, make_plan
-from adagen.plan.abreast import Limbs
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Accelerate, Receive, Send
 from adagen.program import Operation, Program, ProgramError, check, lower
 from adagen.program.runs import Run

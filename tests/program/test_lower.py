@@ -7,7 +7,7 @@ from collections import Counter
 
 import pytest
 
-from adagen.plan.abreast import Limbs
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Articulate, Kinematics
 from adagen.program import Program, program_to_json
 from adagen.program.runs import Run

@@ -12,12 +12,13 @@ import pytest
 
 from adagen.calibrate.measure import Program, least
 from adagen.drawing.trace import machine_svg
+from adagen.emit.predicted import predict
 from adagen.errors import InputError
 from adagen.plan import Plan, make_plan
 from adagen.plan.stages import stages
-from adagen.predict import predict
 from adagen.run.trace import read_trace
-from adagen.schedule import Topology, load_profile, named_schedule
+from adagen.schedule import Topology, load_profile
+from adagen.search import named_schedule
 from tests.emitted import Builder, Solver
 from tests.models import human_figure
 

@@ -13,7 +13,8 @@ from adagen.plan.operations import operations
 from adagen.plan.steps import Join
 from adagen.plan.types import Plan
 from adagen.scene import apply_scene, read_scene
-from adagen.schedule import Topology, find_schedule, load_profile, named_schedule
+from adagen.schedule import Topology, load_profile
+from adagen.search import find_schedule, named_schedule
 from adagen.urdf import read_robot
 from tests.models import binary, serial_chain
 from tests.scene.held import held

@@ -10,7 +10,7 @@ from adagen.calibrate import profile_text
 from adagen.errors import InputError
 from adagen.schedule import load_profile, parse_profile
 from adagen.schedule.costs import NAMES, StepCosts
-from tests.predict.costs import MESSAGE, WINDOW, step_costs, step_profile
+from tests.cost.costs import MESSAGE, WINDOW, step_costs, step_profile
 
 GOOD = profile_text(step_profile((1.0, 0.5)), "for tests")
 

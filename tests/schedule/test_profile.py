@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from adagen.errors import InputError, UsageError
-from adagen.schedule import Topology, find_schedule, load_profile
+from adagen.schedule import Topology, load_profile
+from adagen.search import find_schedule
 
 GOOD = 'name = "mine"\n[join]\nalpha = 1\nbeta = 0.5\ngamma = -0.1\ndelta = 2.0\n'
 

@@ -21,15 +21,14 @@ from adagen.schedule import (
     Node,
     Topology,
     deepjson,
-    find_schedule,
     load_profile,
-    schedule_from_json,
     schedule_line,
     schedule_to_json,
     schedule_tree,
     validate,
 )
 from adagen.schedule.timeline import predict
+from adagen.search import find_schedule, schedule_from_json
 
 PAPER = load_profile("paper")
 HOSTILE = ('a */ "b"', "<joint>&amp;", "tail\\", "new\nline", "\u202ertl\0", "漢字", "x" * 300)

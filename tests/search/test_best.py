@@ -9,12 +9,12 @@ from hypothesis import strategies as st
 
 from adagen.calibrate.robots import chain, robot
 from adagen.emit.shapes import SHAPES
+from adagen.paper.restricted import joined_between_processes
 from adagen.plan import make_plan
-from adagen.schedule import Topology, find_schedule, load_profile, validate
-from adagen.schedule.restricted import joined_between_processes
-from adagen.search import best_schedule, choose_processes
+from adagen.schedule import Topology, load_profile, validate
+from adagen.search import best_schedule, choose_processes, find_schedule
+from tests.cost.costs import step_profile
 from tests.models import human_figure, random_tree, serial_chain
-from tests.predict.costs import step_profile
 
 PROFILE = load_profile("default")
 

@@ -10,20 +10,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from adagen.calibrate.schedules import random_schedule
+from adagen.emit.predicted import predict
 from adagen.model import Model
+from adagen.paper.restricted import joined_between_processes
 from adagen.plan import make_plan
 from adagen.plan.cuts import cuttable_joints
-from adagen.predict import predict
-from adagen.schedule import (
-    Topology,
-    find_schedule,
-    load_profile,
-    schedule_from_json,
-    schedule_to_json,
-    validate,
-)
-from adagen.schedule.restricted import joined_between_processes
-from adagen.search import best_schedule
+from adagen.schedule import Topology, load_profile, schedule_to_json, validate
+from adagen.search import best_schedule, find_schedule, schedule_from_json
 from adagen.search.price import played
 from tests.models import binary, human_figure, random_tree, serial_chain, star
 

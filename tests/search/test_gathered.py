@@ -9,13 +9,13 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
+from adagen.emit.predicted import predict
 from adagen.emit.shapes import SHAPES
 from adagen.model import Model
 from adagen.plan import can_gather, make_plan
 from adagen.plan.constants import joints_of
-from adagen.predict import predict
-from adagen.schedule import CostProfile, Schedule, Topology, find_schedule, load_profile
-from adagen.search import best_schedule
+from adagen.schedule import CostProfile, Schedule, Topology, load_profile
+from adagen.search import best_schedule, find_schedule
 from adagen.search.bounds import Bounds
 from adagen.search.floors import Floors
 from adagen.search.gathered import GatheredSearch, Spent
@@ -23,8 +23,8 @@ from adagen.search.layouts import Frame, Layout, LayoutPrices
 from adagen.search.limbs import Core, Robot
 from adagen.search.price import Pricing
 from adagen.search.trees import schedule_of
+from tests.cost.costs import step_profile
 from tests.models import human_figure, random_tree
-from tests.predict.costs import step_profile
 
 DEFAULT = load_profile("default")
 OTHERS = step_profile()

@@ -7,16 +7,18 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from adagen.emit.predicted import predict
 from adagen.emit.shapes import SHAPES
 from adagen.model import BASE, FLOATING, REVOLUTE, Model
 from adagen.plan import can_gather, make_plan
 from adagen.plan.constants import joints_of
-from adagen.predict import predict
-from adagen.schedule import CostProfile, Topology, find_schedule, load_profile, validate
+from adagen.schedule import CostProfile, Topology, load_profile, validate
+from adagen.search import find_schedule
 from adagen.search.layouts import Frame, Layout, LayoutPrices
 from adagen.search.limbs import Core, Robot
 from adagen.search.price import Pricing
 from adagen.search.trees import schedule_of
+from tests.cost.costs import step_profile
 from tests.models import (
     Part,
     assemble,
@@ -26,7 +28,6 @@ from tests.models import (
     serial_chain,
     vector,
 )
-from tests.predict.costs import step_profile
 
 DEFAULT = load_profile("default")
 OTHERS = step_profile((1.0, 0.5, 2.0))

@@ -18,8 +18,8 @@ from adagen.plan.steps import Join
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import Schedule, load_profile
 from adagen.search.objective import OBJECTIVES, Digits, predicted_digits, schedule_for
-from adagen.stability import robots
 from adagen.states import random_states
+from adagen.studies.stability import robots
 from tests.emitted import plan_of
 from tests.golden.examples import FOLDER
 from tests.models import serial_chain

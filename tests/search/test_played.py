@@ -7,22 +7,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from adagen.emit.predicted import predict
 from adagen.model import Model
+from adagen.paper.bounds import Rules
+from adagen.paper.options import Space
+from adagen.paper.ties import Builder
 from adagen.plan import make_plan
-from adagen.predict import predict
-from adagen.schedule import (
-    Schedule,
-    Topology,
-    find_schedule,
-    load_profile,
-    makespan_of,
-    validate,
-)
-from adagen.schedule.bounds import Rules
+from adagen.schedule import Schedule, Topology, load_profile, makespan_of, validate
 from adagen.schedule.chains import WHOLE
 from adagen.schedule.found import Found
-from adagen.schedule.options import Space
-from adagen.schedule.ties import Builder
+from adagen.search import find_schedule
 from adagen.search.played import played_schedule
 from tests.models import random_tree, serial_chain
 

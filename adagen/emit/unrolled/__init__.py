@@ -7,12 +7,12 @@ alike share code, one in each SIMD lane.
 
 from __future__ import annotations
 
-from adagen.emit.unrolled.emission import CHUNK, unrolled_values, why_not_unrolled
-from adagen.emit.unrolled.pays import pays_unrolled_in_lanes
+from adagen.emit.unrolled.emission import CHUNK, values, why_not
+from adagen.emit.unrolled.pays import pays_in_lanes
 
 __all__ = [
     "CHUNK",
-    "pays_unrolled_in_lanes",
-    "unrolled_values",
-    "why_not_unrolled",
+    "pays_in_lanes",
+    "values",
+    "why_not",
 ]

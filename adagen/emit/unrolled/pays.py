@@ -10,7 +10,7 @@ _MOST_FREEDOMS_IN_LANES = 512
 _MOST_EACH_IN_LANES = 450
 
 
-def pays_unrolled_in_lanes(plan: Plan) -> bool:
+def pays_in_lanes(plan: Plan) -> bool:
     """Return whether a straight line is expected to be the best shape for batches.
 
     Its code is fetched once for all lanes, so that it wins on large robots, too, if structure saves

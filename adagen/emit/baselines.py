@@ -1,0 +1,21 @@
+"""Textbook algorithms as loops over any tree, to compare with; their templates do the work."""
+
+from __future__ import annotations
+
+from adagen.emit.words import Words
+from adagen.plan import Plan
+
+
+def why_not(plan: Plan) -> str | None:
+    """Return why a plan cannot be emitted as a baseline; None where it can."""
+    if len(plan.processes) > 1:
+        return "a baseline runs on one process"
+    passive = ("damping", "friction", "stiffness", "rotor_inertia", "prescribed")
+    if any(getattr(joint, name) for joint in plan.joints for name in passive) or plan.wrenches:
+        return "a baseline knows no passive effects, prescribed motions or outer forces"
+    return "a baseline knows no slaved joints" if plan.slaved else None
+
+
+def values(_: Words) -> dict[str, object]:
+    """Return what the templates of baselines are told: their runtime headers."""
+    return {"runtime": ["spatial.hpp", "status.hpp", "joins.hpp", "inertia.hpp", "articulated.hpp"]}

@@ -1,0 +1,48 @@
+"""Code shape `joints`: joint-local frames, a function for each joint and step, one after another.
+
+It takes every plan but those that gather, and is how the paper's form is written.
+"""
+
+from __future__ import annotations
+
+from adagen.emit.effects import has_effects
+from adagen.emit.joints.refine import add_corrections, refinement_values
+from adagen.emit.joints.rows import joint_rows
+from adagen.emit.processes import step_rows
+from adagen.emit.words import Words
+from adagen.plan import Plan
+from adagen.plan.steps import FusedJoin, StartLink
+
+__all__ = ["values", "why_not"]
+
+
+def why_not(plan: Plan) -> str | None:
+    """Return why a plan cannot be emitted in this shape; None where it can."""
+    if any(message.inertias for message in plan.messages):
+        return "the processes of this plan gather their inertias"
+    return None
+
+
+def values(words: Words) -> dict[str, object]:
+    """Return what joints.cpp.j2 is told, its runtime headers among it."""
+    segments = any(
+        isinstance(step, StartLink) for process in words.plan.processes for step in process.steps
+    )
+    fused = any(
+        isinstance(step, FusedJoin) for process in words.plan.processes for step in process.steps
+    )
+    runtime = ["spatial.hpp", "status.hpp", "joins.hpp"]
+    runtime += ["fused.hpp"] * fused + ["inertia.hpp", "articulated.hpp"] * segments
+    if has_effects(words.plan):
+        runtime += ["effects.hpp", *["geared.hpp"] * segments]
+    rows = joint_rows(words)
+    if words.refine:
+        runtime += ["wide.hpp", "refine.hpp", "refine_joins.hpp"]
+        runtime += ["refine_segment.hpp"] * segments + ["refine_fused.hpp"] * fused
+        add_corrections(words, rows)
+    return {
+        "runtime": runtime,
+        "joint_functions": rows,
+        "steps": step_rows(words),
+        **refinement_values(words),
+    }

@@ -1,0 +1,196 @@
+"""The steps inside a segment as C++ lines: articulated bodies inwards, mobility outwards."""
+
+from __future__ import annotations
+
+from adagen.emit import effects
+from adagen.emit.joints.joins import store, torques, velocity_product
+from adagen.emit.words import Words
+from adagen.plan.steps import (
+    Accelerate,
+    Articulate,
+    Deliver,
+    FreeAcceleration,
+    FreeBase,
+    Propagate,
+    Spread,
+)
+
+
+def ends(words: Words, step: Articulate | Propagate | Deliver | Accelerate) -> tuple[int, int]:
+    """The near and the far link of a joint, seen from the segment's root."""
+    parent, child = words.plan.joints[step.joint].parent, step.joint + 1
+    return (child, parent) if step.reversed else (parent, child)
+
+
+def of_link(words: Words, j: int, link: int) -> str:
+    """Where a link's part of the memory is, seen from a joint's function (``i`` is its own)."""
+    return "i" if link == j + 1 else words.link_memory(link)
+
+
+def articulate(words: Words, step: Articulate) -> list[str]:
+    """I^A and p^A of the far link, through the joint, onto the near link."""
+    j = step.joint
+    joint = words.plan.joints[j]
+    near, far = ends(words, step)
+    own, beyond = of_link(words, step.joint, near), of_link(words, step.joint, far)
+    sigma = "-1" if step.reversed else "1"
+    inertia, force = f"{beyond}.IA", f"{beyond}.pA"
+    lines = [
+        f"auto& i = {words.memory(j)};",
+        *torques(words, j, "i.body.tau"),
+        *velocity_product(words, j, "i.body.c"),
+        *effects.prescribe(words, j, "i.body.c"),
+    ]
+    if joint.rotor_inertia:
+        lines.append(f"i.body.J = {words.printer.number(joint.rotor_inertia)};")
+    if step.reversed:
+        lines += [
+            "i.body.c = -i.body.c;",
+            f"const Inertia IA = in_child(i.X, {inertia});",
+            f"const Columns6 pA = wrench_in_child(i.X, {force});",
+        ]
+        inertia, force = "IA", "pA"
+    lines += [
+        "Inertia handed;",
+        "Columns6 force;",
+        f"if (!articulate(i.body, {sigma}, {inertia}, {force}, handed, force))",
+        f"  fail(w, kFactorization, {j});",
+    ]
+    if near == 0:
+        return lines
+    if step.reversed:
+        return [*lines, f"{own}.IA += handed;", f"{own}.pA += force;"]
+    return [
+        *lines,
+        f"add_in_parent(i.X, handed, {own}.IA);",
+        f"{own}.pA += i.X.transposed_times(force);",
+    ]
+
+
+def propagate(words: Words, step: Propagate) -> list[str]:
+    """Omega and Psi of the far link from the near link's."""
+    lines = [f"auto& i = {words.memory(step.joint)};"]
+    target = words.block(step.block)
+    if step.near is None:
+        lines.append("Mat6 Omega = kZero;")
+    elif step.reversed:
+        lines.append(f"Mat6 Omega = {words.block(step.near)};")
+    else:
+        lines.append(f"Mat6 Omega = from_right(i.X * {words.block(step.near)}, i.X);")
+    lines.append("carry(i.body, Omega);")
+    lines.append(f"{target} = {'congruent_in_parent(i.X, Omega)' if step.reversed else 'Omega'};")
+    near = words.ground if step.near_bias is None else words.bias(step.near_bias)
+    lines += far_acceleration(step, near, words.bias(step.bias), "")
+    for number, spread in enumerate(step.spreads):
+        lines += _spread(words, step, spread, f"Psi_{number}")
+    return lines
+
+
+def _spread(words: Words, step: Propagate, spread: Spread, name: str) -> list[str]:
+    source = words.block(spread.source)
+    if step.reversed:
+        start = f"{source}.transpose()" if spread.source_transposed else source
+    elif spread.source_transposed:
+        start = f"times_transposed(i.X, {source})"
+    else:
+        start = f"i.X * {source}"
+    end = f"motion_in_parent(i.X, {name})" if step.reversed else name
+    transposed = ".transpose()" if spread.target_transposed else ""
+    return [
+        f"Mat6 {name} = {start};  // with link {words.quoted_link(spread.handle)}",
+        f"share(i.body, {name});",
+        f"{words.block(spread.target)} = {end}{transposed};",
+    ]
+
+
+def far_acceleration(step: Propagate | Accelerate, near: str, target: str, moved: str) -> list[str]:
+    """The far link's acceleration from the near link's, and sigma qdd where it is asked for."""
+    start = near if step.reversed else f"i.X * {near}"
+    end = "motion_in_parent(i.X, a)" if step.reversed else "a"
+    return [
+        f"Columns6 a = {start};",
+        f"{moved}accelerate(i.body, a);",
+        f"{target} = {end};",
+    ]
+
+
+def deliver(words: Words, step: Deliver) -> list[str]:
+    """The load on the far link, through the joint, onto the near link."""
+    near, far = ends(words, step)
+    load = f"{of_link(words, step.joint, far)}.load"
+    lines = [
+        f"auto& i = {words.memory(step.joint)};",
+        f"Columns6 load = {f'wrench_in_child(i.X, {load})' if step.reversed else load};",
+        "deliver(i.body, load);",
+    ]
+    if near > 0:
+        handed = "load" if step.reversed else "i.X.transposed_times(load)"
+        lines.append(f"{of_link(words, step.joint, near)}.load += {handed};")
+    return lines
+
+
+def accelerate(words: Words, step: Accelerate) -> list[str]:
+    """Qdd of the joint and the acceleration of its far link."""
+    near, far = ends(words, step)
+    start = words.ground if near == 0 else f"{of_link(words, step.joint, near)}.a"
+    lines = [f"auto& i = {words.memory(step.joint)};"]
+    target = f"{of_link(words, step.joint, far)}.a"
+    if words.plan.joints[step.joint].prescribed:
+        lines += far_acceleration(step, start, target, "")
+        given = effects.given_acceleration(words, step.joint)
+        return [*lines, *given, store(words, step.joint, "qdd")]
+    lines += far_acceleration(step, start, target, "const auto qdd = ")
+    qdd = "negated(qdd)" if step.reversed else "qdd"
+    lines.append(store(words, step.joint, qdd))
+    return [*lines, *_force(words, step, far)] if words.refine else lines
+
+
+def _force(words: Words, step: Accelerate, far: int) -> list[str]:
+    """The joint's force on its child link, to be refined."""
+    beyond = of_link(words, step.joint, far)
+    load = f" - {beyond}.load" if far in words.loaded else ""
+    force = f"effort({beyond}.IA, {beyond}.a, {beyond}.pA){load}"
+    return [
+        f"Columns6& f = w.refinement.f[{step.joint}];",
+        f"f = {f'-wrench_in_child(i.X, {force})' if step.reversed else force};",
+        f"along<{words.type_of(step.joint)}>(i.body.tau, f);",
+    ]
+
+
+def free_base(words: Words, step: FreeBase) -> list[str]:
+    """The torque of a floating joint on the ground, straight onto its link."""
+    j = step.joint
+    return [
+        f"auto& i = {words.memory(j)};",
+        "std::array<std::array<Real, kColumns>, 6> tau;",
+        *torques(words, j, "tau"),
+        "for (std::size_t k = 0; k < 6; ++k)",
+        "  for (int c = 0; c < kColumns; ++c)",
+        "    i.pA(Floating::Free::row[k], c) -= tau[k][static_cast<std::size_t>(c)];",
+    ]
+
+
+def free_acceleration(words: Words, step: FreeAcceleration) -> list[str]:
+    """Qdd of a floating joint on the ground, from the acceleration of its link."""
+    j = step.joint
+    return [
+        f"auto& i = {words.memory(j)};",
+        f"const Columns6 a = i.a - i.X * {words.ground};",
+        "std::array<std::array<Real, kColumns>, 6> qdd;",
+        "for (std::size_t k = 0; k < 6; ++k)",
+        "  for (int c = 0; c < kColumns; ++c)",
+        "    qdd[k][static_cast<std::size_t>(c)] = a(Floating::Free::row[k], c);",
+        store(words, j, "qdd"),
+        *_free_force(words, j),
+    ]
+
+
+def _free_force(words: Words, j: int) -> list[str]:
+    """The torque of a floating joint on the ground, all the force that it has."""
+    if not words.refine:
+        return []
+    return [
+        "std::array<std::array<Real, kColumns>, 6> tau;",
+        *torques(words, j, "tau"),
+        f"along<Floating>(tau, w.refinement.f[{j}]);",
+    ]

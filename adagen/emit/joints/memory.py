@@ -1,0 +1,104 @@
+"""What a process keeps of each joint: the members of its part of the workspace."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+from adagen.emit import effects
+from adagen.emit.joints.fused import freedoms, type_of
+from adagen.emit.words import Words
+from adagen.plan.steps import (
+    Articulate,
+    Bias,
+    Block,
+    Disassemble,
+    Force,
+    FusedJoin,
+    Join,
+    LinkBias,
+    Load,
+    StartLink,
+    Step,
+    biases_set_by,
+    blocks_set_by,
+)
+
+
+class Members:
+    """Collects the members of every joint's memory from all processes' steps."""
+
+    def __init__(self, words: Words) -> None:
+        self.words = words
+        plan = words.plan
+        self.lines: list[list[str]] = [
+            [
+                "Transform X;  // parent link's to child link's frame",
+                f"Vec6 v;  // velocity of link {words.quoted_link(j + 1)}",
+            ]
+            for j in range(len(plan.joints))
+        ]
+        forces: dict[int, set[Force]] = defaultdict(set)
+        for process in plan.processes:
+            for step in process.steps:
+                self._add(step, forces)
+        for joint, named in forces.items():
+            for force in sorted(named):
+                member = words.force_member(force)
+                self.lines[joint].append(f"Columns6 {member};  // outer wrench on that chain")
+        if plan.right_hand_sides > 1:
+            for j, lines in enumerate(self.lines):
+                lines.append(f"{effects.freedoms_type(words, j)} qdd;")
+
+    def _add(self, step: Step, forces: dict[int, set[Force]]) -> None:
+        words = self.words
+        for block in blocks_set_by(step):
+            self._block(block)
+        for bias in biases_set_by(step):
+            self._bias(bias)
+        match step:
+            case LinkBias():
+                name = words.quoted_link(step.link)
+                self.lines[step.link - 1].append(f"Columns6 b;  // bias of the bare link {name}")
+            case Join():
+                self._joined(step)
+            case Disassemble():
+                for update in step.updates:
+                    forces[update.target.joint].add(update.target)
+            case StartLink():
+                name = words.quoted_link(step.link)
+                self.lines[step.link - 1] += [
+                    f"Inertia IA;  // articulated-body inertia of link {name}",
+                    "Columns6 pA;  // and its bias force",
+                    "Columns6 a;  // acceleration of the link, relative to free fall",
+                ]
+            case Articulate():
+                self.lines[step.joint].append(f"{effects.body_type(words, step.joint)} body;")
+            case Load():
+                self.lines[step.link - 1].append("Columns6 load;  // what handle forces add")
+
+    def _joined(self, step: Join) -> None:
+        words = self.words
+        kind = effects.joined_type(words, step.joint)
+        if isinstance(step, FusedJoin):
+            kind = type_of(words, step)
+            run = f"Run<{freedoms(words, step)}> run;"
+            self.lines[step.joint].append(f"{run}  // that it is joined with")
+            if words.refine:
+                own = f"Eigen::Matrix<Real, {freedoms(words, step)}, {freedoms(words, step)}>"
+                self.lines[step.joint].append(f"{own} P;  // mobility along the run")
+        self.lines[step.joint].append(f"Joined<{kind}> joined;")
+        if words.plan.joints[step.joint].rotor_inertia:
+            own = effects.freedoms_type(words, step.joint)
+            self.lines[step.joint].append(f"{own} tau;  // drives rotor and joint")
+        for coupling in step.couplings:
+            handle = words.links[coupling.handle]
+            self.lines[step.joint].append(f"Coupled<{kind}> at_{handle};")
+
+    def _block(self, block: Block) -> None:
+        assert block.joint is not None  # bare links' blocks are constants
+        member = self.words.block_member(block)
+        self.lines[block.joint].append(f"Mat6 {member};  // of the chain it completes")
+
+    def _bias(self, bias: Bias) -> None:
+        assert bias.joint is not None  # a bare link's bias belongs to the link
+        self.lines[bias.joint].append(f"Columns6 b_{self.words.links[bias.handle]};")

@@ -1,0 +1,116 @@
+"""What the templates say of each joint: its memory, and a function for each step that it takes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from adagen.emit.joints import articulated, fused, joins
+from adagen.emit.joints.kinematics import kinematics_lines
+from adagen.emit.joints.memory import Members
+from adagen.emit.words import Words
+from adagen.plan.steps import (
+    Accelerate,
+    Articulate,
+    Deliver,
+    Disassemble,
+    FreeAcceleration,
+    FreeBase,
+    FusedJoin,
+    Join,
+    Kinematics,
+    Propagate,
+    Step,
+)
+
+# Steps that are functions of a joint in emitted code, and what these are called.
+VERBS: dict[type, str] = {
+    Kinematics: "kinematics",
+    Join: "assemble",
+    FusedJoin: "assemble",
+    Disassemble: "disassemble",
+    FreeBase: "free_base",
+    Articulate: "articulate",
+    Propagate: "propagate",
+    Deliver: "deliver",
+    Accelerate: "accelerate",
+    FreeAcceleration: "free_acceleration",
+}
+
+_LINES: dict[type, Callable[[Words, Any], list[str]]] = {
+    FreeBase: articulated.free_base,
+    Articulate: articulated.articulate,
+    Propagate: articulated.propagate,
+    Deliver: articulated.deliver,
+    Accelerate: articulated.accelerate,
+    FreeAcceleration: articulated.free_acceleration,
+}
+
+
+def function_of(words: Words, step: Step) -> str | None:
+    """Return the name of the emitted function that does a step, if it is a joint's."""
+    verb = VERBS.get(type(step))
+    joint = getattr(step, "joint", None)
+    return None if verb is None or joint is None else f"{verb}_{words.joints[joint]}"
+
+
+def joint_rows(words: Words) -> list[dict[str, object]]:
+    """Return a row for each joint: names, memory, functions in the order of their first use."""
+    plan = words.plan
+    members = Members(words).lines
+    functions: list[dict[str, dict[str, object]]] = [{} for _ in plan.joints]
+    ends = {
+        step.joint: step
+        for process in plan.processes
+        for step in process.steps
+        if isinstance(step, Disassemble)
+    }
+    joined = {
+        step.joint: step
+        for process in plan.processes
+        for step in process.steps
+        if isinstance(step, Join)
+    }
+    for process in plan.processes:
+        for step in process.steps:
+            name = function_of(words, step)
+            if name is not None:
+                of_joint = functions[getattr(step, "joint", -1)]
+                of_joint.setdefault(name, _function(words, step, name, joined, ends))
+    return [
+        {
+            "id": f"j_{words.joints[j]}",
+            "type": f"Joint_{words.joints[j]}",
+            "quoted": words.quoted_joint(j),
+            "kind": joint.kind,
+            "parent_quoted": words.quoted_link(joint.parent),
+            "child_quoted": words.quoted_link(j + 1),
+            "members": members[j],
+            "functions": list(functions[j].values()),
+        }
+        for j, joint in enumerate(plan.joints)
+    ]
+
+
+def _function(
+    words: Words, step: Step, name: str, joined: dict[int, Join], ends: dict[int, Disassemble]
+) -> dict[str, object]:
+    comment = ""
+    match step:
+        case Kinematics():
+            lines = kinematics_lines(words, step.joint)
+        case FusedJoin():
+            comment = joins.parts(words, step, ends[step.joint])
+            lines = fused.assembly(words, step)
+        case Join():
+            comment = joins.parts(words, step, ends[step.joint])
+            lines = joins.assembly(words, step)
+        case Disassemble():
+            join = joined[step.joint]
+            if isinstance(join, FusedJoin):
+                lines = fused.disassembly(words, join, step)
+            else:
+                lines = joins.disassembly(words, join, step)
+        case _:
+            lines = _LINES[type(step)](words, step)
+    return {"name": name, "comment": comment, "lines": lines}

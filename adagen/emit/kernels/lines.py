@@ -1,0 +1,285 @@
+"""The lines of a process in shape kernels: calls of what templates/runtime/kernels defines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from adagen.emit import guards
+from adagen.emit.effects import push_calls
+from adagen.emit.kernels import mobility
+from adagen.emit.processes import describe_message
+from adagen.emit.stages import stamped
+from adagen.emit.words import Words
+from adagen.plan.edges import is_base
+from adagen.plan.simd_groups import Limbs, placed_links
+from adagen.plan.steps import LoadRoot, Receive, Send, StartLink, Step
+from adagen.plan.types import Message, Process
+from adagen.program import Links, Operation
+from adagen.program.names import PASSING
+from adagen.program.runs import Run, ends_of_run, links_of_run, spans
+from adagen.program.segments import split
+from adagen.program.slots import Slots
+
+
+class KernelLines:
+    """Turns the operations of one process into lines.
+
+    Args:
+        words: the plan's names.
+        p: the process that the calls name; beyond the last one for what recovers.
+        process: the process.
+        operations: what it runs.
+        slots: where joints lie in memory.
+    """
+
+    def __init__(
+        self,
+        words: Words,
+        p: int,
+        process: Process,
+        operations: tuple[Operation, ...],
+        slots: Slots,
+    ) -> None:
+        self.words, self.p, self.process, self.slots = words, p, process, slots
+        self.operations = operations
+        self.joints = words.plan.joints
+        self.placed = placed_links(words.plan)
+        self.gathers = set(self.placed)  # links at which paths meet inwards
+        self.parts: set[int] = set()  # links at which paths part outwards
+        self.oriented: set[int] = set()  # joints whose quaternions are taken
+        self.columns: set[int] = set()  # links that are added to columns
+        self.segments = tuple(  # runs that are passed outwards in segments
+            op.block for op in operations if op.method == "segments" and isinstance(op.block, Run)
+        )
+
+    def all_lines(self) -> list[str]:
+        """Return the lines of the process."""
+        return [
+            *guards.checks(self.words, self.process),
+            *stamped(self.process, self.operations, self.lines),
+            *guards.results(self.words, self.process),
+        ]
+
+    def roles(self) -> list[dict[str, bool]]:
+        """Return what the process does at each link, once its lines are written.
+
+        See LinkRole in templates/kernels.cpp.j2.
+        """
+        own = {s.link for s in self.process.steps if isinstance(s, StartLink)} - self.placed
+        return [
+            {
+                "gathers": k in self.gathers,
+                "adds_own": k in own,
+                "parts": k in self.parts,
+                "oriented": k - 1 in self.oriented,
+            }
+            for k in range(len(self.words.plan.links))
+        ]
+
+    def lines(self, operation: Operation) -> list[str]:
+        """Return the lines of an operation."""
+        write = getattr(self, f"_{operation.does}", None)
+        if write is not None:
+            return list(write(operation))
+        (step,) = operation.steps
+        return mobility.lines_of(self.words, self.p, step)
+
+    def _angles(self, operation: Operation) -> list[str]:
+        """Sines and cosines, and orientations from quaternions, as many at once as there are."""
+        assert isinstance(operation.block, Links)
+        joints = list(operation.block.numbers)
+        turning = [j for j in joints if self.joints[j].kind not in ("spherical", "floating")]
+        oriented = [
+            j
+            for j in joints
+            if self.words.kind(j).quaternion is not None and not is_base(self.joints[j])
+        ]
+        self.oriented.update(oriented)
+        return [
+            *self._take_angles(joints),
+            *(f"turn<{a}, {b}>(w);" for a, b in self._blocks(turning)),
+            *(f"orient<{self.p}, {a}, {b}>(w);" for a, b in self._blocks(oriented)),
+        ]
+
+    def _take_angles(self, joints: list[int]) -> list[str]:
+        """Copy the angles of joints that turn, as many at once as lie side by side."""
+        if not self.slots.plain:
+            return [
+                f"take_angles{'_in_segments' * in_segments}<{run.first}, {run.last}>(w);"
+                for span in spans(joints)
+                for run, in_segments in split(Run(*span), self.slots.segments)
+            ]
+        copies: list[tuple[int, int, int]] = []  # joint, place in q, count
+        for j in joints:
+            kind = self.joints[j].kind
+            if kind not in ("revolute", "planar"):
+                continue
+            q = self.joints[j].q + (2 if kind == "planar" else 0)
+            if copies and copies[-1][0] + copies[-1][2] == j and sum(copies[-1][1:]) == q:
+                j, q, count = copies[-1][0], copies[-1][1], copies[-1][2] + 1
+                copies.pop()
+            else:
+                count = 1
+            copies.append((j, q, count))
+        return [f"std::copy_n(w.q + {q}, {n}, w.angle.data() + {j});" for j, q, n in copies]
+
+    def _blocks(self, joints: Iterable[int]) -> list[tuple[str, str]]:
+        """First block of each range of slots that holds joints, and the one behind its last."""
+        return [(f"block({a})", f"block({b}) + 1") for a, b in self.slots.ranges(joints)]
+
+    def _kinematics(self, operation: Operation) -> list[str]:
+        block = operation.block
+        if isinstance(block, Limbs):
+            return [f"outward_group<{self._number(block)}>(w);"]
+        assert isinstance(block, Run)
+        if operation.method == "base":
+            return [f"free_base_frame<{block.first}>(w);"]
+        verb = "pass_outward" if operation.does == PASSING else "outward"
+        in_segments = "_in_segments" * (operation.method == "segments")
+        return [f"{verb}{in_segments}<{block.first}, {block.last}>(w);" + self._names(block)]
+
+    _pass_kinematics = _kinematics
+
+    def _number(self, limbs: Limbs) -> str:
+        return f"kLimbs{self.slots.numbers[limbs]}"
+
+    def _link_inertia(self, operation: Operation) -> list[str]:
+        assert isinstance(operation.block, Links)
+        links = operation.block.numbers
+        blocks = self._blocks(link - 1 for link in links)
+        return [
+            *(f"set_up_links<{a}, {b}>(w);" for a, b in blocks),
+            *push_calls(self.words, links),
+        ]
+
+    def _place_inertia(self, operation: Operation) -> list[str]:
+        assert isinstance(operation.block, Links)
+        (link,) = operation.block.numbers
+        name = self.words.quoted_link(link)
+        return [f"place<{link}, {_word(operation.first[0])}>(w);  // {name} itself"]
+
+    def _link_columns(self, operation: Operation) -> list[str]:
+        assert isinstance(operation.block, Links)
+        blocks = self._blocks(link - 1 for link in operation.block.numbers)
+        return [f"set_up_columns<{a}, {b}>(w);" for a, b in blocks]
+
+    def _clear_inertia(self, operation: Operation) -> list[str]:
+        assert isinstance(operation.block, Links)
+        self.gathers |= set(operation.block.numbers)
+        return []  # what comes first takes its place
+
+    def _send(self, operation: Operation) -> list[str]:
+        (step,) = operation.steps
+        assert isinstance(step, Send)
+        message = self.words.plan.messages[step.message]
+        return [
+            f"{{  // to process {message.target}: {describe_message(self.words, message)}",
+            f"  Real* to = channel.outgoing({step.message}, w.status);",
+            *(f"  to = put(to, {item});" for item in self._items(message)),
+            *(f"  to = put(to, w.bodies[{link}]);" for link in message.inertias),
+            f"  channel.send({step.message}, w.status);",
+            "}",
+        ]
+
+    def _receive(self, operation: Operation) -> list[str]:
+        (step,) = operation.steps
+        assert isinstance(step, Receive)
+        message = self.words.plan.messages[step.message]
+        taken = zip(message.inertias, operation.first, strict=True)
+        return [
+            f"{{  // from process {message.source}: {describe_message(self.words, message)}",
+            f"  const Real* from = channel.receive({step.message}, w.status);",
+            *(f"  from = get(from, {item});" for item in self._items(message)),
+            *(f"  from = {'get' if one else 'add'}(from, w.bodies[{k}]);" for k, one in taken),
+            "}",
+        ]
+
+    def _items(self, message: Message) -> list[str]:
+        return [
+            *(self.words.block(block) for block in message.blocks),
+            *(self.words.bias(bias) for bias in message.biases),
+            *(self.words.force(force) for force in message.forces),
+        ]
+
+    def _free_base(self, operation: Operation) -> list[str]:
+        assert isinstance(operation.block, Run)
+        joint = operation.block.first
+        self.gathers.add(joint + 1)
+        return [f"free_base<{joint}, {_word(operation.first[0])}>(w);"]
+
+    def _articulate(self, operation: Operation) -> list[str]:
+        run = operation.block
+        if isinstance(run, Limbs):
+            return self._articulate_limbs(run, operation.first)
+        assert isinstance(run, Run)
+        if operation.method == "step":  # a prescribed joint on the ground
+            return []
+        near = ends_of_run(self.joints, run)[0]
+        self.gathers.add(near)
+        verb = "inward"
+        if operation.method == "columns":
+            verb = "inward_in_columns"
+            self.columns |= set(links_of_run(self.joints, run)) - {near}
+        return [self._sweep(run, verb, _word(operation.first[0])) + self._names(run)]
+
+    def _articulate_limbs(self, limbs: Limbs, first: tuple[bool, ...]) -> list[str]:
+        """Sweep limbs inwards and leave what is found at the links that they hang on."""
+        nears = [self.joints[j].parent for j in limbs.rows[0]]
+        self.gathers.update(nears)
+        sweep = f"inward_group<{self.p}, {self._number(limbs)}>(w);"
+        left = [
+            f"  leave<{_word(first[k])}>(w, {near}, lane(X, {k + limbs.idle}));"
+            for k, near in enumerate(nears)
+            if near > 0
+        ]
+        return ["{", f"  const auto X = {sweep}", *left, "}"] if left else [sweep]
+
+    def _propagate(self, operation: Operation) -> list[str]:
+        return mobility.propagation(self.words, operation)
+
+    def _deliver(self, operation: Operation) -> list[str]:
+        assert isinstance(operation.block, Run)
+        return [mobility.delivery(self.words, operation.block) + self._names(operation.block)]
+
+    def _solve_root(self, operation: Operation) -> list[str]:
+        return [f"solve_root<{self.p}, {_link(operation.steps[0])}>(w);"]
+
+    def _load_root(self, operation: Operation) -> list[str]:
+        (step,) = operation.steps
+        assert isinstance(step, LoadRoot)
+        self.parts.add(step.link)
+        return mobility.lines_of(self.words, self.p, step)
+
+    def _accelerate(self, operation: Operation) -> list[str]:
+        run = operation.block
+        if isinstance(run, Limbs):
+            self.parts |= {self.joints[j].parent for j in run.rows[0]}
+            return [f"accelerate_group<{self.p}, {self._number(run)}>(w);"]
+        assert isinstance(run, Run)
+        self.parts.add(ends_of_run(self.joints, run)[0])
+        return [self._sweep(run, "accelerate") + self._names(run)]
+
+    def _free_acceleration(self, operation: Operation) -> list[str]:
+        joint = getattr(operation.steps[0], "joint", 0)
+        self.parts.add(joint + 1)
+        return [f"free_acceleration<{joint}>(w);"]
+
+    def _sweep(self, run: Run, verb: str, *more: str) -> str:
+        """The call by which the process sweeps a run; ``more`` arguments follow the run's ends."""
+        prescribed = self.joints[run.first].prescribed
+        name = f"{verb}{'_prescribed' * prescribed}{'_reversed' * run.reversed}"
+        ends = (run.first,) if prescribed else (run.first, run.last)
+        return f"{name}<{', '.join(map(str, (self.p, *ends, *more)))}>(w);"
+
+    def _names(self, run: Run) -> str:
+        """Which joints a run is of, as a comment."""
+        return f"  // {self.words.span(run.first, run.last)}"
+
+
+def _word(first: bool) -> str:
+    """Whether what is left at a link is the first there, as a template argument."""
+    return "true" if first else "false"
+
+
+def _link(step: Step) -> int:
+    return int(getattr(step, "link", 0))

@@ -1,0 +1,212 @@
+"""Shape `kernels` where segments meet: mobilities outwards, joins, and forces back as C++ lines.
+
+Blocks and biases are in the axes of the base; a join turns what it reads into its joint's frame
+(runtime/kernels/mobility.hpp) and then is that of shape `joints`.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import replace
+
+from adagen.emit import effects
+from adagen.emit.joints import joins
+from adagen.emit.words import Words
+from adagen.plan import Plan
+from adagen.plan.edges import is_free_base
+from adagen.plan.steps import (
+    AccelerateRoot,
+    Deliver,
+    Disassemble,
+    Force,
+    FusedJoin,
+    HoldMobility,
+    InvertRoot,
+    Join,
+    Load,
+    LoadRoot,
+    Propagate,
+    SolveMobility,
+    Step,
+    biases_set_by,
+    blocks_set_by,
+)
+from adagen.plan.types import Process
+from adagen.program import Operation
+from adagen.program.runs import Run, ends_of_run
+
+STEPS = (
+    InvertRoot
+    | Propagate
+    | Join
+    | Disassemble
+    | Load
+    | LoadRoot
+    | Deliver
+    | AccelerateRoot
+    | SolveMobility
+    | HoldMobility
+)
+
+
+def has_cuts(plan: Plan) -> bool:
+    """Return whether processes of a plan show mobilities to each other."""
+    return any(isinstance(step, STEPS) for process in plan.processes for step in process.steps)
+
+
+def holds_ground(plan: Plan) -> bool:
+    """Return whether a process takes the ground, as joints on it let it yield, for a body."""
+    return any(isinstance(s, HoldMobility) for p in plan.processes for s in all_steps(p))
+
+
+def runtime(plan: Plan) -> list[str]:
+    """Return the parts of the runtime that joins need."""
+    joined = {s.joint for p in plan.processes for s in all_steps(p) if isinstance(s, Join)}
+    held = any(plan.joints[j].prescribed or plan.joints[j].rotor_inertia for j in joined)
+    return ["spatial.hpp", "joins.hpp", *["effects.hpp"] * held]
+
+
+def all_steps(process: Process) -> tuple[Step, ...]:
+    """Return the steps of a process, those of its recovery behind the others."""
+    return (*process.steps, *process.recovery)
+
+
+def why_not(plan: Plan) -> str | None:
+    """Return why these steps cannot be emitted in this shape; None where they can."""
+    for process in plan.processes:
+        for step in all_steps(process):
+            if isinstance(step, FusedJoin):
+                return f'several joints up to "{plan.joints[step.joint].name}" are joined as one'
+            if isinstance(step, Propagate):
+                joint = plan.joints[step.joint]
+                if joint.kind in ("planar", "floating") and not joint.prescribed:
+                    return f'mobility would pass joint "{joint.name}", which is {joint.kind}'
+    return None
+
+
+def members(words: Words) -> dict[int, list[str]]:
+    """Return the members of the memory of each joint that has any."""
+    lines: dict[int, dict[str, None]] = defaultdict(dict)
+    forces: set[Force] = set()
+    for process in words.plan.processes:
+        for step in all_steps(process):
+            for block in blocks_set_by(step):
+                assert block.joint is not None  # bare links' blocks are constants
+                lines[block.joint][f"Mat6 {words.block_member(block)};"] = None
+            for bias in biases_set_by(step):
+                assert bias.joint is not None
+                lines[bias.joint][f"Columns6 b_{words.links[bias.handle]};"] = None
+            if isinstance(step, Join):
+                kind = effects.joined_type(words, step.joint)
+                own = lines[step.joint]
+                own["Transform X, Y;  // to the joint's frame, about its two links' origins"] = None
+                own[f"Joined<{kind}> joined;"] = None
+                if words.plan.joints[step.joint].rotor_inertia:
+                    torque = effects.freedoms_type(words, step.joint)
+                    own[f"{torque} tau;  // drives rotor and joint"] = None
+                for coupling in step.couplings:
+                    own[f"Coupled<{kind}> at_{words.links[coupling.handle]};"] = None
+            if isinstance(step, Disassemble):
+                forces |= {update.target for update in step.updates}
+    for force in sorted(forces):
+        lines[force.joint][f"Columns6 {words.force_member(force)};"] = None
+    return {joint: list(lines[joint]) for joint in sorted(lines)}
+
+
+def lines_of(words: Words, p: int, step: Step) -> list[str]:
+    """Return the lines of one of ``STEPS`` on process p.
+
+    What is carried out run by run has functions of its own: ``propagation``, ``delivery``.
+    """
+    match step:
+        case InvertRoot():
+            phi, b = words.block(step.block), words.bias(step.bias)
+            return [f"invert_root<{p}, {step.link}>(w, {phi}, {b});"]
+        case Join():
+            turned = replace(step, velocity_product=False)
+            return _scoped(
+                [
+                    f"auto& i = {words.memory(step.joint)};",
+                    f"set_transforms(w, {step.joint}, i.X, i.Y);",
+                    *joins.assembly(words, turned, turned=True)[1:],
+                ]
+            )
+        case Disassemble():
+            join = _join_of(words.plan, step.joint)
+            lines = joins.disassembly(words, join, step, turned=True)
+            joint = words.plan.joints[step.joint]
+            if is_free_base(joint):
+                lines.append(f"as_joint_acceleration<{step.joint}>(w);")
+            return _scoped(lines)
+        case Load():
+            force = "Columns6::Zero()" if step.force is None else words.force(step.force)
+            return [f"w.loads[{step.link}] = {force};"]
+        case LoadRoot():
+            sign = "" if step.held else "-"
+            return [f"w.loads[{step.link}] = {sign}force_on<{step.link}>(w);"]
+        case HoldMobility():
+            phi, b = words.block(step.block), words.bias(step.bias)
+            return [f"hold<{step.link}>(w, {phi}, {b});"]
+        case AccelerateRoot():
+            b, phi = words.bias(step.bias), words.block(step.block)
+            load = f"w.loads[{step.link}]"
+            return [f"w.motions[{step.link}] = motion_of({b} + {phi} * {load});"]
+        case SolveMobility():
+            phi, b = words.block(step.block), words.bias(step.bias)
+            return [f"solve_mobility<{step.link}>(w, {phi}, {b});"]
+    raise AssertionError(f"no code for {step}")
+
+
+def propagation(words: Words, operation: Operation) -> list[str]:
+    """Return the lines of an operation that takes mobilities outwards."""
+    steps = [step for step in operation.steps if isinstance(step, Propagate)]
+    first, last = steps[0], steps[-1]
+    if operation.method != "response":
+        return _propagate(words, first)
+    target = f"{words.block(last.block)}, {words.bias(last.bias)}"
+    names = words.span(first.joint, last.joint)
+    return [f"respond<{first.joint}, {last.joint}>(w, {target});  // {names}"]
+
+
+def delivery(words: Words, run: Run) -> str:
+    """Return the call that brings handle forces back through a run."""
+    joints = words.plan.joints
+    if not joints[run.first].prescribed:
+        return f"deliver{'_reversed' * run.reversed}<{run.first}, {run.last}>(w);"
+    near, far = ends_of_run(joints, run)
+    turned = "true" if run.reversed else "false"
+    return f"deliver_prescribed<{turned}>(w, {run.first}, w.loads[{far}], w.loads[{near}]);"
+
+
+def _scoped(lines: list[str]) -> list[str]:
+    return ["{", *(f"  {line}" for line in lines), "}"]
+
+
+def _of(words: Words, step: Propagate, verb: str) -> str:
+    """The function that takes something across a joint."""
+    prescribed = "_prescribed" if words.plan.joints[step.joint].prescribed else ""
+    return f"{verb}{prescribed}<{'true' if step.reversed else 'false'}>"
+
+
+def _join_of(plan: Plan, joint: int) -> Join:
+    steps = (step for process in plan.processes for step in process.steps)
+    return next(step for step in steps if isinstance(step, Join) and step.joint == joint)
+
+
+def _propagate(words: Words, step: Propagate) -> list[str]:
+    near = "kZero" if step.near is None else words.block(step.near)
+    near_bias = "kGround" if step.near_bias is None else words.bias(step.near_bias)
+    far = f"{words.block(step.block)}, {words.bias(step.bias)}"
+    call = _of(words, step, "propagate")
+    lines = [f"{call}(w, {step.joint}, {near}, {near_bias}, {far});"]
+    passed = _of(words, step, "passed")
+    for spread in step.spreads:
+        source = words.block(spread.source)
+        source += ".transpose()" if spread.source_transposed else ""
+        target = ".transpose()" if spread.target_transposed else ""
+        handle = words.quoted_link(spread.handle)
+        lines.append(
+            f"{words.block(spread.target)} = {passed}(w, {step.joint}, {source}){target};"
+            f"  // with link {handle}"
+        )
+    return lines

@@ -1,0 +1,143 @@
+"""Code shape `kernels`: a plan's steps as loops over runs of joints, in axes that all links share.
+
+A run is a sequence of joints each on the link of the one before. What needs no recursion (sines and
+cosines, inertias and bias forces of bare links) is done for as many joints at once as registers
+hold; what does is carried along a run in registers, or along several limbs at once, one in each
+lane of a register (templates/runtime/kernels/).
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from adagen.emit.kernels import mobility
+from adagen.emit.kernels.lines import KernelLines
+from adagen.emit.words import Words
+from adagen.plan import Plan
+from adagen.plan.gather import why_not_gather
+from adagen.plan.simd_groups import Limbs
+from adagen.plan.steps import (
+    Accelerate,
+    Articulate,
+    FreeAcceleration,
+    FreeBase,
+    Kinematics,
+    Receive,
+    Send,
+    SolveRoot,
+    StartEmpty,
+    StartLink,
+)
+from adagen.plan.types import PlanLink
+from adagen.program.slots import Slots
+
+RUNTIME = (
+    "status.hpp",
+    "kernels/lanes.hpp",
+    "kernels/algebra.hpp",
+)
+
+_TAKEN = (
+    Kinematics
+    | StartLink
+    | StartEmpty
+    | FreeBase
+    | Articulate
+    | SolveRoot
+    | Accelerate
+    | FreeAcceleration
+    | Send
+    | Receive
+    | mobility.STEPS
+)
+
+
+def why_not(plan: Plan) -> str | None:
+    """Return why a plan cannot be emitted in this shape; None where it can."""
+    if plan.form != "segment":
+        return f"it is for form segment, not {plan.form}"
+    if (reason := why_not_gather(plan.joints)) is not None:
+        return reason
+    for process in plan.processes:
+        for step in mobility.all_steps(process):
+            if not isinstance(step, _TAKEN):
+                return f"it has no {type(step).__name__} between processes"
+    return mobility.why_not(plan)
+
+
+def values(words: Words) -> dict[str, object]:
+    """Return what kernels.cpp.j2 is told."""
+    plan = words.plan
+    cuts = mobility.has_cuts(plan)
+    program = words.program
+    slots = program.slots
+    writers = [
+        KernelLines(words, p, process, own.operations, slots)
+        for p, (process, own) in enumerate(zip(plan.processes, program.processes, strict=True))
+    ]
+    if any(process.recovery for process in plan.processes):
+        again = zip(plan.recovering().processes, program.processes, strict=True)
+        writers += [
+            KernelLines(words, p, process, own.recovery, slots)
+            for p, (process, own) in enumerate(again, start=len(plan.processes))
+        ]
+    lines = [writer.all_lines() for writer in writers]
+    return {
+        "runtime": [*RUNTIME, *(mobility.runtime(plan) if cuts else ())],
+        "cuts": cuts,
+        "holds": mobility.holds_ground(plan),
+        "cut_joints": [
+            {"type": f"Joint_{words.joints[j]}", "id": f"j_{words.joints[j]}", "members": lines}
+            for j, lines in mobility.members(words).items()
+        ],
+        "inertias": [_inertia(words, link) for link in plan.links[1:]],
+        "roles": [writer.roles() for writer in writers],
+        "steps": lines[: len(plan.processes)],
+        "recovery": lines[len(plan.processes) :],
+        "slots": slots.slots,
+        "reordered": not slots.plain,
+        "slot_count": slots.count,
+        "in_segments": bool(slots.segments),
+        "quaternions": any(writer.oriented for writer in writers),
+        "by_columns": any(writer.columns for writer in writers),
+        "limbs": [_limbs(words, slots, limbs) for limbs in slots.numbers],
+        "prescribed_group": any(
+            plan.joints[j].prescribed for limbs in slots.numbers for j in limbs.members()
+        ),
+    }
+
+
+def pseudo_inertia(link: PlanLink) -> tuple[Fraction, ...]:
+    """Return sum of m x x^T about the link's origin, upper triangle row by row, exactly.
+
+    With the rotational inertia I about the centre of mass c: J = tr(I) / 2 - I + m c c^T.
+    """
+    mass, c = Fraction(link.mass), [Fraction(x) for x in link.com]
+    half = sum((Fraction(link.tensor[k][k]) for k in range(3)), Fraction(0)) / 2
+    return tuple(
+        (half if i == k else 0) - Fraction(link.tensor[i][k]) + mass * c[i] * c[k]
+        for i in range(3)
+        for k in range(i, 3)
+    )
+
+
+def _inertia(words: Words, link: PlanLink) -> dict[str, str]:
+    number, numbers = words.printer.number, words.printer.numbers
+    mass = Fraction(link.mass)
+    return {
+        "mass": number(link.mass),
+        "moments": numbers(float(mass * Fraction(x)) for x in link.com),
+        "tensor": numbers(float(x) for x in pseudo_inertia(link)),
+    }
+
+
+def _limbs(words: Words, slots: Slots, limbs: Limbs) -> dict[str, object]:
+    return {
+        "lanes": limbs.lanes,
+        "joints": len(limbs.rows),
+        "slot": slots.slots[limbs.rows[0][0]] - limbs.idle,
+        "idle": limbs.idle,
+        # An idle lane goes by the name of the next one's joint, which has the last word.
+        "rows": [(row[0],) * limbs.idle + row for row in limbs.rows],
+        "names": [words.span(*ends) for ends in zip(limbs.rows[0], limbs.rows[-1], strict=True)],
+    }

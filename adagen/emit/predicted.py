@@ -1,0 +1,50 @@
+"""The time of a plan, as the program in which it is emitted takes it."""
+
+from __future__ import annotations
+
+from adagen.cost import Timeline, timeline
+from adagen.emit.shapes import SHAPES, chosen_shape, stepwise
+from adagen.plan import Plan
+from adagen.program import Program, lower
+from adagen.schedule import CostProfile
+
+
+def priced_program(plan: Plan, shape: str = "auto", profile: CostProfile | None = None) -> Program:
+    """Return the program that a plan is priced as, for one state at a time.
+
+    Args:
+        plan: what each process computes.
+        shape: of the code, as ``adagen.emit.emit`` takes it; where the plan cannot be had in it,
+            the fastest that does the plan step by step.
+        profile: what "auto" goes by; the shipped one if not given.
+    """
+    if shape == "auto":
+        return lower(plan, chosen_shape(plan, profile=profile))
+    known = shape in SHAPES and SHAPES[shape].why_not(plan) is None
+    return lower(plan, shape if known else stepwise(plan))
+
+
+def predict(plan: Plan, profile: CostProfile, shape: str = "auto") -> Timeline:
+    """Return how one evaluation is predicted to go.
+
+    Args:
+        plan: what each process does, in either form.
+        profile: a profile with the costs of steps.
+        shape: of the code, as ``priced_program`` takes it.
+
+    Raises:
+        ValueError: the profile prices joins alone, as the paper's does.
+    """
+    return timeline(priced_program(plan, shape, profile), profile)
+
+
+def is_priced(plan: Plan, shape: str) -> bool:
+    """Return whether cost profiles price a plan in a shape, and not only in a faster one.
+
+    Args:
+        plan: the plan.
+        shape: one of ``adagen.emit.shapes.KNOWN``.
+    """
+    if shape == "unrolled":
+        return SHAPES[shape].why_not(plan) is None
+    return shape == stepwise(plan)

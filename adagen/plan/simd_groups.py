@@ -1,0 +1,300 @@
+"""Limbs side by side: which joints of a process can be treated at once, one in each SIMD lane.
+
+Limbs that have nothing to do with each other, such as two arms and two legs, are passed together as
+far as their joints are of the same kinds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from typing import TypeVar
+
+from adagen.plan.stages import stages
+from adagen.plan.steps import (
+    Accelerate,
+    Articulate,
+    Deliver,
+    HoldMobility,
+    Kinematics,
+    Propagate,
+    SolveMobility,
+    StartLink,
+)
+from adagen.plan.types import Plan, PlanJoint, Process
+
+KINDS = frozenset({"revolute", "prismatic", "spherical"})
+"""Kinds of joints that are treated side by side."""
+
+
+@dataclass(frozen=True)
+class _Saving:
+    """What is saved by taking limbs together, in hinges treated singly: so much of each row."""
+
+    row: float
+    costs: float
+
+    def of(self, kinds: Iterable[str]) -> float:
+        return self.row * sum(_WORK.get(kind, 1.0) for kind in kinds) - self.costs
+
+
+_WORK = {"spherical": 1.7}  # where a joint is more work than a hinge
+
+
+COUNTS = {2: _Saving(0.9, 1.0), 3: _Saving(1.6, 1.8), 4: _Saving(2.6, 2.0)}
+"""How many limbs are taken at once, and what that saves. Three leave one of four lanes idle."""
+
+
+@dataclass(frozen=True)
+class Limbs:
+    """Chains of joints, each on the link of the one before, the k-th joints of all being of a kind.
+
+    Attributes:
+        rows: the limbs' k-th joints, those next to the base first.
+    """
+
+    rows: tuple[tuple[int, ...], ...]
+
+    @property
+    def count(self) -> int:
+        """How many limbs."""
+        return len(self.rows[0])
+
+    @property
+    def lanes(self) -> int:
+        """How many lanes they take."""
+        return 2 if self.count == 2 else 4
+
+    @property
+    def idle(self) -> int:
+        """How many of the lanes are idle; they come first."""
+        return self.lanes - self.count
+
+    def members(self) -> Iterator[int]:
+        """Yield the joints as they lie in memory: row by row."""
+        for row in self.rows:
+            yield from row
+
+
+def placed_links(plan: Plan) -> set[int]:
+    """Return the links whose own inertia is put down before sweeps: they are swept to, or twice.
+
+    These are the links at which several processes' inertias are gathered, and those whose mobility
+    is taken for an inertia.
+    """
+    gathered = {link for message in plan.messages for link in message.inertias}
+    steps = (step for process in plan.processes for step in process.steps)
+    return gathered | {s.link for s in steps if isinstance(s, HoldMobility | SolveMobility)}
+
+
+def simd_groups(plan: Plan, process: Process) -> list[Limbs]:
+    """Return the limbs that a process takes side by side.
+
+    Those that save most are chosen first, as long as their sweeps can be brought into an order.
+
+    Args:
+        plan: of form "segment".
+        process: one of its processes.
+    """
+    last = _last_beyond(plan.joints)
+    found: list[Limbs] = []
+    for pool in _chains(plan, process):
+        chains = pool
+        while (best := _best(plan.joints, chains, last, found)) is not None:
+            found.append(best)
+            taken = set(best.members())  # what is left of a longer chain may be taken later
+            chains = [rest for c in chains if (rest := [j for j in c if j not in taken])]
+    return found
+
+
+def more_alike(
+    plan: Plan, process: Process, found: Iterable[Limbs], unlike: Callable[[Limbs], float]
+) -> list[Limbs]:
+    """Return limbs some of which are exchanged for chains left over, if that makes them more alike.
+
+    Args:
+        plan: of form "segment".
+        process: one of its processes.
+        found: the limbs that it takes side by side.
+        unlike: how unlike each other limbs are.
+    """
+    last, result = _last_beyond(plan.joints), list(found)
+    for pool in _chains(plan, process):
+        for k in range(len(result)):
+            while result[k].rows[-1][0] in {j for c in pool for j in c}:
+                others = result[:k] + result[k + 1 :]
+                offers = [
+                    offer
+                    for offer in _exchanged(plan.joints, pool, result, result[k], last)
+                    if unlike(offer) < unlike(result[k]) and _in_order([*others, offer], last)
+                ]
+                if not offers:
+                    break
+                result[k] = min(offers, key=unlike)
+    return result
+
+
+def _exchanged(
+    joints: Sequence[PlanJoint],
+    pool: Iterable[Sequence[int]],
+    found: Iterable[Limbs],
+    limbs: Limbs,
+    last: Sequence[int],
+) -> Iterator[Limbs]:
+    """Yield limbs with one of them exchanged for the end of a chain of which nothing is taken."""
+    taken = {j for each in found for j in each.members()}
+    own = list(zip(*limbs.rows, strict=True))
+    kinds = [joints[j].kind for j in own[0]]
+    for chain in pool:
+        end = tuple(chain[-len(kinds) :])
+        if [joints[j].kind for j in end] != kinds or not taken.isdisjoint(end):
+            continue
+        for k in range(len(own)):
+            rest = own[:k] + own[k + 1 :]
+            if not any(_one_beyond_other(end, other, last) for other in rest):
+                yield Limbs(tuple(zip(*sorted([*rest, end]), strict=True)))
+
+
+def _chains(plan: Plan, process: Process) -> list[list[list[int]]]:
+    """All joints that fit, as chains that are as long as can be; those that may go together."""
+    fit = _fit(plan, process)
+    height = dict.fromkeys(fit, 1)
+    beyond: dict[int, int] = {}  # the next joint outwards in a joint's chain
+    for j in reversed(fit):
+        near = plan.joints[j].parent - 1
+        if fit.get(near) == fit[j] and height[near] <= height[j]:
+            height[near], beyond[near] = height[j] + 1, j
+    pools: dict[object, list[list[int]]] = {}
+    starts = [j for j in fit if beyond.get(plan.joints[j].parent - 1) != j]
+    for j in starts:
+        chain = [j]
+        while chain[-1] in beyond:
+            chain.append(beyond[chain[-1]])
+        pools.setdefault(fit[j], []).append(chain)
+    return list(pools.values())
+
+
+def _best(
+    joints: Sequence[PlanJoint],
+    chains: Sequence[list[int]],
+    last: Sequence[int],
+    taken: Sequence[Limbs],
+) -> Limbs | None:
+    """The limbs that save most beside those taken; None where nothing is saved."""
+    offers: list[tuple[float, Limbs]] = []
+    kinds = {id(c): tuple(joints[j].kind for j in reversed(c)) for c in chains}  # outermost first
+    for pattern in sorted(set(kinds.values()), key=len, reverse=True):
+        alike = sorted(chains, key=lambda c: -_common(pattern, kinds[id(c)]))
+        common = {id(c): _common(pattern, kinds[id(c)]) for c in chains}
+        for start in alike[:_STARTS]:
+            together = [start]
+            for chain in alike:
+                rows = min(common[id(c)] for c in (*together, chain))
+                cut = [c[len(c) - rows :] for c in (*together, chain)]
+                if not rows or any(_one_beyond_other(cut[-1], other, last) for other in cut[:-1]):
+                    continue
+                together.append(chain)
+                saving = COUNTS.get(len(together))
+                if saving is not None and (saved := saving.of(pattern[:rows])) > 0:
+                    offers.append((saved, Limbs(tuple(zip(*sorted(cut), strict=True)))))
+                if len(together) == max(COUNTS):
+                    break
+    offers.sort(key=lambda offer: -offer[0])
+    return next((limbs for _, limbs in offers if _in_order([*taken, limbs], last)), None)
+
+
+_STARTS = 4  # chains that limbs to go together are looked for beside
+
+
+def _common(one: Sequence[str], other: Sequence[str]) -> int:
+    """How many kinds two sequences have in common from their start on."""
+    return next(
+        (k for k, (a, b) in enumerate(zip(one, other, strict=False)) if a != b),
+        min(len(one), len(other)),
+    )
+
+
+def _one_beyond_other(one: Sequence[int], other: Sequence[int], last: Sequence[int]) -> bool:
+    return _beyond(one[0], other[0], last) or _beyond(other[0], one[0], last)
+
+
+def _beyond(joint: int, other: int, last: Sequence[int]) -> bool:
+    """Whether a joint is another one or hangs on it."""
+    return other <= joint <= last[other]
+
+
+def _in_order(all_limbs: Sequence[Limbs], last: Sequence[int]) -> bool:
+    """Whether limbs can follow each other so that none is passed before what hangs on it."""
+    waiting = list(all_limbs)
+    while waiting:
+        free = [limbs for limbs in waiting if not any(_hang_on(o, limbs, last) for o in waiting)]
+        if not free:
+            return False
+        waiting = [limbs for limbs in waiting if limbs not in free]
+    return True
+
+
+def _hang_on(some: Limbs, others: Limbs, last: Sequence[int]) -> bool:
+    """Whether one of some limbs hangs on one of the others."""
+    if some is others:
+        return False
+    # What hangs on a joint of a limb hangs on its first one.
+    return any(_beyond(i, j, last) for i in some.rows[0] for j in others.rows[0])
+
+
+def _last_beyond(joints: Sequence[PlanJoint]) -> list[int]:
+    """The last joint beyond each one, itself included; joints are in depth-first order."""
+    last = list(range(len(joints)))
+    for j in reversed(range(len(joints))):
+        if joints[j].parent > 0:
+            last[joints[j].parent - 1] = max(last[joints[j].parent - 1], last[j])
+    return last
+
+
+def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
+    """Joints that may be taken side by side, with the stretches in which they are passed.
+
+    They are the process's own, passed once, away from the sweep's root, and their links are bare.
+    No mobility and no force at a handle goes through them: that is told joint by joint.
+    """
+    sweeps = [
+        _stretch_of(process, Kinematics),
+        _stretch_of(process, Articulate),
+        _stretch_of(process, Accelerate),
+    ]
+    turns = (s for s in process.steps if isinstance(s, Articulate | Accelerate))
+    turned = {s.joint for s in turns if s.reversed}
+    between = {s.joint for s in process.steps if isinstance(s, Propagate | Deliver)}
+    bare = {s.link for s in process.steps if isinstance(s, StartLink)} - placed_links(plan)
+    return {
+        j: tuple(sweep[j] for sweep in sweeps)
+        for j in process.owns
+        if _fits(plan.joints[j])
+        and j + 1 in bare
+        and j not in turned | between
+        and all(j in sweep for sweep in sweeps)
+    }
+
+
+def _fits(joint: PlanJoint) -> bool:
+    """Whether a joint is of a kind that is treated side by side.
+
+    Where its motion is prescribed, it may have one freedom, and be beside joints that move freely.
+    """
+    return joint.kind in KINDS and not (joint.prescribed and joint.kind == "spherical")
+
+
+_Sweep = TypeVar("_Sweep", Kinematics, Articulate, Accelerate)
+
+
+def _stretch_of(process: Process, kind: type[_Sweep]) -> dict[int, int]:
+    """In which stretch of steps of a kind, as they follow each other in a stage, a joint is."""
+    found: dict[int, int] = {}
+    for stage in stages(process):
+        steps = process.steps[stage.first : stage.last]
+        for k, (of_kind, group) in enumerate(groupby(steps, type)):
+            if issubclass(of_kind, kind):
+                joints = [step.joint for step in group if isinstance(step, kind)]
+                found.update(dict.fromkeys(joints, stage.first * len(process.steps) + k))
+    return found

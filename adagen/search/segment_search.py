@@ -1,0 +1,281 @@
+"""The search for schedules of form `segment`: where to cut, for whom, which side stays local.
+
+What a chain on a range of processes can take is not one time but several: the sooner it is
+assembled, the later perhaps its processes are done once the forces on it are known. So a state has
+a *front*, the times of both sweeps none of which is better than another in both:
+
+    assembly    A = up + max(A_local, A_remote + on the way)
+    disassembly D = down + max(D_local, D_remote + on the way)
+
+and the makespan is the least A + D of the whole robot. A state is a chain, its processes, and what
+its process joins further up, as the kinematics towards those joints come first of all. A front is
+complete up to a limit; options whose bound (adagen.search.segment_bounds) is not below the limit,
+or cannot reach below the front, are ruled out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from adagen.paper.budget import Budget, OutOfBudget
+from adagen.schedule.chains import WHOLE, Chain
+from adagen.schedule.pricing import scaled, segment_time
+from adagen.schedule.segments import SegmentCosts
+from adagen.schedule.sweeps import Sweeps, beside
+from adagen.search.segment_bounds import SegmentBounds
+from adagen.search.segment_front import Label, State, add, covered
+from adagen.search.segment_options import Options
+
+FOREVER = 1 << 62
+_THIN = 6  # labels of a state that are kept where only a few options are followed
+
+
+class SegmentSearch:
+    """Fronts of partial chains, as far as the budget goes.
+
+    Args:
+        costs: prices of the robot's chains and cuts.
+        bounds: on their times.
+        speeds: of the cores of all processes.
+        budget: what may be spent.
+        width: options followed at each state; None for all that are not ruled out.
+
+    Attributes:
+        lower: proven lower bound on the time of the whole robot, ticks.
+        best: the best way found for the whole robot.
+    """
+
+    def __init__(
+        self,
+        costs: SegmentCosts,
+        bounds: SegmentBounds,
+        speeds: tuple[float, ...],
+        budget: Budget,
+        width: int | None = None,
+        uneven: int = 0,
+    ) -> None:
+        self.costs = costs
+        self.bounds = bounds
+        self.budget = budget
+        self.width = width
+        self.uneven = uneven
+        self.lower = 0
+        self.best: Label | None = None
+        self._speeds = speeds
+        self._alike = min(speeds) == max(speeds)
+        self._fronts: dict[State, tuple[int, list[Label]]] = {}
+        self._options: dict[tuple[Chain, int], Options] = {}
+        self._least: dict[tuple[Chain, int], int] = {}
+
+    # --- the whole robot -------------------------------------------------------------------------
+
+    def tighten(self, known: int) -> bool:
+        """Look for the best way below ``known`` ticks, raising :attr:`lower`; return if certain."""
+        whole = State(WHOLE, 0, len(self._speeds))
+        self.lower = max(self.lower, min(known, self._lower(whole)))
+        low, high = self.lower, known
+        while high - low > max(1, known // 1000):  # what the bound of room alone rules out
+            middle = (low + high) // 2
+            if self.bounds.fits(WHOLE, whole.processes, middle):
+                high = middle
+            else:
+                low = middle
+        self.lower = low
+        step = 8
+        try:
+            while self.lower < known:
+                limit = known if step <= 1 else self.lower + max(1, (known - self.lower) // step)
+                self.solve(limit)
+                if self.best is not None and self.best.time.total < limit:
+                    self.lower = self.best.time.total
+                    return True
+                self.lower = limit
+                step //= 2
+        except OutOfBudget:
+            return False
+        return True
+
+    def solve(self, limit: int) -> None:
+        """Look for a way to do the whole robot in less than ``limit`` ticks; see :attr:`best`.
+
+        Raises:
+            OutOfBudget: there may be a better one.
+        """
+        self._front(State(WHOLE, 0, len(self._speeds)), limit, only_best=True)
+
+    # --- fronts ----------------------------------------------------------------------------------
+
+    def _front(self, state: State, limit: int, *, only_best: bool = False) -> list[Label]:
+        """Return the front of a state, complete for totals below ``limit``.
+
+        Args:
+            state: the state.
+            limit: ticks.
+            only_best: whether no more is asked for than a label of the least total.
+
+        Raises:
+            OutOfBudget: cannot tell.
+        """
+        done, front = self._fronts.get(state, (0, []))
+        if done >= limit:
+            return front
+        if state.processes == 1:
+            front, limit = [self._alone(state)], FOREVER
+        elif self._lower(state) < limit:
+            self.budget.spend()
+            front = self._searched(state, limit, only_best)
+            if self.width is not None and len(front) > _THIN:
+                front = sorted(front, key=lambda label: label.time.total)[:_THIN]
+                front.sort(key=lambda label: label.time.assembly)
+        self._fronts[state] = (limit, front)
+        return front
+
+    def _alone(self, state: State) -> Label:
+        speed = self._speeds[state.first]
+        times = segment_time(self.costs, state.chain, state.beyond, speed)
+        return Label(Sweeps(*times, 0), state)
+
+    def _lower(self, state: State) -> int:
+        """Return the best bound on the total known without a search."""
+        if state.processes == 1:
+            return self._alone(state).time.total
+        key = (state.chain, state.processes)
+        least = self._least.get(key)
+        if least is None:
+            least = self._least[key] = self.bounds.least(*key)
+        done, front = self._fronts.get(state, (0, []))
+        if front:
+            return max(least, min(done, min(label.time.total for label in front)))
+        return max(least, done)
+
+    def _searched(self, state: State, limit: int, only_best: bool) -> list[Label]:
+        chain, count = state.chain, state.processes
+        alone = self._alone(state)
+        front = [alone] if alone.time.total < limit else []
+        if only_best and front:
+            self.best, limit = alone, alone.time.total
+        if self.width is None and not self.bounds.fits(chain, count, limit - 1):
+            return front
+        for total, assembly, disassembly, position, first in self._followed(chain, count):
+            if total >= limit:
+                if self.width is None:
+                    break
+                continue
+            # Where nothing is known of the sweeps, the total may be that of a part on its own.
+            if assembly and covered(front, total, assembly, disassembly):
+                continue
+            for label in self.ways(state, position, first, limit):
+                add(front, label)
+                if only_best and label.time.total < limit:
+                    self.best, limit = label, label.time.total
+        return front
+
+    def _followed(self, chain: Chain, count: int) -> Iterator[tuple[int, int, int, int, int]]:
+        """Return the options that are followed: bounds on total and sweeps, position, division."""
+        options = self._options_of(chain, count)
+        columns = [
+            options.total,
+            options.assembly,
+            options.disassembly,
+            options.position,
+            options.first,
+        ]
+        if self.width is not None:
+            even = np.flatnonzero(np.abs(2 * options.first - count) <= self.uneven)
+            chosen = even[np.argsort(options.guess[even], kind="stable")[: self.width]]
+            columns = [column[chosen] for column in columns]
+        return zip(*(column.tolist() for column in columns), strict=True)
+
+    def _options_of(self, chain: Chain, count: int) -> Options:
+        key = (chain, count)
+        known = self._options.get(key)
+        if known is None:
+            known = self._options[key] = self.bounds.options(chain, count)
+        return known
+
+    def ways(self, state: State, position: int, first: int, limit: int) -> list[Label]:
+        """Return the ways to do a state with a cut that take less than ``limit``.
+
+        Args:
+            state: the state.
+            position: of the joint that is cut.
+            first: processes for its root side.
+            limit: ticks.
+
+        Raises:
+            OutOfBudget: cannot tell.
+        """
+        root, end = self.costs.chains.split(state.chain, position)
+        second = state.processes - first
+        found: list[Label] = []
+        for root_here in (True, False):
+            here, there = (root, end) if root_here else (end, root)
+            counts = (first, second) if root_here else (second, first)
+            found += self._joined(state, position, here, there, counts, root_here, limit)
+        return found
+
+    def _joined(
+        self,
+        state: State,
+        position: int,
+        here: Chain,
+        there: Chain,
+        counts: tuple[int, int],
+        root_here: bool,
+        limit: int,
+    ) -> list[Label]:
+        """Return the ways with one side on the process that joins it to the other."""
+        costs = self.costs
+        speed = self._speeds[state.first]
+        cut, transit = costs.cut(state.chain, position), costs.transit(there)
+        up, down = scaled(cut.assembly, speed), scaled(cut.disassembly, speed)
+        away = None
+        if transit is not None:
+            up, down = up + transit.handling.assembly, down + transit.handling.disassembly
+            away = transit.away
+        next_one = 0 if self._alike else state.first + counts[0]
+        remote = State(there, next_one, counts[1])
+        local = self._local(state, position, here, there, counts[0], root_here)
+        left = [limit - up - down, limit if away is None else limit - up - down - sum(away)]
+        states = [local, remote]
+        low = [self._lower(local), self._lower(remote)]
+        if low[0] >= left[0] or low[1] >= left[1]:
+            return []
+        fronts: list[list[Label]] = [[], []]
+        for k in (0, 1) if low[0] >= low[1] else (1, 0):
+            fronts[k] = self._front(states[k], left[k])
+            if not fronts[k]:
+                return []
+        found = []
+        for a in fronts[0]:
+            for b in fronts[1]:
+                time = beside(a.time, b.time, away).after(up, down)
+                if time.total < limit:
+                    found.append(Label(time, state, position, a, b, root_here))
+        return found
+
+    def _local(
+        self,
+        state: State,
+        position: int,
+        here: Chain,
+        there: Chain,
+        count: int,
+        root_here: bool,
+    ) -> State:
+        """Return the state of the side that stays, with all that its process joins."""
+        chains = self.costs.chains
+        joined = tuple(p for p in state.joined if p in here.cuts)
+        top = there.top if root_here else chains.parent[position]
+        beyond = state.beyond
+        passing = [p for p in state.joined if p in there.cuts]
+        if passing:  # joints of the other side on the way to joints that are joined further up
+            passed = {q for p in passing for q in chains.above(chains.parent[p])}
+            passed -= {*chains.above(state.chain.top), *chains.above(top)}
+            beyond += sum(self.costs.own[q] for q in passed)
+        if root_here:
+            beyond += self.costs.own[position]
+            joined = tuple(sorted((*joined, position)))
+        return State(here, state.first, count, joined, beyond)

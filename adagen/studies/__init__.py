@@ -1,0 +1,1 @@
+"""Studies of what is emitted, apart from the compiler: times, error beside time, stability."""

@@ -1,0 +1,52 @@
+"""Other people's forward dynamics; each is skipped by name where it is not installed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from importlib.util import find_spec
+from pathlib import Path
+
+from adagen.model import Model
+from adagen.states import States
+from adagen.studies.bench.contest import Contestant
+from adagen.studies.bench.machine import package
+
+Make = Callable[[Model, States, Path], Sequence[Contestant]]
+
+
+def _pinocchio(model: Model, states: States, folder: Path) -> Sequence[Contestant]:
+    from adagen.studies.bench.peers.pinocchio import contestants
+
+    return contestants(model, states, folder)
+
+
+def _casadi(model: Model, states: States, folder: Path) -> Sequence[Contestant]:
+    from adagen.studies.bench.peers.casadi import contestants
+
+    return contestants(model, states, folder)
+
+
+def _mujoco(model: Model, states: States, folder: Path) -> Sequence[Contestant]:
+    from adagen.studies.bench.peers.mujoco import contestants
+
+    return contestants(model, states, folder)
+
+
+PEERS: dict[str, tuple[str, Make]] = {
+    "pinocchio": ("pin", _pinocchio),
+    "casadi": ("casadi", _casadi),
+    "mujoco": ("mujoco", _mujoco),
+}
+"""By name: the package that it comes in, and what makes its contestants for a model.
+
+A maker is given the robot in canonical frames, the states to be timed on, and a folder for its
+files; it raises AdagenError where the peer cannot treat the robot.
+"""
+
+
+def missing(name: str) -> str | None:
+    """Return why a peer cannot take part; None where it can."""
+    wheel = PEERS[name][0]
+    if package(wheel) is None or (name != "pinocchio" and find_spec(name) is None):
+        return f"the package {wheel} is not installed: pip install 'adagen[bench]'"
+    return None

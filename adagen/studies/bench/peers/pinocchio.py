@@ -1,0 +1,112 @@
+"""Pinocchio's articulated-body algorithm: both conventions, every compiler, the best counts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from importlib import metadata
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.errors import EnvironmentFault
+from adagen.model import Model
+from adagen.states import States
+from adagen.studies.bench.contest import Contestant
+from adagen.studies.bench.machine import COMPILERS, compiler_version, package
+from adagen.studies.bench.program import NATIVE, PORTABLE, Coordinates, Program, build, source
+
+Array = NDArray[np.float64]
+CONVENTIONS = ("LOCAL", "WORLD")
+FLAGS = {"native": NATIVE, "portable": PORTABLE}
+
+
+def contestants(model: Model, states: States, folder: Path) -> Sequence[Contestant]:
+    """Return pinocchio's contestants for a robot, one for each build and convention.
+
+    Raises:
+        EnvironmentFault: its headers are not where its wheel should have put them, or nothing
+            compiles them.
+    """
+    file, given = folder / "pinocchio.txt", folder / "pinocchio.states"
+    file.write_text(_description(model), encoding="utf-8")
+    coordinates(model, states).write(given)
+    built = _builds()
+    found = []
+    for (compiler, flags), executable in built.items():
+        for convention in CONVENTIONS:
+            program = Program(executable, (str(file),), (convention,))
+
+            def solve(some: States, program: Program = program) -> Array:
+                return program.answers(coordinates(model, some))
+
+            found.append(
+                Contestant(
+                    name=f"pinocchio {convention}, {compiler}, {flags}",
+                    team="pinocchio",
+                    build=f"{compiler} {' '.join(FLAGS[flags])}",
+                    processes=1,
+                    scalar="double",
+                    solve=solve,
+                    turn=partial(program.turn, given),
+                )
+            )
+    return found
+
+
+def _builds() -> dict[tuple[str, str], Path]:
+    """Return the executables by compiler and flags; each takes a minute to compile, once."""
+    headers = _headers()
+    text = f"// pinocchio {package('pin')}\n{source('pinocchio.cpp')}"
+    kinds = [(c, f) for c in COMPILERS if compiler_version(c) for f in FLAGS]
+    if not kinds:
+        raise EnvironmentFault(f"no compiler: none of {', '.join(COMPILERS)} is installed")
+
+    def made(kind: tuple[str, str]) -> Path:
+        compiler, flags = kind
+        folders = (headers, headers / "eigen3")
+        return build(text, "bench_pinocchio", compiler, FLAGS[flags], folders)
+
+    with ThreadPoolExecutor(2) as pool:
+        return dict(zip(kinds, pool.map(made, kinds), strict=True))
+
+
+def _headers() -> Path:
+    """Return the folder that holds pinocchio's, Eigen's and Boost's headers."""
+    for name in ("libpinocchio", "pin"):
+        try:
+            wheel = metadata.distribution(name)
+        except metadata.PackageNotFoundError:
+            continue
+        folder = Path(str(wheel.locate_file("cmeel.prefix/include")))
+        if (folder / "pinocchio" / "algorithm" / "aba.hpp").is_file():
+            return folder
+    raise EnvironmentFault("pinocchio is installed without its headers: pip install 'pin>=3'")
+
+
+def coordinates(model: Model, states: States) -> Coordinates:
+    """Return states as pinocchio has them: like adagen's, but for a planar joint's angle."""
+    columns = []
+    for j, joint in enumerate(model.joints):
+        own = states.q[:, model.q_start[j] : model.q_start[j] + joint.kind.nq]
+        if joint.kind.name == "planar":
+            own = np.column_stack((own[:, :2], np.cos(own[:, 2]), np.sin(own[:, 2])))
+        columns.append(own)
+    return Coordinates(np.hstack(columns), states.v, states.tau)
+
+
+def _description(model: Model) -> str:
+    """Return the robot as the program reads it, every number to the last bit."""
+    lines = [_numbers(model.gravity)]
+    for joint, link in zip(model.joints, model.links[1:], strict=True):
+        inertia = link.inertia
+        numbers = (joint.rotation, joint.translation, [inertia.mass], inertia.com, inertia.tensor)
+        words = " ".join(_numbers(x) for x in numbers)
+        lines.append(f"{joint.kind.name} {joint.parent} {words}")
+    return "\n".join([*lines, ""])
+
+
+def _numbers(values: object) -> str:
+    return " ".join(repr(float(x)) for x in np.asarray(values, dtype=np.float64).ravel())

@@ -1,0 +1,140 @@
+"""A peer's program: compiled from C++ once, run on a file of states any number of times."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.build import Toolchain, build_executable
+from adagen.build.toolchain import STANDARD
+from adagen.errors import EnvironmentFault, printable
+from adagen.studies.bench.contest import Turn
+
+Array = NDArray[np.float64]
+SOURCES = Path(__file__).parent / "programs"
+NATIVE = ("-O3", "-march=native", "-DNDEBUG", "-fno-math-errno")
+PORTABLE = ("-O3", "-DNDEBUG", "-fno-math-errno")
+TIMEOUT = 120.0
+
+
+@cache
+def source(name: str) -> str:
+    """Return the text of one of this package's programs, with what each has in common before it."""
+    texts = ("measure.hpp", name)
+    return "".join((SOURCES / text).read_text(encoding="utf-8") for text in texts)
+
+
+def build(
+    text: str,
+    name: str,
+    compiler: str,
+    flags: Sequence[str],
+    includes: Sequence[Path] = (),
+    libraries: Sequence[str] = (),
+) -> Path:
+    """Return the executable of a program, compiled now or found in the cache.
+
+    Args:
+        text: all of its source.
+        name: file name of the executable.
+        compiler: g++ or clang++.
+        flags: options of the compiler.
+        includes: folders of headers; the last one is where Eigen's version is looked for.
+        libraries: shared libraries with their paths, and options of the linker.
+
+    Raises:
+        EnvironmentFault: the compiler failed, or is missing.
+    """
+    folders = [word for folder in includes for word in ("-isystem", str(folder))]
+    linked = ["-Wl,--no-as-needed", *libraries] if libraries else []
+    toolchain = Toolchain(
+        mpicxx=(compiler,),
+        mpiexec=(),
+        eigen=includes[-1] if includes else SOURCES,
+        flags=(*STANDARD, *flags, *folders, *linked),
+        wheel=False,
+    )
+    return build_executable(text, name, toolchain)
+
+
+@dataclass(frozen=True)
+class Coordinates:
+    """States as a peer wants them, each of shape (S, ...)."""
+
+    q: Array
+    v: Array
+    tau: Array
+
+    def write(self, path: Path) -> None:
+        """Write them as the programs read them: sizes, then rows of q, v and tau."""
+        sizes = np.array([len(self.q), self.q.shape[1], self.v.shape[1]], dtype=np.float64)
+        parts = (sizes, self.q, self.v, self.tau)
+        path.write_bytes(
+            b"".join(np.ascontiguousarray(x, dtype=np.float64).tobytes() for x in parts)
+        )
+
+
+@contextmanager
+def laid_anew(executable: Path) -> Iterator[Path]:
+    """Lend a copy of a program.
+
+    Where in memory a file's pages lie decides how its code shares caches, for as long as the file
+    is kept in memory: small solvers differ by a third. Copies lie elsewhere each time.
+    """
+    with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
+        copy = Path(folder, executable.name)
+        shutil.copy2(executable, copy)
+        yield copy
+
+
+@dataclass(frozen=True)
+class Program:
+    """A built program and the words it is called with, around STATES RESULT REPEAT."""
+
+    executable: Path
+    before: tuple[str, ...] = ()
+    after: tuple[str, ...] = ()
+
+    def answers(self, states: Coordinates) -> Array:
+        """Return the accelerations that it gives, in its own coordinates, shape (S, nv)."""
+        with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
+            given = Path(folder, "states")
+            states.write(given)
+            return self._run(given, Path(folder, "result"), 1)[1].reshape(states.v.shape)
+
+    def turn(self, states: Path, repeat: int) -> dict[str, Turn]:
+        """Time each of the states in a file ``repeat`` times."""
+        with laid_anew(self.executable) as copy:
+            said, _ = replace(self, executable=copy)._run(states, copy.with_name("result"), repeat)
+        return {"in_place": Turn(float(said["median_ns"]), float(said["min_ns"]))}
+
+    def _run(self, states: Path, result: Path, repeat: int) -> tuple[dict[str, Any], Array]:
+        words = [*self.before, str(states), str(result), str(repeat), *self.after]
+        name = self.executable.name
+        try:
+            done = subprocess.run(
+                [str(self.executable), *words],
+                capture_output=True,
+                text=True,
+                errors="replace",
+                check=False,
+                timeout=TIMEOUT,
+            )
+        except subprocess.TimeoutExpired:
+            raise EnvironmentFault(f"{name}: no answer within {TIMEOUT:g} s") from None
+        if done.returncode != 0:
+            said = printable(" ".join(done.stderr.split()))[:300]
+            raise EnvironmentFault(f"{name} failed: {said or f'status {done.returncode}'}")
+        report: dict[str, Any] = json.loads(done.stdout)
+        return report, np.fromfile(result, dtype=np.float64)

@@ -1,0 +1,163 @@
+"""What a chart holds, as data: JSON, CSV, and the points that no other beats."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import io
+import json
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from adagen.errors import InputError
+from adagen.wholefile import write_whole
+
+
+@dataclass(frozen=True)
+class Point:
+    """One way to compute, and how fast and how right it is.
+
+    Attributes:
+        label: its name.
+        team: whose it is: adagen, baseline, or a peer's name.
+        algorithm: a key of ``adagen.studies.chart.variants.NAMES``, or what a peer calls it.
+        schedule: of adagen's forms.
+        scalar: "double", "float" or "mixed".
+        processes: P.
+        refine: steps of iterative refinement.
+        shape: shape of the code.
+        time_ns: median time of an evaluation, state and result in place; None where not timed.
+        source: of the time: "clock", or "stretches" of computing, played through, where there are
+            more processes than cores; None where not timed.
+        ratio: median over the rounds of its time over the reference's.
+        error: largest forward error in the energy norm; None where it failed.
+        residual: largest torque residual.
+        predicted: eps times the sum of g, what joins are predicted to lose; None where none are.
+        why: the reason where it failed or was not timed.
+        front: whether nothing is both faster and more accurate.
+    """
+
+    label: str
+    team: str
+    algorithm: str
+    schedule: str
+    scalar: str
+    processes: int
+    refine: int
+    shape: str
+    time_ns: float | None = None
+    source: str | None = None
+    ratio: float | None = None
+    error: float | None = None
+    residual: float | None = None
+    predicted: float | None = None
+    why: str | None = None
+    front: bool = False
+
+    @property
+    def failed(self) -> bool:
+        """Whether it gives no answer."""
+        return self.error is None
+
+    @property
+    def clocked(self) -> bool:
+        """Whether its time is one by the clock of the machine."""
+        return self.time_ns is not None and self.source != "stretches"
+
+
+@dataclass(frozen=True)
+class Chart:
+    """A robot's work-precision diagram as data.
+
+    Attributes:
+        model: the robot's name.
+        dof: its degrees of freedom.
+        states: how many the errors are the largest of.
+        digits: certified digits of the truth.
+        rounds: in which all variants were timed by turns.
+        machine: where.
+        points: the variants.
+    """
+
+    model: str
+    dof: int
+    states: int
+    digits: int
+    rounds: int
+    machine: str
+    points: tuple[Point, ...]
+
+
+def front(points: Sequence[Point]) -> set[int]:
+    """Return which points are on the Pareto front: none is as fast and as right, and better in one.
+
+    Args:
+        points: any; those without a time by the clock, or finite error, are not on it.
+    """
+    known = sorted(
+        (p.time_ns, p.error, k)
+        for k, p in enumerate(points)
+        if p.time_ns is not None and p.clocked and p.error is not None and math.isfinite(p.error)
+    )
+    best, last, found = math.inf, (math.nan, math.nan), set()
+    for time, error, k in known:
+        if error < best or (time, error) == last:  # a double of one on the front is on it too
+            found.add(k)
+            best, last = error, (time, error)
+    return found
+
+
+def marked(points: Sequence[Point]) -> tuple[Point, ...]:
+    """Return the points, those on the front marked."""
+    on = front(points)
+    return tuple(dataclasses.replace(p, front=k in on) for k, p in enumerate(points))
+
+
+def write_json(chart: Chart, path: Path) -> None:
+    """Write a chart that ``read_chart`` reads back.
+
+    Raises:
+        EnvironmentFault: writing failed.
+    """
+    write_whole(path, json.dumps(dataclasses.asdict(chart), indent=1, allow_nan=False) + "\n")
+
+
+def read_chart(path: Path) -> Chart:
+    """Read a chart.
+
+    Raises:
+        InputError: it cannot be read, or is none.
+    """
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+        points = tuple(Point(**point) for point in data.pop("points"))
+        return Chart(points=points, **data)
+    except OSError as error:
+        raise InputError(f"cannot read it: {error.strerror}", str(path)) from None
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        raise InputError("not a chart as adagen chart writes it", str(path)) from None
+
+
+def write_csv(chart: Chart, path: Path) -> None:
+    """Write a chart's points, a line each under the names of their attributes.
+
+    Raises:
+        EnvironmentFault: writing failed.
+    """
+    names = [field.name for field in dataclasses.fields(Point)]
+    write_rows(path, ["model", *names], [{"model": chart.model, **vars(p)} for p in chart.points])
+
+
+def write_rows(path: Path, names: Sequence[str], rows: Iterable[Mapping[str, object]]) -> None:
+    """Write CSV: a line of names, then a line for each row; None is empty.
+
+    Raises:
+        EnvironmentFault: writing failed.
+    """
+    text = io.StringIO()
+    writer = csv.DictWriter(text, names, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    write_whole(path, text.getvalue())

@@ -1,0 +1,117 @@
+"""Pictures of the maps, and of all errors against the condition of H."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from adagen.errors import EnvironmentFault
+from adagen.studies.stability.maps import Map
+from adagen.studies.stability.methods import EPSILON
+
+_PANELS = (
+    "composite bodies",
+    "composite bodies, float",
+    "articulated bodies, textbook",
+    "form ada",
+    "form segment",
+    "form segment, refined once",
+)
+_FLOAT_EPSILON = 2.0**-24
+_LEAST, _MOST = 1e-17, 1e2  # smaller errors are drawn at the lower edge, failures at the upper one
+_MARKERS = "os^vDP*X<>h"
+
+
+def _figure(width: float, height: float) -> Any:
+    """Return an empty figure of matplotlib, its size in inches.
+
+    Raises:
+        EnvironmentFault: matplotlib is missing.
+    """
+    try:
+        import matplotlib as mpl
+        from matplotlib.figure import Figure
+    except ImportError:
+        raise EnvironmentFault(
+            "drawing needs matplotlib; install adagen[chart], or leave --map out"
+        ) from None
+    mpl.rcParams["svg.hashsalt"] = "adagen"
+    mpl.rcParams["svg.fonttype"] = "none"
+    return Figure(figsize=(width, height), layout="constrained")
+
+
+def _save(figure: Any, path: Path) -> None:
+    metadata = {"Date": None} if path.suffix == ".svg" else None
+    figure.savefig(path, dpi=110, metadata=metadata)
+
+
+def draw_map(found: Map, path: Path) -> None:
+    """Draw a map: green where digits are kept, red where none is left.
+
+    Args:
+        found: the map.
+        path: where to, .svg or .png.
+
+    Raises:
+        EnvironmentFault: matplotlib is missing.
+    """
+    rows, columns = len(found.methods), len(found.values)
+    figure = _figure(3.4 + 0.8 * columns, 1.3 + 0.36 * rows)
+    axes = figure.add_subplot()
+    table = np.array(found.digits)
+    image = axes.imshow(table, cmap="RdYlGn", vmin=0, vmax=16, aspect="auto")
+    axes.set_xticks(range(columns), [f"{value:g}" for value in found.values])
+    axes.set_yticks(range(rows), found.methods)
+    axes.set_xlabel(found.axis)
+    axes.set_title(f"{found.family}: decimal digits kept", loc="left")
+    for row in range(rows):
+        for column in range(columns):
+            kept = table[row, column]
+            text = f"{kept:.0f}" if kept >= 0.5 else "fails"
+            colour = "white" if kept < 2 or kept > 14.5 else "black"
+            axes.text(column, row, text, ha="center", va="center", fontsize=9, color=colour)
+    figure.colorbar(image, label="digits")
+    _save(figure, path)
+
+
+def draw_conditions(maps: Sequence[Map], path: Path) -> None:
+    """Draw errors against cond(H) eps, a panel for each method, a marker for each family.
+
+    Args:
+        maps: of families of robots; those without conditions are left out.
+        path: where to, .svg or .png.
+
+    Raises:
+        EnvironmentFault: matplotlib is missing.
+    """
+    shown = [found for found in maps if found.conditions]
+    figure = _figure(11.5, 6.6)
+    grid = figure.subplots(2, 3, sharey=True)
+    for panel, method in zip(grid.flat, _PANELS, strict=True):
+        epsilon = _FLOAT_EPSILON if "float" in method else EPSILON
+        for k, found in enumerate(shown):
+            errors = found.errors[found.methods.index(method)]
+            panel.loglog(
+                np.array(found.conditions) * epsilon,
+                np.clip(errors, _LEAST, _MOST),
+                _MARKERS[k % len(_MARKERS)],
+                color=f"C{k % 10}",
+                ms=6,
+                alpha=0.8,
+                label=found.family,
+            )
+        ends = np.array(panel.get_xlim())
+        panel.plot(ends, ends, color="black", lw=0.8, ls="--", scalex=False)
+        panel.axhline(epsilon, color="black", lw=0.8, ls=":")
+        panel.set_ylim(_LEAST / 3, _MOST * 3)
+        panel.set_title(method, loc="left", fontsize=10)
+        panel.grid(alpha=0.25)
+    figure.supxlabel("cond(H) eps")
+    figure.supylabel("forward error in the energy norm")
+    figure.suptitle("dashed: error = cond(H) eps; dotted: eps; failures at the upper edge")
+    handles, names = grid.flat[0].get_legend_handles_labels()
+    figure.legend(handles, names, loc="outside right center", frameon=False)
+    _save(figure, path)

@@ -1,0 +1,205 @@
+"""Charts as data and as pictures."""
+
+from __future__ import annotations
+
+import builtins
+import csv
+import json
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree as ET
+
+import jsonschema
+import numpy as np
+import pytest
+
+from adagen.cli import main
+from adagen.cli.console import speaking
+from adagen.errors import EnvironmentFault, InputError
+from adagen.studies.chart import Chart, Point, read_chart, write_csv, write_json
+from adagen.studies.chart.draw import pyplot, save, work_precision
+from adagen.studies.chart.motion import MotionChart, MotionPoint
+from adagen.studies.chart.record import marked
+
+OPTIONAL = {"type": ["number", "null"], "minimum": 0}
+SCHEMA = {
+    "type": "object",
+    "required": ["model", "dof", "states", "digits", "rounds", "machine", "points"],
+    "additionalProperties": False,
+    "properties": {
+        "model": {"type": "string"},
+        "machine": {"type": "string"},
+        "dof": {"type": "integer"},
+        "states": {"type": "integer", "minimum": 1},
+        "digits": {"type": "integer"},
+        "rounds": {"type": "integer"},
+        "points": {
+            "type": "array",
+            "items": {
+                "type": "object",
+                "required": [field.name for field in fields(Point)],
+                "additionalProperties": False,
+                "properties": {
+                    **{n: {"type": "string"} for n in ("label", "team", "algorithm", "shape")},
+                    "schedule": {"enum": ["auto", "balanced", "sequential", "random"]},
+                    "scalar": {"enum": ["double", "float"]},
+                    "processes": {"type": "integer", "minimum": 1},
+                    "refine": {"type": "integer", "minimum": 0},
+                    **dict.fromkeys(("time_ns", "ratio", "error", "residual"), OPTIONAL),
+                    "predicted": OPTIONAL,
+                    "source": {"enum": ["clock", "stretches", None]},
+                    "why": {"type": ["string", "null"]},
+                    "front": {"type": "boolean"},
+                },
+            },
+        },
+    },
+}
+
+
+def some_chart() -> Chart:
+    segment = Point("form segment", "adagen", "segment", "auto", "double", 1, 0, "auto")
+    points = (
+        replace(segment, time_ns=900.0, ratio=1.0, error=3e-16, residual=5e-16),
+        replace(segment, label="float", scalar="float", time_ns=700.0, ratio=0.8, error=2e-7,
+                residual=1e-7),
+        replace(segment, label="ada", algorithm="ada", time_ns=4e3, ratio=4.4, error=1e-14,
+                residual=1e-15, predicted=3e-14),
+        replace(segment, label="ada refined", algorithm="ada", refine=1, time_ns=6e3, ratio=6.6,
+                error=2e-16, residual=1e-15),
+        replace(segment, label="four", processes=4, time_ns=500.0, ratio=0.6, source="stretches",
+                error=2e-16, residual=1e-15),
+        replace(segment, label="gone", processes=2, error=4e-16, residual=1e-15, why="no answer"),
+        replace(segment, label="broken", algorithm="ada", why='joint "a": no inverse'),
+    )  # fmt: skip
+    return Chart("robot", 7, 20, 100, 5, "a machine", marked(points))
+
+
+class TestData:
+    def test_json_is_read_back_and_keeps_its_schema(self, tmp_path: Path) -> None:
+        chart = some_chart()
+        write_json(chart, tmp_path / "c.json")
+        assert read_chart(tmp_path / "c.json") == chart
+        jsonschema.validate(json.loads((tmp_path / "c.json").read_text()), SCHEMA)
+
+    def test_the_front_is_marked(self) -> None:
+        on = [p.label for p in some_chart().points if p.front]
+        assert on == ["form segment", "float", "ada refined"]
+
+    def test_csv_has_a_line_for_each_point(self, tmp_path: Path) -> None:
+        chart = some_chart()
+        write_csv(chart, tmp_path / "c.csv")
+        with (tmp_path / "c.csv").open(newline="") as file:
+            rows = list(csv.DictReader(file))
+        assert [row["label"] for row in rows] == [p.label for p in chart.points]
+        assert [float(row["error"] or "nan") for row in rows[:2]] == [3e-16, 2e-7]
+        assert rows[-1]["why"] == 'joint "a": no inverse' and rows[-1]["time_ns"] == ""
+
+    @pytest.mark.parametrize("text", ["", "[]", '{"points": 3}', '{"points": [{"x": 1}]}'])
+    def test_what_is_no_chart_is_refused(self, text: str, tmp_path: Path) -> None:
+        (tmp_path / "c.json").write_text(text)
+        with pytest.raises(InputError, match="not a chart"):
+            read_chart(tmp_path / "c.json")
+
+
+class TestPictures:
+    @pytest.fixture(autouse=True)
+    def _drawing(self) -> None:
+        pytest.importorskip("matplotlib")
+
+    def check(self, paths: list[Path]) -> str:
+        """The PNG shows something; return the text of the SVG."""
+        svg, png = paths
+        image: Any = pyplot().imread(png)
+        assert image.shape[0] > 400 and image.shape[1] > 800
+        assert 0.02 < float((image[..., :3] < 0.9).any(axis=-1).mean()) < 0.6
+        assert len(np.unique(image.reshape(-1, image.shape[-1]), axis=0)) > 20
+        ET.parse(svg)
+        return svg.read_text()
+
+    def test_a_chart_becomes_a_picture_with_all_its_marks(self, tmp_path: Path) -> None:
+        text = self.check(save(work_precision(some_chart()), tmp_path / "c"))
+        for words in (
+            "Pareto front", "ringed: time from measured stretches",
+            "form segment: 900 ns, 1.00x", "no answer", "No answer:", "Not timed:", "eps,"
+        ):  # fmt: skip
+            assert f"<!-- {words}" in text or words in text
+
+    def test_numbers_of_the_front_do_not_cover_each_other(self) -> None:
+        (first, *_) = some_chart().points
+        front = [
+            replace(first, label=f"v{k}", time_ns=time, error=error, front=True)
+            for k, (time, error) in enumerate(
+                [(200, 1e-6), (1400, 3.2e-15), (1401, 3.1e-15), (1450, 3e-15), (9000, 1e-16)]
+                + [(9000 * 2**k, 10 ** (-17 - k)) for k in range(8)]
+            )
+        ]
+        figure = work_precision(replace(some_chart(), points=tuple(front)))
+        said = [text.get_text() for text in figure.axes[0].texts]
+        assert "1" in said and "2-4" in said and "5" in said
+        assert not {"2", "3", "4"} & set(said)
+        words = [text.get_text() for axes in figure.axes for text in axes.texts]
+        (listed,) = [text for text in words if text.startswith("Pareto front")]
+        assert listed.endswith("in the data)") and "v8" in listed and "v9" not in listed
+
+    def test_a_chart_of_failures_alone_is_a_picture_too(self, tmp_path: Path) -> None:
+        chart = some_chart()
+        save(work_precision(replace(chart, points=chart.points[-1:])), tmp_path / "c")
+
+    def test_a_motion_chart_becomes_a_picture(self, tmp_path: Path) -> None:
+        from adagen.studies.chart.draw_motion import motion_picture
+
+        points = tuple(
+            MotionPoint(name, h, 1e-3 / h, c * h**order, c * h**order, c * h**order)
+            for name, order, c in (("euler", 1, 1.0), ("rk4", 4, 1.0))
+            for h in (4e-2, 2e-2, 1e-2)
+        )
+        chart = MotionChart("robot", 1.0, 1e-4, 1e-15, points)
+        assert chart.order("rk4", "error") == pytest.approx(4)
+        assert chart.order("euler", "energy") == pytest.approx(1)
+        assert chart.order("rkmk4", "error") is None
+        self.check(save(motion_picture(chart), tmp_path / "m"))
+        damped = replace(
+            chart, points=tuple(replace(p, energy=None, momentum=None) for p in points)
+        )
+        (panel,) = motion_picture(damped).axes
+        assert "wall time" in panel.get_xlabel()
+
+
+def test_progress_is_told_now_and_then_where_there_is_no_terminal(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    now = 0.0
+    monkeypatch.setattr("adagen.cli.console.time.monotonic", lambda: now)
+    with speaking("arm") as said:
+        for k in range(1, 31):
+            said(f"compiling {k} of 30")
+            now += 1.0
+        said("round 1 of 5")
+    assert capsys.readouterr().err.splitlines() == [
+        f"arm: {words} ..."
+        for words in (
+            "compiling 1 of 30",
+            "compiling 12 of 30",
+            "compiling 23 of 30",
+            "round 1 of 5",
+        )
+    ]
+
+
+def test_without_matplotlib_it_is_said_what_to_install(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    real = builtins.__import__
+
+    def refuse(name: str, *rest: Any, **more: Any) -> Any:
+        if name.startswith("matplotlib"):
+            raise ImportError(name)
+        return real(name, *rest, **more)
+
+    monkeypatch.setattr(builtins, "__import__", refuse)
+    with pytest.raises(EnvironmentFault, match=r"pip install 'adagen\[chart\]'"):
+        pyplot()
+    assert main(["chart", "none.urdf"]) == 3
+    assert "--no-picture" in capsys.readouterr().err
