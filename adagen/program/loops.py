@@ -24,7 +24,7 @@ from adagen.plan.steps import (
     Step,
 )
 from adagen.plan.types import Plan, Process
-from adagen.program.names import PASSING, does
+from adagen.program.names import PASSING
 from adagen.program.runs import (
     Run,
     ends_of_run,
@@ -87,7 +87,7 @@ class Loops:
                     together[kind](list(group))
                 else:
                     for step in group:
-                        self._add(does(step), None, "step", (step,))
+                        self._add(step.does, None, "step", (step,))
         return tuple(self.found)
 
     def _add(

@@ -10,7 +10,6 @@ from adagen.plan.stages import stages
 from adagen.plan.steps import Step
 from adagen.plan.types import Plan, Process
 from adagen.program.loops import Loops
-from adagen.program.names import does
 from adagen.program.slots import Slots
 from adagen.program.types import Method, Operation, ProcessProgram, Program
 
@@ -60,7 +59,7 @@ def _step_by_step(process: Process, method: Method) -> tuple[Operation, ...]:
     """One operation for each step."""
     steps: tuple[Step, ...] = process.steps
     return tuple(
-        Operation(does(step), None, method, (step,), number)
+        Operation(step.does, None, method, (step,), number)
         for number, stage in enumerate(stages(process))
         for step in steps[stage.first : stage.last]
     )

@@ -45,7 +45,7 @@ class Operation:
     """Steps of a plan that are carried out together.
 
     Attributes:
-        does: what it does, a value of ``DOES`` or a key of ``PREPARES``.
+        does: what it does, its steps' ``does``, or a key of ``PREPARES``.
         block: joints or links that it is done for; None where a message or nothing but the step
             says that.
         method: how the block is passed.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from adagen.plan.steps.names import Bias, Block, Force
 
@@ -11,6 +12,9 @@ from adagen.plan.steps.names import Bias, Block, Force
 class StartLink:
     """I^A and p^A of a link start as its own inertia and v x* I v (Featherstone, RBDA 7.3)."""
 
+    does: ClassVar[str] = "link_inertia"
+    about: ClassVar[str] = "force that the reference field takes"
+
     link: int
 
 
@@ -18,12 +22,18 @@ class StartLink:
 class StartEmpty:
     """I^A and p^A of a link start as zero: the link itself is another process's to add."""
 
+    does: ClassVar[str] = "clear_inertia"
+    about: ClassVar[str] = "nothing: it is another process's to add"
+
     link: int
 
 
 @dataclass(frozen=True)
 class FreeBase:
     """A floating joint on the ground only adds its torque to the link: nothing holds the link."""
+
+    does: ClassVar[str] = "free_base"
+    about: ClassVar[str] = "its torque on the base"
 
     joint: int
 
@@ -36,6 +46,10 @@ class Articulate:
     where ``reversed`` (the segment's root lies below the joint). By exact projection.
     """
 
+    does: ClassVar[str] = "articulate"
+    about: ClassVar[str] = "articulated-body inertia and bias force through it"
+    about_row: ClassVar[str] = "articulated-body inertia and bias force through them"
+
     joint: int
     reversed: bool
 
@@ -43,6 +57,9 @@ class Articulate:
 @dataclass(frozen=True)
 class InvertRoot:
     """Phi = (I^A)^-1 and b = -Phi p^A of a segment's root that is a handle."""
+
+    does: ClassVar[str] = "invert_root"
+    about: ClassVar[str] = "mobility from its articulated-body inertia"
 
     link: int
     block: Block
@@ -53,12 +70,18 @@ class InvertRoot:
 class SolveRoot:
     """Acceleration of a segment's root that is no handle: I^A a = -p^A."""
 
+    does: ClassVar[str] = "solve_root"
+    about: ClassVar[str] = "acceleration from its articulated-body inertia"
+
     link: int
 
 
 @dataclass(frozen=True)
 class SolveMobility:
     """Acceleration of a link whose one side shows its mobility: (1 + Phi I^A) a = b - Phi p^A."""
+
+    does: ClassVar[str] = "solve_mobility"
+    about: ClassVar[str] = "acceleration from its mobility and its articulated-body inertia"
 
     link: int
     block: Block
@@ -73,6 +96,9 @@ class HoldMobility:
     only one more body. Where Phi is too near to a singular matrix (a straight arm), the evaluation
     is done again by the processes' ``recovery`` steps.
     """
+
+    does: ClassVar[str] = "hold_mobility"
+    about: ClassVar[str] = "what holds it, taken for a body"
 
     link: int
     block: Block
@@ -108,6 +134,9 @@ class Propagate:
         spreads: couplings with handles passed before.
     """
 
+    does: ClassVar[str] = "propagate"
+    about: ClassVar[str] = "mobility and acceleration beyond it"
+
     joint: int
     reversed: bool
     block: Block
@@ -121,6 +150,9 @@ class Propagate:
 class Load:
     """What handle forces load a link with, before the joints beyond it add theirs."""
 
+    does: ClassVar[str] = "load"
+    about: ClassVar[str] = "handle forces on it"
+
     link: int
     force: Force | None
 
@@ -132,6 +164,9 @@ class LoadRoot:
     With ``held``, I^A and p^A are what holds the link, and its load is the opposite.
     """
 
+    does: ClassVar[str] = "load_root"
+    about: ClassVar[str] = "force that its acceleration takes"
+
     link: int
     held: bool = False
 
@@ -140,6 +175,9 @@ class LoadRoot:
 class Deliver:
     """The load on a joint's far link, through the joint, onto its near link: L^T."""
 
+    does: ClassVar[str] = "deliver"
+    about: ClassVar[str] = "handle forces through it"
+
     joint: int
     reversed: bool
 
@@ -147,6 +185,9 @@ class Deliver:
 @dataclass(frozen=True)
 class AccelerateRoot:
     """Acceleration of a root that is a handle: a = b + Phi load."""
+
+    does: ClassVar[str] = "accelerate_root"
+    about: ClassVar[str] = "acceleration under the handle forces"
 
     link: int
     block: Block
@@ -157,12 +198,19 @@ class AccelerateRoot:
 class FreeAcceleration:
     """qdd of a floating joint on the ground, from its link's acceleration."""
 
+    does: ClassVar[str] = "free_acceleration"
+    about: ClassVar[str] = "acceleration of the base"
+
     joint: int
 
 
 @dataclass(frozen=True)
 class Accelerate:
     """qdd of a joint and the acceleration of its far link."""
+
+    does: ClassVar[str] = "accelerate"
+    about: ClassVar[str] = "its acceleration, and that of the link beyond"
+    about_row: ClassVar[str] = "their accelerations, and those of the links beyond"
 
     joint: int
     reversed: bool

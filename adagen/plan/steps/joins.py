@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from adagen.plan.steps.names import Bias, Block, Force
 
@@ -10,6 +11,9 @@ from adagen.plan.steps.names import Bias, Block, Force
 @dataclass(frozen=True)
 class LinkBias:
     """b of a bare link: its acceleration when nothing acts on it."""
+
+    does: ClassVar[str] = "link_bias"
+    about: ClassVar[str] = "acceleration where nothing acts on it"
 
     link: int
 
@@ -59,6 +63,9 @@ class Join:
         velocity_product: whether c = v x S qd can differ from zero: not next to the ground.
     """
 
+    does: ClassVar[str] = "join"
+    about: ClassVar[str] = "assembly: its two sides become one chain"
+
     joint: int
     a: Block | None
     a_bias: Bias | None
@@ -82,6 +89,9 @@ class FusedJoin(Join):
         run: the joints, outwards.
     """
 
+    does: ClassVar[str] = "fused_join"
+    about: ClassVar[str] = "assembly of the run that it ends: its two sides become one chain"
+
     run: tuple[int, ...]
 
 
@@ -103,6 +113,9 @@ class Disassemble:
         forces: the outer wrenches on the handles that the join coupled, in its order.
         updates: the wrenches that the two parts get to feel.
     """
+
+    does: ClassVar[str] = "disassemble"
+    about: ClassVar[str] = "disassembly: its acceleration and force"
 
     joint: int
     forces: tuple[Force, ...]

@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 
 @dataclass(frozen=True)
 class Kinematics:
     """Transform and velocity of a joint's child link."""
+
+    does: ClassVar[str] = "kinematics"
+    about: ClassVar[str] = "placement, velocity and reference acceleration of its link"
+    about_row: ClassVar[str] = "placement, velocity and reference acceleration of their links"
 
     joint: int
 
@@ -16,12 +21,18 @@ class Kinematics:
 class Send:
     """Hand a message to its target."""
 
+    does: ClassVar[str] = "send"
+    about: ClassVar[str] = "message sent"
+
     message: int
 
 
 @dataclass(frozen=True)
 class Receive:
     """Wait for a message."""
+
+    does: ClassVar[str] = "receive"
+    about: ClassVar[str] = "message received"
 
     message: int
 
@@ -30,7 +41,13 @@ class Receive:
 class SolveCoupling:
     """The torques that keep slaved joints in step, from all processes' accelerations."""
 
+    does: ClassVar[str] = "solve_coupling"
+    about: ClassVar[str] = "torques that keep slaved joints in step"
+
 
 @dataclass(frozen=True)
 class ApplyCoupling:
     """Add what these torques do to this process's accelerations."""
+
+    does: ClassVar[str] = "apply_coupling"
+    about: ClassVar[str] = "accelerations under these torques"
