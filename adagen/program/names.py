@@ -1,4 +1,4 @@
-"""What operations are called that carry out no step of their own; others are called ``step.does``."""
+"""What operations are called that carry out no step of their own; others by ``step.does``."""
 
 from __future__ import annotations
 
