@@ -20,7 +20,6 @@ from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
-from adagen.plan.steps import FusedJoin
 from adagen.program import lower
 from adagen.schedule import CostProfile, load_profile
 
@@ -97,9 +96,6 @@ def _cheapest(plan: Plan, profile: CostProfile | None) -> str:
     several = sum(bool(process.steps) for process in plan.processes) > 1
     if (plan.form == "ada" and several) or unrolled.why_not(plan) is not None:
         return loops
-    steps = (step for process in plan.processes for step in process.steps)
-    if any(isinstance(step, FusedJoin) for step in steps):
-        return loops  # which warn where such joints are near gimbal lock
     if sum(KINDS[joint.kind].nv for joint in plan.joints) > MOST_FREEDOMS:
         return loops
     if profile is None or profile.steps is None:

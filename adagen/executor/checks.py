@@ -19,12 +19,14 @@ class Check:
         least: what it must exceed.
         joint: what fails otherwise.
         failure: how.
+        near: below this it is no failure yet, but digits are lost; 0: nothing is told.
     """
 
     pivot: Expression
     least: Expression
     joint: int
     failure: str = "kFactorization"
+    near: float = 0.0
 
 
 def exceeds(value: Expression, least: Expression) -> bool:

@@ -20,7 +20,7 @@ from adagen.executor.kinematics import Motion
 from adagen.executor.state import State
 from adagen.graph import Expression, Graph, matrix_times, reflect, total
 from adagen.model.kinds import HELD
-from adagen.plan.digits import GIMBAL_LOCK
+from adagen.plan.digits import GIMBAL_LOCK, NEAR_GIMBAL_LOCK
 from adagen.plan.steps import FusedJoin, Join
 from adagen.plan.types import FACTORS
 
@@ -124,7 +124,8 @@ def _frame_of_run(state: State, motion: Motion, step: FusedJoin) -> JointFrame:
         s = np.hstack([s, state.constants(np.eye(6)[:, list(kind.free)])])
     turn, lock = joint_coordinates(state.graph, s)
     least = state.graph.constant(GIMBAL_LOCK[FACTORS[state.plan.scalar]] ** 2)
-    state.checks.append(Check(lock, least, step.joint, "kGimbalLock"))
+    near = NEAR_GIMBAL_LOCK**2  # lock is a square, too
+    state.checks.append(Check(lock, least, step.joint, "kGimbalLock", near))
     n = s.shape[1]
     ends = accumulate((state.kind(j).nv for j in step.run), initial=0)
     parts = tuple(slice(*ends) for ends in pairwise(ends))

@@ -17,7 +17,10 @@ KEPT = 128
 """What of a bare link's mobility must be left, in units of the rounding error of one operation."""
 
 GIMBAL_LOCK = {"double": 1e-7, "float": 2.0**-19}
-"""Joints that are joined as one are so near to gimbal lock (1 / |S^+|) at the least."""
+"""Joints that are joined as one are farther from gimbal lock (1 / |S^+|) than this."""
+
+NEAR_GIMBAL_LOCK = 1e-3
+"""Nearer than this they lose three digits and more, which is told as a warning."""
 
 LEAST_PIVOT = {"double": 1e-5, "float": 1e-2}
 """Least pivot of Phi with which a mobility is taken for an inertia, angular and linear pivots each

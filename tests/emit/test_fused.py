@@ -65,9 +65,10 @@ def tilted(model: Model, angle: float) -> States:
     return replace(states, q=q)
 
 
-def test_gimbal_lock_is_told(builder: Builder, tmp_path: Path) -> None:
+@pytest.mark.parametrize("shape", ["joints", "unrolled"])
+def test_gimbal_lock_is_told(shape: str, builder: Builder, tmp_path: Path) -> None:
     model = three_axis_chain(2)
-    solver = builder.solver(balanced(model, 2, "ada"), ("-O0",), name="runs")
+    solver = builder.solver(balanced(model, 2, "ada"), ("-O0",), name="runs", shape=shape)
     names = 'joints "b01x", "b01y", "b01z": '
     given, result = tmp_path / "s.json", tmp_path / "r.json"
     write_states(tilted(model, 0.0), model, given)

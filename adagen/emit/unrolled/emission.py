@@ -63,6 +63,7 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
         "places": max((row.layout.places for row in rows), default=0),
         "angle_count": -(-angles // _ANGLES_AT_ONCE) * _ANGLES_AT_ONCE if wide else angles,
         "wide": wide,
+        "near_lock": not words.batch and any(c.near for s in line for c in s.machine.checks),
         "wide_results": max((row.count_of_lanes for row in rows), default=0),
     }
 
@@ -137,7 +138,11 @@ class _ProcessText:
                 names = f"{self.text.name(pivot.index)}, {self.text.name(least.index)}"
                 blamed = self._blamed(pivot, check.joint)
                 line = f"require_more(w, {names}, {check.failure}, {blamed});"
-                lines[(looked_at(check, self.layout.turns) or [pivot.index])[-1]].append(line)
+                after = lines[(looked_at(check, self.layout.turns) or [pivot.index])[-1]]
+                after.append(line)
+                if check.near and not self.words.batch:
+                    name, near = self.text.name(pivot.index), f"Real({check.near!r})"
+                    after.append(f"if ({name} < {near}) w.near_lock = {check.joint + 1};")
         for number, content in self.machine.sent.items():
             for k, x in enumerate(content):
                 lines[x.index].append(f"w.to[{number}][{k}] = {self.text.name(x.index)};")
