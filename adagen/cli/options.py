@@ -36,6 +36,11 @@ def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) ->
         "--mimic", action="store_true", help="slave mimic joints instead of leaving them free"
     )
     group.add_argument(
+        "--strict",
+        action="store_true",
+        help="refuse slips of the file that change nothing, instead of warning of them",
+    )
+    group.add_argument(
         "--scene",
         metavar="FILE",
         help="what is asked of the robot (TOML, docs/scenes.md): base, locked joints, damping, "

@@ -73,6 +73,7 @@ def read_model(
             floating=options.floating,
             mimic=options.mimic,
             gravity=gravity,
+            strict=options.strict,
         )
     tell(reading, options.verbose > 0)
     return reading.model

@@ -41,6 +41,7 @@ def read_in_scene(options: argparse.Namespace, gravity: Sequence[float] | None) 
         effects=scene.from_urdf,
         decided=scene.decides,
         check=False,
+        strict=options.strict,
     )
     tell(reading, options.verbose > 0)
     reduction = apply_scene(reading.model, scene)

@@ -238,7 +238,11 @@ def _type(element: Element, where: str, notes: Notes) -> str:
 def _axis(element: Element | None, kind: str, where: str, notes: Notes) -> Triple:
     if element is None:
         return (1.0, 0.0, 0.0)
-    check_attributes(element, ("xyz",), where, notes)
+    if any(vector(element, "rpy", 3, where, notes) or ()):
+        check_attributes(element, ("xyz",), where, notes)  # whoever wrote it meant to turn the axis
+    elif "rpy" in element.attrib:
+        notes.slip(f"{where}: an <axis> has no rpy", "left out, as it is zero", line_of(element))
+    check_attributes(element, ("xyz", "rpy"), where, notes)
     xyz = vector(element, "xyz", 3, where, notes)
     if xyz is None:
         raise notes.error(f'{where}: xyz="..." of <axis> is missing: add it', line_of(element))

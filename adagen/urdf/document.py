@@ -6,6 +6,7 @@ import re
 
 from lxml import etree
 
+from adagen.urdf.mending import UNDECLARED, mended_declaration, with_prefixes_declared
 from adagen.urdf.notes import Notes, line_of
 
 _PROLOG = re.compile(r"(?:\s+|<!--.*?-->|<\?.*?\?>)*", re.DOTALL)
@@ -23,12 +24,14 @@ _FOREIGN = {
 def parse(text: str, notes: Notes) -> etree._Element:
     """Return the root element <robot>, comments and processing instructions left out.
 
-    Entities other than the five of XML are never expanded: a DTD is refused before parsing.
+    Entities other than the five of XML are never expanded: a DTD is refused before parsing. Slips
+    that change nothing are put right (mending.py).
 
     Raises:
         InputError: no well-formed XML, or another kind of document.
     """
-    _check_prolog(text, notes)
+    start = _check_prolog(text, notes)
+    text = mended_declaration(text, notes)
     parser = etree.XMLParser(
         encoding="utf-8",  # the text is decoded already: overrides what the file declares
         recover=False,
@@ -40,7 +43,9 @@ def parse(text: str, notes: Notes) -> etree._Element:
         remove_pis=True,
     )
     try:
-        root = etree.fromstring(text.encode("utf-8"), parser)
+        root = with_prefixes_declared(
+            text, lambda each: etree.fromstring(each.encode("utf-8"), parser), start, notes
+        )
     except etree.XMLSyntaxError as fault:
         line = fault.lineno or None
         reason = " ".join((fault.msg or "syntax error").split())
@@ -52,8 +57,8 @@ def parse(text: str, notes: Notes) -> etree._Element:
     return root
 
 
-def _check_prolog(text: str, notes: Notes) -> None:
-    """Refuse a DTD, which can only stand between the prolog and the root element."""
+def _check_prolog(text: str, notes: Notes) -> int:
+    """Return where the root element begins; refuse a DTD, which can only stand before it."""
     match = _PROLOG.match(text)
     start = match.end() if match else 0
     line = text.count("\n", 0, start) + 1
@@ -66,6 +71,7 @@ def _check_prolog(text: str, notes: Notes) -> None:
         )
     if not head.startswith("<"):
         raise notes.error("not XML: the file does not start with <: give a URDF file", line)
+    return start
 
 
 def _check_root(root: etree._Element, notes: Notes) -> None:
@@ -88,6 +94,17 @@ def _check_root(root: etree._Element, notes: Notes) -> None:
                 "on the file and give its output",
                 line_of(element),
             )
+    _warn_xacro_attributes(root, notes)
+
+
+def _warn_xacro_attributes(root: etree._Element, notes: Notes) -> None:
+    """Attributes of xacro on elements of URDF do nothing, to whoever reads the file."""
+    for element in root.iter():
+        for key in map(str, element.attrib):
+            if is_xacro(key) and UNDECLARED not in key:
+                name = etree.QName(key).localname
+                notes.slip(f'a leftover attribute "xacro:{name}"', "left out", line_of(element))
+                return
 
 
 def is_xacro(tag: str) -> bool:

@@ -21,13 +21,14 @@ def resolve(description: Description, slaved: bool, notes: Notes) -> Followed:
         notes: takes one warning for each mimic joint that stays independent.
 
     Raises:
-        InputError: a mimic joint follows itself, nothing, or in a circle; or, if slaved, it or what
-            it follows has other than one degree of freedom.
+        InputError: a mimic joint follows itself or in a circle; or, if slaved, it follows nothing,
+            or it or what it follows has other than one degree of freedom.
     """
     joints = {joint.name: joint for joint in description.joints}
     mimics = [joint for joint in description.joints if joint.mimic is not None]
     for joint in mimics:
-        _check_source(joint, joints, notes)
+        _check_source(joint, joints, slaved, notes)
+    mimics = [joint for joint in mimics if joint.mimic and joint.mimic.joint in joints]
     _refuse_circles(mimics, joints, notes)
     if not slaved:
         _warn_independent(mimics, notes)
@@ -38,10 +39,12 @@ def resolve(description: Description, slaved: bool, notes: Notes) -> Followed:
 
 
 def _source(joint: JointElement, joints: dict[str, JointElement]) -> JointElement | None:
-    return None if joint.mimic is None else joints[joint.mimic.joint]
+    return None if joint.mimic is None else joints.get(joint.mimic.joint)
 
 
-def _check_source(joint: JointElement, joints: dict[str, JointElement], notes: Notes) -> None:
+def _check_source(
+    joint: JointElement, joints: dict[str, JointElement], slaved: bool, notes: Notes
+) -> None:
     assert joint.mimic is not None
     if joint.mimic.joint == joint.name:
         raise notes.error(
@@ -49,11 +52,12 @@ def _check_source(joint: JointElement, joints: dict[str, JointElement], notes: N
             joint.mimic.line,
         )
     if joint.mimic.joint not in joints:
-        raise notes.error(
-            f'joint "{joint.name}" mimics joint "{joint.mimic.joint}", which does not exist: '
-            "correct the name or remove its <mimic>",
-            joint.mimic.line,
-        )
+        nothing = f'joint "{joint.name}" mimics joint "{joint.mimic.joint}", which does not exist'
+        if slaved:
+            raise notes.error(
+                f"{nothing}: correct the name or remove its <mimic>", joint.mimic.line
+            )
+        notes.slip(nothing, "taken as independent", joint.mimic.line)
 
 
 def _refuse_circles(

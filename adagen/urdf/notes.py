@@ -20,16 +20,28 @@ class Notes:
         file: path of the file as the user gave it.
         warnings: ``file:line: warning: ...``, in the order they were found.
         ignored: what was read and is not modelled.
+        strict: whether slips are refused that readers of URDF overlook.
     """
 
-    def __init__(self, file: str) -> None:
+    def __init__(self, file: str, *, strict: bool = False) -> None:
         self.file = file
+        self.strict = strict
         self.warnings: list[str] = []
         self.ignored: list[str] = []
 
     def error(self, message: str, line: int | None = None) -> InputError:
         """Return (not raise) the refusal of this file."""
         return InputError(shortened(message), self.file, line)
+
+    def slip(self, problem: str, done: str, line: int | None = None) -> None:
+        """Record a slip that changes nothing, with what was done about it.
+
+        Raises:
+            InputError: the reader is strict.
+        """
+        if self.strict:
+            raise self.error(f"{problem}: correct it, or leave out --strict", line)
+        self.warn(f"{problem}: {done}", line)
 
     def warn(self, message: str, line: int | None = None) -> None:
         """Record a warning."""

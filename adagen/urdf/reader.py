@@ -54,8 +54,9 @@ def read_robot(
     effects: Collection[str] = (),
     decided: Callable[[str, str], bool] = lambda _effect, _joint: False,
     check: bool = True,
+    strict: bool = False,
 ) -> Reading:
-    """Read a URDF, strictly.
+    """Read a URDF; nothing that could change the dynamics is guessed.
 
     Args:
         path: of the file.
@@ -69,6 +70,7 @@ def read_robot(
             <dynamics> a warning says that they are not modelled.
         check: refuse a robot whose forward dynamics has no answer; if not, ``check_reduced`` has to
             judge what is made of it.
+        strict: refuse slips that readers of URDF overlook, too (mending.py), instead of warning.
 
     Returns:
         The model, in which fixed joints are lumped, axes are normalised and every number is
@@ -78,7 +80,7 @@ def read_robot(
         InputError: the file is not a URDF of an open chain whose forward dynamics has an answer.
         UsageError: gravity is not three finite numbers.
     """
-    notes = Notes(os.fspath(path))
+    notes = Notes(os.fspath(path), strict=strict)
     root = parse(read_text(path, notes), notes)
     description = describe(root, Path(path).stem, notes)
     refuse_closed(root, notes)

@@ -157,7 +157,6 @@ CASES = {
         '<coupling> "c": couplings are not modelled; write it as a <mimic>',
     ),
     "mimics itself": (pair(j=Y + '<mimic joint="j1"/>'), 5, 'joint "j1" mimics itself'),
-    "mimics nothing": (pair(j=Y + '<mimic joint="jx"/>'), 5, "does not exist"),
     "massless leaf": (
         robot(link("a"), link("b"), link("t", ""), joint("j1", "a", "b"), joint("j2", "b", "t")),
         7,

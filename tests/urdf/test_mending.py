@@ -1,0 +1,78 @@
+"""Slips that all readers of URDF overlook: read with one warning each, refused where strict."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+import pytest
+
+from adagen.urdf import Reading
+from tests.urdf.texts import Y, pair
+
+Read = Callable[..., Reading]
+GOOD = pair()
+XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+
+CASES = {
+    # name: (text, line, words of the warning)
+    "blank lines first": ("\n\n" + GOOD, 3, "does not stand at the start"),
+    "a comment first": ("<!-- made by\nhand -->\n" + GOOD, 3, "does not stand at the start"),
+    "version": (GOOD.replace('"1.0"', '"0.0"', 1), 1, 'no XML version "0.0": read as 1.0'),
+    "prefixes": (
+        GOOD.replace("</robot>", '<gazebo:x a="1"/><sensor:camera/></robot>'),
+        6,
+        'namespace prefixes "gazebo", "sensor" are not declared',
+    ),
+    "prefix of an attribute": (GOOD.replace("<axis", '<axis foo:bar="1"'), 5, 'prefix "foo" is'),
+    "xacro left over": (GOOD.replace("<robot", f'<robot {XACRO} xacro:x="1"'), 2, '"xacro:x"'),
+    "xacro left over, undeclared": (GOOD.replace("<axis", '<axis xacro:x="1"'), 5, '"xacro"'),
+    "rpy of an axis": (GOOD.replace("<axis", '<axis rpy="0 0 0"'), 5, "an <axis> has no rpy"),
+    "mimics nothing": (
+        pair(j=Y + '<mimic joint="jx"/>'),
+        5,
+        "does not exist: taken as independent",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_slips_are_read_with_one_warning(
+    name: str, read: Read, refusal: Callable[..., str]
+) -> None:
+    text, line, words = CASES[name]
+    reading = read(text)
+    plain = read(GOOD)
+    assert repr(reading.model) == repr(plain.model)
+    (warning,) = reading.warnings
+    assert f":{line}: warning: " in warning
+    assert words in warning
+    refused = refusal(text, strict=True)
+    assert refused.startswith(f"robot.urdf:{line}: error: ")
+    assert refused.endswith(": correct it, or leave out --strict")
+
+
+def test_what_could_change_the_dynamics_is_refused(refusal: Callable[..., str]) -> None:
+    turned = GOOD.replace("<axis", '<axis rpy="0 0 1"')
+    assert 'unknown attribute "rpy"' in refusal(turned)
+    body = GOOD.replace("<inertial>", "<f:inertial>", 1).replace("</inertial>", "</f:inertial>", 1)
+    assert "unknown element <inertial>" in refusal(body)
+    joint = GOOD.replace("<joint ", "<f:joint ").replace("</joint>", "</f:joint>")
+    assert "unknown element <joint>" in refusal(joint)
+    element = GOOD.replace("</robot>", '<xacro:include filename="x"/></robot>')
+    assert "<xacro:include> is not expanded" in refusal(element)
+    late = "\n" + GOOD.replace('"1.0"', '"1.0" encoding="iso-8859-1"', 1)
+    assert "not well formed" in refusal(late)
+    follows = pair(j=Y + '<mimic joint="jx"/>')
+    assert "does not exist: correct the name" in refusal(follows, mimic=True)
+
+
+def test_many_comments_and_prefixes_are_read_in_linear_time(
+    read: Read, refusal: Callable[..., str]
+) -> None:
+    start = time.perf_counter()
+    text = "<!-- a -->\n" * 2000 + GOOD.split("\n", 1)[1]
+    assert read(text).warnings == ()
+    many = "".join(f"<p{k}:x/>" for k in range(100))
+    assert "not well formed" in refusal(GOOD.replace("</robot>", many + "</robot>"))
+    assert time.perf_counter() - start < 20.0
