@@ -14,6 +14,7 @@ forward dynamics: from positions, velocities and joint torques to joint accelera
 
 _EPILOG = """\
 other commands (each has a --help of its own):
+  adagen info MODEL                                its joints, their places, what is not modelled
   adagen schedule MODEL --procs P                  what runs where, and what it should cost
   adagen solve MODEL --procs P --states FILE       generate, build and run for given states
   adagen calibrate                                 measure what operations cost on this machine

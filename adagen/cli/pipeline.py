@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from adagen.plan import Plan
     from adagen.program import Program
     from adagen.schedule import CostProfile, Schedule, Topology
+    from adagen.urdf import Reading
 
 
 @dataclass(frozen=True)
@@ -61,6 +62,17 @@ def read_model(
     Raises:
         InputError: the robot description or the scene is refused.
     """
+    return read_whole(options, stages, gravity)[0]
+
+
+def read_whole(
+    options: argparse.Namespace, stages: Stages, gravity: Sequence[float] | None
+) -> tuple[Model, Reading]:
+    """Return the robot that the options name, as a scene leaves it, and what was read of it.
+
+    Raises:
+        InputError: the robot description or the scene is refused.
+    """
     with stages.stage("read"), progress(f"reading {Path(options.model).name}"):
         if options.scene is not None:
             from adagen.cli.scenes import read_in_scene
@@ -76,7 +88,7 @@ def read_model(
             strict=options.strict,
         )
     tell(reading, options.verbose > 0)
-    return reading.model
+    return reading.model, reading
 
 
 def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) -> Schedule:

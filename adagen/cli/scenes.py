@@ -18,10 +18,13 @@ if TYPE_CHECKING:
     from adagen.model import Model
     from adagen.plan import Plan
     from adagen.schedule import CostProfile, Schedule
+    from adagen.urdf import Reading
 
 
-def read_in_scene(options: argparse.Namespace, gravity: Sequence[float] | None) -> Model:
-    """Return the robot of the options, reduced to what their scene needs.
+def read_in_scene(
+    options: argparse.Namespace, gravity: Sequence[float] | None
+) -> tuple[Model, Reading]:
+    """Return the robot of the options, reduced to what their scene needs, and what was read.
 
     The reduction is kept as ``options.reduction`` for what is said later.
 
@@ -51,7 +54,7 @@ def read_in_scene(options: argparse.Namespace, gravity: Sequence[float] | None) 
         for line in removed(reduction):
             note(line)
     options.reduction = reduction
-    return reduction.model
+    return reduction.model, reading
 
 
 def _check_agreement(

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from rich.console import JustifyMethod
     from rich.table import Table
 
 
@@ -24,7 +25,7 @@ def table_of(
         rows: a word for each column; none of them is read as markup.
         title: what stands above.
         named: the first column holds names, which stand to the left.
-        wrap: whether what is too long goes on in the next line; else it is cut.
+        wrap: whether what is too long goes on in the next line, a long word too; else it is cut.
     """
     from rich import box
     from rich.markup import escape
@@ -32,7 +33,10 @@ def table_of(
 
     table = Table(box=box.SIMPLE, title=title and escape(title))
     for k, column in enumerate(columns):
-        table.add_column(column, justify="left" if named and k == 0 else "right", no_wrap=not wrap)
+        justify: JustifyMethod = "left" if named and k == 0 else "right"
+        table.add_column(
+            column, justify=justify, no_wrap=not wrap, overflow="fold" if wrap else "ellipsis"
+        )
     for row in rows:
         table.add_row(*map(escape, row))
     return table

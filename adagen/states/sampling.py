@@ -1,4 +1,4 @@
-"""States drawn at random."""
+"""States that nobody gave: drawn at random, or at rest."""
 
 from __future__ import annotations
 
@@ -32,5 +32,16 @@ def random_states(model: Model, count: int, seed: int = 0) -> States:
             q[:, at.stop - 1] *= np.pi
     forces = rng.uniform(-1.0, 1.0, size=(count, model.ntau - model.nv))
     states = States(q, v, np.hstack([torques, forces]))
+    follow_sources(states, model, {})
+    return states
+
+
+def resting_states(model: Model, count: int) -> States:
+    """Return ``count`` equal states: every q zero or a unit quaternion, no velocity, no torque."""
+    q = np.zeros((count, model.nq))
+    for j, joint in enumerate(model.joints):
+        if joint.kind.quaternion is not None:
+            q[:, columns(model, j, "q").stop - 1] = 1.0
+    states = States(q, np.zeros((count, model.nv)), np.zeros((count, model.ntau)))
     follow_sources(states, model, {})
     return states

@@ -20,6 +20,11 @@ def write_states(states: States, model: Model, path: Path | str) -> None:
     Raises:
         EnvironmentFault: writing failed.
     """
+    write_whole(Path(path), states_text(states, model))
+
+
+def states_text(states: States, model: Model) -> str:
+    """Return the text of a states file that `read_states` reads back bit by bit."""
     rows = {}
     for j, joint in enumerate(model.joints):
         q, v = columns(model, j, "q"), columns(model, j, "v")
@@ -32,7 +37,7 @@ def write_states(states: States, model: Model, path: Path | str) -> None:
             wrench.frame.name: states.tau[:, wrench_columns(model, k)].tolist()
             for k, wrench in enumerate(model.wrenches)
         }
-    write_whole(Path(path), _text(head, rows))
+    return _text(head, rows)
 
 
 def write_result(path: Path | str, model: Model, qdd: Array) -> None:
