@@ -62,10 +62,10 @@ def add_schedule(parser: Parser) -> None:
     group.add_argument(
         "--procs",
         type=_processes,
-        required=True,
+        default=AUTO,
         metavar="P",
-        help=f"number of processes, 1 to {MOST_PROCESSES}, or auto: as many as the cost profile "
-        "predicts to pay on this machine's cores",
+        help=f"number of processes, 1 to {MOST_PROCESSES}, or auto (default): as many as the cost "
+        "profile predicts to pay on this machine's cores",
     )
     group.add_argument(
         "--profile",

@@ -45,8 +45,7 @@ class TestUsage:
     @pytest.mark.parametrize(
         ("words", "said"),
         [
-            ([], "MODEL, --procs"),
-            (["robot.urdf"], "required: --procs"),
+            ([], "required: MODEL"),
             (["robot.urdf", "--procs", "0"], "from 1 to"),
             (["robot.urdf", "--procs", "-2"], "argument --procs"),
             (["robot.urdf", "--procs", "two"], "from 1 to"),
