@@ -66,7 +66,7 @@ class TestUsage:
             (["robot.urdf", "--procs", "2", "--form", "other"], "invalid choice"),
             (["robot.urdf", "--procs", "2", "--channel", "pigeon"], "invalid choice"),
             (["robot.urdf", "--procs", "2", "more"], "unrecognized arguments: more"),
-            (["schedule", "robot.urdf"], "adagen schedule --help"),
+            (["schedule", "robot.urdf", "--procs", "0"], "adagen schedule --help"),
             (["solve", "robot.urdf", "--procs", "2"], "required: --states"),
             (["solve", "r", "--procs", "2", "--states", "s", "--timeout", "0"], "more than 0 s"),
             (["env", "--mpicxx", "--eigen"], "not allowed with"),
@@ -96,7 +96,7 @@ class TestUsage:
         assert told.err.count("\n") == 1
 
     def test_the_process_itself_says_the_same(self) -> None:
-        done = run("robot.urdf")
+        done = run("robot.urdf", "--procs", "0")
         assert (done.returncode, done.stdout) == (2, "")
         assert done.stderr.startswith("error: ") and "Traceback" not in done.stderr
 
