@@ -9,36 +9,38 @@ from adagen.cli.options import add_emission, add_model, add_out, add_schedule, c
 from adagen.cli.parser import make_parser, parse
 
 _DESCRIPTION = """\
-Compile a robot description into one C++/MPI source file for P processes that computes its
-forward dynamics: from positions, velocities and joint torques to joint accelerations."""
+Compile a robot description into one C++/MPI source file for P processes that
+computes its forward dynamics: from positions, velocities and joint torques to
+joint accelerations."""
 
 _EPILOG = """\
 other commands (each has a --help of its own):
-  adagen info MODEL                                its joints, their places, what is not modelled
-  adagen schedule MODEL --procs P                  what runs where, and what it should cost
-  adagen solve MODEL --procs P --states FILE       generate, build and run for given states
-  adagen calibrate                                 measure what operations cost on this machine
-  adagen bench MODEL ...                           time it beside pinocchio, casadi, MuJoCo
-  adagen chart MODEL ...                           draw its error beside its time
-  adagen stability                                 where methods fail, and what is kept
-  adagen env                                       the compiler, MPI and Eigen in use
+  adagen info MODEL                     joints, places, what is not modelled
+  adagen schedule MODEL                 what runs where, and what it should cost
+  adagen solve MODEL --states FILE      generate, build and run for given states
+  adagen calibrate                      measure what operations cost here
+  adagen bench MODEL ...                time it beside pinocchio, casadi, MuJoCo
+  adagen chart MODEL ...                draw its error beside its time
+  adagen stability                      where methods fail, and what is kept
+  adagen env                            the compiler, MPI and Eigen in use
 
 examples:
-  adagen robot.urdf --procs 4 --out robot_solver   write the solver for 4 processes
-  make -C robot_solver check time                  build it, check its answers, time it
-  adagen humanoid.urdf --procs 2 --floating        a robot that stands on nothing
+  adagen robot.urdf --out robot_solver  write the solver
+  make -C robot_solver check time       build it, check its answers, time it
+  adagen g1.urdf --procs 2 --floating   a robot that stands on nothing
 
-exit status: 0 done, 1 the input is at fault, 2 usage, 3 the tool or its surroundings."""
+exit status: 0 done, 1 the input is at fault, 2 usage, 3 tool or surroundings."""
 
 
 def run(argv: Sequence[str]) -> int:
     """Carry out ``adagen MODEL`` with the given arguments; return the exit status."""
     parser = make_parser("adagen", _DESCRIPTION, _EPILOG)
+    parser.usage = "adagen MODEL [--procs P] [--out DIR] [option ...]"
     add_model(parser)
     add_schedule(parser)
     add_emission(parser)
     add_out(parser)
-    parser.add_argument("--name", help="name of the files (default: MODEL's, without its ending)")
+    parser.add_argument("--name", help="name of the files (default: MODEL's)")
     options = parse(parser, argv)
     check_emission(parser, options)
 

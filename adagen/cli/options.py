@@ -43,8 +43,7 @@ def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) ->
     group.add_argument(
         "--scene",
         metavar="FILE",
-        help="what is asked of the robot (TOML, docs/scenes.md): base, locked joints, damping, "
-        "forces, ...; only the model that this needs is treated",
+        help="model no more than this file asks for (docs/scenes.md)",
     )
     if gravity:
         group.add_argument(
@@ -56,16 +55,37 @@ def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) ->
         )
 
 
+RARE = frozenset(
+    [
+        "--strict",
+        "--gravity",
+        "--profile",
+        "--schedule",
+        "--tie",
+        "--strategy",
+        "--naive",
+        "--expansions",
+        "--split",
+        "--objective",
+        "--form",
+        "--shape",
+        "--tune",
+        "--channel",
+    ]
+)
+"""What most users never say: --help-all shows it."""
+
+
 def add_schedule(parser: Parser) -> None:
     """Add the number of processes, the schedule, how it is searched, and the algorithm."""
+    parser.rare |= RARE
     group = parser.add_argument_group("schedule")
     group.add_argument(
         "--procs",
         type=_processes,
         default=AUTO,
         metavar="P",
-        help=f"number of processes, 1 to {MOST_PROCESSES}, or auto (default): as many as the cost "
-        "profile predicts to pay on this machine's cores",
+        help=f"processes, 1 to {MOST_PROCESSES}, or auto (default): as many as pay",
     )
     group.add_argument(
         "--profile",
@@ -142,8 +162,9 @@ def _add_algorithm(parser: Parser) -> None:
         "--scalar",
         choices=("double", "float", "mixed"),
         default="double",
-        help="number type (default: double); mixed: factorized in float, refined to the digits of "
-        "double, states and answers in double",
+        metavar="TYPE",
+        help="double (default), float, or mixed: factorized in float, refined to the digits of "
+        "double",
     )
 
 
@@ -154,8 +175,7 @@ def add_emission(parser: Parser) -> None:
         "--refine",
         type=whole(0, 9),
         metavar="N",
-        help="refine each answer N times with wider residuals, and tell its error (default: 0; "
-        "--scalar mixed: 2, and no fewer)",
+        help="refine answers N times, tell their error (mixed: 2)",
     )
     group.add_argument(
         "--shape",
@@ -168,8 +188,7 @@ def add_emission(parser: Parser) -> None:
     group.add_argument(
         "--batch",
         action="store_true",
-        help="solve many states at once, one in each lane of the widest registers; processes share "
-        "the states of a batch instead of the robot",
+        help="solve many states at once, one in each SIMD lane",
     )
     group.add_argument(
         "--tune",

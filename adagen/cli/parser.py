@@ -1,4 +1,7 @@
-"""A parser that fails in one line, with help in the shape that all subcommands have."""
+"""A parser that fails in one line, with help in the shape that all subcommands have.
+
+``--help`` shows what is used often, ``--help-all`` everything.
+"""
 
 from __future__ import annotations
 
@@ -19,6 +22,26 @@ class Parser(argparse.ArgumentParser):
     words: Sequence[str] = ()
     """What is being parsed."""
 
+    rare: frozenset[str] = frozenset()
+    """Options that --help leaves to --help-all."""
+
+    def format_help(self) -> str:
+        """Return what --help prints: without the rare options, if there are any."""
+        rare = self.rare or {"--help-all"}
+        hidden = [each for each in self._actions if rare.intersection(each.option_strings)]
+        told = [each.help for each in hidden]
+        for each in hidden:
+            each.help = argparse.SUPPRESS
+        try:
+            return super().format_help()
+        finally:
+            for each, text in zip(hidden, told, strict=True):
+                each.help = text
+
+    def format_help_all(self) -> str:
+        """Return what --help-all prints: all options."""
+        return super().format_help()
+
     def error(self, message: str) -> NoReturn:
         """Raise the complaint with where to read on; what is misspelt goes before what follows."""
         unknown = next(filter(self._is_unknown, self.words), None)
@@ -37,6 +60,15 @@ class Parser(argparse.ArgumentParser):
         word = unknown.lstrip("-").partition("=")[0]
         near = difflib.get_close_matches(word, names, n=1)
         return f" (did you mean {names[near[0]]}?)" if near else ""
+
+
+class _HelpAll(argparse.Action):
+    """Prints the help of all options and leaves."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> NoReturn:
+        assert isinstance(parser, Parser)
+        print(parser.format_help_all(), end="")
+        parser.exit()
 
 
 _OPTION = re.compile(r"(--?[A-Za-z][A-Za-z0-9_-]+)(?=$|=)")
@@ -66,13 +98,16 @@ def make_parser(prog: str, description: str, epilog: str) -> Parser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
         allow_abbrev=False,
     )
+    parser.add_argument(
+        "--help-all", action=_HelpAll, nargs=0, help="show all options, the rare ones too"
+    )
     parser.add_argument("--version", action="version", version=f"adagen {__version__}")
     parser.add_argument(
         "-v",
         dest="verbose",
         action="count",
         default=0,
-        help="say how long each stage took and what was ignored (-vv: tracebacks too)",
+        help="say what was ignored, and what took how long",
     )
     return parser
 

@@ -100,6 +100,22 @@ class TestUsage:
         assert (done.returncode, done.stdout) == (2, "")
         assert done.stderr.startswith("error: ") and "Traceback" not in done.stderr
 
+    def test_help_fits_a_screen_and_help_all_has_the_rest(
+        self, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setenv("COLUMNS", "80")
+        assert main(["--help"]) == 0
+        short = capsys.readouterr().out
+        assert len(short.splitlines()) <= 50
+        assert max(map(len, short.splitlines())) <= 80
+        assert "--procs" in short and "--help-all" in short and "--tie" not in short
+        assert main(["--help-all"]) == 0
+        everything = capsys.readouterr().out
+        for name in ("--procs", "--tie", "--strict", "--shape", "--profile", "--channel"):
+            assert name in everything
+        assert main(["env", "--help"]) == 0
+        assert "--help-all" not in capsys.readouterr().out  # it has no rare options
+
     @pytest.mark.parametrize("verb", [[], *([verb] for verb in VERBS)], ids=str)
     def test_help_and_version_are_data(
         self, verb: list[str], capsys: pytest.CaptureFixture[str]
