@@ -272,7 +272,7 @@ def test_every_option_is_in_the_documentation(command: str) -> None:
     if not path.is_file():
         pytest.skip("not run from a checkout")
     text = path.read_text()
-    said = run(*command.split(), "--help").stdout
+    said = run(*command.split(), "--help-all").stdout
     words = re.findall(r"(?m)^  (?:-\w, )?(--[a-z-]+)", said)
     assert {"--help", "--version"} < set(words)
     assert [w for w in words if not re.search(rf"[`[ ]{w}\b", text)] == ["--version"]
