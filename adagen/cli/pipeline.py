@@ -86,6 +86,7 @@ def read_whole(
             mimic=options.mimic,
             gravity=gravity,
             strict=options.strict,
+            held=False,
         )
     tell(reading, options.verbose > 0)
     return reading.model, reading

@@ -45,6 +45,7 @@ def read_in_scene(
         decided=scene.decides,
         check=False,
         strict=options.strict,
+        held=scene.base is not None,
     )
     tell(reading, options.verbose > 0)
     reduction = apply_scene(reading.model, scene)

@@ -21,7 +21,7 @@ from adagen.urdf.mimics import resolve
 from adagen.urdf.notes import Notes
 from adagen.urdf.numbers import LARGEST
 from adagen.urdf.peer import agreed
-from adagen.urdf.remarks import remark_ignored, warn_inertias, warn_limits
+from adagen.urdf.remarks import remark_ignored, warn_held, warn_inertias, warn_limits
 from adagen.urdf.source import read_text
 from adagen.urdf.tree import make_tree, refuse_closed
 
@@ -55,6 +55,7 @@ def read_robot(
     decided: Callable[[str, str], bool] = lambda _effect, _joint: False,
     check: bool = True,
     strict: bool = False,
+    held: bool = True,
 ) -> Reading:
     """Read a URDF; nothing that could change the dynamics is guessed.
 
@@ -71,6 +72,8 @@ def read_robot(
         check: refuse a robot whose forward dynamics has no answer; if not, ``check_reduced`` has to
             judge what is made of it.
         strict: refuse slips that readers of URDF overlook, too (mending.py), instead of warning.
+        held: whether a fixed base was asked for; if not, of a root link that looks as if it should
+            float a warning says that it is held.
 
     Returns:
         The model, in which fixed joints are lumped, axes are normalised and every number is
@@ -95,6 +98,8 @@ def read_robot(
     description = agreed(root, description, notes)
     model = build(description.name, gather(description, tree, floating), mimics, floating)
     model = with_effects(model, passive)
+    if not (held or floating):
+        warn_held(model, notes)
     if gravity is not None:
         model = model.with_gravity(_gravity(gravity))
     lines = _lines(description)

@@ -6,6 +6,7 @@ from collections import Counter
 
 import numpy as np
 
+from adagen.model import Model
 from adagen.urdf.description import Description, Inertial
 from adagen.urdf.elements import Element
 from adagen.urdf.notes import Notes, line_of
@@ -54,6 +55,29 @@ def remark_ignored(root: Element, notes: Notes) -> None:
     if others:
         count = sum(counts[text] for text in others)
         notes.ignore(f"elements with {len(others)} other names: {count}, not modelled")
+
+
+LIMB = 3
+"""Joints that a limb has at least."""
+
+
+def warn_held(model: Model, notes: Notes) -> None:
+    """Warn of a root link with mass and several limbs, as humanoids have, that is held fixed."""
+    limbs = sum(_joints_from(model, joint) >= LIMB for joint in model.children[0])
+    mass = model.links[0].inertia.mass
+    if limbs > 1 and mass > 0.0:
+        notes.warn(
+            f'the root link "{model.links[0].name}" ({mass:.3g} kg, {limbs} limbs) is held fixed: '
+            "--floating sets it free"
+        )
+
+
+def _joints_from(model: Model, first: int) -> int:
+    count, waiting = 0, [first]
+    while waiting and count < LIMB:
+        count += 1
+        waiting += model.children[waiting.pop() + 1]
+    return count
 
 
 def warn_limits(root: Element, notes: Notes) -> None:

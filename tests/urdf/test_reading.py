@@ -297,3 +297,18 @@ def test_same_bytes_every_time(read: Read) -> None:
     text = pair(f'<inertial><origin rpy="0.1 0.2 0.3"/>{MASS}{INERTIA}</inertial>')
     one, other = read(text).model, read(text).model
     assert one.links[1].inertia.tensor.tobytes() == other.links[1].inertia.tensor.tobytes()
+
+
+def test_a_base_with_limbs_that_is_held_is_told(read: Read) -> None:
+    legs = [
+        joint(f"{side}{k}", f"{side}{k}" if k else "trunk", f"{side}{k + 1}")
+        for side in "ab"
+        for k in range(3)
+    ]
+    links = [link("trunk"), *(link(f"{side}{k + 1}") for side in "ab" for k in range(3))]
+    text = robot(*links, *legs)
+    (warning,) = read(text, held=False).warnings
+    assert 'the root link "trunk" (1 kg, 2 limbs) is held fixed: --floating' in warning
+    assert read(text).warnings == ()
+    assert read(text, held=False, floating=True).warnings == ()
+    assert read(robot(*links[:4], *legs[:3]), held=False).warnings == ()  # an arm
