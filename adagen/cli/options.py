@@ -213,7 +213,7 @@ def add_out(parser: Parser) -> None:
 
 def refinement(options: argparse.Namespace) -> int:
     """Return how many steps of refinement the options ask for; "mixed" is never without."""
-    from adagen.emit.joints.refine import refinement_steps
+    from adagen.emit.refine import refinement_steps
 
     return refinement_steps(getattr(options, "refine", None), options.scalar)
 
@@ -242,7 +242,7 @@ def check_emission(parser: Parser, options: argparse.Namespace) -> None:
         UsageError: options exclude each other.
     """
     from adagen.emit import check_batch
-    from adagen.emit.joints.refine import checked_shape
+    from adagen.emit.refine import checked_shape
 
     check_search(parser, options)
     steps = refinement(options)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from adagen import __version__
 from adagen.emit.head import algorithm, program_lines
-from adagen.emit.joints.refine import checked_shape, refinement_messages, refinement_steps
 from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
-from adagen.emit.shapes import KNOWN, chosen_shape
+from adagen.emit.refine import checked_shape, refinement_messages, refinement_steps
+from adagen.emit.shapes import KNOWN, chosen_shape, stepwise
 from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words
 from adagen.errors import UsageError
@@ -138,7 +138,9 @@ def program_of(
         if len(plan.processes) > 1:
             raise UsageError("a batch is solved by the plan of one process")
         check_batch(shape, refine)
-    shape = chosen_shape(plan, checked_shape(refine, shape), batch=batch, profile=profile)
+    if refine and checked_shape(refine, shape) == "auto":
+        shape = stepwise(plan)
+    shape = chosen_shape(plan, shape, batch=batch, profile=profile)
     return lower(refinable(plan) if refine else plan, shape, batch=batch)
 
 

@@ -42,6 +42,13 @@ def results(words: Words, process: Process) -> list[str]:
     return [*in_hindsight(amiss, _state(words, process), overflow), *gives]
 
 
+def corrections(words: Words, process: Process) -> list[str]:
+    """Return the lines of shape kernels that give a correction, if all went well."""
+    entries = entries_of(words, "v", process.owns)
+    overflow = _finite("w.answer.data()", entries, "v", "kOverflow")
+    return [*overflow, *(f"give(w, {first}, {count});" for first, count in ranges(entries))]
+
+
 def in_hindsight(amiss: str, state: Sequence[str], overflow: Sequence[str]) -> list[str]:
     """Return lines that find out what was amiss: the state at first, then what failed.
 

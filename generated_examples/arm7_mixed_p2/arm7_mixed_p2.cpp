@@ -1,8 +1,8 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
-// options   form segment, shape joints, scalar mixed, refine 2, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// program   2 processes, joined at cuts; 1.11 us predicted (default profile)
+// options   form segment, shape kernels, scalar mixed, refine 3, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// program   2 processes, joined at cuts; 1.02 us predicted (default profile)
 //           process 0: base_yaw .. forearm_roll
 //           process 1: wrist_pitch .. right_finger_slide
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
@@ -13,7 +13,7 @@
 // accelerations come back. Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura
 // joins them: Phi = (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent
 // link's side) and chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
-// Spatial vectors are [angular; linear], in link frames turned so that every joint axis is z.
+// Spatial vectors are [angular; linear], in the axes of the base, about each link's origin.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls
@@ -49,7 +49,7 @@ arm7_mixed_p2_solver* arm7_mixed_p2_open(MPI_Comm comm, const char* channel, dou
 int arm7_mixed_p2_solve(arm7_mixed_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 int arm7_mixed_p2_solve_at_root(arm7_mixed_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// The size of the k-th correction (0 to 1) of the last evaluation, relative to the answer in the energy
+// The size of the k-th correction (0 to 2) of the last evaluation, relative to the answer in the energy
 // norm sqrt(e^T H e / t^T H t): the error that the answer had before it. On processes that own joints.
 double arm7_mixed_p2_correction(const arm7_mixed_p2_solver* solver, int k);
 
@@ -119,7 +119,7 @@ constexpr int kNq = 9, kNv = 9;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
-[[maybe_unused]] constexpr int kRefine = 2;  // steps of iterative refinement
+[[maybe_unused]] constexpr int kRefine = 3;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 2;
 constexpr std::size_t kCacheLine = 64;
 [[maybe_unused]] constexpr bool kFloatingBase = false;
@@ -269,95 +269,6 @@ void slave([[maybe_unused]] Number* q, [[maybe_unused]] Number* v) {
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
-// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
-// the motion itself, and one for each slaved joint's coupling torque.
-using Vec3 = Eigen::Matrix<Real, 3, 1>;
-using Mat3 = Eigen::Matrix<Real, 3, 3>;
-using Vec6 = Eigen::Matrix<Real, 6, 1>;
-using Mat6 = Eigen::Matrix<Real, 6, 6>;
-using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
-
-// Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
-struct Transform {
-  Mat3 E;  // rotates parent coordinates into child coordinates
-  Vec3 r;  // origin of the child frame in parent coordinates
-
-  template <class M>
-  void times(const M& m, M& result) const {
-    for (int k = 0; k < M::ColsAtCompileTime; ++k) {
-      const Vec3 angular = m.col(k).template head<3>();
-      const Vec3 linear = m.col(k).template tail<3>();
-      result.col(k).template head<3>().noalias() = E * angular;
-      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
-    }
-  }
-
-  // X^T m: takes a wrench on the child to the same wrench on the parent.
-  Columns6 transposed_times(const Columns6& m) const {
-    Columns6 result;
-    for (int k = 0; k < kColumns; ++k) {
-      const Vec3 force = E.transpose() * m.col(k).template tail<3>();
-      result.col(k).template head<3>() =
-          E.transpose() * m.col(k).template head<3>() + r.cross(force);
-      result.col(k).template tail<3>() = force;
-    }
-    return result;
-  }
-};
-
-ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
-  Mat6 result;
-  X.times(m, result);
-  return result;
-}
-
-ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
-  Mat6 transposed, result;
-  transposed.noalias() = m.transpose();
-  X.times(transposed, result);
-  return result;
-}
-
-// m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
-ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
-  Mat6 result = times_transposed(X, m);
-  result.transposeInPlace();
-  return result;
-}
-
-template <int columns>
-Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
-                                          const Eigen::Matrix<Real, 6, columns>& m) {
-  Eigen::Matrix<Real, 6, columns> result;
-  X.times(m, result);
-  return result;
-}
-
-// Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
-// quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
-[[maybe_unused]] Real conjugate_rotation(const Number* quaternion, Mat3& E) {
-  const Real x = Real(quaternion[0]), y = Real(quaternion[1]);
-  const Real z = Real(quaternion[2]), w = Real(quaternion[3]);
-  const Real squared = x * x + y * y + z * z + w * w;
-  const Real s = 2 / squared;
-  E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
-      s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w),   //
-      s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y);
-  return squared;
-}
-
-// b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
-ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
-  using Constant3 = Eigen::Map<const Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>>;
-  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
-  const Vec3 c(Real(link.com[0]), Real(link.com[1]), Real(link.com[2]));
-  const Vec3 momentum = Constant3(link.tensor).cast<Real>() * omega;
-  const Vec3 alpha = Constant3(link.tensor_inverse).cast<Real>() * momentum.cross(omega);
-  b.setZero();
-  b.col(0).template head<3>() = alpha;
-  b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
-}
-
 // What can go wrong in an evaluation. A status travels with every message, so that all processes
 // learn of a failure and none waits for an answer that cannot come. It must be exact in a float.
 enum Failure : int {
@@ -445,6 +356,396 @@ std::string describe(int status) {
       return "process " + std::to_string(place) + " did not answer within the time limit";
   }
   return "unknown failure";
+}
+
+// Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
+constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
+typedef Real Lanes __attribute__((vector_size(64)));
+typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
+typedef Bits LaneBits __attribute__((vector_size(64)));
+
+// Where registers are narrower, gcc tells that vectors are passed in other ways; none is, all is
+// inlined.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+#define ADAGEN_ALWAYS __attribute__((always_inline))
+#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
+#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
+
+ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
+ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
+
+// Whether any bit is set. Half by half: compilers take lanes apart one by one if left to it.
+typedef std::int64_t FourWords __attribute__((vector_size(32)));
+typedef std::int64_t TwoWords __attribute__((vector_size(16)));
+template <class T>
+ADAGEN_INLINE bool any_of(const T& x) {
+  if constexpr (sizeof x > sizeof(TwoWords)) {
+    typedef std::conditional_t<sizeof x == sizeof(FourWords), TwoWords, FourWords> Half;
+    Half halves[2];
+    std::memcpy(halves, &x, sizeof x);
+    const Half either = halves[0] | halves[1];
+    return any_of(either);
+  } else {
+    std::int64_t words[2]{};
+    std::memcpy(words, &x, sizeof x);
+    return (words[0] | words[1]) != 0;
+  }
+}
+
+// Whether all numbers are positive: false for NaN.
+ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
+template <class T>
+ADAGEN_INLINE bool all_positive(const T& x) {
+  return !any_of(~(x > T{}));
+}
+
+// One number or the other, lane by lane.
+ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
+  const LaneBits bits =
+      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
+  return reinterpret_cast<Lanes>(bits);
+}
+
+ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
+ADAGEN_INLINE bool all_zero(const Lanes& x) { return !any_of(x != Lanes{}); }
+
+ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
+ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
+  Lanes result = x;
+  for (int k = 0; k < kLanes; ++k) result[k] = std::tanh(x[k]);
+  return result;
+}
+
+// Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
+// three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
+// kLargestAngle; beyond, each lane is left to the C library.
+template <class R>
+struct Trigonometry;
+
+template <>
+struct Trigonometry<double> {
+  [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
+  [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
+  [[maybe_unused]] static constexpr double kParts[3] = {
+      1.57079632673412561417e+00, 6.07710050630396597660e-11, 2.02226624871116645580e-21};
+  [[maybe_unused]] static constexpr double kSine[6] = {
+      1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
+      -1.98412698295895385996e-4, 8.33333333332211858878e-3,  -1.66666666666666307295e-1};
+  [[maybe_unused]] static constexpr double kCosine[6] = {
+      -1.13585365213876817300e-11, 2.08757008419747316778e-9,  -2.75573141792967388112e-7,
+      2.48015872888517045348e-5,   -1.38888888888730564116e-3, 4.16666666666665929218e-2};
+};
+
+template <>
+struct Trigonometry<float> {
+  [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
+  [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
+  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f,
+                                                       7.54978995489188216e-8f};
+  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f,
+                                                      -1.6666654611e-1f};
+  [[maybe_unused]] static constexpr float kCosine[3] = {
+      2.443315711809948e-5f, -1.388731625493765e-3f, 4.166664568298827e-2f};
+};
+
+template <std::size_t n>
+ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
+  Lanes result = Lanes{} + coefficients[0];
+  ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
+  return result;
+}
+
+ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
+                                         Lanes& cosine) {
+  for (int k = 0; k < kLanes; ++k)
+    if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
+// Of angles that are not too large.
+ADAGEN_INLINE void near_sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  using Table = Trigonometry<Real>;
+  const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
+  const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
+  const Lanes turns = shifted - Table::kRound;
+  const Lanes rest =
+      ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
+  const Lanes square = rest * rest;
+  const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
+  const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
+  const LaneBits swapped = -(quadrant & 1);
+  const LaneBits s_bits = reinterpret_cast<LaneBits>(s);
+  const LaneBits c_bits = reinterpret_cast<LaneBits>(c);
+  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
+  const LaneBits sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
+  const LaneBits cosine_bits =
+      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
+  sine = reinterpret_cast<Lanes>(sine_bits);
+  cosine = reinterpret_cast<Lanes>(cosine_bits);
+}
+
+ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
+  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
+  return (angle > kLargest) | (angle < -kLargest);
+}
+
+ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  near_sine_and_cosine(angle, sine, cosine);
+  const LaneBits beyond = too_large(angle);
+  if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
+}
+
+// Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
+// computed with: one number, or one for each of several states or links.
+template <class T>
+struct Vector {
+  T x, y, z;
+};
+
+template <class T>
+struct Matrix {
+  Vector<T> x, y, z;  // rows
+};
+
+template <class T>
+struct Symmetric {
+  T xx, xy, xz, yy, yz, zz;
+};
+
+template <class T>
+ADAGEN_INLINE Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Vector<T>& a, const S& s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Vector<T>& a, const Vector<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+template <class T, class S>
+ADAGEN_INLINE T dot(const Vector<T>& a, const Vector<S>& b) {
+  return a.x * b.x + (a.y * b.y + a.z * b.z);
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> cross(const Vector<T>& a, const Vector<S>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class T, class S>
+ADAGEN_INLINE Vector<T> operator*(const Matrix<T>& m, const Vector<S>& a) {
+  return {dot(m.x, a), dot(m.y, a), dot(m.z, a)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> transposed_times(const Matrix<T>& m, const Vector<T>& a) {
+  return {m.x.x * a.x + (m.y.x * a.y + m.z.x * a.z), m.x.y * a.x + (m.y.y * a.y + m.z.y * a.z),
+          m.x.z * a.x + (m.y.z * a.y + m.z.z * a.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Vector<T> row_times(const Vector<T>& a, const Matrix<S>& m) {
+  return {a.x * m.x.x + (a.y * m.y.x + a.z * m.z.x), a.x * m.x.y + (a.y * m.y.y + a.z * m.z.y),
+          a.x * m.x.z + (a.y * m.y.z + a.z * m.z.z)};
+}
+template <class T, class S>
+ADAGEN_INLINE Matrix<T> operator*(const Matrix<T>& a, const Matrix<S>& b) {
+  return {row_times(a.x, b), row_times(a.y, b), row_times(a.z, b)};
+}
+template <class T>
+ADAGEN_INLINE Vector<T> operator*(const Symmetric<T>& m, const Vector<T>& a) {
+  return {m.xx * a.x + (m.xy * a.y + m.xz * a.z), m.xy * a.x + (m.yy * a.y + m.yz * a.z),
+          m.xz * a.x + (m.yz * a.y + m.zz * a.z)};
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Symmetric<T>& a, const Symmetric<T>& b) {
+  a.xx += b.xx, a.xy += b.xy, a.xz += b.xz, a.yy += b.yy, a.yz += b.yz, a.zz += b.zz;
+}
+template <class T>
+ADAGEN_INLINE void operator+=(Matrix<T>& a, const Matrix<T>& b) {
+  a.x += b.x, a.y += b.y, a.z += b.z;
+}
+
+// A body about a point: spatial inertia [[A, B], [B^T, C]] (A rotational, C of mass) and bias force
+// [n; f]. It is a link, or a link with all that hangs on it.
+template <class T>
+struct Body {
+  Symmetric<T> A;
+  Matrix<T> B;
+  Symmetric<T> C;
+  Vector<T> n, f;
+};
+
+template <class T>
+ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
+  a.A += b.A, a.B += b.B, a.C += b.C, a.n += b.n, a.f += b.f;
+}
+
+// The body told about the point at -r from the one that it is told about: B + rx C, and
+// A + rx B^T - (B + rx C) rx.
+template <class T>
+ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Matrix<T> B{{X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
+                     X.B.x.z + (r.y * C.zz - r.z * C.yz)},
+                    {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
+                     X.B.y.z + (r.z * C.xz - r.x * C.zz)},
+                    {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
+                     X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
+  X.A.xx += (r.y * X.B.x.z - r.z * X.B.x.y) - (B.x.y * r.z - B.x.z * r.y);
+  X.A.xy += (r.y * X.B.y.z - r.z * X.B.y.y) - (B.x.z * r.x - B.x.x * r.z);
+  X.A.xz += (r.y * X.B.z.z - r.z * X.B.z.y) - (B.x.x * r.y - B.x.y * r.x);
+  X.A.yy += (r.z * X.B.y.x - r.x * X.B.y.z) - (B.y.z * r.x - B.y.x * r.z);
+  X.A.yz += (r.z * X.B.z.x - r.x * X.B.z.z) - (B.y.x * r.y - B.y.y * r.x);
+  X.A.zz += (r.x * X.B.z.y - r.y * X.B.z.x) - (B.z.x * r.y - B.z.y * r.x);
+  X.B = B;
+  X.n += cross(r, X.f);
+}
+
+// The same for a body whose A and B are zero, as a point mass's: B = rx C, A = -B rx.
+template <class T>
+ADAGEN_INLINE void shift_mass(Body<T>& X, const Vector<T>& r) {
+  const Symmetric<T>& C = X.C;
+  const Vector<T> Cx{C.xx, C.xy, C.xz}, Cy{C.xy, C.yy, C.yz}, Cz{C.xz, C.yz, C.zz};
+  X.B = {Cz * r.y - Cy * r.z, Cx * r.z - Cz * r.x, Cy * r.x - Cx * r.y};
+  const Vector<T> Ax = cross(r, X.B.x), Ay = cross(r, X.B.y), Az = cross(r, X.B.z);
+  X.A = {Ax.x, Ax.y, Ax.z, Ay.y, Ay.z, Az.z};
+  X.n += cross(r, X.f);
+}
+
+// The inertia less U U^T / D, U = [n; f] and e = U / D.
+template <class T>
+ADAGEN_INLINE void subtract(Body<T>& X, const Vector<T>& n, const Vector<T>& f,
+                            const Vector<T>& e_n, const Vector<T>& e_f) {
+  X.A.xx -= e_n.x * n.x, X.A.xy -= e_n.x * n.y, X.A.xz -= e_n.x * n.z;
+  X.A.yy -= e_n.y * n.y, X.A.yz -= e_n.y * n.z, X.A.zz -= e_n.z * n.z;
+  X.B.x.x -= e_n.x * f.x, X.B.x.y -= e_n.x * f.y, X.B.x.z -= e_n.x * f.z;
+  X.B.y.x -= e_n.y * f.x, X.B.y.y -= e_n.y * f.y, X.B.y.z -= e_n.y * f.z;
+  X.B.z.x -= e_n.z * f.x, X.B.z.y -= e_n.z * f.y, X.B.z.z -= e_n.z * f.z;
+  X.C.xx -= e_f.x * f.x, X.C.xy -= e_f.x * f.y, X.C.xz -= e_f.x * f.z;
+  X.C.yy -= e_f.y * f.y, X.C.yz -= e_f.y * f.z, X.C.zz -= e_f.z * f.z;
+}
+
+// Where a point moves that is at r from one that moves as [angular; linear].
+template <class T>
+struct Motion {
+  Vector<T> angular, linear;
+};
+
+template <class T, class S>
+ADAGEN_INLINE void carry(Motion<T>& a, const Vector<S>& r) {
+  a.linear += cross(a.angular, r);
+}
+
+// The rotation that a quaternion x y z w of any length stands for, and its squared length.
+template <class T>
+ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<T>& R) {
+  const T squared = (x * x + y * y) + (z * z + w * w);
+  const T s = 2 / squared;
+  const T xx = s * x * x, yy = s * y * y, zz = s * z * z, xy = s * x * y, xz = s * x * z,
+          yz = s * y * z, xw = s * x * w, yw = s * y * w, zw = s * z * w;
+  R = {{1 - (yy + zz), xy - zw, xz + yw},
+       {xy + zw, 1 - (xx + zz), yz - xw},
+       {xz - yw, yz + xw, 1 - (xx + yy)}};
+  return squared;
+}
+
+// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
+// the motion itself, and one for each slaved joint's coupling torque.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+using Mat3 = Eigen::Matrix<Real, 3, 3>;
+using Vec6 = Eigen::Matrix<Real, 6, 1>;
+using Mat6 = Eigen::Matrix<Real, 6, 6>;
+using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
+
+// Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
+struct Transform {
+  Mat3 E;  // rotates parent coordinates into child coordinates
+  Vec3 r;  // origin of the child frame in parent coordinates
+
+  template <class M>
+  void times(const M& m, M& result) const {
+    for (int k = 0; k < M::ColsAtCompileTime; ++k) {
+      const Vec3 angular = m.col(k).template head<3>();
+      const Vec3 linear = m.col(k).template tail<3>();
+      result.col(k).template head<3>().noalias() = E * angular;
+      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
+    }
+  }
+
+  // X^T m: takes a wrench on the child to the same wrench on the parent.
+  Columns6 transposed_times(const Columns6& m) const {
+    Columns6 result;
+    for (int k = 0; k < kColumns; ++k) {
+      const Vec3 force = E.transpose() * m.col(k).template tail<3>();
+      result.col(k).template head<3>() =
+          E.transpose() * m.col(k).template head<3>() + r.cross(force);
+      result.col(k).template tail<3>() = force;
+    }
+    return result;
+  }
+};
+
+ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
+  Mat6 result;
+  X.times(m, result);
+  return result;
+}
+
+ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
+  Mat6 transposed, result;
+  transposed.noalias() = m.transpose();
+  X.times(transposed, result);
+  return result;
+}
+
+// m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
+ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
+  Mat6 result = times_transposed(X, m);
+  result.transposeInPlace();
+  return result;
+}
+
+template <int columns>
+Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
+                                          const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
+  X.times(m, result);
+  return result;
+}
+
+// Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
+// quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
+[[maybe_unused]] Real conjugate_rotation(const Number* quaternion, Mat3& E) {
+  const Real x = Real(quaternion[0]), y = Real(quaternion[1]);
+  const Real z = Real(quaternion[2]), w = Real(quaternion[3]);
+  const Real squared = x * x + y * y + z * z + w * w;
+  const Real s = 2 / squared;
+  E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
+      s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w),   //
+      s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y);
+  return squared;
+}
+
+// b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
+ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
+  using Constant3 = Eigen::Map<const Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>>;
+  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 c(Real(link.com[0]), Real(link.com[1]), Real(link.com[2]));
+  const Vec3 momentum = Constant3(link.tensor).cast<Real>() * omega;
+  const Vec3 alpha = Constant3(link.tensor_inverse).cast<Real>() * momentum.cross(omega);
+  b.setZero();
+  b.col(0).template head<3>() = alpha;
+  b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
 }
 
 // Joint kinds in their canonical frames: the rows of a spatial vector that a joint frees (R, S) and
@@ -689,341 +990,6 @@ class Release {
   std::array<std::array<Real, kColumns>, kFree<Kind>> qdd_;
 };
 
-// Spatial inertias, and how they, wrenches and motions are told in another frame.
-
-// A spatial inertia [[A, B], [B^T, C]]: A and C symmetric, their upper triangles row by row; B row
-// by row. 21 numbers, and half the work of a 6x6 matrix.
-struct Inertia {
-  std::array<Real, 6> A, C;
-  std::array<Real, 9> B;
-
-  static constexpr int symmetric(int i, int k) {
-    return i <= k ? i * (5 - i) / 2 + k : symmetric(k, i);
-  }
-
-  constexpr Real operator()(int i, int k) const {
-    if (i < 3 && k < 3) return A[symmetric(i, k)];
-    if (i >= 3 && k >= 3) return C[symmetric(i - 3, k - 3)];
-    return i < 3 ? B[3 * i + k - 3] : B[3 * k + i - 3];
-  }
-
-  // Sets the entries (i, k) and (k, i), which are one.
-  constexpr void set(int i, int k, Real value) {
-    if (i < 3 && k < 3)
-      A[symmetric(i, k)] = value;
-    else if (i >= 3 && k >= 3)
-      C[symmetric(i - 3, k - 3)] = value;
-    else if (i < 3)
-      B[3 * i + k - 3] = value;
-    else
-      B[3 * k + i - 3] = value;
-  }
-
-  Inertia& operator+=(const Inertia& other) {
-    ADAGEN_FOR (k, 0, 6) A[k] += other.A[k], C[k] += other.C[k];
-    ADAGEN_FOR (k, 0, 9) B[k] += other.B[k];
-    return *this;
-  }
-};
-
-// T^T m T for a symmetric m, T being E or, transposed, E^T; both row by row.
-template <bool transposed>
-std::array<Real, 6> rotated(const Mat3& E, const std::array<Real, 6>& m) {
-  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
-  std::array<Real, 9> half;  // m T
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, 0, 3)
-      half[3 * i + k] = m[Inertia::symmetric(i, 0)] * T(0, k) +
-                        m[Inertia::symmetric(i, 1)] * T(1, k) +
-                        m[Inertia::symmetric(i, 2)] * T(2, k);
-  std::array<Real, 6> result;
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, i, 3)
-      result[Inertia::symmetric(i, k)] =
-          T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
-  return result;
-}
-
-template <bool transposed>
-std::array<Real, 9> rotated(const Mat3& E, const std::array<Real, 9>& m) {
-  const auto T = [&E](int i, int k) { return transposed ? E(k, i) : E(i, k); };
-  std::array<Real, 9> half, result;
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, 0, 3)
-      half[3 * i + k] = m[3 * i] * T(0, k) + m[3 * i + 1] * T(1, k) + m[3 * i + 2] * T(2, k);
-  ADAGEN_FOR (i, 0, 3)
-    ADAGEN_FOR (k, 0, 3)
-      result[3 * i + k] = T(0, i) * half[k] + T(1, i) * half[3 + k] + T(2, i) * half[6 + k];
-  return result;
-}
-
-// The inertia m told at a point whose origin is at -r from the one it is told at:
-// B + rx C, and A + rx (B + rx C)^T - B rx.
-inline void shift(const Vec3& r, Inertia& m) {
-  const auto& C = m.C;
-  auto& A = m.A;
-  const std::array<Real, 9> B = m.B;
-  auto& S = m.B;
-  const auto c = [&C](int i, int k) { return C[Inertia::symmetric(i, k)]; };
-  ADAGEN_FOR (k, 0, 3) {
-    S[k] += r[1] * c(2, k) - r[2] * c(1, k);
-    S[3 + k] += r[2] * c(0, k) - r[0] * c(2, k);
-    S[6 + k] += r[0] * c(1, k) - r[1] * c(0, k);
-  }
-  A[0] += r[1] * S[2] - r[2] * S[1] - (B[1] * r[2] - B[2] * r[1]);
-  A[1] += r[1] * S[5] - r[2] * S[4] - (B[2] * r[0] - B[0] * r[2]);
-  A[2] += r[1] * S[8] - r[2] * S[7] - (B[0] * r[1] - B[1] * r[0]);
-  A[3] += r[2] * S[3] - r[0] * S[5] - (B[5] * r[0] - B[3] * r[2]);
-  A[4] += r[2] * S[6] - r[0] * S[8] - (B[3] * r[1] - B[4] * r[0]);
-  A[5] += r[0] * S[7] - r[1] * S[6] - (B[6] * r[1] - B[7] * r[0]);
-}
-
-// target += X^T m X: an inertia in the child's frame, felt in the parent's.
-ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Inertia& m, Inertia& target) {
-  Inertia turned{rotated<false>(X.E, m.A), rotated<false>(X.E, m.C), rotated<false>(X.E, m.B)};
-  shift(X.r, turned);
-  target += turned;
-}
-
-// X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
-ADAGEN_NOINLINE Inertia in_child(const Transform& X, const Inertia& m) {
-  Inertia moved = m;
-  shift(-X.r, moved);
-  return {rotated<true>(X.E, moved.A), rotated<true>(X.E, moved.C), rotated<true>(X.E, moved.B)};
-}
-
-// X^-T f: a wrench on the parent, felt in the child's frame.
-[[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
-  Columns6 result;
-  ADAGEN_FOR (k, 0, kColumns) {
-    const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
-    result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
-    result.col(k).template tail<3>() = X.E * force;
-  }
-  return result;
-}
-
-// X^-1 m: motions in the child's frame, told in the parent's.
-template <int columns>
-Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
-                                                 const Eigen::Matrix<Real, 6, columns>& m) {
-  Eigen::Matrix<Real, 6, columns> result;
-  ADAGEN_FOR (k, 0, columns) {
-    const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
-    result.col(k).template head<3>() = angular;
-    result.col(k).template tail<3>() =
-        X.E.transpose() * m.col(k).template tail<3>() + X.r.cross(angular);
-  }
-  return result;
-}
-
-// X^-1 m X^-T: a mobility in the child's frame, told in the parent's.
-ADAGEN_NOINLINE Mat6 congruent_in_parent(const Transform& X, const Mat6& m) {
-  const Mat6 half = motion_in_parent(X, m).transpose();
-  return motion_in_parent(X, half);
-}
-
-// Spatial inertia of a link at its origin.
-Inertia spatial_inertia(const LinkConstants& link) {
-  const Real x = Real(link.com[0]), y = Real(link.com[1]), z = Real(link.com[2]);
-  const Real m = Real(link.mass);
-  std::array<Real, 9> t;
-  std::transform(link.tensor, link.tensor + 9, t.begin(), [](Number value) { return Real(value); });
-  return {{t[0] + m * (y * y + z * z), t[1] - m * x * y, t[2] - m * x * z,
-           t[4] + m * (x * x + z * z), t[5] - m * y * z, t[8] + m * (x * x + y * y)},
-          {m, 0, 0, m, 0, m},
-          {0, -m * z, m * y, m * z, 0, -m * x, -m * y, m * x, 0}};
-}
-
-// Articulated bodies: what one process does alone between its cuts. A joint is treated in its own
-// frame, the child link's. Seen from the segment's root, a_far = a_near + sigma (S qdd + c) and
-// sigma tau = S^T f_far; sigma is -1 where the far link is the parent.
-
-template <std::size_t n>
-std::array<std::array<Real, kColumns>, n> negated(std::array<std::array<Real, kColumns>, n> x) {
-  for (auto& row : x)
-    for (Real& value : row) value = -value;
-  return x;
-}
-
-// I^A and p^A of a link start as its own inertia and v x* I v.
-ADAGEN_NOINLINE void start_link(const Inertia& inertia, const Vec6& velocity, Inertia& IA,
-                                Columns6& pA) {
-  IA = inertia;
-  const auto& A = inertia.A;
-  const Vec3 w = velocity.head<3>(), v = velocity.tail<3>();
-  const Real mass = inertia.C[0];
-  const Vec3 mc(inertia.B[7], inertia.B[2], inertia.B[3]);  // mass times centre of mass
-  const Vec3 angular =
-      Vec3(A[0] * w[0] + A[1] * w[1] + A[2] * w[2], A[1] * w[0] + A[3] * w[1] + A[4] * w[2],
-           A[2] * w[0] + A[4] * w[1] + A[5] * w[2]) +
-      mc.cross(v);
-  const Vec3 linear = mass * v + w.cross(mc);
-  if constexpr (kColumns > 1) pA.setZero();
-  pA.col(0).template head<3>() = w.cross(angular) + v.cross(linear);
-  pA.col(0).template tail<3>() = w.cross(linear);
-}
-
-template <class Kind>
-struct Articulated {
-  static constexpr int n = kFree<Kind>;
-  std::array<std::array<Real, n>, n> D;         // for n = 1 the inverse of D = S^T I^A S, else its
-                                                // Cholesky factor, the diagonal inverted
-  std::array<std::array<Real, 6>, n> E;         // D^-1 S^T I^A at the constrained rows, else zero
-  std::array<std::array<Real, kColumns>, n> u;  // sigma tau - S^T p^A
-  std::array<std::array<Real, kColumns>, n> tau;
-  Columns6 c;  // sigma c
-
-  template <std::size_t k>
-  void solve(std::array<std::array<Real, k>, n>& x) const {
-    if constexpr (n == 1) {
-      for (Real& value : x[0]) value *= D[0][0];
-    } else {
-      forward_substitute(D, x);
-      backward_substitute(D, x);
-    }
-  }
-};
-
-// The joint's share of the articulated body with inertia I and bias p on its far side: what it
-// hands on to its near side, by exact projection: nothing along S but the torque. Returns false
-// where D cannot be factorized.
-template <class Kind>
-ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia& I,
-                                const Columns6& p, Inertia& handed, Columns6& force) {
-  constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
-  constexpr auto& free = Kind::Free::row;
-  [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
-  bool good = true;
-  ADAGEN_FOR (k, 0, n) {
-    ADAGEN_FOR (l, 0, n) i.D[k][l] = I(free[k], free[l]);
-    i.E[k] = {};
-    ADAGEN_FOR (l, 0, m) i.E[k][constrained[l]] = I(free[k], constrained[l]);
-    ADAGEN_FOR (c, 0, kColumns) i.u[k][c] = sigma * i.tau[k][c] - p(free[k], c);
-  }
-  if constexpr (n == 1) {
-    // Beside the inertia about other axes (in other directions), D must be more than rounding.
-    constexpr int row = free[0] < 3 ? 0 : 3;
-    const Real whole = I(row, row) + I(row + 1, row + 1) + I(row + 2, row + 2);
-    good = i.D[0][0] > 8 * std::numeric_limits<Real>::epsilon() * whole &&
-           i.D[0][0] <= std::numeric_limits<Real>::max();
-    i.D[0][0] = 1 / i.D[0][0];
-  } else {
-    good = factorize(i.D);
-  }
-  i.solve(i.E);
-  auto moved = i.u;
-  i.solve(moved);
-  ADAGEN_FOR (k, 0, n)
-    ADAGEN_FOR (l, 0, 6) handed.set(free[k], l, 0);
-  if constexpr (m > 0) {
-    ADAGEN_FOR (r, 0, m)
-      ADAGEN_FOR (s, r, m) {
-        Real x = I(constrained[r], constrained[s]);
-        ADAGEN_FOR (k, 0, n) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
-        handed.set(constrained[r], constrained[s], x);
-      }
-    ADAGEN_FOR (c, 0, kColumns)
-      ADAGEN_FOR (r, 0, m) {
-        Real x = p(constrained[r], c);
-        ADAGEN_FOR (k, 0, n) x += I(constrained[r], free[k]) * moved[k][c];
-        ADAGEN_FOR (s, 0, m) x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
-        force(constrained[r], c) = x;
-      }
-  }
-  ADAGEN_FOR (k, 0, n)
-    ADAGEN_FOR (c, 0, kColumns) force(free[k], c) = sigma * i.tau[k][c];
-  return good;
-}
-
-// a becomes the far link's acceleration (joint frame) from the near link's; returns sigma qdd.
-template <class Kind>
-std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated<Kind>& i,
-                                                               Columns6& a) {
-  a += i.c;
-  auto moved = i.u;
-  i.solve(moved);
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    ADAGEN_FOR (c, 0, kColumns) {
-      const int row = Kind::Free::row[k];
-      Real x = moved[k][c];
-      for (int l : Kind::Constrained::row) x -= i.E[k][l] * a(l, c);
-      moved[k][c] = x - a(row, c);
-    }
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    ADAGEN_FOR (c, 0, kColumns) a(Kind::Free::row[k], c) += moved[k][c];
-  return moved;
-}
-
-// K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
-template <class Kind>
-ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
-  ADAGEN_FOR (k, 0, (kFree<Kind>)) m.row(Kind::Free::row[k]).setZero();
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
-}
-
-// Omega of the far side: K m K^T + S D^-1 S^T, m being the near side's (zero: the ground's).
-template <class Kind>
-ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
-  constexpr int n = kFree<Kind>;
-  share(i, m);
-  m.transposeInPlace();
-  share(i, m);
-  std::array<std::array<Real, n>, n> inverse{};
-  ADAGEN_FOR (k, 0, n) inverse[k][k] = 1;
-  i.solve(inverse);
-  ADAGEN_FOR (k, 0, n)
-    ADAGEN_FOR (l, 0, n) m(Kind::Free::row[k], Kind::Free::row[l]) += inverse[k][l];
-}
-
-// A load on the far side (joint frame) moves the joint; what is left of it, K^T load, goes on.
-template <class Kind>
-void deliver(Articulated<Kind>& i, Columns6& load) {
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    ADAGEN_FOR (c, 0, kColumns) {
-      Real& along = load(Kind::Free::row[k], c);
-      i.u[k][c] += along;
-      for (int l : Kind::Constrained::row) load(l, c) -= i.E[k][l] * along;
-      along = 0;
-    }
-}
-
-// Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
-ADAGEN_NOINLINE bool invert(const Inertia& I, const Columns6& p, Mat6& Phi, Columns6& b) {
-  std::array<std::array<Real, 6>, 6> L, x{};
-  ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
-    x[i][i] = 1;
-  }
-  const bool good = factorize(L);
-  forward_substitute(L, x);
-  ADAGEN_FOR (i, 0, 6)
-    ADAGEN_FOR (k, i, 6) {
-      Real sum = 0;
-      ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
-      Phi(i, k) = Phi(k, i) = sum;
-    }
-  b.noalias() = -Phi * p;
-  return good;
-}
-
-// a with I^A a = -p^A: nothing else acts on the link.
-ADAGEN_NOINLINE bool solve_root(const Inertia& I, const Columns6& p, Columns6& a) {
-  std::array<std::array<Real, 6>, 6> L;
-  std::array<std::array<Real, kColumns>, 6> x;
-  ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);
-    ADAGEN_FOR (c, 0, kColumns) x[i][c] = -p(i, c);
-  }
-  const bool good = factorize(L);
-  forward_substitute(L, x);
-  backward_substitute(L, x);
-  ADAGEN_FOR (i, 0, 6)
-    ADAGEN_FOR (c, 0, kColumns) a(i, c) = x[i][c];
-  return good;
-}
-
 // Joints and links in wide numbers, for what refinement finds to be left over.
 using Wide = std::conditional_t<std::is_same_v<Real, float>, double, long double>;
 using Wide3 = Eigen::Matrix<Wide, 3, 1>;
@@ -1206,11 +1172,14 @@ struct WideJoint {
   Six<double> moved, stepped;
 };
 
+inline const Number* given(const Number* x) { return x; }
+
 class Refinement {
  public:
   std::array<Columns6, kJointCount> f;  // joint forces of the last step, every right-hand side
   std::array<Eigen::Matrix<Number, 6, 1>, kJointCount> force;  // the same with coupling torques
   std::array<Number, kNv> step{};                              // accelerations of the last step
+  std::array<Number, kNv> still{};                             // no velocities
   std::array<Number, kNv> lacking{};  // torques that forces inside runs lack along the joints
   std::array<Vec6, kLinkCount> rho;
   std::array<Wide, kNv> qdd{};
@@ -1345,70 +1314,6 @@ class Refinement {
   std::array<WideJoint, kJointCount> joints_;
   std::array<Wide6, kLinkCount> left_;
 };
-
-// Along the joint its force is its torque, to the bit.
-template <class Kind>
-void along(const std::array<std::array<Real, kColumns>, kFree<Kind>>& tau, Columns6& f) {
-  for (int k = 0; k < kFree<Kind>; ++k)
-    for (int c = 0; c < kColumns; ++c) f(Kind::Free::row[k], c) = tau[k][c];
-}
-
-// The right-hand side that a residual makes: the others, of coupling torques, stay as they are.
-[[maybe_unused]] inline Columns6 first_column(const Vec6& x) {
-  Columns6 result = Columns6::Zero();
-  result.col(0) = x;
-  return result;
-}
-
-// A joint that has been joined, for another difference beta of accelerations across it.
-template <class Kind>
-void resolve(Joined<Kind>& i, const Vec6& beta) {
-  constexpr int m = kConstrained<Kind>;
-  for (int k = 0; k < kFree<Kind>; ++k) i.R_beta[k][0] = beta[Kind::Free::row[k]];
-  for (int row = 0; row < m; ++row) {
-    Real x = beta[Kind::Constrained::row[row]];
-    for (int k = 0; k < row; ++k) x -= i.L[row][k] * i.z[k][0];
-    i.z[row][0] = x * i.L[row][row];
-  }
-}
-
-// The same for other biases and no torque of its own.
-template <class Kind>
-void rejoin(Joined<Kind>& i, const Columns6& b_A, const Columns6& b_B) {
-  for (int k = 0; k < kFree<Kind>; ++k) i.tau[k][0] = 0;
-  resolve(i, b_A.col(0) - b_B.col(0));
-}
-
-// What a joint's far link feels through it: I^A a + p^A, handle forces not counted.
-template <class Body>
-Columns6 effort(const Body& IA, const Columns6& a, const Columns6& pA) {
-  Columns6 f = pA;
-  for (int c = 0; c < kColumns; ++c)
-    for (int row = 0; row < 6; ++row)
-      for (int k = 0; k < 6; ++k) f(row, c) += IA(row, k) * a(k, c);
-  return f;
-}
-
-// A joint that has been articulated, for another p^A on its far side, no torque of its own and no
-// velocity: what it hands on.
-template <class Kind>
-Columns6 rearticulate(Articulated<Kind>& i, Real sigma, const Columns6& p) {
-  Columns6 force;
-  i.c.setZero();
-  for (int k = 0; k < kFree<Kind>; ++k) {
-    i.tau[k][0] = 0;
-    for (int c = 0; c < kColumns; ++c) {
-      i.u[k][c] = sigma * i.tau[k][c] - p(Kind::Free::row[k], c);
-      force(Kind::Free::row[k], c) = sigma * i.tau[k][c];
-    }
-  }
-  for (int row : Kind::Constrained::row)
-    for (int c = 0; c < kColumns; ++c) {
-      force(row, c) = p(row, c);
-      for (int k = 0; k < kFree<Kind>; ++k) force(row, c) += i.E[k][row] * i.u[k][c];
-    }
-  return force;
-}
 
 constexpr std::array<MessageInfo, 7> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "flange_roll"
@@ -1752,220 +1657,1992 @@ std::chrono::steady_clock::rep* trace_stamps =
   if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
 }
 
-// ---- 4. joints ----------------------------------------------------------------------------------
+// ---- 4. kernels ---------------------------------------------------------------------------------
+// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
+// base's link), about each link's own origin. Links move as they would were all joint accelerations
+// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
 
-// The memory of a process. Whatever belongs to a joint is kept with it.
-struct Workspace;
+// What is computed with.
+using Value = Real;
 
-struct Joint_base_yaw {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "turret"
-  Inertia IA;  // articulated-body inertia of link "turret"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
+// A link's mass, that times its centre of mass, and its pseudo-inertia, sum of m x x^T: xx xy xz yy
+// yz zz. About the link's origin.
+struct LinkInertia {
+  Real mass, moments[3], tensor[6];
+};
+constexpr std::array<LinkInertia, kJointCount> kInertias{ {
+    {3.6f, {0.0f, 0.0f, 0.36000000000000004f},
+     {0.00441f, 0.0f, 0.0f, 0.00441f, 0.0f, 0.04800000000000001f}},
+    {3.1f, {0.0f, -0.31000000000000005f, 0.0f},
+     {0.00279f, 0.0f, 0.0f, 0.045880000000000004f, 0.0f, 0.00279f}},
+    {2.6f, {0.0f, 0.0f, -0.078f},
+     {0.00196625f, 0.0f, 0.0f, 0.00196625f, 0.0f, 0.009359999999999999f}},
+    {2.2f, {-0.11000000000000001f, 0.22000000000000003f, 0.0f},
+     {0.006875000000000001f, -0.011000000000000003f, 0.0f, 0.030873300000000003f, 0.0f, 0.001375f}},
+    {1.7f, {0.0f, 0.017f, -0.136f},
+     {0.000860625f, 0.0f, 0.0f, 0.0010306249999999999f, -0.00136f, 0.014506665f}},
+    {1.3f, {0.052000000000000005f, 0.013000000000000001f, 0.0f},
+     {0.0027300000000000002f, 0.0005200000000000001f, 0.0f, 0.00078f, 0.0f, 0.00065f}},
+    {0.85f, {0.007199999999999999f, 0.0f, 0.0754f},
+     {0.0006599999999999998f, 0.0f, 0.00014399999999999992f, 0.0025143300000000004f, 0.0f, 0.007576f}},
+    {0.05f, {0.0015f, 0.0f, 0.0005f},
+     {6.0000035e-05f, 0.0f, 1.5e-05f, 1.666665e-06f, 0.0f, 6.666665e-06f}},
+    {0.05f, {0.0015f, 0.0f, 0.0005f},
+     {6.0000035e-05f, 0.0f, 1.5e-05f, 1.666665e-06f, 0.0f, 6.666665e-06f}},
+} };
+
+// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
+// segments of long runs.
+constexpr int kSlotCount = 9;
+constexpr bool kAbreast = false;  // whether there are such
+constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
+constexpr bool kReordered = false;  // whether joints lie in another order than they have
+constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8 };
+constexpr bool kByColumns = true;  // whether runs are taken by columns
+
+// What a process does at a link.
+struct LinkRole {
+  bool gathers;   // paths meet at it inwards
+  bool adds_own;  // its own inertia is this process's to add
+  bool parts;     // paths part at it outwards
+  bool oriented;  // the quaternion of the joint above it is this process's to take
+};
+constexpr LinkRole kRoles[2][kLinkCount]{
+    {{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
 };
 
-struct Joint_shoulder_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "upper_arm"
-  Inertia IA;  // articulated-body inertia of link "upper_arm"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Mat6 Phi_turret;  // of the chain it completes
-  Columns6 b_turret;
-  Mat6 Phi_upper_arm;  // of the chain it completes
-  Columns6 b_upper_arm;
-  Mat6 Phi_elbow_housing;  // of the chain it completes
-  Columns6 b_elbow_housing;
-  Mat6 Phi_forearm;  // of the chain it completes
-  Columns6 b_forearm;
-  Columns6 load;  // what handle forces add
-  Columns6 F_on_forearm;  // outer wrench on that chain
-};
+// Numbers of the state, copied to the type that is computed with; as they were given, too.
+template <int count>
+class Copied {
+ public:
+  Copied& operator=(const Number* x) {
+    given_ = x;
+    for (int k = 0; k < count; ++k) copy_[k] = static_cast<Value>(x[k]);
+    return *this;
+  }
+  operator const Value*() const { return copy_; }
+  const Number* given() const { return given_; }
+  Value* data() { return copy_; }
 
-struct Joint_upper_arm_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "elbow_housing"
-  Inertia IA;  // articulated-body inertia of link "elbow_housing"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
+ private:
+  const Number* given_ = nullptr;
+  Value copy_[count > 0 ? count : 1]{};
 };
+template <int count>
+const Number* given(const Copied<count>& x) {
+  return x.given();
+}
 
-struct Joint_elbow_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "forearm"
-  Inertia IA;  // articulated-body inertia of link "forearm"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Columns6 load;  // what handle forces add
-};
-
-struct Joint_forearm_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "wrist_housing"
-  Joined<Revolute> joined;
-  Inertia IA;  // articulated-body inertia of link "wrist_housing"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Columns6 load;  // what handle forces add
-};
-
-struct Joint_wrist_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "wrist"
-  Inertia IA;  // articulated-body inertia of link "wrist"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_flange_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "hand"
-  Inertia IA;  // articulated-body inertia of link "hand"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-  Mat6 Phi_wrist_housing;  // of the chain it completes
-  Columns6 b_wrist_housing;
-  Columns6 F_on_wrist_housing;  // outer wrench on that chain
-};
-
-struct Joint_left_finger_slide {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_finger"
-  Inertia IA;  // articulated-body inertia of link "left_finger"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Prismatic> body;
-};
-
-struct Joint_right_finger_slide {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_finger"
-  Inertia IA;  // articulated-body inertia of link "right_finger"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Prismatic> body;
-};
-
-struct Workspace {
-  const Number* q = nullptr;
-  const Number* v = nullptr;
-  const Number* tau = nullptr;
+// Where an evaluation finds the state, and puts what it answers.
+struct State {
+  Copied<kNq> q;
+  Copied<kNv> v;
+  Copied<kNtau> tau;
   Number* qdd = nullptr;
-  int status = kFine;
-  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
-  Columns6 ground;  // its acceleration; a correction feels none
-  Refinement refinement;
-  Joint_base_yaw j_base_yaw;
-  Joint_shoulder_pitch j_shoulder_pitch;
-  Joint_upper_arm_roll j_upper_arm_roll;
-  Joint_elbow_pitch j_elbow_pitch;
-  Joint_forearm_roll j_forearm_roll;
-  Joint_wrist_pitch j_wrist_pitch;
-  Joint_flange_roll j_flange_roll;
-  Joint_left_finger_slide j_left_finger_slide;
-  Joint_right_finger_slide j_right_finger_slide;
+};
 
+// What is kept where segments meet, with the joint that it belongs to.
+struct Joint_shoulder_pitch {
+  Mat6 Phi_turret;
+  Columns6 b_turret;
+  Mat6 Phi_upper_arm;
+  Columns6 b_upper_arm;
+  Mat6 Phi_elbow_housing;
+  Columns6 b_elbow_housing;
+  Mat6 Phi_forearm;
+  Columns6 b_forearm;
+  Columns6 F_on_forearm;
+};
+struct Joint_forearm_roll {
+  Transform X, Y;  // to the joint's frame, about its two links' origins
+  Joined<Revolute> joined;
+};
+struct Joint_flange_roll {
+  Mat6 Phi_wrist_housing;
+  Columns6 b_wrist_housing;
+  Columns6 F_on_wrist_housing;
+};
+struct Cuts {
+  Joint_shoulder_pitch j_shoulder_pitch;
+  Joint_forearm_roll j_forearm_roll;
+  Joint_flange_roll j_flange_roll;
+  std::array<Columns6, kLinkCount> loads;  // wrenches on links, from handle forces
+  Refinement refinement;
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-inline void fail(Workspace& w, Failure kind, int joint) {
+// The memory of a process. What is set up for many links at once lies in blocks, side by side.
+constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
+constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
+
+// Joints that are treated together, one in each lane of T; their slots follow each other.
+template <class T>
+[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Value));
+template <class T>
+struct Joints {
+  int slot;  // of the first one
+  int joint[kWidth<T>];
+
+  constexpr const JointConstants& any() const {
+    return kJoints[static_cast<std::size_t>(joint[0])];
+  }
+};
+constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
+ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
+
+// The lanes of limbs side by side.
+typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+
+// A number of each of the joints.
+template <class T, class Number, std::size_t... lane>
+ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
+                        std::index_sequence<lane...>) {
+  return T{Real(number(kJoints[static_cast<std::size_t>(joints.joint[lane])]))...};
+}
+template <class T, class Number>
+ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
+  if constexpr (kWidth<T> == 1) {
+    const auto one = number(kJoints[static_cast<std::size_t>(joints.joint[0])]);
+    if constexpr (std::is_same_v<decltype(one), const T>)
+      return one;
+    else
+      return T{} + one;
+  } else {
+    return each_of(joints, number, std::make_index_sequence<kWidth<T>>{});
+  }
+}
+
+// What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
+enum Entry : int {
+  kTurn = 0,           // rotation from the child's to the parent link's axes, row by row
+  kAxes = 9,           // the link's orientation R, row by row: its z is the joint's axis
+  kOmega = 18,         // angular velocity
+  kAlpha = 21,         // angular acceleration and
+  kAcceleration = 24,  // acceleration of its origin less gravity, were all joint accelerations zero
+  kRotational = 27,    // A of the bare link
+  kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
+  kTorque = 36,        // bias force n
+  kForce = 39,         // and f of the bare link
+  kEntries = 42
+};
+
+struct alignas(64) Block {
+  Value entries[kEntries][kPerBlock];
+};
+
+// Three numbers of each of the joints, that follow each other in x.
+template <class T>
+ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
+                                    int JointConstants::* place) {
+  const auto number = [&](int k) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place + k]; });
+  };
+  return {number(0), number(1), number(2)};
+}
+
+// Whether a joint between moving links is of a kind; one on the ground that floats needs nothing.
+[[maybe_unused]] constexpr bool any_of(JointKind kind) {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
+[[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
+[[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
+[[maybe_unused]] constexpr bool any_passive() {
+  for (const JointConstants& joint : kJoints) {
+    const Passive& own = joint.passive;
+    if (own.damping != 0 || own.friction != 0 || own.stiffness != 0 || own.rotor != 0) return true;
+  }
+  return false;
+}
+[[maybe_unused]] constexpr bool kAnyPassive = any_passive();
+
+// Whether a joint's axis lies beside what it is treated with, and not with those of its block.
+template <class T>
+constexpr bool kWithAxis = kByColumns && kWidth<T> == 1;
+// Of a joint with one freedom: U / D (6), u / D, 1 / D; of others see inward.hpp.
+constexpr int kMostFactors = kAnyPlanar ? 24 : kAnySpherical ? 18 : 8;
+
+// What is kept of a joint from the inward to the outward sweep.
+template <class T, bool with_axis = kWithAxis<T>>
+struct Eliminated {
+  Vector<T> r;  // from the parent link's origin to the child link's
+  T e[kMostFactors];
+};
+template <class T>
+struct alignas(64) Eliminated<T, true> {
+  Vector<T> axis;
+  T none;  // so that axis and r lie as the halves of a column
+  Vector<T> r;
+  T nothing;
+  T e[kMostFactors];
+};
+using Memory = Eliminated<Value>;
+
+// A bare link as it is added to columns (see inward_columns.hpp).
+struct alignas(64) LinkColumns {
+  Real tensor[8], moments[8], force[8];
+};
+
+// A link's orientation and how it moves, were all joint accelerations zero.
+template <class T>
+struct Frame {
+  Matrix<T> R;
+  Vector<T> omega, alpha, a;
+};
+
+struct Workspace : State, Cuts {
+  int status = kFine;
+  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
+  std::array<Block, kBlockCount> blocks{};
+  std::array<Memory, kJointCount> joints{};
+  std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
+  std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
+  // Of the link beyond each joint, and one for slots that are not filled.
+  std::array<LinkColumns, kByColumns ? kJointCount + 1 : 0> columns{};
+  std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
+  std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
+  std::array<Value, kNv> answer{};
+  std::array<Body<Value>, kRefine ? kJointCount : 0> whole{};  // beyond each joint, to be refined
+
+  Workspace() {
+    for (Block& block : blocks)  // slots that are not filled do not turn
+      for (const int k : {0, 4, 8}) std::fill_n(block.entries[kTurn + k], kPerBlock, Value{} + 1);
+    for (int j = 0; j < kJointCount; ++j)  // what an angle does not change stays as it is
+      for (int k = 0; k < 9; ++k)
+        of(j, kTurn)[k * kPerBlock] = Value{} + kJoints[static_cast<std::size_t>(j)].rotation[k];
+  }
+
+  Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
+  Value* at(int slot, Entry entry) {
+    return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
+  }
+
+  template <class T>
+  Eliminated<T>& memory(const Joints<T>& of) {
+    if constexpr (kWidth<T> == 1)
+      return joints[static_cast<std::size_t>(of.joint[0])];
+    else if constexpr (kWidth<T> == 2)
+      return twos[static_cast<std::size_t>(of.slot / 2)];
+    else
+      return fours[static_cast<std::size_t>(of.slot / 4)];
+  }
+};
+
+template <class T = Value>
+ADAGEN_INLINE T number_at(const Value* x) {
+  T result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const T& number) {
+  std::memcpy(x, &number, sizeof number);
+}
+template <class T = Value>
+ADAGEN_INLINE Vector<T> vector_at(const Value* x, int stride = kPerBlock) {
+  return {number_at<T>(x), number_at<T>(x + stride), number_at<T>(x + 2 * stride)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Vector<T>& a) {
+  put_at(x, a.x), put_at(x + kPerBlock, a.y), put_at(x + 2 * kPerBlock, a.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Matrix<T> matrix_at(const Value* x) {
+  return {vector_at<T>(x), vector_at<T>(x + 3 * kPerBlock), vector_at<T>(x + 6 * kPerBlock)};
+}
+template <class T>
+ADAGEN_INLINE void put_at(Value* x, const Matrix<T>& m) {
+  put_at(x, m.x), put_at(x + 3 * kPerBlock, m.y), put_at(x + 6 * kPerBlock, m.z);
+}
+template <class T = Value>
+ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
+  return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
+}
+template <class T>
+ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
+  if constexpr (kWithAxis<T>)
+    return w.memory(joints).axis;
+  else
+    return axis_at<T>(w.at(joints.slot, kAxes));
+}
+
+// A body in a message.
+[[maybe_unused]] constexpr int kBodyNumbers = 27;
+template <class T>
+ADAGEN_INLINE Number* put(Number* to, const Body<T>& X) {
+  static_assert(sizeof X == kBodyNumbers * sizeof(Real));
+  Real numbers[kBodyNumbers];
+  std::memcpy(numbers, &X, sizeof X);
+  return std::copy_n(numbers, kBodyNumbers, to);
+}
+template <class T>
+ADAGEN_INLINE const Number* get(const Number* from, Body<T>& X) {
+  Real numbers[kBodyNumbers];
+  std::copy_n(from, kBodyNumbers, numbers);
+  std::memcpy(&X, numbers, sizeof X);
+  return from + kBodyNumbers;
+}
+template <class T>
+ADAGEN_INLINE const Number* add(const Number* from, Body<T>& X) {
+  Body<T> other;
+  from = get(from, other);
+  X += other;
+  return from;
+}
+
+ADAGEN_INLINE Lanes wide(const Value* x) {
+  Lanes result;
+  std::memcpy(&result, x, sizeof result);
+  return result;
+}
+
+// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
+  Value tau = w.tau[joint.v];
+  if constexpr (kAnyPassive) {
+    const Passive& own = joint.passive;
+    const Value& qd = w.v[joint.v];
+    if (own.damping != 0) tau -= own.damping * qd;
+    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
+  }
+  return tau;
+}
+
+// A joint of prescribed motion among limbs side by side gives way to nothing and moves as told.
+ADAGEN_INLINE Real immovable(const JointConstants& joint) {
+  return joint.passive.prescribed ? std::numeric_limits<Real>::infinity() : 0;
+}
+ADAGEN_INLINE Value prescribed(const Workspace& w, const JointConstants& joint) {
+  return joint.passive.prescribed ? w.tau[joint.v] : Value{};
+}
+
+// Accelerations are given only where all went well.
+inline void give(Workspace& w, int first, int count) {
+  if (w.status == kFine)
+    std::copy_n(&w.answer[static_cast<std::size_t>(first)], count, w.qdd + first);
+}
+
+[[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
+[[maybe_unused]] constexpr bool is_identity(const Number (&R)[9]) {
+  for (int k = 0; k < 9; ++k)
+    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
+  return true;
+}
+
+// What cannot be solved is refused, with the joint at fault.
+
+ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
 
-// x - x is zero for finite x only.
-inline void require_finite(Workspace& w, const Number* x, int count, int joint) {
-  Number sum = 0;
-  for (int k = 0; k < count; ++k) sum += x[k] - x[k];
-  if (!(sum == 0)) fail(w, kNotFinite, joint);
+// x - x is zero, in all bits, for finite x only.
+ADAGEN_INLINE LaneBits unlike_zero(const Value* x) {
+  return reinterpret_cast<LaneBits>(wide(x) - wide(x));
+}
+ADAGEN_INLINE bool finite(const Value* x, int count) {
+  LaneBits found{};
+  int k = 0;
+  for (; k + kPerBlock <= count; k += kPerBlock) found |= unlike_zero(x + k);
+  if (k > 0 && k < count)
+    found |= unlike_zero(x + count - kPerBlock);  // some of them once more
+  else
+    for (; k < count; ++k)
+      if (!all_zero(x[k] - x[k])) return false;
+  return !any_of(found);
 }
 
-[[maybe_unused]] inline void require_length(Workspace& w, Real squared, int joint) {
-  if (!(squared >= std::numeric_limits<Real>::min() && squared <= std::numeric_limits<Real>::max()))
-    fail(w, kZeroQuaternion, joint);
+// Tells which of entries first .. is the first that is not finite; place says where a joint's
+// entries start.
+ADAGEN_COLD inline void refuse(Workspace& w, const Value* x, int first, int JointConstants::* place,
+                               Failure kind) {
+  while (finite(x + first, 1)) ++first;
+  int joint = 0;
+  for (int j = 0; j < kJointCount; ++j)
+    if (kJoints[static_cast<std::size_t>(j)].*place <= first) joint = j;
+  fail(w, kind, joint);
 }
 
-template <std::size_t n>
-void load_torque(Workspace& w, int joint, int v, std::array<std::array<Real, kColumns>, n>& tau) {
-  require_finite(w, w.tau + v, static_cast<int>(n), joint);
-  for (std::size_t k = 0; k < n; ++k) {
-    tau[k] = {};
-    tau[k][0] = Real(w.tau[v + static_cast<int>(k)]);
+// Refuses entries first .. first + count - 1 of the state, or of the answer, if one is not finite.
+inline void require_finite(Workspace& w, const Value* x, int first, int count,
+                           int JointConstants::* place, Failure kind) {
+  if (__builtin_expect(!finite(x + first, count), 0)) refuse(w, x, first, place, kind);
+}
+
+// Whether nothing failed, and entries first .. first + count - 1 of the answer are finite.
+ADAGEN_INLINE bool went_well(const Workspace& w, int first, int count) {
+  return __builtin_expect(
+      w.status == kFine && finite(&w.answer[static_cast<std::size_t>(first)], count), 1);
+}
+
+template <class T>
+ADAGEN_INLINE bool has_length(const T& squared) {
+  return all_positive(squared - std::numeric_limits<Real>::min()) &&
+         all_positive(std::numeric_limits<Real>::max() - squared);
+}
+template <class T>
+void require_length(Workspace& w, const T& squared, int joint) {
+  if (!has_length(squared)) fail(w, kZeroQuaternion, joint);
+}
+
+// An elimination failed for one of the joints: for that whose number is not positive.
+template <class T>
+ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]] const T& x) {
+  int lane = 0;
+  if constexpr (kWidth < T >> 1)
+    while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
+  fail(w, kFactorization, joints.joint[lane]);
+}
+
+// Loops over rows of joints: a run's joints, or those of limbs side by side, of one kind each.
+// Where few stretches of one kind follow each other, each is a loop of its own that knows its kind.
+template <int first, int last>
+struct RunRows {
+  static constexpr int kCount = last - first + 1;
+  static constexpr JointKind kind(int k) {
+    return kJoints[static_cast<std::size_t>(first + k)].kind;
+  }
+};
+
+constexpr int kMostStretches = 8;
+
+// Where the stretch ends that begins with the k-th row of an order.
+template <class Rows, bool backwards>
+constexpr int end_of_stretch(int k) {
+  const auto kind = [](int i) { return Rows::kind(backwards ? Rows::kCount - 1 - i : i); };
+  int end = k + 1;
+  while (end < Rows::kCount && kind(end) == kind(k)) ++end;
+  return end;
+}
+template <class Rows>
+constexpr bool few_stretches() {
+  int count = 0;
+  for (int k = 0; k < Rows::kCount; ++count) k = end_of_stretch<Rows, false>(k);
+  return count <= kMostStretches;
+}
+
+// Calls step(row, kind) for each row, the last one first if backwards.
+template <class Rows, bool backwards, int begin = 0, class Step>
+ADAGEN_INLINE void each_row(const Step& step) {
+  constexpr auto row = [](int k) { return backwards ? Rows::kCount - 1 - k : k; };
+  if constexpr (few_stretches<Rows>()) {
+    constexpr int end = end_of_stretch<Rows, backwards>(begin);
+    constexpr std::integral_constant<JointKind, Rows::kind(row(begin))> kind;
+    for (int k = begin; k < end; ++k) step(row(k), kind);
+    if constexpr (end < Rows::kCount) each_row<Rows, backwards, end>(step);
+  } else {
+    for (int k = 0; k < Rows::kCount; ++k) step(row(k), Rows::kind(row(k)));
   }
 }
 
-// An acceleration is given only where all went well.
-template <std::size_t n>
-void store_acceleration(Workspace& w, int joint, int v,
-                        const std::array<std::array<Real, kColumns>, n>& qdd) {
-  Real sum = 0;
-  for (std::size_t k = 0; k < n; ++k) sum += qdd[k][0] - qdd[k][0];
-  if (!(sum == 0)) fail(w, kOverflow, joint);
-  if (w.status != kFine) return;
-  for (std::size_t k = 0; k < n; ++k) w.qdd[v + static_cast<int>(k)] = qdd[k][0];
-}
+// What needs no recursion, for as many links at once as a register holds.
 
-const Mat6 kZero = Mat6::Zero();
+// A number of each joint of a block, as constants of the model are kept.
+using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
 
-// The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
-  Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
+struct alignas(64) BlockConstants {
+  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
+  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
+  PerJoint mass, moments[3], tensor[6];
+};
+
+const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
+  std::array<BlockConstants, kBlockCount> result{};
+  for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
+    for (const int k : {0, 4}) block.rotation[k].fill(1);
+    block.mass.fill(1);
+    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
+  }
+  for (int j = 0; j < kJointCount; ++j) {
+    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
+    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
+    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
+    block.x[lane] = joint.translation[0];
+    block.y[lane] = joint.translation[1];
+    block.z[lane] = joint.translation[2];
+    block.mass[lane] = link.mass;
+    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
+    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
+  }
   return result;
 }();
 
-// Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
-[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
-  Mat6 result;
-  std::size_t k = 0;
-  for (int i = 0; i < 6; ++i)
-    for (int j = i; j < 6; ++j) result(i, j) = result(j, i) = upper[k++];
+// Constants of each of the joints.
+template <class T>
+ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
+  const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+  return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
+}
+template <class T>
+ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1)
+    return kInertias[static_cast<std::size_t>(joints.joint[0])].mass;
+  else
+    return constant(joints, &BlockConstants::mass);
+}
+template <class T>
+ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
+  if constexpr (kWidth<T> == 1) {
+    const Number* const x = joints.any().translation;
+    return Vector<Real>{Real(x[0]), Real(x[1]), Real(x[2])};
+  } else {
+    return Vector<T>{constant(joints, &BlockConstants::x), constant(joints, &BlockConstants::y),
+                     constant(joints, &BlockConstants::z)};
+  }
+}
+
+ADAGEN_INLINE Lanes wide(const PerJoint& x) {
+  Lanes result;
+  if constexpr (sizeof(PerJoint) == sizeof(Lanes))
+    std::memcpy(&result, x.data(), sizeof result);
+  else
+    result = x[0] + Lanes{};
+  return result;
+}
+ADAGEN_INLINE void narrow(const Lanes& x, Value* to) { std::memcpy(to, &x, sizeof x); }
+ADAGEN_INLINE Vector<Lanes> wide_vector(const Value (*x)[kPerBlock]) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE Vector<Lanes> wide_vector(const PerJoint* x) {
+  return {wide(x[0]), wide(x[1]), wide(x[2])};
+}
+ADAGEN_INLINE void narrow(const Vector<Lanes>& a, Value (*x)[kPerBlock]) {
+  narrow(a.x, x[0]), narrow(a.y, x[1]), narrow(a.z, x[2]);
+}
+
+// Copies the angles of those of joints first .. last that turn.
+template <int first, int last>
+void take_angles(Workspace& w) {
+  ADAGEN_FOR (j, first, last + 1) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    const int place = joint.q + (joint.kind == JointKind::kPlanar ? 2 : 0);
+    if (joint.kind == JointKind::kRevolute || joint.kind == JointKind::kPlanar)
+      w.angle[static_cast<std::size_t>(slot_of(j))] = w.q[place];
+  }
+}
+
+// Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
+template <int first, int last>
+void turn(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    Lanes s, c;
+    sine_and_cosine(wide(&w.angle[static_cast<std::size_t>(b * kPerBlock)]), s, c);
+    ADAGEN_FOR (k, 0, 3) {
+      const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
+      narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
+      narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
+    }
+  }
+}
+
+// Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
+// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J, and the bias
+// force is that of the acceleration field a + H x, H = alpha x + omega x omega x.
+template <int first, int last>
+void set_up_links(Workspace& w) {
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const auto& entries = block.entries;
+    const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
+                          wide_vector(entries + kAxes + 6)};
+    const Symmetric<Lanes> T{wide(constants.tensor[0]), wide(constants.tensor[1]),
+                             wide(constants.tensor[2]), wide(constants.tensor[3]),
+                             wide(constants.tensor[4]), wide(constants.tensor[5])};
+    const Matrix<Lanes> RT{T * R.x, T * R.y, T * R.z};  // rows of R T
+    const Symmetric<Lanes> J{dot(RT.x, R.x), dot(RT.x, R.y), dot(RT.x, R.z),
+                             dot(RT.y, R.y), dot(RT.y, R.z), dot(RT.z, R.z)};
+    narrow(J.yy + J.zz, block.entries[kRotational]);
+    narrow(-J.xy, block.entries[kRotational + 1]);
+    narrow(-J.xz, block.entries[kRotational + 2]);
+    narrow(J.xx + J.zz, block.entries[kRotational + 3]);
+    narrow(-J.yz, block.entries[kRotational + 4]);
+    narrow(J.xx + J.yy, block.entries[kRotational + 5]);
+    const Vector<Lanes> c = R * wide_vector(constants.moments);
+    narrow(c, block.entries + kMoments);
+
+    const Vector<Lanes> w_ = wide_vector(entries + kOmega), al = wide_vector(entries + kAlpha);
+    const Lanes xx = w_.x * w_.x, yy = w_.y * w_.y, zz = w_.z * w_.z;
+    const Lanes xy = w_.x * w_.y, xz = w_.x * w_.z, yz = w_.y * w_.z;
+    const Matrix<Lanes> H{{-(yy + zz), xy - al.z, xz + al.y},
+                          {xy + al.z, -(xx + zz), yz - al.x},
+                          {xz - al.y, yz + al.x, -(xx + yy)}};
+    const Vector<Lanes> a = wide_vector(entries + kAcceleration);
+    const Vector<Lanes> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
+    Vector<Lanes> n = cross(c, a);
+    n += Vector<Lanes>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
+                       dot(H.y, Jx) - dot(H.x, Jy)};
+    narrow(n, block.entries + kTorque);
+    narrow(a * wide(constants.mass) + H * c, block.entries + kForce);
+  }
+}
+
+// From the base outwards: where links are and how they would move without joint accelerations.
+
+ADAGEN_INLINE Frame<Value> frame_of(Workspace& w, int joint) {
+  const Value* R = w.of(joint, kAxes);
+  return {matrix_at(R), vector_at(w.of(joint, kOmega)), vector_at(w.of(joint, kAlpha)),
+          vector_at(w.of(joint, kAcceleration))};
+}
+
+template <class T>
+ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
+  put_at(w.at(slot, kAxes), frame.R);
+  put_at(w.at(slot, kOmega), frame.omega);
+  put_at(w.at(slot, kAlpha), frame.alpha);
+  put_at(w.at(slot, kAcceleration), frame.a);
+}
+
+// The ground accelerates against gravity: accelerations are relative to free fall.
+ADAGEN_INLINE Frame<Value> ground() {
+  const Value one = Value{} + 1, none{};
+  return {{{one, none, none}, {none, one, none}, {none, none, one}},
+          {none, none, none},
+          {none, none, none},
+          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
+}
+
+// The axes of a floating base are the link's own: only gravity is turned.
+template <int j>
+void free_base_frame(Workspace& w) {
+  constexpr const JointConstants& joint = kJoints[j];
+  const Value* q = w.q + joint.q + 3;
+  Matrix<Value> turn;
+  require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
+  Frame<Value> frame = ground();
+  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
+  const Number* const P = joint.rotation;
+  const auto along = [&](int k) {
+    return Real(P[k] * gravity.x + P[3 + k] * gravity.y + P[6 + k] * gravity.z);
+  };
+  const Vector<Real> fixed{along(0), along(1), along(2)};
+  const Value none{};
+  frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
+  const Value* v = w.v + joint.v + 3;
+  frame.omega = {v[0], v[1], v[2]};
+  keep(w, slot_of(j), frame);
+}
+
+ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
+  const auto row = [P = joint.rotation](int k) {
+    return Vector<Real>{Real(P[k]), Real(P[k + 1]), Real(P[k + 2])};
+  };
+  return {row(0), row(3), row(6)};
+}
+
+// One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
+// with later is kept.
+template <bool kept, class T>
+ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind kind,
+                                Frame<T>& at) {
+  const JointConstants& joint = joints.any();
+  const auto moved = [&](const Value* x, int JointConstants::* place) {
+    return each(joints, [&](const JointConstants& own) { return x[own.*place]; });
+  };
+  const Matrix<T> R = at.R * matrix_at<T>(w.at(joints.slot, kTurn));
+  const Vector<T> axis{R.x.z, R.y.z, R.z.z};
+  Vector<T> r = at.R * origin_of(joints);
+  const Vector<T> omega = at.omega;
+  const auto turn_with = [&](const Vector<T>& relative) {
+    at.omega += relative;
+    return cross(omega, relative);
+  };
+  const auto ride_along = [&] {
+    at.a += cross(omega, cross(omega, r));
+    at.a += cross(at.alpha, r);
+  };
+  const auto slide_and_spin = [&](const Vector<T>& q, const Vector<T>& slide,
+                                  const Vector<T>& spin) {
+    const Matrix<Real> P = placement(joint);
+    r += at.R * Vector<T>{dot(q, P.x), dot(q, P.y), dot(q, P.z)};
+    ride_along();
+    at.a += cross(omega + omega + spin, slide);
+    at.alpha += turn_with(spin);
+  };
+  switch (kind) {
+    case JointKind::kRevolute:
+      ride_along();
+      at.alpha += turn_with(axis * moved(w.v, &JointConstants::v));
+      break;
+    case JointKind::kPrismatic: {
+      r += axis * moved(w.q, &JointConstants::q);
+      ride_along();
+      const T v = moved(w.v, &JointConstants::v);
+      at.a += cross(omega, axis * (v + v));
+      break;
+    }
+    case JointKind::kSpherical:
+      ride_along();
+      if constexpr (kAnySpherical)
+        at.alpha += turn_with(R * each_vector(joints, w.v, &JointConstants::v));
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        const Vector<T> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y};
+        slide_and_spin(Vector<T>{q[0], q[1], T{}}, x * v[0] + y * v[1], axis * v[2]);
+      }
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating && kWidth<T> == 1) {
+        const Value *q = w.q + joint.q, *v = w.v + joint.v;
+        slide_and_spin(Vector<T>{q[0], q[1], q[2]}, R * Vector<T>{v[0], v[1], v[2]},
+                       R * Vector<T>{v[3], v[4], v[5]});
+      }
+      break;
+  }
+  at.R = R;
+  if constexpr (!kept) return;
+  w.memory(joints).r = r;
+  if constexpr (kWithAxis<T>) w.memory(joints).axis = axis;
+  keep(w, joints.slot, at);
+}
+
+// The frame of the link that a joint is on.
+template <int j>
+ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
+  constexpr int parent = kJoints[j].parent - 1;
+  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+}
+
+// Joints first .. last, each on the link of the one before.
+template <int first, int last>
+void outward(Workspace& w) {
+  Frame<Value> at = frame_near<first>(w);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, single(first + k), kind, at); });
+}
+
+// The same on the way to joints that are treated: only the last link's frame is kept.
+template <int first, int last>
+void pass_outward(Workspace& w) {
+  Frame<Value> at = frame_near<first>(w);
+  each_row<RunRows<first, last>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
+  keep(w, slot_of(last), at);
+}
+
+// What refinement needs of a joint: the articulated body on its far side, and its force.
+
+template <class T>
+ADAGEN_INLINE void keep_body(Workspace& w, const Joints<T>& joints, const Body<T>& X) {
+  if constexpr (kWidth<T> == 1)
+    w.whole[static_cast<std::size_t>(joints.joint[0])] = X;
+  else
+    ADAGEN_FOR (k, 0, kWidth<T>)
+      w.whole[static_cast<std::size_t>(joints.joint[k])] = lane(X, k);
+}
+
+// Handle forces on a link count as its body's.
+ADAGEN_INLINE void keep_load(Workspace& w, int j, const Vector<Value>& n, const Vector<Value>& f) {
+  Body<Value>& X = w.whole[static_cast<std::size_t>(j)];
+  X.n += -n, X.f += -f;
+}
+
+// The force of a joint on its child link, in that link's axes: I^A a + p^A of its far link.
+template <bool reversed>
+inline void keep_one_force(Workspace& w, int j, const Motion<Value>& a) {
+  const Body<Value>& X = w.whole[static_cast<std::size_t>(j)];
+  Vector<Value> n = X.A * a.angular + X.B * a.linear + X.n;
+  Vector<Value> f = transposed_times(X.B, a.angular) + X.C * a.linear + X.f;
+  if constexpr (reversed) {
+    n = cross(w.joints[static_cast<std::size_t>(j)].r, f) - n;
+    f = -f;
+  }
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  n = transposed_times(R, n), f = transposed_times(R, f);
+  w.refinement.f[static_cast<std::size_t>(j)].col(0) << n.x, n.y, n.z, f.x, f.y, f.z;
+}
+template <bool reversed, class T>
+ADAGEN_INLINE void keep_force(Workspace& w, const Joints<T>& joints, const Motion<T>& a) {
+  if constexpr (kWidth<T> == 1)
+    keep_one_force<reversed>(w, joints.joint[0], a);
+  else
+    ADAGEN_FOR (k, 0, kWidth<T>) keep_one_force<reversed>(w, joints.joint[k], lane(a, k));
+}
+
+// Symmetric matrices of three rows, eliminated.
+
+// The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21. Without fractions (Bareiss) the three
+// divisions need not wait for each other: with m = xx yy - xy^2 and so on the pivots are xx, m / xx
+// and (m m' - t^2) / (xx m), as exact as by turns while fourth powers of A keep their digits: in
+// float they would not. All numbers that checks gets are positive if A could be factorized.
+template <class T>
+ADAGEN_INLINE void factorize(const Symmetric<T>& A, T* factors, T (&checks)[4]) {
+  using Limits = std::numeric_limits<Real>;
+  T* const l = factors + 3;
+  const T d0 = 1 / A.xx;
+  l[0] = A.xy * d0, l[1] = A.xz * d0;
+  T p1, p2;
+  if constexpr (Limits::min_exponent10 < -300) {
+    const T m = A.xx * A.yy - A.xy * A.xy, t = A.xx * A.yz - A.xy * A.xz;
+    p1 = m, p2 = m * (A.xx * A.zz - A.xz * A.xz) - t * t;
+    const T inverse = 1 / m;
+    factors[1] = A.xx * inverse, factors[2] = A.xx * m / p2;
+    l[2] = t * inverse;
+    checks[2] = p2 - Limits::min() / Limits::epsilon();
+  } else {
+    const T t = A.yz - l[1] * A.xy;
+    p1 = A.yy - l[0] * A.xy;
+    factors[1] = 1 / p1, l[2] = t * factors[1];
+    p2 = A.zz - l[1] * A.xz - l[2] * t;
+    factors[2] = 1 / p2;
+    checks[2] = p2;
+  }
+  factors[0] = d0;
+  checks[0] = A.xx, checks[1] = p1, checks[3] = Limits::max() - p2;
+}
+
+// A^-1 b, by the factors of A.
+template <class F, class T>
+ADAGEN_INLINE Vector<T> solved(const F* factors, const Vector<T>& b) {
+  const F *d = factors, *l = factors + 3;
+  const T y1 = b.y - l[0] * b.x, y2 = b.z - l[1] * b.x - l[2] * y1;
+  const T z = y2 * d[2], y = y1 * d[1] - l[2] * z;
+  return {b.x * d[0] - l[0] * y - l[1] * z, y, z};
+}
+
+// C becomes C - B^T A^-1 B, by the factors of A; returns A^-1 B. With L Y = B what is subtracted is
+// Y^T D^-1 Y, which waits for no more than the last division.
+template <class T>
+ADAGEN_INLINE Matrix<T> complement(Symmetric<T>& C, const Matrix<T>& B, const T* factors) {
+  const T *d = factors, *l = factors + 3;
+  const Vector<T> Yx = B.x, Yy = B.y - B.x * l[0], Yz = (B.z - B.x * l[1]) - Yy * l[2];
+  const Vector<T> Zx = Yx * d[0], Zy = Yy * d[1], Zz = Yz * d[2];
+  using V = Vector<T>;
+  const auto subtract = [&](T& c, T V::* i, T V::* k) ADAGEN_ALWAYS {
+    c = ((c - Yx.*i * Zx.*k) - Yy.*i * Zy.*k) - Yz.*i * Zz.*k;
+  };
+  subtract(C.xx, &V::x, &V::x), subtract(C.xy, &V::x, &V::y), subtract(C.xz, &V::x, &V::z);
+  subtract(C.yy, &V::y, &V::y), subtract(C.yz, &V::y, &V::z), subtract(C.zz, &V::z, &V::z);
+  const Vector<T> Ky = Zy - Zz * l[2];
+  return {(Zx - Zz * l[1]) - Ky * l[0], Ky, Zz};
+}
+
+// Spherical joints: three rotations at once. Damping and a rotor are the same about all axes.
+[[maybe_unused]] constexpr bool any_spherical_rotor() {
+  for (const JointConstants& joint : kJoints)
+    if (joint.kind == JointKind::kSpherical && joint.passive.rotor != 0) return true;
+  return false;
+}
+[[maybe_unused]] constexpr bool kSphericalRotors = any_spherical_rotor();
+
+// The torque that reaches the links, in the child link's axes: less damping.
+template <class T>
+ADAGEN_INLINE Vector<T> spherical_torque(const Workspace& w, const Joints<T>& joints) {
+  const Vector<T> tau = each_vector(joints, w.tau, &JointConstants::v);
+  if constexpr (!kAnyPassive) return tau;
+  const T damping = each(joints, [](const JointConstants& own) { return own.passive.damping; });
+  return tau - each_vector(joints, w.v, &JointConstants::v) * damping;
+}
+
+template <class T>
+ADAGEN_INLINE T rotor_of(const Joints<T>& joints) {
+  return each(joints, [](const JointConstants& own) { return own.passive.rotor; });
+}
+
+template <class T>
+ADAGEN_INLINE Symmetric<T> with_rotor(Symmetric<T> A, const T& rotor) {
+  A.xx += rotor, A.yy += rotor, A.zz += rotor;
+  return A;
+}
+
+// Takes the three rotations out of the body at the joint's origin: what is left of it is C and f,
+// and the torque, so that no rounding stays behind. e gets K = A^-1 B, y = A^-1 (torque - n) and
+// the factors of A. With a rotor J, which is the same about all axes, A + J is in the place of A
+// there, and J K, J (A + J)^-1 A and torque - J y are left, too.
+template <bool reversed, class T>
+ADAGEN_INLINE void take_out_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  T* const e = w.memory(joints).e;
+  Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
+  if constexpr (reversed) torque = -torque;
+  T* const factors = e + 12;
+  T checks[4];
+  const T rotor = rotor_of(joints);
+  factorize(kSphericalRotors ? with_rotor(X.A, rotor) : X.A, factors, checks);
+  for (const T& check : checks)
+    if (__builtin_expect(!all_positive(check), 0)) fail_one(w, joints, check);
+  const Matrix<T>& B = X.B;
+  const Matrix<T> K = complement(X.C, B, factors);
+  const Vector<T> y = solved(factors, torque - X.n);
+  e[0] = K.x.x, e[1] = K.x.y, e[2] = K.x.z, e[3] = K.y.x, e[4] = K.y.y, e[5] = K.y.z;
+  e[6] = K.z.x, e[7] = K.z.y, e[8] = K.z.z, e[9] = y.x, e[10] = y.y, e[11] = y.z;
+  X.f += transposed_times(B, y);
+  X.n = torque;
+  if constexpr (kSphericalRotors) {
+    const Symmetric<T>& A = X.A;
+    const Vector<T> x = solved(factors, Vector<T>{A.xx, A.xy, A.xz});
+    const Vector<T> z = solved(factors, Vector<T>{A.xz, A.yz, A.zz});
+    const T yy = solved(factors, Vector<T>{A.xy, A.yy, A.yz}).y;
+    X.A = {x.x * rotor, x.y * rotor, x.z * rotor, yy * rotor, z.y * rotor, z.z * rotor};
+    X.B = {K.x * rotor, K.y * rotor, K.z * rotor};
+    X.n += -(y * rotor);
+  } else {
+    X.A = Symmetric<T>{}, X.B = Matrix<T>{};
+  }
+}
+
+// The same, from the far link's side to the near link's origin.
+template <bool reversed, class T>
+ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Vector<T>& r = w.memory(joints).r;
+  if constexpr (reversed) shift(X, -r);
+  take_out_rotations<reversed>(w, joints, X);
+  if constexpr (!reversed && kSphericalRotors) shift(X, r);
+  if constexpr (!reversed && !kSphericalRotors) shift_mass(X, r);
+}
+
+// Whether joints first .. last leave of a body no more than its mass.
+[[maybe_unused]] constexpr bool leave_mass_alone(int first, int last) {
+  for (int j = first; j <= last; ++j)
+    if (kJoints[j].kind != JointKind::kSpherical) return false;
+  return !kSphericalRotors;
+}
+
+// Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
+// is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
+// near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
+
+template <class T>
+ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Value* const A = w.at(joints.slot, kRotational);
+  const auto mass = mass_of(joints);
+  const Vector<T> c = vector_at<T>(w.at(joints.slot, kMoments));
+  const Vector<T> Ax = vector_at<T>(A), Ay = vector_at<T>(A + 3 * kPerBlock);
+  X.A += Symmetric<T>{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};  // xx xy xz yy yz zz
+  X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
+  X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
+  X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
+  X.n += vector_at<T>(w.at(joints.slot, kTorque));
+  X.f += vector_at<T>(w.at(joints.slot, kForce));
+}
+
+// A bare link told about the point at -r from its origin: A - (rx dx + dx rx), d = c + m r / 2.
+template <class T>
+ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, const Vector<T>& r) {
+  Body<T> X{};
+  add_bare_link(w, joints, X);
+  const Vector<T> c{X.B.z.y, X.B.x.z, X.B.y.x};
+  const T m = X.C.xx;
+  const Vector<T> d = c + r * (m / 2), moved = c + r * m;
+  const T xx = 2 * d.x * r.x, yy = 2 * d.y * r.y, zz = 2 * d.z * r.z;
+  X.A += Symmetric<T>{yy + zz, -(d.x * r.y + d.y * r.x), -(d.x * r.z + d.z * r.x),
+                      xx + zz, -(d.y * r.z + d.z * r.y), xx + yy};
+  const T none{};
+  X.B = {{none, -moved.z, moved.y}, {moved.z, none, -moved.x}, {-moved.y, moved.x, none}};
+  X.n += cross(r, X.f);
+  return X;
+}
+
+constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
+
+// Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
+// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near
+// link's origin: outwards the joint has the acceleration u / D - (U / D) a, a being the near
+// link's.
+template <bool along, bool reversed, class T, class Arrive>
+ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, const Vector<T>& s,
+                             const Vector<T>& r, const T& tau, T* e, const Arrive& arrive) {
+  if constexpr (reversed) shift(X, -r);
+  Vector<T> n = along ? X.B * s : X.A * s;
+  const Vector<T> f = along ? X.C * s : transposed_times(X.B, s);
+  T D = dot(s, along ? f : n);
+  if constexpr (kAnyPassive)
+    D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1) D += each(joints, immovable);
+  const T inverse = 1 / D;
+  T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
+  if constexpr (kPrescribedAbreast && kWidth < T >> 1)
+    u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
+  const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
+  const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
+  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
+  if constexpr (!reversed) {
+    shift(X, r);
+    n += cross(r, f);
+  }
+  arrive(X);
+  const Vector<T> e_n = n * inverse, e_f = f * inverse;
+  e[0] = e_n.x, e[1] = e_n.y, e[2] = e_n.z, e[3] = e_f.x, e[4] = e_f.y, e[5] = e_f.z, e[6] = u;
+  e[7] = inverse;
+  subtract(X, n, f, e_n, e_f);
+  X.n += n * u;
+  X.f += f * u;
+}
+
+// Acceleration of a body that nothing holds: (A, B; B^T, C) a = -(n; f), A and what it leaves of C
+// by their factors. Whether that could be done.
+ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
+  Value turning[6], sliding[6], checks[2][4];
+  factorize(X.A, turning, checks[0]);
+  Symmetric<Value> C = X.C;
+  const Matrix<Value> K = complement(C, X.B, turning);
+  factorize(C, sliding, checks[1]);
+  const Vector<Value> y = solved(turning, -X.n);
+  a.linear = solved(sliding, -(X.f + transposed_times(X.B, y)));
+  a.angular = y - K * a.linear;
+  bool fine = true;
+  for (const auto& of : checks)
+    for (const Value& check : of) fine &= all_positive(check);
+  return fine;
+}
+
+// A joint with all freedoms hands on its force alone; e gets the acceleration of the body beyond.
+template <bool reversed>
+ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
+                            const Value* tau, Value* e) {
+  if constexpr (reversed) shift(X, -r);
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
+  Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) n = -n, f = -f;
+  X.n += -n, X.f += -f;
+  Motion<Value> a;
+  if (!solve_free(X, a)) fail(w, kFactorization, j);
+  e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
+  e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
+  X = Body<Value>{};
+  X.n = n, X.f = f;
+  if constexpr (!reversed) shift(X, r);
+}
+
+// A planar joint: along x and y, then about z.
+template <bool reversed>
+ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, Body<Value>& X) {
+  Memory& memory = w.memory(joints);
+  const Value* tau = w.tau + joints.any().v;
+  const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
+  const Vector<Value> none{};
+  const auto told = [](const Value& torque) { return reversed ? -torque : torque; };
+  if constexpr (reversed) shift(X, -memory.r);
+  const auto nothing = [](const Body<Value>&) {};
+  eliminate<true, false>(w, joints, X, x, none, told(tau[0]), memory.e, nothing);
+  eliminate<true, false>(w, joints, X, y, none, told(tau[1]), memory.e + 8, nothing);
+  eliminate<false, false>(w, joints, X, z, none, told(tau[2]), memory.e + 16, nothing);
+  if constexpr (!reversed) shift(X, memory.r);
+}
+
+// One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
+template <bool reversed, class T, class Arrive>
+ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind kind, Body<T>& X,
+                               const Arrive& arrive) {
+  const JointConstants& joint = joints.any();
+  Eliminated<T>& memory = w.memory(joints);
+  const Value* R = w.at(joints.slot, kAxes);
+  const auto freedom = [&] {
+    return each(joints, [&w](const JointConstants& own) { return torque(w, own); });
+  };
+  switch (kind) {
+    case JointKind::kRevolute:
+      eliminate<false, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e,
+                                 arrive);
+      return;
+    case JointKind::kPrismatic:
+      eliminate<true, reversed>(w, joints, X, axis_at<T>(R), memory.r, freedom(), memory.e, arrive);
+      return;
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) eliminate_rotations<reversed>(w, joints, X);
+      break;
+    case JointKind::kPlanar:
+      if constexpr (kAnyPlanar && kWidth<T> == 1) eliminate_planar<reversed>(w, joints, X);
+      break;
+    case JointKind::kFloating:
+      if constexpr (kAnyFloating && kWidth<T> == 1)
+        set_free<reversed>(w, joints.joint[0], X, memory.r, w.tau + joint.v, memory.e);
+      break;
+  }
+  arrive(X);
+}
+
+// Adds to a body what the sweep finds at a link.
+template <int p>
+ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
+  if (role.adds_own) add_bare_link(w, single(link - 1), X);
+}
+
+// What is found at a link.
+template <int p>
+ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
+  Body<Value> X{};
+  meet<p>(w, link, X);
+  return X;
+}
+
+template <bool starts>
+ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
+  Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
+  if constexpr (starts)
+    body = X;
+  else
+    body += X;
+}
+
+// Whether nothing but the links themselves is found at links first .. last.
+template <int p>
+constexpr bool bare(int first, int last) {
+  for (int link = first; link <= last; ++link) {
+    const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+    if (role.gathers || !role.adds_own) return false;
+  }
+  return true;
+}
+
+// Process p takes joints last .. first inwards, each on the link of the one before.
+template <int p, int first, int last, bool starts>
+void inward(Workspace& w) {
+  Body<Value> X{};
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick) meet<p>(w, last + 1, X);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, j + 1, X);
+    if constexpr (kRefine > 0) keep_body(w, single(j), X);
+    step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
+      if (quick && j > first) add_bare_link(w, single(j - 1), near);
+    });
+  });
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave<starts>(w, near, X);
+}
+
+// The next for spherical joints with bare links between them: a link is told at the next joint's
+// origin before what is left of the body gets there.
+template <int p, int first, int last>
+ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
+  Body<Value> X{};
+  meet<p>(w, kJoints[first].parent, X);
+  shift(X, -w.joints[first].r);
+  take_out_rotations<true>(w, single(first), X);
+  for (int j = first + 1; j <= last; ++j) {
+    const Vector<Value> r = -w.joints[static_cast<std::size_t>(j)].r;
+    shift_mass(X, r);
+    X += bare_link_from(w, single(j - 1), r);
+    take_out_rotations<true>(w, single(j), X);
+  }
+  return X;
+}
+
+// The same for a root beyond joint last: from the parent link of joint first to the child of last.
+template <int p, int first, int last, bool starts>
+void inward_reversed(Workspace& w) {
+  constexpr bool quick = bare<p>(first + 1, last);
+  if constexpr (quick && leave_mass_alone(first, last) && kRefine == 0)
+    return leave<starts>(w, last + 1, turn_inward_reversed<p, first, last>(w));
+  Body<Value> X{};
+  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    if constexpr (kRefine > 0) keep_body(w, single(j), X);
+    step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
+      if (quick && j < last) add_bare_link(w, single(j), near);
+    });
+  });
+  leave<starts>(w, last + 1, X);
+}
+
+// Adds a link itself to what was found at it.
+template <int link, bool starts>
+void place(Workspace& w) {
+  Body<Value> X{};
+  add_bare_link(w, single(link - 1), X);
+  leave<starts>(w, link, X);
+}
+
+// A floating joint on the ground only adds its torque to the link.
+template <int j, bool starts>
+void free_base(Workspace& w) {
+  const Value* tau = w.tau + kJoints[j].v;
+  Body<Value> X{};
+  X.n = {-tau[3], -tau[4], -tau[5]};
+  X.f = {-tau[0], -tau[1], -tau[2]};
+  leave<starts>(w, j + 1, X);
+}
+
+// Acceleration of a root that nothing holds.
+template <int p, int link>
+void solve_root(Workspace& w) {
+  if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
+}
+
+// Numbers of x, or beyond its last one of y.
+template <int... k, class V>
+ADAGEN_INLINE V shuffled(const V& x, const V& y) {
+#if defined(__clang__)
+  return __builtin_shufflevector(x, y, k...);
+#else
+  return __builtin_shuffle(x, y, decltype(x < y){k...});
+#endif
+}
+
+// Rows x and y of a square: what lies in columns apart by a distance changes places.
+template <int distance, class V, std::size_t... column>
+ADAGEN_INLINE void exchange(V& x, V& y, std::index_sequence<column...>) {
+  constexpr int n = sizeof...(column);
+  const V row = shuffled<(column & distance ? n + column - distance : column)...>(x, y);
+  y = shuffled<(column & distance ? n + column : column + distance)...>(x, y);
+  x = row;
+}
+
+// A square of as many rows as each has numbers becomes its transpose: blocks of one number, then of
+// two by two, and so on.
+template <int distance = 1, class V, std::size_t n>
+ADAGEN_INLINE void transpose(V (&rows)[n]) {
+  if constexpr (distance < static_cast<int>(n)) {
+    ADAGEN_FOR (k, 0, static_cast<int>(n))
+      if ((k & distance) == 0)
+        exchange<distance>(rows[k], rows[k + distance], std::make_index_sequence<n>{});
+    transpose<2 * distance>(rows);
+  }
+}
+
+// A body by columns of eight lanes, for what takes one joint at a time: each column a register.
+typedef Real Column __attribute__((vector_size(8 * sizeof(Real))));  // [angular, -, linear, -]
+
+#if defined(__AVX512F__)
+constexpr bool kInColumns = sizeof(Column) <= 64;
+#elif defined(__AVX2__)
+constexpr bool kInColumns = sizeof(Column) <= 32;
+#else
+constexpr bool kInColumns = false;
+#endif
+
+// An articulated body about a point: the columns of its inertia along three rotations and three
+// translations, and its bias force.
+struct Columns {
+  Column angular[3]{}, linear[3]{}, force{};
+};
+
+ADAGEN_INLINE void operator+=(Columns& a, const Columns& b) {
+  ADAGEN_FOR (k, 0, 3) {
+    a.angular[k] += b.angular[k];
+    a.linear[k] += b.linear[k];
+  }
+  a.force += b.force;
+}
+
+ADAGEN_INLINE Column column(const Vector<Real>& angular, const Vector<Real>& linear) {
+  return Column{angular.x, angular.y, angular.z, 0, linear.x, linear.y, linear.z, 0};
+}
+ADAGEN_INLINE Columns columns(const Body<Real>& X) {
+  const auto& [A, B, C, n, f] = X;
+  return {{column({A.xx, A.xy, A.xz}, B.x), column({A.xy, A.yy, A.yz}, B.y),
+           column({A.xz, A.yz, A.zz}, B.z)},
+          {column({B.x.x, B.y.x, B.z.x}, {C.xx, C.xy, C.xz}),
+           column({B.x.y, B.y.y, B.z.y}, {C.xy, C.yy, C.yz}),
+           column({B.x.z, B.y.z, B.z.z}, {C.xz, C.yz, C.zz})},
+          column(n, f)};
+}
+ADAGEN_INLINE Body<Real> body(const Columns& X) {
+  const Column &x = X.angular[0], &y = X.angular[1], &z = X.angular[2];
+  const Column &u = X.linear[0], &v = X.linear[1], &w = X.linear[2], &p = X.force;
+  return {{x[0], x[1], x[2], y[1], y[2], z[2]},
+          {{x[4], x[5], x[6]}, {y[4], y[5], y[6]}, {z[4], z[5], z[6]}},
+          {u[4], u[5], u[6], v[5], v[6], w[6]},
+          {p[0], p[1], p[2]},
+          {p[4], p[5], p[6]}};
+}
+
+// Eight lanes of a register that may hold more.
+template <int first>
+ADAGEN_INLINE Column eight(const Lanes& x) {
+  Real numbers[kLanes];
+  std::memcpy(numbers, &x, sizeof x);
+  Column result;
+  std::memcpy(&result, numbers + first, sizeof result);
   return result;
 }
 
-// One row of A qdd = 0, which keeps a slaved joint in step with its source.
-[[maybe_unused]] inline void coupling_row(std::array<Real, kColumns>& row,
-                                          const std::array<Real, kColumns>& slaved,
-                                          const std::array<Real, kColumns>& source,
-                                          double multiplier) {
-  for (std::size_t k = 0; k < kColumns; ++k) row[k] = slaved[k] - Real(multiplier) * source[k];
+// One number of a column in all lanes.
+template <int k>
+ADAGEN_INLINE Column spread(const Column& x) {
+  return shuffled<k, k, k, k, k, k, k, k>(x, x);
 }
 
-// The torques that make A qdd zero: (A H^-1 A^T) torques = -A qdd, by Cholesky's factorization.
-template <std::size_t m>
-void solve_coupling(Workspace& w, int joint, const std::array<std::array<Real, m + 1>, m>& rows,
-                    std::array<Real, m>& torques) {
-  std::array<std::array<Real, m>, m> L;
-  std::array<std::array<Real, 1>, m> x;
-  for (std::size_t i = 0; i < m; ++i) {
-    x[i][0] = -rows[i][0];
-    for (std::size_t k = 0; k < m; ++k) L[i][k] = rows[i][k + 1];
-  }
-  if (!factorize(L)) fail(w, kFactorization, joint);
-  forward_substitute(L, x);
-  backward_substitute(L, x);
-  for (std::size_t i = 0; i < m; ++i) torques[i] = x[i][0];
+// The lever arm r of a force: [n; f] becomes [n + r x f; f].
+struct Arm {
+  Column ahead, behind;  // y z x and z x y of r in the angular lanes
+  Vector<Real> r;
+};
+ADAGEN_INLINE Arm arm(const Vector<Real>& r) {
+  return {Column{r.y, r.z, r.x}, Column{r.z, r.x, r.y}, r};
+}
+// The same where x, too, has r as its linear half.
+ADAGEN_INLINE Arm arm(const Column& x, const Vector<Real>& r) {
+  return {shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x), shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x), r};
+}
+ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
+  return x + arm.ahead * shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x) -
+         arm.behind * shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x);
 }
 
-// Accelerations of all right-hand sides, added up with the coupling torques.
-template <std::size_t n, std::size_t m>
-void store_coupled(Workspace& w, int joint, int v,
-                   const std::array<std::array<Real, kColumns>, n>& qdd,
-                   const std::array<Real, m>& torques) {
-  std::array<std::array<Real, kColumns>, n> sum{};
-  for (std::size_t k = 0; k < n; ++k) {
-    sum[k][0] = qdd[k][0];
-    for (std::size_t c = 0; c < m; ++c) sum[k][0] += qdd[k][c + 1] * torques[c];
+// The body told about the point at -r from the one that it is told about: what forces become, then
+// what motions were.
+ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
+  ADAGEN_FOR (k, 0, 3) {
+    X.angular[k] = carried(arm, X.angular[k]);
+    X.linear[k] = carried(arm, X.linear[k]);
   }
-  store_acceleration(w, joint, v, sum);
+  const auto& [x, y, z] = arm.r;
+  X.angular[0] += X.linear[2] * y - X.linear[1] * z;
+  X.angular[1] += X.linear[0] * z - X.linear[2] * x;
+  X.angular[2] += X.linear[1] * x - X.linear[0] * y;
+  X.force = carried(arm, X.force);
+}
+
+// U and 1 / D of the joint before: what is still to be subtracted from the body. So the next D need
+// not wait for that.
+struct Due {
+  Column U{};
+  Real inverse = 0;
+};
+
+// The inertia less e U^T.
+ADAGEN_INLINE void subtract(Columns& X, const Column& U, const Column& e) {
+  X.angular[0] -= e * spread<0>(U);
+  X.angular[1] -= e * spread<1>(U);
+  X.angular[2] -= e * spread<2>(U);
+  X.linear[0] -= e * spread<4>(U);
+  X.linear[1] -= e * spread<5>(U);
+  X.linear[2] -= e * spread<6>(U);
+}
+ADAGEN_INLINE void settle(Columns& X, Due& due) {
+  subtract(X, due.U, due.U * due.inverse);
+  due = {};
+}
+ADAGEN_INLINE Body<Real> settled(Columns X, Due due) {
+  settle(X, due);
+  return body(X);
+}
+
+// Inwards by columns: a joint takes a few instructions for each. For runs of joints that nothing
+// lies beside; where no register holds a column, such runs are taken number by number.
+
+// The joint that fills a slot.
+const std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
+  std::array<std::size_t, kBlockCount * kPerBlock> result;
+  result.fill(kJointCount);
+  for (int j = 0; j < kJointCount; ++j)
+    result[static_cast<std::size_t>(slot_of(j))] = static_cast<std::size_t>(j);
+  return result;
+}();
+
+// What set_up_links found of the links of blocks first .. last - 1, as it is added to columns.
+template <int first, int last>
+void set_up_columns(Workspace& w) {
+  if constexpr (!kInColumns) return;
+  for (int slot = first * kPerBlock; slot < last * kPerBlock; slot += 8) {
+    const auto row = [&](int entry) {
+      return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
+    };
+    const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
+      ADAGEN_FOR (k, 0, 8) {
+        LinkColumns& link = w.columns[kJointAt[static_cast<std::size_t>(slot + k)]];
+        std::memcpy(link.*place, &found[k], sizeof found[k]);
+      }
+    };
+    const auto& all = kBlockConstants[static_cast<std::size_t>(slot / kPerBlock)];
+    const Column mass = number_at<Column>(&all.mass[static_cast<std::size_t>(slot % kPerBlock)]);
+    const Column x = row(kMoments), y = row(kMoments + 1), z = row(kMoments + 2);
+    const Column none = mass - mass;  // a zero unknown to gcc 12, which errs in shuffles with it
+    constexpr int A = kRotational, n = kTorque, f = kForce;
+    Column tensor[]{row(A), row(A + 1), row(A + 2), row(A + 3), row(A + 4), row(A + 5), mass, none};
+    transpose(tensor);
+    put(&LinkColumns::tensor, tensor);
+    Column moments[]{x, y, z, -x, -y, -z, none, none};
+    transpose(moments);
+    put(&LinkColumns::moments, moments);
+    Column force[]{row(n), row(n + 1), row(n + 2), none, row(f), row(f + 1), row(f + 2), none};
+    transpose(force);
+    put(&LinkColumns::force, force);
+  }
+}
+
+ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Columns& X) {
+  const LinkColumns& own = w.columns[static_cast<std::size_t>(link - 1)];
+  const Column a = number_at<Column>(own.tensor);   // xx xy xz yy yz zz m 0
+  const Column b = number_at<Column>(own.moments);  // x y z -x -y -z 0 0
+  X.angular[0] += shuffled<0, 1, 2, 7, 7, 13, 9, 7>(a, b);
+  X.angular[1] += shuffled<1, 3, 4, 7, 10, 7, 11, 7>(a, b);
+  X.angular[2] += shuffled<2, 4, 5, 7, 12, 8, 7, 7>(a, b);
+  X.linear[0] += shuffled<7, 10, 12, 7, 6, 7, 7, 7>(a, b);
+  X.linear[1] += shuffled<13, 7, 8, 7, 7, 6, 7, 7>(a, b);
+  X.linear[2] += shuffled<9, 11, 7, 7, 7, 7, 6, 7>(a, b);
+  X.force += number_at<Column>(own.force);
+}
+
+template <int p>
+ADAGEN_INLINE void meet(Workspace& w, int link, Columns& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += columns(w.bodies[static_cast<std::size_t>(link)]);
+  if (role.adds_own) add_bare_link(w, link, X);
+}
+
+// S^T x with S = [s; 0] or [0; s].
+template <bool along>
+ADAGEN_INLINE Real component(const Column& s, const Column& x) {
+  constexpr int first = along ? 4 : 0;
+  const Column part = s * x;
+  return (part[first] + part[first + 1]) + part[first + 2];
+}
+
+// See eliminate in inward.hpp. With X less U U^T / D due, S^T X S is less (S^T U)^2 / D.
+template <bool along, bool reversed, class Arrive>
+ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Arrive& arrive) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Vector<Real>& axis = memory.axis;
+  Column both;  // [axis, -, r, -]
+  std::memcpy(&both, &memory, sizeof both);
+  const Column s = shuffled<0, 1, 2, 3, 0, 1, 2, 3>(both, both);
+  if constexpr (reversed) both = -both;
+  const Arm lever = arm(both, reversed ? -memory.r : memory.r);
+  if constexpr (reversed) {
+    shift(X, lever);
+    due.U = carried(lever, due.U);
+  }
+  const Column(&side)[3] = along ? X.linear : X.angular;
+  const Column V = side[0] * axis.x + side[1] * axis.y + side[2] * axis.z;
+  const Real q = component<along>(s, due.U);
+  Real D = component<along>(s, V) - q * q * due.inverse;
+  if constexpr (kAnyPassive) D += joint.passive.rotor;
+  const Real inverse = 1 / D;
+  const Column before = due.U * due.inverse;
+  subtract(X, due.U, before);
+  Column U = V - before * q;
+  const Real tau = torque(w, joint);
+  const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
+  constexpr int first = along ? 4 : 0;  // D beside the trace tells what digits are left
+  const Real left = D - kLeast * (side[0][first] + side[1][first + 1] + side[2][first + 2]);
+  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, j);
+  if constexpr (!reversed) {
+    shift(X, lever);
+    U = carried(lever, U);
+  }
+  arrive(X);
+  const Column e = U * inverse;
+  Column kept = shuffled<0, 1, 2, 4, 5, 6, 3, 7>(e, e);
+  kept[6] = u, kept[7] = inverse;
+  std::memcpy(memory.e, &kept, sizeof kept);
+  due = {U, inverse};
+  X.force += U * u;
+}
+
+template <bool reversed, class Arrive>
+ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, Due& due,
+                               const Arrive& arrive) {
+  [[maybe_unused]] const auto number_by_number = [&] {
+    settle(X, due);
+    Body<Real> whole = body(X);
+    step_inward<reversed>(w, single(j), kind, whole, [](const Body<Real>&) {});
+    X = columns(whole);
+  };
+  switch (kind) {
+    case JointKind::kRevolute:
+      eliminate<false, reversed>(w, j, X, due, arrive);
+      return;
+    case JointKind::kPrismatic:
+      if constexpr (any_of(JointKind::kPrismatic)) eliminate<true, reversed>(w, j, X, due, arrive);
+      return;
+    default:
+      if constexpr (kAnySpherical || kAnyPlanar || kAnyFloating) number_by_number();
+  }
+  arrive(X);
+}
+
+// See inward in inward.hpp.
+template <int p, int first, int last, bool starts>
+void inward_in_columns(Workspace& w) {
+  if constexpr (!kInColumns) return inward<p, first, last, starts>(w);
+  constexpr bool quick = bare<p>(first + 1, last);
+  Columns X;
+  Due due;
+  if constexpr (quick) meet<p>(w, last + 1, X);
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, j + 1, X);
+    if constexpr (kRefine > 0) keep_body(w, single(j), settled(X, due));
+    step_inward<false>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
+      if (quick && j > first) add_bare_link(w, j, near);
+    });
+  });
+  settle(X, due);
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave<starts>(w, near, body(X));
+}
+
+// See inward_reversed in inward.hpp.
+template <int p, int first, int last, bool starts>
+void inward_in_columns_reversed(Workspace& w) {
+  if constexpr (!kInColumns) return inward_reversed<p, first, last, starts>(w);
+  constexpr bool quick = bare<p>(first + 1, last);
+  Columns X;
+  Due due;
+  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    if constexpr (kRefine > 0) keep_body(w, single(j), settled(X, due));
+    step_inward<true>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
+      if (quick && j < last) add_bare_link(w, j + 1, near);
+    });
+  });
+  settle(X, due);
+  leave<starts>(w, last + 1, body(X));
+}
+
+// Outwards again: the joints' accelerations.
+
+template <class T>
+ADAGEN_INLINE T freedom(const T* e, const Motion<T>& a) {
+  return (e[6] - (e[0] * a.angular.x + e[1] * a.angular.y)) -
+         ((e[2] * a.angular.z + e[3] * a.linear.x) + (e[4] * a.linear.y + e[5] * a.linear.z));
+}
+
+// Gives the k-th acceleration of each of the joints.
+template <class T>
+ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T& x) {
+  const auto place = [&](int lane) -> Value& {
+    const int v = kJoints[static_cast<std::size_t>(joints.joint[lane])].v;
+    return w.answer[static_cast<std::size_t>(v + k)];
+  };
+  if constexpr (kWidth<T> == 1)
+    place(0) = x;
+  else
+    ADAGEN_FOR (lane, 0, kWidth<T>) place(lane) = x[lane];
+}
+
+// The same for joints with several freedoms, told at the joint's origin throughout.
+template <bool reversed>
+ADAGEN_INLINE void move_at_joint(Workspace& w, const Joints<Value>& joints, Motion<Value>& a) {
+  const JointConstants& joint = joints.any();
+  [[maybe_unused]] const Value* const e = w.memory(joints).e;
+  [[maybe_unused]] const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  [[maybe_unused]] Value* qdd = &w.answer[static_cast<std::size_t>(joint.v)];
+  if constexpr (kAnyPlanar) {
+    if (joint.kind == JointKind::kPlanar) {
+      const Value spin = freedom(e + 16, a);
+      a.angular += Vector<Value>{R.x.z, R.y.z, R.z.z} * spin;
+      const Value y = freedom(e + 8, a);
+      a.linear += Vector<Value>{R.x.y, R.y.y, R.z.y} * y;
+      const Value x = freedom(e, a);
+      a.linear += Vector<Value>{R.x.x, R.y.x, R.z.x} * x;
+      qdd[0] = reversed ? -x : x, qdd[1] = reversed ? -y : y, qdd[2] = reversed ? -spin : spin;
+    }
+  }
+  if constexpr (kAnyFloating) {
+    if (joint.kind == JointKind::kFloating) {
+      const Motion<Value> far{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+      const Vector<Value> slide = transposed_times(R, far.linear - a.linear);
+      const Vector<Value> spin = transposed_times(R, far.angular - a.angular);
+      const Value x[6] = {slide.x, slide.y, slide.z, spin.x, spin.y, spin.z};
+      ADAGEN_FOR (k, 0, 6) qdd[k] = reversed ? -x[k] : x[k];
+      a = far;
+    }
+  }
+}
+
+// The same for spherical joints.
+template <bool reversed, class T>
+ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T>& a) {
+  const T* const e = w.memory(joints).e;
+  const Matrix<T> K{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}};
+  Vector<T> far = Vector<T>{e[9], e[10], e[11]} - K * a.linear;
+  if constexpr (kSphericalRotors) far += solved(e + 12, a.angular) * rotor_of(joints);
+  const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
+  const Vector<T> x = transposed_times(R, far - a.angular);
+  answer(w, joints, 0, reversed ? -x.x : x.x);
+  answer(w, joints, 1, reversed ? -x.y : x.y);
+  answer(w, joints, 2, reversed ? -x.z : x.z);
+  a.angular = far;
+}
+
+// A joint's acceleration from the near link's, which becomes the far link's; each is told at its
+// own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
+template <bool reversed, class T>
+ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
+  const T* const e = w.memory(joints).e;
+  const Vector<T>& r = w.memory(joints).r;
+  switch (kind) {
+    case JointKind::kRevolute: {
+      const Vector<T> axis = axis_of(w, joints);
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
+      carry(a, reversed ? -r : r);
+      a.angular += axis * x;
+      if constexpr (reversed) a.linear += cross(r, axis) * x;
+      break;
+    }
+    case JointKind::kPrismatic: {
+      const T x = freedom(e, a);
+      answer(w, joints, 0, reversed ? -x : x);
+      carry(a, reversed ? -r : r);
+      a.linear += axis_of(w, joints) * x;
+      break;
+    }
+    case JointKind::kSpherical:
+      if constexpr (kAnySpherical) {
+        if constexpr (!reversed) carry(a, r);
+        turn_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+      break;
+    default:
+      if constexpr (kWidth<T> == 1) {
+        if constexpr (!reversed) carry(a, r);
+        move_at_joint<reversed>(w, joints, a);
+        if constexpr (reversed) carry(a, -r);
+      }
+  }
+}
+
+// Joints first .. last outwards; what moves along with a link is kept where other paths start.
+template <int p, int first, int last>
+void accelerate(Workspace& w) {
+  Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    move<false>(w, single(first + k), kind, a);
+    if constexpr (kRefine > 0) keep_force<false>(w, single(first + k), a);
+    const std::size_t far = static_cast<std::size_t>(first + k + 1);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
+}
+
+// Six numbers that follow from each other are no work for lanes: g++ takes a fifth longer with
+// them.
+#if defined(__clang__)
+#define ADAGEN_ONE_BY_ONE
+#else
+#define ADAGEN_ONE_BY_ONE __attribute__((optimize("no-tree-slp-vectorize")))
+#endif
+template <int p, int first, int last>
+ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
+  Motion<Value> a = w.motions[last + 1];
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    move<true>(w, single(j), kind, a);
+    if constexpr (kRefine > 0) keep_force<true>(w, single(j), a);
+    const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
+    if (kRoles[p][far].parts) w.motions[far] = a;
+  });
+}
+
+// The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
+template <int j>
+void as_joint_acceleration(Workspace& w) {
+  const Value* v = w.v + kJoints[j].v;
+  Value* qdd = &w.answer[kJoints[j].v];
+  const Vector<Value> turned =
+      cross(Vector<Value>{v[3], v[4], v[5]}, Vector<Value>{v[0], v[1], v[2]});
+  qdd[0] -= turned.x, qdd[1] -= turned.y, qdd[2] -= turned.z;
+}
+
+// A floating base's joint acceleration, [linear; angular] in its own axes.
+template <int j>
+void free_acceleration(Workspace& w) {
+  const Motion<Value>& a = w.motions[j + 1];
+  Value* qdd = &w.answer[kJoints[j].v];
+  qdd[0] = a.linear.x, qdd[1] = a.linear.y, qdd[2] = a.linear.z;
+  qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
+  as_joint_acceleration<j>(w);
+}
+
+
+// Nothing on the ground moves beyond its Frame, and the ground does not yield.
+const Mat6 kZero = Mat6::Zero();
+const Columns6 kGround = Columns6::Zero();
+
+// Mobility: what a segment shows at its handles, and what forces there do inside it. Phi and b are
+// in the axes of the base about the handles' origins; b are accelerations beyond those of a Frame.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+
+ADAGEN_INLINE Motion<Value> motion_of(const Columns6& a) {
+  return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
+}
+ADAGEN_INLINE Columns6 columns_of(const Motion<Value>& a) {
+  Columns6 result;
+  result << a.angular.x, a.angular.y, a.angular.z, a.linear.x, a.linear.y, a.linear.z;
+  return result;
+}
+
+inline Mat6 inertia_of(const Body<Value>& X) {
+  Mat6 I;
+  I << X.A.xx, X.A.xy, X.A.xz, X.B.x.x, X.B.x.y, X.B.x.z,  //
+      X.A.xy, X.A.yy, X.A.yz, X.B.y.x, X.B.y.y, X.B.y.z,   //
+      X.A.xz, X.A.yz, X.A.zz, X.B.z.x, X.B.z.y, X.B.z.z,   //
+      X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx, X.C.xy, X.C.xz,   //
+      X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy, X.C.yz,   //
+      X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz;
+  return I;
+}
+inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
+
+// The inverse of a symmetric matrix of six rows, and as symmetric: L^-T D^-1 L^-1, L^-1 by
+// elimination of all six unit vectors at once. Where masses differ much, subtracting on the way
+// back instead would cost digits. Whether each pivot exceeds what it must at least.
+ADAGEN_INLINE bool invert(const Mat6& m, const Real (&least)[6], Mat6& inverse) {
+  Lanes rows[6]{}, X[6]{};
+  Real over[6];
+  bool good = true;
+  ADAGEN_FOR (i, 0, 6) {
+    std::memcpy(&rows[i], m.data() + 6 * i, 6 * sizeof(Real));
+    X[i][i] = 1;
+  }
+  ADAGEN_FOR (c, 0, 6) {
+    const Real pivot = rows[c][c];
+    good = good && pivot > least[c] && pivot <= std::numeric_limits<Real>::max();
+    over[c] = 1 / pivot;
+    ADAGEN_FOR (i, c + 1, 6) {
+      const Real l = rows[i][c] * over[c];
+      rows[i] -= rows[c] * l;
+      X[i] -= X[c] * l;
+    }
+  }
+  ADAGEN_FOR (i, 0, 6) {
+    Lanes sum{};
+    ADAGEN_FOR (k, i, 6) sum += X[k] * (X[k][i] * over[k]);
+    std::memcpy(inverse.data() + 6 * i, &sum, 6 * sizeof(Real));
+  }
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, 0, i) inverse(k, i) = inverse(i, k);
+  return good;
+}
+
+// Phi = (I^A)^-1 and b = -Phi p^A of a segment's root.
+[[maybe_unused]] inline bool invert(const Body<Value>& X, Mat6& Phi, Columns6& b) {
+  constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+  const Mat6 I = inertia_of(X);
+  Real least[6];
+  ADAGEN_FOR (k, 0, 6) least[k] = kRounding * I(k, k);
+  const bool good = invert(I, least, Phi);
+  b.noalias() = -Phi * force_of(X);
+  return good;
+}
+
+template <int p, int link>
+void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
+  if (!invert(whole<p>(w, link), Phi, b)) fail(w, kFactorization, link - 1);
+}
+
+// Motions of a link, side by side: what the far link does, with what drives the joint beyond L a
+// (of a joint with one freedom x).
+template <bool reversed>
+ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a,
+                        const Vector<Lanes>& drive = Vector<Lanes>{}) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value> axis = axis_at(w.of(j, kAxes));
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      if constexpr (!reversed) carry(a, memory.r);
+      const Vector<Lanes> v = a.linear, spin = a.angular;
+      a.angular = {drive.x - (e[0] * v.x + e[1] * v.y + e[2] * v.z),
+                   drive.y - (e[3] * v.x + e[4] * v.y + e[5] * v.z),
+                   drive.z - (e[6] * v.x + e[7] * v.y + e[8] * v.z)};
+      if constexpr (kSphericalRotors) a.angular += solved(e + 12, spin) * rotor_of(single(j));
+      if constexpr (reversed) carry(a, -memory.r);
+    }
+    return;
+  }
+  const Lanes x = drive.x - ((e[0] * a.angular.x + e[1] * a.angular.y) +
+                             (e[2] * a.angular.z + e[3] * a.linear.x) +
+                             (e[4] * a.linear.y + e[5] * a.linear.z));
+  const Vector<Lanes> moved{axis.x * x, axis.y * x, axis.z * x};
+  if constexpr (!reversed) carry(a, memory.r);
+  if (kind == JointKind::kPrismatic)
+    a.linear += moved;
+  else
+    a.angular += moved;
+  if constexpr (reversed) carry(a, -memory.r);
+}
+
+ADAGEN_INLINE Motion<Lanes> rows_of(const Mat6& transposed) {
+  const auto row = [&transposed](int k) {
+    Lanes result{};
+    std::memcpy(&result, transposed.data() + 6 * k, 6 * sizeof(Real));
+    return result;
+  };
+  return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}};
+}
+ADAGEN_INLINE Mat6 from_rows(const Motion<Lanes>& a) {  // transposed
+  Mat6 result;
+  const Lanes* rows[6] = {&a.angular.x, &a.angular.y, &a.angular.z,
+                          &a.linear.x,  &a.linear.y,  &a.linear.z};
+  for (int k = 0; k < 6; ++k) std::memcpy(result.data() + 6 * k, rows[k], 6 * sizeof(Real));
+  return result;
+}
+
+// L m, m being told with the near link in its rows.
+template <bool reversed>
+Mat6 passed(Workspace& w, int j, const Mat6& m) {
+  Motion<Lanes> rows = rows_of(m.transpose());
+  pass<reversed>(w, j, rows);
+  return from_rows(rows).transpose();
+}
+
+// S D^-1 S^T at the far link's origin.
+template <bool reversed>
+Mat6 own_mobility(Workspace& w, int j) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  Mat6 result = Mat6::Zero();
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      for (int k = 0; k < 3; ++k) {
+        const Vector<Value> unit{Value(k == 0), Value(k == 1), Value(k == 2)};
+        const Vector<Value> x = solved(memory.e + 12, unit);
+        result(0, k) = x.x, result(1, k) = x.y, result(2, k) = x.z;
+      }
+    }
+    if constexpr (reversed) {
+      Mat6 shifted = Mat6::Identity();
+      const Vector<Value> r = -memory.r;  // linear += angular x r
+      shifted(3, 1) = r.z, shifted(3, 2) = -r.y, shifted(4, 0) = -r.z;
+      shifted(4, 2) = r.x, shifted(5, 0) = r.y, shifted(5, 1) = -r.x;
+      result = shifted * result * shifted.transpose();
+    }
+    return result;
+  }
+  Motion<Value> S{};
+  (kind == JointKind::kPrismatic ? S.linear : S.angular) = axis_at(w.of(j, kAxes));
+  if constexpr (reversed) carry(S, -memory.r);
+  const Columns6 s = columns_of(S);
+  return s * memory.e[7] * s.transpose();
+}
+
+// Omega and b outwards across a joint: L Omega L^T + S D^-1 S^T. Nothing is subtracted.
+template <bool reversed>
+void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias, Mat6& far,
+               Columns6& far_bias) {
+  const Mat6 half = passed<reversed>(w, j, near);
+  far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
+  Motion<Value> a = motion_of(near_bias);
+  move<reversed>(w, single(j), kJoints[static_cast<std::size_t>(j)].kind, a);
+  far_bias = columns_of(a);
+}
+
+// A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
+template <int link>
+void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  const Body<Value>& X = w.bodies[link];
+  const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
+  w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
+}
+
+// The force that what was left at a link needs to move as the link does.
+template <int link>
+Columns6 force_on(Workspace& w) {
+  const Body<Value>& X = w.bodies[link];
+  return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
+}
+
+// --- joins: adapters to the joints' own frames ---------------------------------------------------
+
+// From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
+[[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  X.E << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
+  Y.E = X.E;
+  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  X.r << r.x, r.y, r.z;
+  Y.r.setZero();
+}
+
+template <std::size_t n>
+void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
+  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
+}
+
+template <std::size_t n>
+void store_acceleration(Workspace& w, int, int v,
+                        const std::array<std::array<Real, kColumns>, n>& qdd) {
+  for (std::size_t k = 0; k < n; ++k) w.answer[static_cast<std::size_t>(v) + k] = qdd[k][0];
+}
+
+// Forces at handles: what they do inside a run.
+
+// A wrench on the far link becomes what the near link feels of it, L^T times it; what it drives the
+// joint with, D^-1 S^T times it, is returned.
+template <bool reversed, class T>
+ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Memory& memory = w.joints[static_cast<std::size_t>(j)];
+  const Value* const e = memory.e;
+  const Vector<Value>& r = memory.r;
+  if constexpr (reversed) n += cross(f, r);
+  Vector<T> driven{};
+  if (kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) {
+      driven = solved(e + 12, n);
+      f.x -= e[0] * n.x + e[3] * n.y + e[6] * n.z;
+      f.y -= e[1] * n.x + e[4] * n.y + e[7] * n.z;
+      f.z -= e[2] * n.x + e[5] * n.y + e[8] * n.z;
+      n = kSphericalRotors ? driven * rotor_of(single(j)) : Vector<T>{};
+      if constexpr (!reversed) n += -cross(f, r);
+    }
+    return driven;
+  }
+  const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_at(w.of(j, kAxes)));
+  driven.x = x * e[7];
+  if constexpr (!reversed) n += -cross(f, r);
+  n.x -= e[0] * x, n.y -= e[1] * x, n.z -= e[2] * x;
+  f.x -= e[3] * x, f.y -= e[4] * x, f.z -= e[5] * x;
+  return driven;
+}
+
+// What a link is loaded with is added to what is handed on to it.
+ADAGEN_INLINE void take_load(const Workspace& w, int link, Vector<Value>& n, Vector<Value>& f) {
+  const Columns6& load = w.loads[static_cast<std::size_t>(link)];
+  n += Vector<Value>{load[0], load[1], load[2]};
+  f += Vector<Value>{load[3], load[4], load[5]};
+}
+
+// A wrench on the far link: the joint is told, and what the near link feels is left.
+template <bool reversed>
+ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
+  Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
+  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
+    if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
+  } else {
+    e[6] += driven.x;
+  }
+}
+
+// The loads of links beyond joints first .. last, each on the link of the one before, from the last
+// link to the one that the first joint is on.
+template <int first, int last>
+void deliver(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = last; j >= first; --j) {
+    take_load(w, j + 1, n, f);
+    if constexpr (kRefine > 0) keep_load(w, j, n, f);
+    deliver<false>(w, j, n, f);
+  }
+  w.loads[kJoints[first].parent] += columns_of({n, f});
+}
+// The same where the ground's side lies beyond: from the first joint's link to the last one's.
+template <int first, int last>
+void deliver_reversed(Workspace& w) {
+  Vector<Value> n{}, f{};
+  for (int j = first; j <= last; ++j) {
+    take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
+    if constexpr (kRefine > 0) keep_load(w, j, n, f);
+    deliver<true>(w, j, n, f);
+  }
+  w.loads[last + 1] += columns_of({n, f});
 }
 
 // What goes into a message, and out of one.
@@ -1994,533 +3671,25 @@ const Number* get(const Number* from, std::array<Real, n>& x) {
   return from + n;
 }
 
-const Inertia kInertia_turret = spatial_inertia(kLinks[1]);
-const Inertia kInertia_upper_arm = spatial_inertia(kLinks[2]);
-const Inertia kInertia_elbow_housing = spatial_inertia(kLinks[3]);
-const Inertia kInertia_forearm = spatial_inertia(kLinks[4]);
-const Inertia kInertia_wrist_housing = spatial_inertia(kLinks[5]);
-const Inertia kInertia_wrist = spatial_inertia(kLinks[6]);
-const Inertia kInertia_hand = spatial_inertia(kLinks[7]);
-const Inertia kInertia_left_finger = spatial_inertia(kLinks[8]);
-const Inertia kInertia_right_finger = spatial_inertia(kLinks[9]);
-
-// =================================================================================================
-// Joint 0 "base_yaw": revolute, between links "pedestal" and "turret"
-// =================================================================================================
-
-void kinematics_base_yaw(Workspace& w) {
-  auto& i = w.j_base_yaw;
-  require_finite(w, w.q + 0, 1, 0);
-  require_finite(w, w.v + 0, 1, 0);
-  const Real q = Real(w.q[0]);
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << c, s, 0.0f,  //
-      -s, c, 0.0f,  //
-      0.0f, 0.0f, 1.0f;
-  i.X.r << 0.0f, 0.0f, 0.16f;
-  i.v = joint_velocity<Revolute>(w.v + 0);
-}
-
-void articulate_base_yaw(Workspace& w) {
-  auto& i = w.j_base_yaw;
-  load_torque(w, 0, 0, i.body.tau);
-  i.body.c = Columns6::Zero();
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 0);
-}
-
-void propagate_base_yaw(Workspace& w) {
-  auto& i = w.j_base_yaw;
-  Mat6 Omega = kZero;
-  carry(i.body, Omega);
-  w.j_shoulder_pitch.Phi_turret = Omega;
-  Columns6 a = i.X * w.ground;
-  accelerate(i.body, a);
-  w.j_shoulder_pitch.b_turret = a;
-}
-
-void deliver_base_yaw(Workspace& w) {
-  auto& i = w.j_base_yaw;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-}
-
-void accelerate_base_yaw(Workspace& w) {
-  auto& i = w.j_base_yaw;
-  Columns6 a = i.X * w.ground;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 0, 0, qdd);
-  Columns6& f = w.refinement.f[0];
-  f = effort(i.IA, i.a, i.pA) - i.load;
-  along<Revolute>(i.body.tau, f);
-}
-
-void rearticulate_base_yaw(Workspace& w) {
-  auto& i = w.j_base_yaw;
-  rearticulate(i.body, 1, i.pA);
-}
-
-void repropagate_base_yaw(Workspace& w) {
-  auto& i = w.j_base_yaw;
-  Columns6 a = i.X * w.ground;
-  accelerate(i.body, a);
-  w.j_shoulder_pitch.b_turret = a;
-}
-
-// =================================================================================================
-// Joint 1 "shoulder_pitch": revolute, between links "turret" and "upper_arm"
-// =================================================================================================
-
-void kinematics_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_shoulder_pitch;
-  require_finite(w, w.q + 1, 1, 1);
-  require_finite(w, w.v + 1, 1, 1);
-  const Real q = Real(w.q[1]);
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06f * s, -0.9999999999932537f * s,  //
-      -s, -3.673205103346574e-06f * c, -0.9999999999932537f * c,  //
-      0.0f, 0.9999999999932537f, -3.673205103346574e-06f;
-  i.X.r << 0.0f, 0.0f, 0.18f;
-  i.v = i.X * w.j_base_yaw.v + joint_velocity<Revolute>(w.v + 1);
-}
-
-void articulate_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_shoulder_pitch;
-  load_torque(w, 1, 1, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 1);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 1);
-  add_in_parent(i.X, handed, w.j_base_yaw.IA);
-  w.j_base_yaw.pA += i.X.transposed_times(force);
-}
-
-void propagate_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_shoulder_pitch;
-  Mat6 Omega = from_right(i.X * w.j_shoulder_pitch.Phi_turret, i.X);
-  carry(i.body, Omega);
-  w.j_shoulder_pitch.Phi_upper_arm = Omega;
-  Columns6 a = i.X * w.j_shoulder_pitch.b_turret;
-  accelerate(i.body, a);
-  w.j_shoulder_pitch.b_upper_arm = a;
-}
-
-void deliver_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_shoulder_pitch;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-  w.j_base_yaw.load += i.X.transposed_times(load);
-}
-
-void accelerate_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_shoulder_pitch;
-  Columns6 a = i.X * w.j_base_yaw.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 1, 1, qdd);
-  Columns6& f = w.refinement.f[1];
-  f = effort(i.IA, i.a, i.pA) - i.load;
-  along<Revolute>(i.body.tau, f);
-}
-
-void rearticulate_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_shoulder_pitch;
-  w.j_base_yaw.pA += i.X.transposed_times(rearticulate(i.body, 1, i.pA));
-}
-
-void repropagate_shoulder_pitch(Workspace& w) {
-  auto& i = w.j_shoulder_pitch;
-  Columns6 a = i.X * w.j_shoulder_pitch.b_turret;
-  accelerate(i.body, a);
-  w.j_shoulder_pitch.b_upper_arm = a;
-}
-
-// =================================================================================================
-// Joint 2 "upper_arm_roll": revolute, between links "upper_arm" and "elbow_housing"
-// =================================================================================================
-
-void kinematics_upper_arm_roll(Workspace& w) {
-  auto& i = w.j_upper_arm_roll;
-  require_finite(w, w.q + 2, 1, 2);
-  require_finite(w, w.v + 2, 1, 2);
-  const Real q = Real(w.q[2]);
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06f * s, 0.9999999999932537f * s,  //
-      -s, -3.673205103346574e-06f * c, 0.9999999999932537f * c,  //
-      0.0f, -0.9999999999932537f, -3.673205103346574e-06f;
-  i.X.r << 0.0f, -0.3f, 0.0f;
-  i.v = i.X * w.j_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 2);
-}
-
-void articulate_upper_arm_roll(Workspace& w) {
-  auto& i = w.j_upper_arm_roll;
-  load_torque(w, 2, 2, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 2);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 2);
-  add_in_parent(i.X, handed, w.j_shoulder_pitch.IA);
-  w.j_shoulder_pitch.pA += i.X.transposed_times(force);
-}
-
-void propagate_upper_arm_roll(Workspace& w) {
-  auto& i = w.j_upper_arm_roll;
-  Mat6 Omega = from_right(i.X * w.j_shoulder_pitch.Phi_upper_arm, i.X);
-  carry(i.body, Omega);
-  w.j_shoulder_pitch.Phi_elbow_housing = Omega;
-  Columns6 a = i.X * w.j_shoulder_pitch.b_upper_arm;
-  accelerate(i.body, a);
-  w.j_shoulder_pitch.b_elbow_housing = a;
-}
-
-void deliver_upper_arm_roll(Workspace& w) {
-  auto& i = w.j_upper_arm_roll;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-  w.j_shoulder_pitch.load += i.X.transposed_times(load);
-}
-
-void accelerate_upper_arm_roll(Workspace& w) {
-  auto& i = w.j_upper_arm_roll;
-  Columns6 a = i.X * w.j_shoulder_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 2, 2, qdd);
-  Columns6& f = w.refinement.f[2];
-  f = effort(i.IA, i.a, i.pA) - i.load;
-  along<Revolute>(i.body.tau, f);
-}
-
-void rearticulate_upper_arm_roll(Workspace& w) {
-  auto& i = w.j_upper_arm_roll;
-  w.j_shoulder_pitch.pA += i.X.transposed_times(rearticulate(i.body, 1, i.pA));
-}
-
-void repropagate_upper_arm_roll(Workspace& w) {
-  auto& i = w.j_upper_arm_roll;
-  Columns6 a = i.X * w.j_shoulder_pitch.b_upper_arm;
-  accelerate(i.body, a);
-  w.j_shoulder_pitch.b_elbow_housing = a;
-}
-
-// =================================================================================================
-// Joint 3 "elbow_pitch": revolute, between links "elbow_housing" and "forearm"
-// =================================================================================================
-
-void kinematics_elbow_pitch(Workspace& w) {
-  auto& i = w.j_elbow_pitch;
-  require_finite(w, w.q + 3, 1, 3);
-  require_finite(w, w.v + 3, 1, 3);
-  const Real q = Real(w.q[3]);
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06f * s, 0.9999999999932537f * s,  //
-      -s, -3.673205103346574e-06f * c, 0.9999999999932537f * c,  //
-      0.0f, -0.9999999999932537f, -3.673205103346574e-06f;
-  i.X.r << 0.08f, 0.0f, 0.0f;
-  i.v = i.X * w.j_upper_arm_roll.v + joint_velocity<Revolute>(w.v + 3);
-}
-
-void articulate_elbow_pitch(Workspace& w) {
-  auto& i = w.j_elbow_pitch;
-  load_torque(w, 3, 3, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 3);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 3);
-  add_in_parent(i.X, handed, w.j_upper_arm_roll.IA);
-  w.j_upper_arm_roll.pA += i.X.transposed_times(force);
-}
-
-void propagate_elbow_pitch(Workspace& w) {
-  auto& i = w.j_elbow_pitch;
-  Mat6 Omega = from_right(i.X * w.j_shoulder_pitch.Phi_elbow_housing, i.X);
-  carry(i.body, Omega);
-  w.j_shoulder_pitch.Phi_forearm = Omega;
-  Columns6 a = i.X * w.j_shoulder_pitch.b_elbow_housing;
-  accelerate(i.body, a);
-  w.j_shoulder_pitch.b_forearm = a;
-}
-
-void deliver_elbow_pitch(Workspace& w) {
-  auto& i = w.j_elbow_pitch;
-  Columns6 load = i.load;
-  deliver(i.body, load);
-  w.j_upper_arm_roll.load += i.X.transposed_times(load);
-}
-
-void accelerate_elbow_pitch(Workspace& w) {
-  auto& i = w.j_elbow_pitch;
-  Columns6 a = i.X * w.j_upper_arm_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 3, 3, qdd);
-  Columns6& f = w.refinement.f[3];
-  f = effort(i.IA, i.a, i.pA) - i.load;
-  along<Revolute>(i.body.tau, f);
-}
-
-void rearticulate_elbow_pitch(Workspace& w) {
-  auto& i = w.j_elbow_pitch;
-  w.j_upper_arm_roll.pA += i.X.transposed_times(rearticulate(i.body, 1, i.pA));
-}
-
-void repropagate_elbow_pitch(Workspace& w) {
-  auto& i = w.j_elbow_pitch;
-  Columns6 a = i.X * w.j_shoulder_pitch.b_elbow_housing;
-  accelerate(i.body, a);
-  w.j_shoulder_pitch.b_forearm = a;
-}
-
-// =================================================================================================
-// Joint 4 "forearm_roll": revolute, between links "forearm" and "wrist_housing"
-// =================================================================================================
-
-void kinematics_forearm_roll(Workspace& w) {
-  auto& i = w.j_forearm_roll;
-  require_finite(w, w.q + 4, 1, 4);
-  require_finite(w, w.v + 4, 1, 4);
-  const Real q = Real(w.q[4]);
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06f * s, -0.9999999999932537f * s,  //
-      -s, -3.673205103346574e-06f * c, -0.9999999999932537f * c,  //
-      0.0f, 0.9999999999932537f, -3.673205103346574e-06f;
-  i.X.r << -0.08f, 0.38f, 0.0f;
-  i.v = i.X * w.j_elbow_pitch.v + joint_velocity<Revolute>(w.v + 4);
-}
-
-// A: the chain of "shoulder_pitch"; B: the chain of "flange_roll"; C feels the joint at no link
-void assemble_forearm_roll(Workspace& w) {
-  auto& i = w.j_forearm_roll;
-  load_torque(w, 4, 4, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_shoulder_pitch.Phi_forearm;
-  const Mat6 Phi_A = from_right(X_Phi_A, i.X);
-  const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
-  if (!join(i.joined, Phi_A, w.j_flange_roll.Phi_wrist_housing, i.X * w.j_shoulder_pitch.b_forearm, w.j_flange_roll.b_wrist_housing, c))
-    fail(w, kFactorization, 4);
-}
-
-void disassemble_forearm_roll(Workspace& w) {
-  auto& i = w.j_forearm_roll;
-  Release<Revolute> release(i.joined);
-  const Columns6& f = w.refinement.f[4] = release.force();
-  store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
-  w.j_shoulder_pitch.F_on_forearm = -i.X.transposed_times(f);
-  w.j_flange_roll.F_on_wrist_housing = f;
-}
-
-void reassemble_forearm_roll(Workspace& w) {
-  auto& i = w.j_forearm_roll;
-  rejoin(i.joined, i.X * w.j_shoulder_pitch.b_forearm, w.j_flange_roll.b_wrist_housing);
-}
-
-// =================================================================================================
-// Joint 5 "wrist_pitch": revolute, between links "wrist_housing" and "wrist"
-// =================================================================================================
-
-void kinematics_wrist_pitch(Workspace& w) {
-  auto& i = w.j_wrist_pitch;
-  require_finite(w, w.q + 5, 1, 5);
-  require_finite(w, w.v + 5, 1, 5);
-  const Real q = Real(w.q[5]);
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06f * s, 0.9999999999932537f * s,  //
-      -s, -3.673205103346574e-06f * c, 0.9999999999932537f * c,  //
-      0.0f, -0.9999999999932537f, -3.673205103346574e-06f;
-  i.X.r << 0.0f, 0.0f, 0.0f;
-  i.v = i.X * w.j_forearm_roll.v + joint_velocity<Revolute>(w.v + 5);
-}
-
-void articulate_wrist_pitch(Workspace& w) {
-  auto& i = w.j_wrist_pitch;
-  load_torque(w, 5, 5, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 5);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 5);
-  add_in_parent(i.X, handed, w.j_forearm_roll.IA);
-  w.j_forearm_roll.pA += i.X.transposed_times(force);
-}
-
-void accelerate_wrist_pitch(Workspace& w) {
-  auto& i = w.j_wrist_pitch;
-  Columns6 a = i.X * w.j_forearm_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 5, 5, qdd);
-  Columns6& f = w.refinement.f[5];
-  f = effort(i.IA, i.a, i.pA);
-  along<Revolute>(i.body.tau, f);
-}
-
-void rearticulate_wrist_pitch(Workspace& w) {
-  auto& i = w.j_wrist_pitch;
-  w.j_forearm_roll.pA += i.X.transposed_times(rearticulate(i.body, 1, i.pA));
-}
-
-// =================================================================================================
-// Joint 6 "flange_roll": revolute, between links "wrist" and "hand"
-// =================================================================================================
-
-void kinematics_flange_roll(Workspace& w) {
-  auto& i = w.j_flange_roll;
-  require_finite(w, w.q + 6, 1, 6);
-  require_finite(w, w.v + 6, 1, 6);
-  const Real q = Real(w.q[6]);
-  const Real c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06f * s, 0.9999999999932537f * s,  //
-      -s, -3.673205103346574e-06f * c, 0.9999999999932537f * c,  //
-      0.0f, -0.9999999999932537f, -3.673205103346574e-06f;
-  i.X.r << 0.09f, 0.0f, 0.0f;
-  i.v = i.X * w.j_wrist_pitch.v + joint_velocity<Revolute>(w.v + 6);
-}
-
-void articulate_flange_roll(Workspace& w) {
-  auto& i = w.j_flange_roll;
-  load_torque(w, 6, 6, i.body.tau);
-  i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 6);
-  add_in_parent(i.X, handed, w.j_wrist_pitch.IA);
-  w.j_wrist_pitch.pA += i.X.transposed_times(force);
-}
-
-void accelerate_flange_roll(Workspace& w) {
-  auto& i = w.j_flange_roll;
-  Columns6 a = i.X * w.j_wrist_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 6, 6, qdd);
-  Columns6& f = w.refinement.f[6];
-  f = effort(i.IA, i.a, i.pA);
-  along<Revolute>(i.body.tau, f);
-}
-
-void rearticulate_flange_roll(Workspace& w) {
-  auto& i = w.j_flange_roll;
-  w.j_wrist_pitch.pA += i.X.transposed_times(rearticulate(i.body, 1, i.pA));
-}
-
-// =================================================================================================
-// Joint 7 "left_finger_slide": prismatic, between links "hand" and "left_finger"
-// =================================================================================================
-
-void kinematics_left_finger_slide(Workspace& w) {
-  auto& i = w.j_left_finger_slide;
-  require_finite(w, w.q + 7, 1, 7);
-  require_finite(w, w.v + 7, 1, 7);
-  const Real q = Real(w.q[7]);
-  i.X.E << 0.0f, 0.0f, 1.0f,  //
-      1.0f, 0.0f, 0.0f,  //
-      0.0f, 1.0f, 0.0f;
-  i.X.r << 0.0f, q, 0.13f;
-  i.v = i.X * w.j_flange_roll.v + joint_velocity<Prismatic>(w.v + 7);
-}
-
-void articulate_left_finger_slide(Workspace& w) {
-  auto& i = w.j_left_finger_slide;
-  load_torque(w, 7, 7, i.body.tau);
-  i.body.c = velocity_product<Prismatic>(i.v, w.v + 7);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 7);
-  add_in_parent(i.X, handed, w.j_flange_roll.IA);
-  w.j_flange_roll.pA += i.X.transposed_times(force);
-}
-
-void accelerate_left_finger_slide(Workspace& w) {
-  auto& i = w.j_left_finger_slide;
-  Columns6 a = i.X * w.j_flange_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 7, 7, qdd);
-  Columns6& f = w.refinement.f[7];
-  f = effort(i.IA, i.a, i.pA);
-  along<Prismatic>(i.body.tau, f);
-}
-
-void rearticulate_left_finger_slide(Workspace& w) {
-  auto& i = w.j_left_finger_slide;
-  w.j_flange_roll.pA += i.X.transposed_times(rearticulate(i.body, 1, i.pA));
-}
-
-// =================================================================================================
-// Joint 8 "right_finger_slide": prismatic, between links "hand" and "right_finger"
-// =================================================================================================
-
-void kinematics_right_finger_slide(Workspace& w) {
-  auto& i = w.j_right_finger_slide;
-  require_finite(w, w.q + 8, 1, 8);
-  require_finite(w, w.v + 8, 1, 8);
-  const Real q = Real(w.q[8]);
-  i.X.E << 0.0f, 0.0f, 1.0f,  //
-      -0.9999999999964793f, 2.65358979335273e-06f, 0.0f,  //
-      -2.65358979335273e-06f, -0.9999999999964793f, 0.0f;
-  i.X.r << -2.65358979335273e-06f * q, -0.9999999999964793f * q, 0.13f;
-  i.v = i.X * w.j_flange_roll.v + joint_velocity<Prismatic>(w.v + 8);
-}
-
-void articulate_right_finger_slide(Workspace& w) {
-  auto& i = w.j_right_finger_slide;
-  load_torque(w, 8, 8, i.body.tau);
-  i.body.c = velocity_product<Prismatic>(i.v, w.v + 8);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 8);
-  add_in_parent(i.X, handed, w.j_flange_roll.IA);
-  w.j_flange_roll.pA += i.X.transposed_times(force);
-}
-
-void accelerate_right_finger_slide(Workspace& w) {
-  auto& i = w.j_right_finger_slide;
-  Columns6 a = i.X * w.j_flange_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 8, 8, qdd);
-  Columns6& f = w.refinement.f[8];
-  f = effort(i.IA, i.a, i.pA);
-  along<Prismatic>(i.body.tau, f);
-}
-
-void rearticulate_right_finger_slide(Workspace& w) {
-  auto& i = w.j_right_finger_slide;
-  w.j_flange_roll.pA += i.X.transposed_times(rearticulate(i.body, 1, i.pA));
-}
-
-
 // ---- 5. processes -------------------------------------------------------------------------------
 
 // Process 0: 5 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll"
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 5, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 5, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 5, &JointConstants::v, kNotFinite);
   stamp(0);
-  kinematics_base_yaw(w);
-  kinematics_shoulder_pitch(w);
-  kinematics_upper_arm_roll(w);
-  kinematics_elbow_pitch(w);
-  kinematics_forearm_roll(w);
+  std::copy_n(w.q + 0, 5, w.angle.data() + 0);
+  turn<block(0), block(4) + 1>(w);
+  outward<0, 4>(w);  // "base_yaw" .. "forearm_roll"
   stamp(1);
-  start_link(kInertia_turret, w.j_base_yaw.v, w.j_base_yaw.IA, w.j_base_yaw.pA);
-  start_link(kInertia_upper_arm, w.j_shoulder_pitch.v, w.j_shoulder_pitch.IA, w.j_shoulder_pitch.pA);
-  start_link(kInertia_elbow_housing, w.j_upper_arm_roll.v, w.j_upper_arm_roll.IA, w.j_upper_arm_roll.pA);
-  start_link(kInertia_forearm, w.j_elbow_pitch.v, w.j_elbow_pitch.IA, w.j_elbow_pitch.pA);
-  articulate_elbow_pitch(w);
-  articulate_upper_arm_roll(w);
-  articulate_shoulder_pitch(w);
-  articulate_base_yaw(w);
-  propagate_base_yaw(w);
-  propagate_shoulder_pitch(w);
-  propagate_upper_arm_roll(w);
-  propagate_elbow_pitch(w);
+  set_up_links<block(0), block(3) + 1>(w);
+  set_up_columns<block(0), block(3) + 1>(w);
+  inward_in_columns<0, 0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
+  propagate<false>(w, 0, kZero, kGround, w.j_shoulder_pitch.Phi_turret, w.j_shoulder_pitch.b_turret);
+  propagate<false>(w, 1, w.j_shoulder_pitch.Phi_turret, w.j_shoulder_pitch.b_turret, w.j_shoulder_pitch.Phi_upper_arm, w.j_shoulder_pitch.b_upper_arm);
+  propagate<false>(w, 2, w.j_shoulder_pitch.Phi_upper_arm, w.j_shoulder_pitch.b_upper_arm, w.j_shoulder_pitch.Phi_elbow_housing, w.j_shoulder_pitch.b_elbow_housing);
+  propagate<false>(w, 3, w.j_shoulder_pitch.Phi_elbow_housing, w.j_shoulder_pitch.b_elbow_housing, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
   stamp(2);
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
@@ -2528,9 +3697,26 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_flange_roll.b_wrist_housing);
   }
   stamp(3);
-  assemble_forearm_roll(w);
+  {
+    auto& i = w.j_forearm_roll;
+    set_transforms(w, 4, i.X, i.Y);
+    load_torque(w, 4, 4, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_shoulder_pitch.Phi_forearm;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_flange_roll.Phi_wrist_housing, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_shoulder_pitch.b_forearm, i.Y * w.j_flange_roll.b_wrist_housing, c))
+      fail(w, kFactorization, 4);
+  }
   stamp(4);
-  disassemble_forearm_roll(w);
+  {
+    auto& i = w.j_forearm_roll;
+    Release<Revolute> release(i.joined);
+    const Columns6& f = w.refinement.f[4] = release.force();
+    store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
+    w.j_shoulder_pitch.F_on_forearm = -i.X.transposed_times(f);
+    w.j_flange_roll.F_on_wrist_housing = i.Y.transposed_times(f);
+  }
   stamp(5);
   {  // to process 1: forces on: chain of "flange_roll"
     Number* to = channel.outgoing(1, w.status);
@@ -2538,45 +3724,33 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(1, w.status);
   }
   stamp(6);
-  w.j_base_yaw.load = Columns6::Zero();
-  w.j_shoulder_pitch.load = Columns6::Zero();
-  w.j_upper_arm_roll.load = Columns6::Zero();
-  w.j_elbow_pitch.load = w.j_shoulder_pitch.F_on_forearm;
-  deliver_elbow_pitch(w);
-  deliver_upper_arm_roll(w);
-  deliver_shoulder_pitch(w);
-  deliver_base_yaw(w);
-  accelerate_base_yaw(w);
-  accelerate_shoulder_pitch(w);
-  accelerate_upper_arm_roll(w);
-  accelerate_elbow_pitch(w);
+  w.loads[1] = Columns6::Zero();
+  w.loads[2] = Columns6::Zero();
+  w.loads[3] = Columns6::Zero();
+  w.loads[4] = w.j_shoulder_pitch.F_on_forearm;
+  deliver<0, 3>(w);  // "base_yaw" .. "elbow_pitch"
+  accelerate<0, 0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   stamp(7);
+  require_finite(w, w.answer.data(), 0, 5, &JointConstants::v, kOverflow);
+  give(w, 0, 5);
 }
 
 // Process 1: 4 of 9 joints: "wrist_pitch", "flange_roll", "left_finger_slide", "right_finger_slide"; kinematics of 5 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 9, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 9, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 5, 4, &JointConstants::v, kNotFinite);
   stamp(0);
-  kinematics_base_yaw(w);
-  kinematics_shoulder_pitch(w);
-  kinematics_upper_arm_roll(w);
-  kinematics_elbow_pitch(w);
-  kinematics_forearm_roll(w);
-  kinematics_wrist_pitch(w);
-  kinematics_flange_roll(w);
-  kinematics_left_finger_slide(w);
-  kinematics_right_finger_slide(w);
+  std::copy_n(w.q + 0, 7, w.angle.data() + 0);
+  turn<block(0), block(8) + 1>(w);
+  pass_outward<0, 4>(w);  // "base_yaw" .. "forearm_roll"
+  outward<5, 7>(w);  // "wrist_pitch" .. "left_finger_slide"
+  outward<8, 8>(w);  // "right_finger_slide"
   stamp(1);
-  start_link(kInertia_wrist_housing, w.j_forearm_roll.v, w.j_forearm_roll.IA, w.j_forearm_roll.pA);
-  start_link(kInertia_wrist, w.j_wrist_pitch.v, w.j_wrist_pitch.IA, w.j_wrist_pitch.pA);
-  start_link(kInertia_hand, w.j_flange_roll.v, w.j_flange_roll.IA, w.j_flange_roll.pA);
-  start_link(kInertia_left_finger, w.j_left_finger_slide.v, w.j_left_finger_slide.IA, w.j_left_finger_slide.pA);
-  start_link(kInertia_right_finger, w.j_right_finger_slide.v, w.j_right_finger_slide.IA, w.j_right_finger_slide.pA);
-  articulate_right_finger_slide(w);
-  articulate_left_finger_slide(w);
-  articulate_flange_roll(w);
-  articulate_wrist_pitch(w);
-  if (!invert(w.j_forearm_roll.IA, w.j_forearm_roll.pA, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing))
-    fail(w, kFactorization, 4);
+  set_up_links<block(4), block(8) + 1>(w);
+  inward<1, 8, 8, true>(w);  // "right_finger_slide"
+  inward<1, 5, 7, true>(w);  // "wrist_pitch" .. "left_finger_slide"
+  invert_root<1, 5>(w, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing);
   stamp(2);
   {  // to process 0: assembled: chain of "flange_roll"
     Number* to = channel.outgoing(0, w.status);
@@ -2590,13 +3764,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_flange_roll.F_on_wrist_housing);
   }
   stamp(4);
-  w.j_forearm_roll.load = w.j_flange_roll.F_on_wrist_housing;
-  w.j_forearm_roll.a = w.j_flange_roll.b_wrist_housing + w.j_flange_roll.Phi_wrist_housing * w.j_forearm_roll.load;
-  accelerate_wrist_pitch(w);
-  accelerate_flange_roll(w);
-  accelerate_left_finger_slide(w);
-  accelerate_right_finger_slide(w);
+  w.loads[5] = w.j_flange_roll.F_on_wrist_housing;
+  w.motions[5] = motion_of(w.j_flange_roll.b_wrist_housing + w.j_flange_roll.Phi_wrist_housing * w.loads[5]);
+  accelerate<1, 5, 7>(w);  // "wrist_pitch" .. "left_finger_slide"
+  accelerate<1, 8, 8>(w);  // "right_finger_slide"
   stamp(5);
+  require_finite(w, w.answer.data(), 5, 4, &JointConstants::v, kOverflow);
+  give(w, 5, 4);
 }
 
 // ---- refinement ---------------------------------------------------------------------------------
@@ -2604,58 +3778,60 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 // Process 0, a correction: its steps again with the factors that they left, for what is
 // left over at the links.
 void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  w.j_base_yaw.pA = first_column(-w.refinement.rho[1]);
-  w.j_shoulder_pitch.pA = first_column(-w.refinement.rho[2]);
-  w.j_upper_arm_roll.pA = first_column(-w.refinement.rho[3]);
-  w.j_elbow_pitch.pA = first_column(-w.refinement.rho[4]);
-  rearticulate_elbow_pitch(w);
-  rearticulate_upper_arm_roll(w);
-  rearticulate_shoulder_pitch(w);
-  rearticulate_base_yaw(w);
-  repropagate_base_yaw(w);
-  repropagate_shoulder_pitch(w);
-  repropagate_upper_arm_roll(w);
-  repropagate_elbow_pitch(w);
+  set_up_columns<block(0), block(3) + 1>(w);
+  inward_in_columns<0, 0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
+  propagate<false>(w, 0, kZero, kGround, w.j_shoulder_pitch.Phi_turret, w.j_shoulder_pitch.b_turret);
+  propagate<false>(w, 1, w.j_shoulder_pitch.Phi_turret, w.j_shoulder_pitch.b_turret, w.j_shoulder_pitch.Phi_upper_arm, w.j_shoulder_pitch.b_upper_arm);
+  propagate<false>(w, 2, w.j_shoulder_pitch.Phi_upper_arm, w.j_shoulder_pitch.b_upper_arm, w.j_shoulder_pitch.Phi_elbow_housing, w.j_shoulder_pitch.b_elbow_housing);
+  propagate<false>(w, 3, w.j_shoulder_pitch.Phi_elbow_housing, w.j_shoulder_pitch.b_elbow_housing, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
+    from = get(from, w.j_flange_roll.Phi_wrist_housing);
     from = get(from, w.j_flange_roll.b_wrist_housing);
   }
-  reassemble_forearm_roll(w);
-  disassemble_forearm_roll(w);
+  {
+    auto& i = w.j_forearm_roll;
+    set_transforms(w, 4, i.X, i.Y);
+    load_torque(w, 4, 4, i.joined.tau);
+    const Mat6 X_Phi_A = i.X * w.j_shoulder_pitch.Phi_forearm;
+    const Mat6 Phi_A = from_right(X_Phi_A, i.X);
+    const Mat6 Phi_B = from_right(i.Y * w.j_flange_roll.Phi_wrist_housing, i.Y);
+    const Columns6 c = Columns6::Zero();
+    if (!join(i.joined, Phi_A, Phi_B, i.X * w.j_shoulder_pitch.b_forearm, i.Y * w.j_flange_roll.b_wrist_housing, c))
+      fail(w, kFactorization, 4);
+  }
+  {
+    auto& i = w.j_forearm_roll;
+    Release<Revolute> release(i.joined);
+    const Columns6& f = w.refinement.f[4] = release.force();
+    store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
+    w.j_shoulder_pitch.F_on_forearm = -i.X.transposed_times(f);
+    w.j_flange_roll.F_on_wrist_housing = i.Y.transposed_times(f);
+  }
   {  // to process 1: forces on: chain of "flange_roll"
     Number* to = channel.outgoing(1, w.status);
     to = put(to, w.j_flange_roll.F_on_wrist_housing);
     channel.send(1, w.status);
   }
-  w.j_base_yaw.load = Columns6::Zero();
-  w.j_shoulder_pitch.load = Columns6::Zero();
-  w.j_upper_arm_roll.load = Columns6::Zero();
-  w.j_elbow_pitch.load = w.j_shoulder_pitch.F_on_forearm;
-  deliver_elbow_pitch(w);
-  deliver_upper_arm_roll(w);
-  deliver_shoulder_pitch(w);
-  deliver_base_yaw(w);
-  accelerate_base_yaw(w);
-  accelerate_shoulder_pitch(w);
-  accelerate_upper_arm_roll(w);
-  accelerate_elbow_pitch(w);
+  w.loads[1] = Columns6::Zero();
+  w.loads[2] = Columns6::Zero();
+  w.loads[3] = Columns6::Zero();
+  w.loads[4] = w.j_shoulder_pitch.F_on_forearm;
+  deliver<0, 3>(w);  // "base_yaw" .. "elbow_pitch"
+  accelerate<0, 0, 3>(w);  // "base_yaw" .. "elbow_pitch"
+  require_finite(w, w.answer.data(), 0, 5, &JointConstants::v, kOverflow);
+  give(w, 0, 5);
 }
 
 // Process 1, a correction: its steps again with the factors that they left, for what is
 // left over at the links.
 void correct_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  w.j_forearm_roll.pA = first_column(-w.refinement.rho[5]);
-  w.j_wrist_pitch.pA = first_column(-w.refinement.rho[6]);
-  w.j_flange_roll.pA = first_column(-w.refinement.rho[7]);
-  w.j_left_finger_slide.pA = first_column(-w.refinement.rho[8]);
-  w.j_right_finger_slide.pA = first_column(-w.refinement.rho[9]);
-  rearticulate_right_finger_slide(w);
-  rearticulate_left_finger_slide(w);
-  rearticulate_flange_roll(w);
-  rearticulate_wrist_pitch(w);
-  w.j_flange_roll.b_wrist_housing.noalias() = -w.j_flange_roll.Phi_wrist_housing * w.j_forearm_roll.pA;
+  inward<1, 8, 8, true>(w);  // "right_finger_slide"
+  inward<1, 5, 7, true>(w);  // "wrist_pitch" .. "left_finger_slide"
+  invert_root<1, 5>(w, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing);
   {  // to process 0: assembled: chain of "flange_roll"
     Number* to = channel.outgoing(0, w.status);
+    to = put(to, w.j_flange_roll.Phi_wrist_housing);
     to = put(to, w.j_flange_roll.b_wrist_housing);
     channel.send(0, w.status);
   }
@@ -2663,12 +3839,12 @@ void correct_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
     const Number* from = channel.receive(1, w.status);
     from = get(from, w.j_flange_roll.F_on_wrist_housing);
   }
-  w.j_forearm_roll.load = w.j_flange_roll.F_on_wrist_housing;
-  w.j_forearm_roll.a = w.j_flange_roll.b_wrist_housing + w.j_flange_roll.Phi_wrist_housing * w.j_forearm_roll.load;
-  accelerate_wrist_pitch(w);
-  accelerate_flange_roll(w);
-  accelerate_left_finger_slide(w);
-  accelerate_right_finger_slide(w);
+  w.loads[5] = w.j_flange_roll.F_on_wrist_housing;
+  w.motions[5] = motion_of(w.j_flange_roll.b_wrist_housing + w.j_flange_roll.Phi_wrist_housing * w.loads[5]);
+  accelerate<1, 5, 7>(w);  // "wrist_pitch" .. "left_finger_slide"
+  accelerate<1, 8, 8>(w);  // "right_finger_slide"
+  require_finite(w, w.answer.data(), 5, 4, &JointConstants::v, kOverflow);
+  give(w, 5, 4);
 }
 
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kSolve{run_0, run_1};
@@ -2705,6 +3881,20 @@ inline Real coupling_torque([[maybe_unused]] const Workspace& w, [[maybe_unused]
   return 0;
 }
 
+// A correction: links feel what is left over of their equations of motion and nothing else.
+inline void begin_answer(Workspace& w) {
+  for (Columns6& f : w.refinement.f) f.setZero();
+}
+inline void begin_correction(Workspace& w, const RefinedProcess& own) {
+  w.v = w.refinement.still.data();
+  for (const int link : own.links) {
+    const Vec6& rho = w.refinement.rho[static_cast<std::size_t>(link)];
+    const Matrix<Value> R = matrix_at(w.of(link - 1, kAxes));
+    put_at(w.of(link - 1, kTorque), -(R * Vector<Value>{rho[0], rho[1], rho[2]}));
+    put_at(w.of(link - 1, kForce), -(R * Vector<Value>{rho[3], rho[4], rho[5]}));
+  }
+}
+
 // One evaluation, refined: as if it were a process's only list of steps.
 inline void exchange_step(Workspace& w, Channel& channel) {
   Refinement& r = w.refinement;
@@ -2728,10 +3918,10 @@ inline void exchange_step(Workspace& w, Channel& channel) {
 }
 
 // The joints' forces with the torques that hold slaved joints in step.
-inline void collect_forces(Workspace& w, const RefinedProcess& own) {
+inline void collect_forces(Workspace& w, const RefinedProcess& own, const Number* tau) {
   Refinement& r = w.refinement;
   for (const int j : own.forces) {
-    r.collect(j, w.tau);
+    r.collect(j, tau);
     for (int c = 1; c < kColumns; ++c) r.couple(j, c, Number(coupling_torque(w, c - 1)));
   }
   for (int k = 0; k < own.inner.count; ++k) r.hand_on(own.inner.first[k], own.beyond.first[k]);
@@ -2796,20 +3986,20 @@ inline void require_convergence(Workspace& w, int k) {
   if (kMixed && k == kRefine - 1 && !(settled || size < kTolerance)) fail(w, kTooFewSteps, 0);
 }
 
-void refined(Workspace& w, Channel& channel) {
+using Steps = void (*)(Workspace&, Channel&);
+inline void refine(Workspace& w, Channel& channel, Steps solve, Steps correct) {
   const RefinedProcess& own = kRefined[channel.rank()];
   if (own.own.count == 0) return;
   Refinement& r = w.refinement;
-  const Number* const tau = w.tau;
+  const Number* const tau = given(w.tau);
   Number* const qdd = w.qdd;
-  r.begin(own, w.q, w.v);
+  r.begin(own, given(w.q), given(w.v));
   r.step.fill(0);
   w.qdd = r.step.data();
-  w.ground = kGround;
-  kSolve[channel.rank()](w, channel);
-  w.ground.setZero();
+  begin_answer(w);
+  solve(w, channel);
   for (int k = 0;; ++k) {
-    collect_forces(w, own);
+    collect_forces(w, own, k == 0 ? tau : r.lacking.data());
     exchange_step(w, channel);
     r.add(own);
     if (k > 0) {
@@ -2821,12 +4011,17 @@ void refined(Workspace& w, Channel& channel) {
     r.residual(own);
     r.miss(own, tau);
     w.tau = r.lacking.data();
-    kCorrect[channel.rank()](w, channel);
+    begin_correction(w, own);
+    correct(w, channel);
   }
   w.tau = tau;
   w.qdd = qdd;
   if (w.status != kFine) return;
   for (const int k : own.own) qdd[k] = static_cast<Number>(r.qdd[k]);
+}
+
+void refined(Workspace& w, Channel& channel) {
+  refine(w, channel, kSolve[channel.rank()], kCorrect[channel.rank()]);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{refined, refined};

@@ -1442,6 +1442,14 @@ constexpr LinkRole kRoles[3][kLinkCount]{
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
 };
 
+// Where an evaluation finds the state, and puts what it answers.
+struct State {
+  const Value* q = nullptr;
+  const Value* v = nullptr;
+  const Value* tau = nullptr;
+  Value* qdd = nullptr;
+};
+
 // What is kept where segments meet, with the joint that it belongs to.
 struct Joint_joint04 {
   Mat6 Phi_rod01;
@@ -1528,7 +1536,7 @@ typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
 template <class T, class Number, std::size_t... lane>
 ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
                         std::index_sequence<lane...>) {
-  return T{number(kJoints[static_cast<std::size_t>(joints.joint[lane])])...};
+  return T{Real(number(kJoints[static_cast<std::size_t>(joints.joint[lane])]))...};
 }
 template <class T, class Number>
 ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
@@ -1623,11 +1631,7 @@ struct Frame {
   Vector<T> omega, alpha, a;
 };
 
-struct Workspace : Cuts {
-  const Value* q = nullptr;
-  const Value* v = nullptr;
-  const Value* tau = nullptr;
-  Value* qdd = nullptr;
+struct Workspace : State, Cuts {
   int status = kFine;
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
@@ -1639,6 +1643,7 @@ struct Workspace : Cuts {
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
+  std::array<Body<Value>, kRefine ? kJointCount : 0> whole{};  // beyond each joint, to be refined
 
   Workspace() {
     for (Block& block : blocks)  // slots that are not filled do not turn
@@ -1705,18 +1710,21 @@ ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
 // A body in a message.
 [[maybe_unused]] constexpr int kBodyNumbers = 27;
 template <class T>
-ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
+ADAGEN_INLINE Number* put(Number* to, const Body<T>& X) {
   static_assert(sizeof X == kBodyNumbers * sizeof(Real));
-  std::memcpy(to, &X, sizeof X);
-  return to + kBodyNumbers;
+  Real numbers[kBodyNumbers];
+  std::memcpy(numbers, &X, sizeof X);
+  return std::copy_n(numbers, kBodyNumbers, to);
 }
 template <class T>
-ADAGEN_INLINE const Real* get(const Real* from, Body<T>& X) {
-  std::memcpy(&X, from, sizeof X);
+ADAGEN_INLINE const Number* get(const Number* from, Body<T>& X) {
+  Real numbers[kBodyNumbers];
+  std::copy_n(from, kBodyNumbers, numbers);
+  std::memcpy(&X, numbers, sizeof X);
   return from + kBodyNumbers;
 }
 template <class T>
-ADAGEN_INLINE const Real* add(const Real* from, Body<T>& X) {
+ADAGEN_INLINE const Number* add(const Number* from, Body<T>& X) {
   Body<T> other;
   from = get(from, other);
   X += other;
@@ -1757,7 +1765,7 @@ inline void give(Workspace& w, int first, int count) {
 }
 
 [[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
-[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
+[[maybe_unused]] constexpr bool is_identity(const Number (&R)[9]) {
   for (int k = 0; k < 9; ++k)
     if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
   return true;
@@ -1918,8 +1926,8 @@ ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
 template <class T>
 ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
   if constexpr (kWidth<T> == 1) {
-    const Real* const x = joints.any().translation;
-    return Vector<Real>{x[0], x[1], x[2]};
+    const Number* const x = joints.any().translation;
+    return Vector<Real>{Real(x[0]), Real(x[1]), Real(x[2])};
   } else {
     return Vector<T>{constant(joints, &BlockConstants::x), constant(joints, &BlockConstants::y),
                      constant(joints, &BlockConstants::z)};
@@ -2048,10 +2056,11 @@ void free_base_frame(Workspace& w) {
   require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
   Frame<Value> frame = ground();
   const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
-  const Real* const P = joint.rotation;
-  const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
-                           P[1] * gravity.x + P[4] * gravity.y + P[7] * gravity.z,
-                           P[2] * gravity.x + P[5] * gravity.y + P[8] * gravity.z};
+  const Number* const P = joint.rotation;
+  const auto along = [&](int k) {
+    return Real(P[k] * gravity.x + P[3 + k] * gravity.y + P[6 + k] * gravity.z);
+  };
+  const Vector<Real> fixed{along(0), along(1), along(2)};
   const Value none{};
   frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
   const Value* v = w.v + joint.v + 3;
@@ -2060,8 +2069,10 @@ void free_base_frame(Workspace& w) {
 }
 
 ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
-  const Real* const P = joint.rotation;
-  return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
+  const auto row = [P = joint.rotation](int k) {
+    return Vector<Real>{Real(P[k]), Real(P[k + 1]), Real(P[k + 2])};
+  };
+  return {row(0), row(3), row(6)};
 }
 
 // One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
@@ -2155,6 +2166,14 @@ void pass_outward(Workspace& w) {
       [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
   keep(w, slot_of(last), at);
 }
+
+// Without refinement nothing is kept of joints' forces.
+template <class T, class X>
+ADAGEN_INLINE void keep_body(Workspace&, const Joints<T>&, const X&) {}
+template <bool reversed, class T>
+ADAGEN_INLINE void keep_force(Workspace&, const Joints<T>&, const Motion<T>&) {}
+template <class T>
+ADAGEN_INLINE void keep_load(Workspace&, int, const T&, const T&) {}
 
 // Symmetric matrices of three rows, eliminated.
 
@@ -2494,6 +2513,7 @@ void inward(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     if constexpr (!quick) meet<p>(w, j + 1, X);
+    if constexpr (kRefine > 0) keep_body(w, single(j), X);
     step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j > first) add_bare_link(w, single(j - 1), near);
     });
@@ -2523,13 +2543,14 @@ ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
 template <int p, int first, int last, bool starts>
 void inward_reversed(Workspace& w) {
   constexpr bool quick = bare<p>(first + 1, last);
-  if constexpr (quick && leave_mass_alone(first, last))
+  if constexpr (quick && leave_mass_alone(first, last) && kRefine == 0)
     return leave<starts>(w, last + 1, turn_inward_reversed<p, first, last>(w));
   Body<Value> X{};
   if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    if constexpr (kRefine > 0) keep_body(w, single(j), X);
     step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j < last) add_bare_link(w, single(j), near);
     });
@@ -2706,6 +2727,10 @@ ADAGEN_INLINE void settle(Columns& X, Due& due) {
   subtract(X, due.U, due.U * due.inverse);
   due = {};
 }
+ADAGEN_INLINE Body<Real> settled(Columns X, Due due) {
+  settle(X, due);
+  return body(X);
+}
 
 // Inwards by columns: a joint takes a few instructions for each. For runs of joints that nothing
 // lies beside; where no register holds a column, such runs are taken number by number.
@@ -2853,6 +2878,7 @@ void inward_in_columns(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     if constexpr (!quick) meet<p>(w, j + 1, X);
+    if constexpr (kRefine > 0) keep_body(w, single(j), settled(X, due));
     step_inward<false>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
       if (quick && j > first) add_bare_link(w, j, near);
     });
@@ -2873,6 +2899,7 @@ void inward_in_columns_reversed(Workspace& w) {
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    if constexpr (kRefine > 0) keep_body(w, single(j), settled(X, due));
     step_inward<true>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
       if (quick && j < last) add_bare_link(w, j + 1, near);
     });
@@ -2992,6 +3019,7 @@ void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     move<false>(w, single(first + k), kind, a);
+    if constexpr (kRefine > 0) keep_force<false>(w, single(first + k), a);
     const std::size_t far = static_cast<std::size_t>(first + k + 1);
     if (kRoles[p][far].parts) w.motions[far] = a;
   });
@@ -3010,6 +3038,7 @@ ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     move<true>(w, single(j), kind, a);
+    if constexpr (kRefine > 0) keep_force<true>(w, single(j), a);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
     if (kRoles[p][far].parts) w.motions[far] = a;
   });
@@ -3305,6 +3334,7 @@ void deliver(Workspace& w) {
   Vector<Value> n{}, f{};
   for (int j = last; j >= first; --j) {
     take_load(w, j + 1, n, f);
+    if constexpr (kRefine > 0) keep_load(w, j, n, f);
     deliver<false>(w, j, n, f);
   }
   w.loads[kJoints[first].parent] += columns_of({n, f});
@@ -3315,6 +3345,7 @@ void deliver_reversed(Workspace& w) {
   Vector<Value> n{}, f{};
   for (int j = first; j <= last; ++j) {
     take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
+    if constexpr (kRefine > 0) keep_load(w, j, n, f);
     deliver<true>(w, j, n, f);
   }
   w.loads[last + 1] += columns_of({n, f});
@@ -3370,7 +3401,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   propagate<false>(w, 6, w.j_joint04.Phi_rod06, w.j_joint04.b_rod06, w.j_joint04.Phi_rod07, w.j_joint04.b_rod07);
   stamp(2);
   {  // from process 1: assembled: chain of "joint12"
-    const Real* from = channel.receive(1, w.status);
+    const Number* from = channel.receive(1, w.status);
     from = get(from, w.j_joint12.Phi_rod08);
     from = get(from, w.j_joint12.b_rod08);
   }
@@ -3397,7 +3428,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   }
   stamp(5);
   {  // to process 1: forces on: chain of "joint12"
-    Real* to = channel.outgoing(2, w.status);
+    Number* to = channel.outgoing(2, w.status);
     to = put(to, w.j_joint12.F_on_rod08);
     channel.send(2, w.status);
   }
@@ -3438,7 +3469,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.j_joint10.Phi_rod08_rod11 = passed<false>(w, 10, w.j_joint10.Phi_rod08_rod10.transpose()).transpose();  // with link "rod08"
   stamp(2);
   {  // from process 2: assembled: chain of "joint14"
-    const Real* from = channel.receive(0, w.status);
+    const Number* from = channel.receive(0, w.status);
     from = get(from, w.j_joint14.Phi_rod12);
     from = get(from, w.j_joint14.b_rod12);
   }
@@ -3459,14 +3490,14 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   }
   stamp(4);
   {  // to process 0: assembled: chain of "joint12"
-    Real* to = channel.outgoing(1, w.status);
+    Number* to = channel.outgoing(1, w.status);
     to = put(to, w.j_joint12.Phi_rod08);
     to = put(to, w.j_joint12.b_rod08);
     channel.send(1, w.status);
   }
   stamp(5);
   {  // from process 0: forces on: chain of "joint12"
-    const Real* from = channel.receive(2, w.status);
+    const Number* from = channel.receive(2, w.status);
     from = get(from, w.j_joint12.F_on_rod08);
   }
   stamp(6);
@@ -3481,7 +3512,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   }
   stamp(7);
   {  // to process 2: forces on: chain of "joint14"
-    Real* to = channel.outgoing(3, w.status);
+    Number* to = channel.outgoing(3, w.status);
     to = put(to, w.j_joint14.F_on_rod12);
     channel.send(3, w.status);
   }
@@ -3515,14 +3546,14 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   invert_root<2, 12>(w, w.j_joint14.Phi_rod12, w.j_joint14.b_rod12);
   stamp(2);
   {  // to process 1: assembled: chain of "joint14"
-    Real* to = channel.outgoing(0, w.status);
+    Number* to = channel.outgoing(0, w.status);
     to = put(to, w.j_joint14.Phi_rod12);
     to = put(to, w.j_joint14.b_rod12);
     channel.send(0, w.status);
   }
   stamp(3);
   {  // from process 1: forces on: chain of "joint14"
-    const Real* from = channel.receive(3, w.status);
+    const Number* from = channel.receive(3, w.status);
     from = get(from, w.j_joint14.F_on_rod12);
   }
   stamp(4);

@@ -1440,6 +1440,14 @@ constexpr LinkRole kRoles[4][kLinkCount]{
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
 };
 
+// Where an evaluation finds the state, and puts what it answers.
+struct State {
+  const Value* q = nullptr;
+  const Value* v = nullptr;
+  const Value* tau = nullptr;
+  Value* qdd = nullptr;
+};
+
 // What is kept where segments meet, with the joint that it belongs to.
 struct Joint_left_hip {
   Mat6 Phi_pelvis;
@@ -1520,7 +1528,7 @@ typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
 template <class T, class Number, std::size_t... lane>
 ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
                         std::index_sequence<lane...>) {
-  return T{number(kJoints[static_cast<std::size_t>(joints.joint[lane])])...};
+  return T{Real(number(kJoints[static_cast<std::size_t>(joints.joint[lane])]))...};
 }
 template <class T, class Number>
 ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
@@ -1615,11 +1623,7 @@ struct Frame {
   Vector<T> omega, alpha, a;
 };
 
-struct Workspace : Cuts {
-  const Value* q = nullptr;
-  const Value* v = nullptr;
-  const Value* tau = nullptr;
-  Value* qdd = nullptr;
+struct Workspace : State, Cuts {
   int status = kFine;
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
@@ -1631,6 +1635,7 @@ struct Workspace : Cuts {
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
+  std::array<Body<Value>, kRefine ? kJointCount : 0> whole{};  // beyond each joint, to be refined
 
   Workspace() {
     for (Block& block : blocks)  // slots that are not filled do not turn
@@ -1697,18 +1702,21 @@ ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
 // A body in a message.
 [[maybe_unused]] constexpr int kBodyNumbers = 27;
 template <class T>
-ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
+ADAGEN_INLINE Number* put(Number* to, const Body<T>& X) {
   static_assert(sizeof X == kBodyNumbers * sizeof(Real));
-  std::memcpy(to, &X, sizeof X);
-  return to + kBodyNumbers;
+  Real numbers[kBodyNumbers];
+  std::memcpy(numbers, &X, sizeof X);
+  return std::copy_n(numbers, kBodyNumbers, to);
 }
 template <class T>
-ADAGEN_INLINE const Real* get(const Real* from, Body<T>& X) {
-  std::memcpy(&X, from, sizeof X);
+ADAGEN_INLINE const Number* get(const Number* from, Body<T>& X) {
+  Real numbers[kBodyNumbers];
+  std::copy_n(from, kBodyNumbers, numbers);
+  std::memcpy(&X, numbers, sizeof X);
   return from + kBodyNumbers;
 }
 template <class T>
-ADAGEN_INLINE const Real* add(const Real* from, Body<T>& X) {
+ADAGEN_INLINE const Number* add(const Number* from, Body<T>& X) {
   Body<T> other;
   from = get(from, other);
   X += other;
@@ -1749,7 +1757,7 @@ inline void give(Workspace& w, int first, int count) {
 }
 
 [[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
-[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
+[[maybe_unused]] constexpr bool is_identity(const Number (&R)[9]) {
   for (int k = 0; k < 9; ++k)
     if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
   return true;
@@ -1910,8 +1918,8 @@ ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
 template <class T>
 ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
   if constexpr (kWidth<T> == 1) {
-    const Real* const x = joints.any().translation;
-    return Vector<Real>{x[0], x[1], x[2]};
+    const Number* const x = joints.any().translation;
+    return Vector<Real>{Real(x[0]), Real(x[1]), Real(x[2])};
   } else {
     return Vector<T>{constant(joints, &BlockConstants::x), constant(joints, &BlockConstants::y),
                      constant(joints, &BlockConstants::z)};
@@ -2114,10 +2122,11 @@ void free_base_frame(Workspace& w) {
   require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
   Frame<Value> frame = ground();
   const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
-  const Real* const P = joint.rotation;
-  const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
-                           P[1] * gravity.x + P[4] * gravity.y + P[7] * gravity.z,
-                           P[2] * gravity.x + P[5] * gravity.y + P[8] * gravity.z};
+  const Number* const P = joint.rotation;
+  const auto along = [&](int k) {
+    return Real(P[k] * gravity.x + P[3 + k] * gravity.y + P[6 + k] * gravity.z);
+  };
+  const Vector<Real> fixed{along(0), along(1), along(2)};
   const Value none{};
   frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
   const Value* v = w.v + joint.v + 3;
@@ -2126,8 +2135,10 @@ void free_base_frame(Workspace& w) {
 }
 
 ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
-  const Real* const P = joint.rotation;
-  return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
+  const auto row = [P = joint.rotation](int k) {
+    return Vector<Real>{Real(P[k]), Real(P[k + 1]), Real(P[k + 2])};
+  };
+  return {row(0), row(3), row(6)};
 }
 
 // One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
@@ -2221,6 +2232,14 @@ void pass_outward(Workspace& w) {
       [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
   keep(w, slot_of(last), at);
 }
+
+// Without refinement nothing is kept of joints' forces.
+template <class T, class X>
+ADAGEN_INLINE void keep_body(Workspace&, const Joints<T>&, const X&) {}
+template <bool reversed, class T>
+ADAGEN_INLINE void keep_force(Workspace&, const Joints<T>&, const Motion<T>&) {}
+template <class T>
+ADAGEN_INLINE void keep_load(Workspace&, int, const T&, const T&) {}
 
 // Symmetric matrices of three rows, eliminated.
 
@@ -2560,6 +2579,7 @@ void inward(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     if constexpr (!quick) meet<p>(w, j + 1, X);
+    if constexpr (kRefine > 0) keep_body(w, single(j), X);
     step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j > first) add_bare_link(w, single(j - 1), near);
     });
@@ -2589,13 +2609,14 @@ ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
 template <int p, int first, int last, bool starts>
 void inward_reversed(Workspace& w) {
   constexpr bool quick = bare<p>(first + 1, last);
-  if constexpr (quick && leave_mass_alone(first, last))
+  if constexpr (quick && leave_mass_alone(first, last) && kRefine == 0)
     return leave<starts>(w, last + 1, turn_inward_reversed<p, first, last>(w));
   Body<Value> X{};
   if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    if constexpr (kRefine > 0) keep_body(w, single(j), X);
     step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j < last) add_bare_link(w, single(j), near);
     });
@@ -2738,6 +2759,7 @@ void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     move<false>(w, single(first + k), kind, a);
+    if constexpr (kRefine > 0) keep_force<false>(w, single(first + k), a);
     const std::size_t far = static_cast<std::size_t>(first + k + 1);
     if (kRoles[p][far].parts) w.motions[far] = a;
   });
@@ -2756,6 +2778,7 @@ ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     move<true>(w, single(j), kind, a);
+    if constexpr (kRefine > 0) keep_force<true>(w, single(j), a);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
     if (kRoles[p][far].parts) w.motions[far] = a;
   });
@@ -2893,6 +2916,7 @@ auto inward_group(Workspace& w) {
   if constexpr (quick) meet_group<p>(w, limbs.at(limbs.kRows - 1), X);
   each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     if constexpr (!quick) meet_group<p>(w, limbs.at(k), X);
+    if constexpr (kRefine > 0) keep_body(w, limbs.at(k), X);
     step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
       if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
     });
@@ -2910,6 +2934,7 @@ void accelerate_group(Workspace& w) {
   each_row<LimbRows<limbs>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const Joints<T> joints = limbs.at(k);
     move<false>(w, joints, kind, a);
+    if constexpr (kRefine > 0) keep_force<false>(w, joints, a);
     ADAGEN_FOR (side, 0, kWidth<T>) {
       const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
       if (kRoles[p][link].parts) w.motions[link] = lane(a, side);
@@ -3190,6 +3215,7 @@ void deliver(Workspace& w) {
   Vector<Value> n{}, f{};
   for (int j = last; j >= first; --j) {
     take_load(w, j + 1, n, f);
+    if constexpr (kRefine > 0) keep_load(w, j, n, f);
     deliver<false>(w, j, n, f);
   }
   w.loads[kJoints[first].parent] += columns_of({n, f});
@@ -3200,6 +3226,7 @@ void deliver_reversed(Workspace& w) {
   Vector<Value> n{}, f{};
   for (int j = first; j <= last; ++j) {
     take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
+    if constexpr (kRefine > 0) keep_load(w, j, n, f);
     deliver<true>(w, j, n, f);
   }
   w.loads[last + 1] += columns_of({n, f});
@@ -3257,7 +3284,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   invert_root<0, 1>(w, w.j_right_hip.Phi_pelvis, w.j_right_hip.b_pelvis);
   stamp(2);
   {  // from process 1: assembled: chain of "left_knee"
-    const Real* from = channel.receive(0, w.status);
+    const Number* from = channel.receive(0, w.status);
     from = get(from, w.j_left_knee.Phi_left_thigh);
     from = get(from, w.j_left_knee.b_left_thigh);
   }
@@ -3278,7 +3305,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   }
   stamp(4);
   {  // from process 2: assembled: chain of "left_shoulder"
-    const Real* from = channel.receive(2, w.status);
+    const Number* from = channel.receive(2, w.status);
     from = get(from, w.j_left_shoulder.Phi_trunk);
     from = get(from, w.j_left_shoulder.b_trunk);
   }
@@ -3305,7 +3332,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   }
   stamp(7);
   {  // to process 2: forces on: chain of "left_shoulder"
-    Real* to = channel.outgoing(3, w.status);
+    Number* to = channel.outgoing(3, w.status);
     to = put(to, w.j_left_shoulder.F_on_trunk);
     channel.send(3, w.status);
   }
@@ -3321,7 +3348,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   }
   stamp(9);
   {  // to process 1: forces on: chain of "left_knee"
-    Real* to = channel.outgoing(4, w.status);
+    Number* to = channel.outgoing(4, w.status);
     to = put(to, w.j_left_knee.F_on_left_thigh);
     channel.send(4, w.status);
   }
@@ -3355,14 +3382,14 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   invert_root<1, 2>(w, w.j_left_knee.Phi_left_thigh, w.j_left_knee.b_left_thigh);
   stamp(2);
   {  // to process 0: assembled: chain of "left_knee"
-    Real* to = channel.outgoing(0, w.status);
+    Number* to = channel.outgoing(0, w.status);
     to = put(to, w.j_left_knee.Phi_left_thigh);
     to = put(to, w.j_left_knee.b_left_thigh);
     channel.send(0, w.status);
   }
   stamp(3);
   {  // from process 0: forces on: chain of "left_knee"
-    const Real* from = channel.receive(4, w.status);
+    const Number* from = channel.receive(4, w.status);
     from = get(from, w.j_left_knee.F_on_left_thigh);
   }
   stamp(4);
@@ -3406,7 +3433,7 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   invert_root<2, 8>(w, w.j_right_shoulder.Phi_trunk, w.j_right_shoulder.b_trunk);
   stamp(2);
   {  // from process 3: assembled: chain of "left_elbow"
-    const Real* from = channel.receive(1, w.status);
+    const Number* from = channel.receive(1, w.status);
     from = get(from, w.j_left_elbow.Phi_left_upper_arm);
     from = get(from, w.j_left_elbow.b_left_upper_arm);
   }
@@ -3427,14 +3454,14 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   }
   stamp(4);
   {  // to process 0: assembled: chain of "left_shoulder"
-    Real* to = channel.outgoing(2, w.status);
+    Number* to = channel.outgoing(2, w.status);
     to = put(to, w.j_left_shoulder.Phi_trunk);
     to = put(to, w.j_left_shoulder.b_trunk);
     channel.send(2, w.status);
   }
   stamp(5);
   {  // from process 0: forces on: chain of "left_shoulder"
-    const Real* from = channel.receive(3, w.status);
+    const Number* from = channel.receive(3, w.status);
     from = get(from, w.j_left_shoulder.F_on_trunk);
   }
   stamp(6);
@@ -3449,7 +3476,7 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   }
   stamp(7);
   {  // to process 3: forces on: chain of "left_elbow"
-    Real* to = channel.outgoing(5, w.status);
+    Number* to = channel.outgoing(5, w.status);
     to = put(to, w.j_left_elbow.F_on_left_upper_arm);
     channel.send(5, w.status);
   }
@@ -3486,14 +3513,14 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   invert_root<3, 9>(w, w.j_left_elbow.Phi_left_upper_arm, w.j_left_elbow.b_left_upper_arm);
   stamp(2);
   {  // to process 2: assembled: chain of "left_elbow"
-    Real* to = channel.outgoing(1, w.status);
+    Number* to = channel.outgoing(1, w.status);
     to = put(to, w.j_left_elbow.Phi_left_upper_arm);
     to = put(to, w.j_left_elbow.b_left_upper_arm);
     channel.send(1, w.status);
   }
   stamp(3);
   {  // from process 2: forces on: chain of "left_elbow"
-    const Real* from = channel.receive(5, w.status);
+    const Number* from = channel.receive(5, w.status);
     from = get(from, w.j_left_elbow.F_on_left_upper_arm);
   }
   stamp(4);

@@ -1214,6 +1214,14 @@ constexpr LinkRole kRoles[2][kLinkCount]{
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
 };
 
+// Where an evaluation finds the state, and puts what it answers.
+struct State {
+  const Value* q = nullptr;
+  const Value* v = nullptr;
+  const Value* tau = nullptr;
+  Value* qdd = nullptr;
+};
+
 // What is kept where segments meet, with the joint that it belongs to.
 struct Cuts {
 };
@@ -1245,7 +1253,7 @@ typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
 template <class T, class Number, std::size_t... lane>
 ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
                         std::index_sequence<lane...>) {
-  return T{number(kJoints[static_cast<std::size_t>(joints.joint[lane])])...};
+  return T{Real(number(kJoints[static_cast<std::size_t>(joints.joint[lane])]))...};
 }
 template <class T, class Number>
 ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
@@ -1340,11 +1348,7 @@ struct Frame {
   Vector<T> omega, alpha, a;
 };
 
-struct Workspace : Cuts {
-  const Value* q = nullptr;
-  const Value* v = nullptr;
-  const Value* tau = nullptr;
-  Value* qdd = nullptr;
+struct Workspace : State, Cuts {
   int status = kFine;
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
@@ -1356,6 +1360,7 @@ struct Workspace : Cuts {
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
+  std::array<Body<Value>, kRefine ? kJointCount : 0> whole{};  // beyond each joint, to be refined
 
   Workspace() {
     for (Block& block : blocks)  // slots that are not filled do not turn
@@ -1422,18 +1427,21 @@ ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
 // A body in a message.
 [[maybe_unused]] constexpr int kBodyNumbers = 27;
 template <class T>
-ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
+ADAGEN_INLINE Number* put(Number* to, const Body<T>& X) {
   static_assert(sizeof X == kBodyNumbers * sizeof(Real));
-  std::memcpy(to, &X, sizeof X);
-  return to + kBodyNumbers;
+  Real numbers[kBodyNumbers];
+  std::memcpy(numbers, &X, sizeof X);
+  return std::copy_n(numbers, kBodyNumbers, to);
 }
 template <class T>
-ADAGEN_INLINE const Real* get(const Real* from, Body<T>& X) {
-  std::memcpy(&X, from, sizeof X);
+ADAGEN_INLINE const Number* get(const Number* from, Body<T>& X) {
+  Real numbers[kBodyNumbers];
+  std::copy_n(from, kBodyNumbers, numbers);
+  std::memcpy(&X, numbers, sizeof X);
   return from + kBodyNumbers;
 }
 template <class T>
-ADAGEN_INLINE const Real* add(const Real* from, Body<T>& X) {
+ADAGEN_INLINE const Number* add(const Number* from, Body<T>& X) {
   Body<T> other;
   from = get(from, other);
   X += other;
@@ -1474,7 +1482,7 @@ inline void give(Workspace& w, int first, int count) {
 }
 
 [[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
-[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
+[[maybe_unused]] constexpr bool is_identity(const Number (&R)[9]) {
   for (int k = 0; k < 9; ++k)
     if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
   return true;
@@ -1635,8 +1643,8 @@ ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
 template <class T>
 ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
   if constexpr (kWidth<T> == 1) {
-    const Real* const x = joints.any().translation;
-    return Vector<Real>{x[0], x[1], x[2]};
+    const Number* const x = joints.any().translation;
+    return Vector<Real>{Real(x[0]), Real(x[1]), Real(x[2])};
   } else {
     return Vector<T>{constant(joints, &BlockConstants::x), constant(joints, &BlockConstants::y),
                      constant(joints, &BlockConstants::z)};
@@ -1765,10 +1773,11 @@ void free_base_frame(Workspace& w) {
   require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
   Frame<Value> frame = ground();
   const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
-  const Real* const P = joint.rotation;
-  const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
-                           P[1] * gravity.x + P[4] * gravity.y + P[7] * gravity.z,
-                           P[2] * gravity.x + P[5] * gravity.y + P[8] * gravity.z};
+  const Number* const P = joint.rotation;
+  const auto along = [&](int k) {
+    return Real(P[k] * gravity.x + P[3 + k] * gravity.y + P[6 + k] * gravity.z);
+  };
+  const Vector<Real> fixed{along(0), along(1), along(2)};
   const Value none{};
   frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
   const Value* v = w.v + joint.v + 3;
@@ -1777,8 +1786,10 @@ void free_base_frame(Workspace& w) {
 }
 
 ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
-  const Real* const P = joint.rotation;
-  return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
+  const auto row = [P = joint.rotation](int k) {
+    return Vector<Real>{Real(P[k]), Real(P[k + 1]), Real(P[k + 2])};
+  };
+  return {row(0), row(3), row(6)};
 }
 
 // One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated
@@ -1872,6 +1883,14 @@ void pass_outward(Workspace& w) {
       [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<false>(w, single(first + k), kind, at); });
   keep(w, slot_of(last), at);
 }
+
+// Without refinement nothing is kept of joints' forces.
+template <class T, class X>
+ADAGEN_INLINE void keep_body(Workspace&, const Joints<T>&, const X&) {}
+template <bool reversed, class T>
+ADAGEN_INLINE void keep_force(Workspace&, const Joints<T>&, const Motion<T>&) {}
+template <class T>
+ADAGEN_INLINE void keep_load(Workspace&, int, const T&, const T&) {}
 
 // Symmetric matrices of three rows, eliminated.
 
@@ -2211,6 +2230,7 @@ void inward(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     if constexpr (!quick) meet<p>(w, j + 1, X);
+    if constexpr (kRefine > 0) keep_body(w, single(j), X);
     step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j > first) add_bare_link(w, single(j - 1), near);
     });
@@ -2240,13 +2260,14 @@ ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
 template <int p, int first, int last, bool starts>
 void inward_reversed(Workspace& w) {
   constexpr bool quick = bare<p>(first + 1, last);
-  if constexpr (quick && leave_mass_alone(first, last))
+  if constexpr (quick && leave_mass_alone(first, last) && kRefine == 0)
     return leave<starts>(w, last + 1, turn_inward_reversed<p, first, last>(w));
   Body<Value> X{};
   if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
+    if constexpr (kRefine > 0) keep_body(w, single(j), X);
     step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j < last) add_bare_link(w, single(j), near);
     });
@@ -2389,6 +2410,7 @@ void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     move<false>(w, single(first + k), kind, a);
+    if constexpr (kRefine > 0) keep_force<false>(w, single(first + k), a);
     const std::size_t far = static_cast<std::size_t>(first + k + 1);
     if (kRoles[p][far].parts) w.motions[far] = a;
   });
@@ -2407,6 +2429,7 @@ ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     move<true>(w, single(j), kind, a);
+    if constexpr (kRefine > 0) keep_force<true>(w, single(j), a);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
     if (kRoles[p][far].parts) w.motions[far] = a;
   });
@@ -2544,6 +2567,7 @@ auto inward_group(Workspace& w) {
   if constexpr (quick) meet_group<p>(w, limbs.at(limbs.kRows - 1), X);
   each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     if constexpr (!quick) meet_group<p>(w, limbs.at(k), X);
+    if constexpr (kRefine > 0) keep_body(w, limbs.at(k), X);
     step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
       if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
     });
@@ -2561,6 +2585,7 @@ void accelerate_group(Workspace& w) {
   each_row<LimbRows<limbs>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const Joints<T> joints = limbs.at(k);
     move<false>(w, joints, kind, a);
+    if constexpr (kRefine > 0) keep_force<false>(w, joints, a);
     ADAGEN_FOR (side, 0, kWidth<T>) {
       const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
       if (kRoles[p][link].parts) w.motions[link] = lane(a, side);
@@ -2599,13 +2624,13 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   inward_reversed<0, 13, 15, true>(w);  // "waist_yaw" .. "waist_pitch"
   stamp(2);
   {  // to process 1: what hangs on "torso"
-    Real* to = channel.outgoing(0, w.status);
+    Number* to = channel.outgoing(0, w.status);
     to = put(to, w.bodies[16]);
     channel.send(0, w.status);
   }
   stamp(3);
   {  // from process 1: what hangs on "torso"
-    const Real* from = channel.receive(1, w.status);
+    const Number* from = channel.receive(1, w.status);
     from = add(from, w.bodies[16]);
   }
   stamp(4);
@@ -2645,13 +2670,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   inward<1, 22, 23, false>(w);  // "neck_yaw" .. "neck_pitch"
   stamp(2);
   {  // to process 0: what hangs on "torso"
-    Real* to = channel.outgoing(1, w.status);
+    Number* to = channel.outgoing(1, w.status);
     to = put(to, w.bodies[16]);
     channel.send(1, w.status);
   }
   stamp(3);
   {  // from process 0: what hangs on "torso"
-    const Real* from = channel.receive(0, w.status);
+    const Number* from = channel.receive(0, w.status);
     from = add(from, w.bodies[16]);
   }
   stamp(4);

@@ -50,11 +50,14 @@ struct WideJoint {
   Six<double> moved, stepped;
 };
 
+inline const Number* given(const Number* x) { return x; }
+
 class Refinement {
  public:
   std::array<Columns6, kJointCount> f;  // joint forces of the last step, every right-hand side
   std::array<Eigen::Matrix<Number, 6, 1>, kJointCount> force;  // the same with coupling torques
   std::array<Number, kNv> step{};                              // accelerations of the last step
+  std::array<Number, kNv> still{};                             // no velocities
   std::array<Number, kNv> lacking{};  // torques that forces inside runs lack along the joints
   std::array<Vec6, kLinkCount> rho;
   std::array<Wide, kNv> qdd{};

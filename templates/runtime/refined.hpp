@@ -21,10 +21,10 @@ inline void exchange_step(Workspace& w, Channel& channel) {
 }
 
 // The joints' forces with the torques that hold slaved joints in step.
-inline void collect_forces(Workspace& w, const RefinedProcess& own) {
+inline void collect_forces(Workspace& w, const RefinedProcess& own, const Number* tau) {
   Refinement& r = w.refinement;
   for (const int j : own.forces) {
-    r.collect(j, w.tau);
+    r.collect(j, tau);
     for (int c = 1; c < kColumns; ++c) r.couple(j, c, Number(coupling_torque(w, c - 1)));
   }
   for (int k = 0; k < own.inner.count; ++k) r.hand_on(own.inner.first[k], own.beyond.first[k]);
@@ -89,20 +89,20 @@ inline void require_convergence(Workspace& w, int k) {
   if (kMixed && k == kRefine - 1 && !(settled || size < kTolerance)) fail(w, kTooFewSteps, 0);
 }
 
-void refined(Workspace& w, Channel& channel) {
+using Steps = void (*)(Workspace&, Channel&);
+inline void refine(Workspace& w, Channel& channel, Steps solve, Steps correct) {
   const RefinedProcess& own = kRefined[channel.rank()];
   if (own.own.count == 0) return;
   Refinement& r = w.refinement;
-  const Number* const tau = w.tau;
+  const Number* const tau = given(w.tau);
   Number* const qdd = w.qdd;
-  r.begin(own, w.q, w.v);
+  r.begin(own, given(w.q), given(w.v));
   r.step.fill(0);
   w.qdd = r.step.data();
-  w.ground = kGround;
-  kSolve[channel.rank()](w, channel);
-  w.ground.setZero();
+  begin_answer(w);
+  solve(w, channel);
   for (int k = 0;; ++k) {
-    collect_forces(w, own);
+    collect_forces(w, own, k == 0 ? tau : r.lacking.data());
     exchange_step(w, channel);
     r.add(own);
     if (k > 0) {
@@ -114,10 +114,15 @@ void refined(Workspace& w, Channel& channel) {
     r.residual(own);
     r.miss(own, tau);
     w.tau = r.lacking.data();
-    kCorrect[channel.rank()](w, channel);
+    begin_correction(w, own);
+    correct(w, channel);
   }
   w.tau = tau;
   w.qdd = qdd;
   if (w.status != kFine) return;
   for (const int k : own.own) qdd[k] = static_cast<Number>(r.qdd[k]);
+}
+
+void refined(Workspace& w, Channel& channel) {
+  refine(w, channel, kSolve[channel.rank()], kCorrect[channel.rank()]);
 }

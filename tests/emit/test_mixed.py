@@ -118,11 +118,11 @@ def test_what_is_held_up_may_be_more_than_what_accelerates(
     assert said[:, 0].max() > 1e-5  # the error of a float, of what is held up
 
 
-def test_steps_are_two_unless_said_otherwise_and_never_fewer() -> None:
+def test_steps_are_three_unless_said_otherwise_and_never_fewer_than_two() -> None:
     model = serial_chain(3)
     plan = make_plan(model, random_schedule(model, 1, np.random.default_rng(0)), scalar="mixed")
     text = text_of(plan)
-    assert "constexpr int kRefine = 2;" in text
+    assert "constexpr int kRefine = 3;" in text
     assert "using Number = double;" in text
     assert "using Real = float;" in text
     assert "_solve(" in text and "const float* q, const" not in text
@@ -131,7 +131,7 @@ def test_steps_are_two_unless_said_otherwise_and_never_fewer() -> None:
     with pytest.raises(UsageError, match="leave out --batch"):
         emit(plan, batch=1)
     with pytest.raises(UsageError, match="no refinement"):
-        emit(plan, shape="kernels")
+        emit(plan, shape="unrolled")
     assert plan_from_json(plan_to_json(plan)) == plan
 
 

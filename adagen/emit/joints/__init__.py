@@ -6,9 +6,10 @@ It takes every plan but those that gather, and is how the paper's form is writte
 from __future__ import annotations
 
 from adagen.emit.effects import has_effects
-from adagen.emit.joints.refine import add_corrections, refinement_values
+from adagen.emit.joints.refine import add_corrections, corrections
 from adagen.emit.joints.rows import joint_rows
-from adagen.emit.processes import step_rows
+from adagen.emit.joints.steps import step_rows
+from adagen.emit.refine import refinement_values
 from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.steps import FusedJoin, StartLink
@@ -44,5 +45,5 @@ def values(words: Words) -> dict[str, object]:
         "runtime": runtime,
         "joint_functions": rows,
         "steps": step_rows(words),
-        **refinement_values(words),
+        **(refinement_values(words, corrections(words), []) if words.refine else {}),
     }

@@ -20,6 +20,9 @@ from adagen.program.runs import Run, ends_of_run, links_of_run, spans
 from adagen.program.segments import split
 from adagen.program.slots import Slots
 
+_STAYS = ("angles", "kinematics", PASSING, "link_inertia")
+"""What operations do that a correction finds done."""
+
 
 class KernelLines:
     """Turns the operations of one process into lines.
@@ -58,6 +61,14 @@ class KernelLines:
             *guards.checks(self.words, self.process),
             *stamped(self.process, self.operations, self.lines),
             *guards.results(self.words, self.process),
+        ]
+
+    def corrections(self) -> list[str]:
+        """Return the lines that do all again but for motions and inertias of links, which stay."""
+        again = [op for op in self.operations if op.does not in _STAYS]
+        return [
+            *(line for operation in again for line in self.lines(operation)),
+            *guards.corrections(self.words, self.process),
         ]
 
     def roles(self) -> list[dict[str, bool]]:
@@ -174,7 +185,7 @@ class KernelLines:
         message = self.words.plan.messages[step.message]
         return [
             f"{{  // to process {message.target}: {describe_message(self.words, message)}",
-            f"  Real* to = channel.outgoing({step.message}, w.status);",
+            f"  Number* to = channel.outgoing({step.message}, w.status);",
             *(f"  to = put(to, {item});" for item in self._items(message)),
             *(f"  to = put(to, w.bodies[{link}]);" for link in message.inertias),
             f"  channel.send({step.message}, w.status);",
@@ -188,7 +199,7 @@ class KernelLines:
         taken = zip(message.inertias, operation.first, strict=True)
         return [
             f"{{  // from process {message.source}: {describe_message(self.words, message)}",
-            f"  const Real* from = channel.receive({step.message}, w.status);",
+            f"  const Number* from = channel.receive({step.message}, w.status);",
             *(f"  from = get(from, {item});" for item in self._items(message)),
             *(f"  from = {'get' if one else 'add'}(from, w.bodies[{k}]);" for k, one in taken),
             "}",

@@ -12,6 +12,7 @@ from fractions import Fraction
 
 from adagen.emit.kernels import mobility
 from adagen.emit.kernels.lines import KernelLines
+from adagen.emit.refine import refinement_values
 from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.gather import why_not_gather
@@ -82,8 +83,18 @@ def values(words: Words) -> dict[str, object]:
             for p, (process, own) in enumerate(again, start=len(plan.processes))
         ]
     lines = [writer.all_lines() for writer in writers]
+    runtime = [*RUNTIME, *(mobility.runtime(plan) if cuts else ())]
+    refined: dict[str, object] = {}
+    if words.refine:
+        eigen = ("spatial.hpp", "joins.hpp", "wide.hpp", "refine.hpp")
+        runtime += [part for part in eigen if part not in runtime]
+        corrections = [writer.corrections() for writer in writers]
+        count = len(plan.processes)
+        refined = refinement_values(words, corrections[:count], corrections[count:])
     return {
-        "runtime": [*RUNTIME, *(mobility.runtime(plan) if cuts else ())],
+        "runtime": runtime,
+        "copied": plan.scalar == "mixed",
+        **refined,
         "cuts": cuts,
         "holds": mobility.holds_ground(plan),
         "cut_joints": [

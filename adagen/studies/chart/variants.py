@@ -8,7 +8,7 @@ from typing import get_args
 
 from adagen.calibrate.schedules import random_schedule
 from adagen.emit import emit, program_of
-from adagen.emit.joints.refine import MIXED_STEPS
+from adagen.emit.refine import LEAST_MIXED_STEPS
 from adagen.emit.shapes import BASELINES
 from adagen.errors import UsageError
 from adagen.model import Model
@@ -27,7 +27,11 @@ NAMES = {
 }
 """Algorithms, and what pictures call them."""
 
-REFINEMENTS = {"double": (0, 1, 2), "float": (0, 1, 2), "mixed": (MIXED_STEPS, MIXED_STEPS + 1)}
+REFINEMENTS = {
+    "double": (0, 1, 2),
+    "float": (0, 1, 2),
+    "mixed": (LEAST_MIXED_STEPS, LEAST_MIXED_STEPS + 1),
+}
 """Steps of refinement of each scalar in a chart, unless others are asked for."""
 
 SCHEDULES = ("auto", "balanced", "sequential", "random")
@@ -143,7 +147,7 @@ def _steps(scalar: str, asked: Sequence[int] | None) -> Sequence[int]:
         return REFINEMENTS[scalar]
     if scalar != "mixed":
         return asked
-    return [n for n in asked if n >= MIXED_STEPS] or [MIXED_STEPS]
+    return [n for n in asked if n >= LEAST_MIXED_STEPS] or [LEAST_MIXED_STEPS]
 
 
 def schedule_of(model: Model, variant: Variant, form: str) -> Schedule:

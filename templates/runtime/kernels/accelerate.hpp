@@ -109,6 +109,7 @@ void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     move<false>(w, single(first + k), kind, a);
+    if constexpr (kRefine > 0) keep_force<false>(w, single(first + k), a);
     const std::size_t far = static_cast<std::size_t>(first + k + 1);
     if (kRoles[p][far].parts) w.motions[far] = a;
   });
@@ -127,6 +128,7 @@ ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     move<true>(w, single(j), kind, a);
+    if constexpr (kRefine > 0) keep_force<true>(w, single(j), a);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
     if (kRoles[p][far].parts) w.motions[far] = a;
   });

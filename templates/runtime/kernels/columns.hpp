@@ -112,3 +112,7 @@ ADAGEN_INLINE void settle(Columns& X, Due& due) {
   subtract(X, due.U, due.U * due.inverse);
   due = {};
 }
+ADAGEN_INLINE Body<Real> settled(Columns X, Due due) {
+  settle(X, due);
+  return body(X);
+}

@@ -110,6 +110,7 @@ auto inward_group(Workspace& w) {
   if constexpr (quick) meet_group<p>(w, limbs.at(limbs.kRows - 1), X);
   each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     if constexpr (!quick) meet_group<p>(w, limbs.at(k), X);
+    if constexpr (kRefine > 0) keep_body(w, limbs.at(k), X);
     step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
       if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
     });
@@ -127,6 +128,7 @@ void accelerate_group(Workspace& w) {
   each_row<LimbRows<limbs>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const Joints<T> joints = limbs.at(k);
     move<false>(w, joints, kind, a);
+    if constexpr (kRefine > 0) keep_force<false>(w, joints, a);
     ADAGEN_FOR (side, 0, kWidth<T>) {
       const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
       if (kRoles[p][link].parts) w.motions[link] = lane(a, side);

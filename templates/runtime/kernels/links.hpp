@@ -48,8 +48,8 @@ ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
 template <class T>
 ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
   if constexpr (kWidth<T> == 1) {
-    const Real* const x = joints.any().translation;
-    return Vector<Real>{x[0], x[1], x[2]};
+    const Number* const x = joints.any().translation;
+    return Vector<Real>{Real(x[0]), Real(x[1]), Real(x[2])};
   } else {
     return Vector<T>{constant(joints, &BlockConstants::x), constant(joints, &BlockConstants::y),
                      constant(joints, &BlockConstants::z)};

@@ -25,7 +25,7 @@ typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
 template <class T, class Number, std::size_t... lane>
 ADAGEN_INLINE T each_of(const Joints<T>& joints, const Number& number,
                         std::index_sequence<lane...>) {
-  return T{number(kJoints[static_cast<std::size_t>(joints.joint[lane])])...};
+  return T{Real(number(kJoints[static_cast<std::size_t>(joints.joint[lane])]))...};
 }
 template <class T, class Number>
 ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
@@ -120,11 +120,7 @@ struct Frame {
   Vector<T> omega, alpha, a;
 };
 
-struct Workspace : Cuts {
-  const Value* q = nullptr;
-  const Value* v = nullptr;
-  const Value* tau = nullptr;
-  Value* qdd = nullptr;
+struct Workspace : State, Cuts {
   int status = kFine;
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
@@ -136,6 +132,7 @@ struct Workspace : Cuts {
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
+  std::array<Body<Value>, kRefine ? kJointCount : 0> whole{};  // beyond each joint, to be refined
 
   Workspace() {
     for (Block& block : blocks)  // slots that are not filled do not turn
@@ -202,18 +199,21 @@ ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
 // A body in a message.
 [[maybe_unused]] constexpr int kBodyNumbers = 27;
 template <class T>
-ADAGEN_INLINE Real* put(Real* to, const Body<T>& X) {
+ADAGEN_INLINE Number* put(Number* to, const Body<T>& X) {
   static_assert(sizeof X == kBodyNumbers * sizeof(Real));
-  std::memcpy(to, &X, sizeof X);
-  return to + kBodyNumbers;
+  Real numbers[kBodyNumbers];
+  std::memcpy(numbers, &X, sizeof X);
+  return std::copy_n(numbers, kBodyNumbers, to);
 }
 template <class T>
-ADAGEN_INLINE const Real* get(const Real* from, Body<T>& X) {
-  std::memcpy(&X, from, sizeof X);
+ADAGEN_INLINE const Number* get(const Number* from, Body<T>& X) {
+  Real numbers[kBodyNumbers];
+  std::copy_n(from, kBodyNumbers, numbers);
+  std::memcpy(&X, numbers, sizeof X);
   return from + kBodyNumbers;
 }
 template <class T>
-ADAGEN_INLINE const Real* add(const Real* from, Body<T>& X) {
+ADAGEN_INLINE const Number* add(const Number* from, Body<T>& X) {
   Body<T> other;
   from = get(from, other);
   X += other;
@@ -254,7 +254,7 @@ inline void give(Workspace& w, int first, int count) {
 }
 
 [[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
-[[maybe_unused]] constexpr bool is_identity(const Real (&R)[9]) {
+[[maybe_unused]] constexpr bool is_identity(const Number (&R)[9]) {
   for (int k = 0; k < 9; ++k)
     if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
   return true;

@@ -32,10 +32,11 @@ void free_base_frame(Workspace& w) {
   require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
   Frame<Value> frame = ground();
   const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
-  const Real* const P = joint.rotation;
-  const Vector<Real> fixed{P[0] * gravity.x + P[3] * gravity.y + P[6] * gravity.z,
-                           P[1] * gravity.x + P[4] * gravity.y + P[7] * gravity.z,
-                           P[2] * gravity.x + P[5] * gravity.y + P[8] * gravity.z};
+  const Number* const P = joint.rotation;
+  const auto along = [&](int k) {
+    return Real(P[k] * gravity.x + P[3 + k] * gravity.y + P[6 + k] * gravity.z);
+  };
+  const Vector<Real> fixed{along(0), along(1), along(2)};
   const Value none{};
   frame.a = -transposed_times(turn, Vector<Value>{none + fixed.x, none + fixed.y, none + fixed.z});
   const Value* v = w.v + joint.v + 3;
@@ -44,8 +45,10 @@ void free_base_frame(Workspace& w) {
 }
 
 ADAGEN_INLINE Matrix<Real> placement(const JointConstants& joint) {
-  const Real* const P = joint.rotation;
-  return {{P[0], P[1], P[2]}, {P[3], P[4], P[5]}, {P[6], P[7], P[8]}};
+  const auto row = [P = joint.rotation](int k) {
+    return Vector<Real>{Real(P[k]), Real(P[k + 1]), Real(P[k + 2])};
+  };
+  return {row(0), row(3), row(6)};
 }
 
 // One joint, or one in each lane, outwards from the parent link's frame; what a joint is treated

@@ -55,6 +55,7 @@ void deliver(Workspace& w) {
   Vector<Value> n{}, f{};
   for (int j = last; j >= first; --j) {
     take_load(w, j + 1, n, f);
+    if constexpr (kRefine > 0) keep_load(w, j, n, f);
     deliver<false>(w, j, n, f);
   }
   w.loads[kJoints[first].parent] += columns_of({n, f});
@@ -65,6 +66,7 @@ void deliver_reversed(Workspace& w) {
   Vector<Value> n{}, f{};
   for (int j = first; j <= last; ++j) {
     take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
+    if constexpr (kRefine > 0) keep_load(w, j, n, f);
     deliver<true>(w, j, n, f);
   }
   w.loads[last + 1] += columns_of({n, f});

@@ -1,0 +1,123 @@
+"""What every shape that refines is told: how many steps, who tells whom, and tables of it all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from adagen.emit.words import Words
+from adagen.errors import UsageError
+from adagen.model.kinds import KINDS
+from adagen.plan.refine import exchanges, handed_on, joints_at, links_of_process, moving, paths_of
+from adagen.plan.types import Plan, Process
+
+MOST_STEPS = 9
+MIXED_STEPS = 3
+"""Steps of a mixed solver where nobody said: in loops, two leave rounding on most robots only."""
+LEAST_MIXED_STEPS = 2
+"""What a mixed solver takes at least: one step is no certainty."""
+
+
+def refinement_steps(asked: int | None, scalar: str) -> int:
+    """Return how many steps of refinement a solver takes; ``asked``: None where nobody said.
+
+    Raises:
+        UsageError: the number is out of range, or too small for the scalar.
+    """
+    if asked is None:
+        return MIXED_STEPS if scalar == "mixed" else 0
+    if not 0 <= asked <= MOST_STEPS:
+        raise UsageError(f"steps of refinement must be 0 to {MOST_STEPS}, not {asked}")
+    if scalar == "mixed" and asked < LEAST_MIXED_STEPS:
+        raise UsageError(
+            "scalar mixed is float that is refined: the first correction is as large as the error"
+            " of a float, and only a second one can show what is left; say --refine"
+            f" {LEAST_MIXED_STEPS} or more"
+        )
+    return asked
+
+
+def checked_shape(refine: int, shape: str) -> str:
+    """Return the shape that was asked for, if it can be refined.
+
+    Raises:
+        UsageError: the shape has no refinement.
+    """
+    if refine and shape not in ("auto", "kernels", "joints"):
+        raise UsageError(f"shape {shape} has no refinement; leave --shape out")
+    return shape
+
+
+def refinement_values(
+    words: Words, corrections: list[list[str]], again: list[list[str]]
+) -> dict[str, object]:
+    """Return what refine.cpp.j2 is told.
+
+    Args:
+        words: the plan's names.
+        corrections: the lines of a correction, for each process.
+        again: the same where the processes recover from a singular pose; nothing if they never do.
+    """
+    plan = words.plan
+    return {
+        "corrections": corrections,
+        "corrections_again": again,
+        "refined": [_tables(plan, process) for process in plan.processes],
+        "exchanges": [
+            {
+                "source": exchange.source,
+                "target": exchange.target,
+                "entries": _entries(plan, exchange.accelerations),
+                "forces": list(exchange.forces),
+            }
+            for exchange in exchanges(plan)
+        ],
+        "sharing": _sharing(plan),
+    }
+
+
+def _tables(plan: Plan, process: Process) -> list[list[int]]:
+    """The tables of a RefinedProcess in the order of its members."""
+    path, at = paths_of(plan, process), joints_at(plan, process)
+    slaved = sorted(set(plan.slaved).intersection({*path, *process.owns}))
+    runs = handed_on(process)
+    inner = [j for j, _ in runs]
+    return [
+        _entries(plan, process.owns),
+        _entries(plan, moving(plan, process)),
+        [j for j in process.owns if j not in inner],
+        list(path),
+        list(at),
+        list(links_of_process(process)),
+        slaved,
+        inner,
+        [beyond for _, beyond in runs],
+    ]
+
+
+def _entries(plan: Plan, joints: Iterable[int]) -> list[int]:
+    return [plan.joints[j].v + k for j in joints for k in range(KINDS[plan.joints[j].kind].nv)]
+
+
+def _sharing(plan: Plan) -> list[int]:
+    return [p for p, process in enumerate(plan.processes) if p > 0 and process.owns]
+
+
+def refinement_messages(words: Words) -> list[dict[str, object]]:
+    """Return the messages of the refinement, which come behind all others."""
+    if not words.refine:
+        return []
+    plan = words.plan
+    rows: list[dict[str, object]] = [
+        {
+            "source": exchange.source,
+            "target": exchange.target,
+            "size": len(_entries(plan, exchange.accelerations)) + 6 * len(exchange.forces),
+            "comment": "step of refinement",
+        }
+        for exchange in exchanges(plan)
+    ]
+    sharing = _sharing(plan)
+    rows += [{"source": p, "target": 0, "size": 3, "comment": "energies"} for p in sharing]
+    return rows + [
+        {"source": 0, "target": p, "size": 2, "comment": "size of the correction"} for p in sharing
+    ]
