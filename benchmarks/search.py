@@ -1,7 +1,7 @@
-"""``python -m benchmarks.search [joins] [played]``: what is proven of schedules and how fast.
+"""``python -m benchmarks.search [joins] [played] [chains]``: what is proven of schedules, how fast.
 
-Writes docs/search.md, the table of joins (Eq. 11, the paper's constants), that of what is played
-(form segment, the shipped costs), or both.
+Writes tables of docs/search.md: of joins (Eq. 11, the paper's constants), and of real robots and
+long chains as they are played (form segment, the shipped costs).
 Robots of adagen's test environment (example-robot-data) that are not there are left out.
 """
 
@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from adagen.emit.predicted import predict
+from adagen.emit.shapes import chosen_shape
 from adagen.model import Model
 from adagen.paper.restricted import joined_between_processes
 from adagen.plan import make_plan
@@ -38,31 +39,31 @@ REAL = {  # floating base or not, file within the package
     "icub": (True, "icub_description/robots/icub_reduced.urdf"),
     "tiago_dual": (True, "tiago_description/robots/tiago_dual.urdf"),
 }
-PLAYED = (  # fixed and floating
-    "a1_description/urdf/a1.urdf",
-    "alex_description/urdf/alex_nub_hands.urdf",
-    "allegro_hand_description/urdf/allegro_left_hand.urdf",
-    "anymal_b_simple_description/robots/anymal-kinova.urdf",
-    "b1_description/urdf/b1-z1.urdf",
-    "baxter_description/urdf/baxter.urdf",
-    "bolt_description/robots/bolt.urdf",
-    "centauro_description/urdf/centauro.urdf",
-    "g1_description/urdf/g1_29dof_with_hand_rev_1_0.urdf",
-    "human_description/robots/human.urdf",
-    "icub_description/robots/icub.urdf",
-    "panda_description/urdf/panda.urdf",
-    "pr2_description/urdf/pr2.urdf",
-    "romeo_description/urdf/romeo_small.urdf",
-    "simple_humanoid_description/urdf/simple_humanoid.urdf",
-    "solo_description/robots/solo12.urdf",
-    "talos_data/robots/talos_full_v2.urdf",
-    "talos_data/robots/talos_reduced.urdf",
-    "tiago_description/robots/tiago.urdf",
-    "tiago_description/robots/tiago_dual.urdf",
-    "tiago_pro_description/robots/tiago_pro.urdf",
-    "ur_description/urdf/ur5_robot.urdf",
-    "xarm_description/urdf/xarm7.urdf",
-)
+PLAYED = {  # floating base or not, as they are used
+    "a1_description/urdf/a1.urdf": True,
+    "alex_description/urdf/alex_nub_hands.urdf": False,
+    "allegro_hand_description/urdf/allegro_left_hand.urdf": False,
+    "anymal_b_simple_description/robots/anymal-kinova.urdf": True,
+    "b1_description/urdf/b1-z1.urdf": True,
+    "baxter_description/urdf/baxter.urdf": False,
+    "bolt_description/robots/bolt.urdf": True,
+    "centauro_description/urdf/centauro.urdf": True,
+    "g1_description/urdf/g1_29dof_with_hand_rev_1_0.urdf": True,
+    "human_description/robots/human.urdf": True,
+    "icub_description/robots/icub.urdf": True,
+    "panda_description/urdf/panda.urdf": False,
+    "pr2_description/urdf/pr2.urdf": False,
+    "romeo_description/urdf/romeo_small.urdf": True,
+    "simple_humanoid_description/urdf/simple_humanoid.urdf": True,
+    "solo_description/robots/solo12.urdf": True,
+    "talos_data/robots/talos_full_v2.urdf": True,
+    "talos_data/robots/talos_reduced.urdf": True,
+    "tiago_description/robots/tiago.urdf": False,
+    "tiago_description/robots/tiago_dual.urdf": False,
+    "tiago_pro_description/robots/tiago_pro.urdf": False,
+    "ur_description/urdf/ur5_robot.urdf": False,
+    "xarm_description/urdf/xarm7.urdf": False,
+}
 CHAINS = ((200, 4), (200, 8), (2000, 4), (10_000, 16))  # joints that turn, processes
 SPLITS: tuple[Split, ...] = ("always", "free", "any")
 
@@ -149,29 +150,39 @@ def joins() -> Iterator[str]:
 
 
 def played() -> Iterator[str]:
-    """Yield the lines of the table of what is played, under the default budget."""
-    for name, model in (*shown(), *((f"chain {n}", turning(n)) for n, _ in CHAINS)):
-        chains = [p for n, p in CHAINS if name == f"chain {n}"]
-        for processes in chains or (2, 4, 8):
-            s, _, busy = timed(best_schedule, model, processes, DEFAULT)
-            topology = Topology.of(model)
-            never = [False] * len(topology)
-            one = find_schedule(topology, processes, profile=DEFAULT, cuttable=never)
-            alone = predict(make_plan(model, one), DEFAULT).makespan
-            yield line(
-                *(name, len(topology), processes, f"{alone:.3f}", f"{s.makespan:.3f}"),
-                *(f"{s.lower_bound:.3f}", proof(s), family(s), s.expanded, f"{busy:.1f}"),
-            )
+    """Yield the lines of the table of real robots, under the default budget."""
+    for name, model in shown():
+        for processes in (2, 4, 8):
+            yield searched(name, model, processes)
+
+
+def chains() -> Iterator[str]:
+    """Yield the lines of the table of long chains, under the default budget."""
+    for joints, processes in CHAINS:
+        yield searched(f"chain {joints}", turning(joints), processes)
+
+
+def searched(name: str, model: Model, processes: int) -> str:
+    """Return what is found and proven of a robot as a line; its times are of what is emitted."""
+    found, _, busy = timed(best_schedule, model, processes, DEFAULT)
+    never = [False] * len(model.joints)
+    one = find_schedule(Topology.of(model), processes, profile=DEFAULT, cuttable=never)
+    alone = predict(make_plan(model, one), DEFAULT).makespan
+    return line(
+        *(name, len(model.joints), processes, f"{alone:.3f}", f"{found.makespan:.3f}"),
+        *(f"{found.lower_bound:.3f}", proof(found), family(found)),
+        chosen_shape(make_plan(model, found), profile=DEFAULT),
+        *(found.candidates, found.straight_lines, found.expanded, f"{busy:.1f}"),
+    )
 
 
 def shown() -> Iterator[tuple[str, Model]]:
-    """Yield the real robots that there are, on the ground and floating."""
+    """Yield the real robots that there are."""
     folder = Path(sysconfig.get_paths()["purelib"], PACKAGE)
-    for file in PLAYED:
-        for floating in (False, True):
-            if (folder / file).exists():
-                name = Path(file).stem + ", floating" * floating
-                yield name, read_robot(folder / file, floating=floating).model
+    for file, floating in PLAYED.items():
+        if (folder / file).exists():
+            name = Path(file).stem + ", floating" * floating
+            yield name, read_robot(folder / file, floating=floating).model
 
 
 def turning(joints: int) -> Model:
@@ -224,21 +235,35 @@ rule, so that bounds under different rules do not compare; the schedules do. One
     "played": """## As it is played
 
 Written by `python -m benchmarks.search played` ({machine}). Form `segment`, the shipped costs;
-times in microseconds, of the plan played through: lanes, columns, segments, waiting and messages
-included. *Bound*: what no schedule of any family beats, in the same price. *Chosen*: one process
-alone, processes that gather at a core, or processes that are joined. The search ends after a fixed
-budget, the same on every machine. One row by hand: `adagen schedule ROBOT --procs P`.
+times in microseconds, of the program that is emitted, in its shape: lanes, columns, segments,
+waiting and messages included. *Alone*: one process, in its best shape. *Bound*: what no loops of
+any family and none of the straight lines beats that were priced. *Family*: one process alone,
+processes that gather at a core, or processes that are joined. The search ends after a fixed budget,
+the same on every machine; other work went on at the same time, which costs seconds. One row by
+hand: `adagen schedule ROBOT --procs P`, with `--floating` where it says so.
 
-| robot | joints | P | alone | makespan | bound | verdict | chosen | expanded | seconds of CPU |
-|---|---|---|---|---|---|---|---|---|---|
+{columns}
+""",
+    "chains": """## Long chains
+
+Written by `python -m benchmarks.search chains` ({machine}). Chains of joints that turn about x, y
+and z in turn; the columns as above.
+
+{columns}
 """,
 }
-TABLES: dict[str, Callable[[], Iterator[str]]] = {"joins": joins, "played": played}
+COLUMNS = """| robot | joints | P | alone | makespan | bound | verdict | family | shape | as loops | as lines | expanded | seconds of CPU |
+|---|---|---|---|---|---|---|---|---|---|---|---|---|"""  # noqa: E501
+TABLES: dict[str, Callable[[], Iterator[str]]] = {
+    "joins": joins,
+    "played": played,
+    "chains": chains,
+}
 
 
 def page(name: str, rows: Sequence[str]) -> str:
     """Return the page with one of its tables written anew."""
-    made = TITLES[name].format(machine=machine()) + "\n".join(rows) + "\n"
+    made = TITLES[name].format(machine=machine(), columns=COLUMNS) + "\n".join(rows) + "\n"
     heading = made.splitlines()[0]
     old = PAGE.read_text(encoding="utf-8").split("\n## ")[1:] if PAGE.exists() else []
     sections = {text.splitlines()[0]: f"## {text.rstrip()}\n" for text in old}

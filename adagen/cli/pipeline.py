@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from adagen.cli.console import Stages, progress, tell, warn
 from adagen.cli.options import AUTO, refinement
-from adagen.cli.predicted import scheduled
+from adagen.cli.predicted import priced_shape, scheduled
 from adagen.errors import InputError, UsageError
 
 if TYPE_CHECKING:
@@ -128,6 +128,7 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
                 split=options.split,
                 improved=not options.naive,
                 gather=_may_gather(options),
+                shape=priced_shape(options),
                 **({} if options.expansions is None else {"expansions": options.expansions}),
             )
 

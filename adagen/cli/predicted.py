@@ -111,7 +111,8 @@ def prediction(schedule: Schedule, line: Timeline | None) -> str:
 def proven(schedule: Schedule) -> str:
     """Return in a few words what the search has proven of a schedule."""
     if schedule.verdict == "optimal":
-        return "optimal"
+        lines = schedule.straight_lines
+        return f"optimal among loops and {lines} straight lines" if lines else "optimal"
     return f"not proven optimal: at most {schedule.gap:.1%} above it"
 
 

@@ -89,16 +89,27 @@ def chosen_shape(
     return shape
 
 
-@lru_cache(maxsize=8)  # a plan is judged, priced and emitted one after the other
-def _cheapest(plan: Plan, profile: CostProfile | None) -> str:
-    """The shape that a plan takes least time in; form `ada` is read joint by joint on several."""
-    loops = stepwise(plan)
+def offered(plan: Plan) -> tuple[str, ...]:
+    """Return the shapes of which "auto" takes the one of least price, the plainest first.
+
+    Form `ada` is read joint by joint on several processes.
+    """
+    loops = (stepwise(plan),)
     several = sum(bool(process.steps) for process in plan.processes) > 1
     if (plan.form == "ada" and several) or unrolled.why_not(plan) is not None:
         return loops
     if sum(KINDS[joint.kind].nv for joint in plan.joints) > MOST_FREEDOMS:
         return loops
+    return (*loops, "unrolled")
+
+
+@lru_cache(maxsize=8)  # a plan is judged, priced and emitted one after the other
+def _cheapest(plan: Plan, profile: CostProfile | None) -> str:
+    """The shape that a plan takes least time in."""
+    names = offered(plan)
+    if len(names) == 1:
+        return names[0]
     if profile is None or profile.steps is None:
         profile = load_profile("default")
-    times = {name: timeline(lower(plan, name), profile).makespan for name in (loops, "unrolled")}
+    times = {name: timeline(lower(plan, name), profile).makespan for name in names}
     return min(times, key=times.__getitem__)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -22,6 +23,8 @@ from adagen.plan.simd_groups import Limbs
 from adagen.plan.types import PlanJoint, PlanLink
 
 Array = NDArray[np.float64]
+_Part = tuple[PlanJoint, PlanLink]
+"""A joint and its child link."""
 _TURNS = tuple(
     np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
     for c, s in ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
@@ -96,21 +99,25 @@ def unlike(plan: Plan, limbs: Limbs) -> int:
 def _quarters(plan: Plan, limbs: Limbs) -> list[tuple[int, dict[int, int]]]:
     """The quarter turns of each limb's links, and what differs still from the model's."""
     chains = list(zip(*limbs.rows, strict=True))
-    offers = [[_best_turns(plan, chain, model) for chain in chains] for model in chains]
-    return min(offers, key=lambda offer: sum(cost for cost, _ in offer))
+    parts = [tuple((plan.joints[j], plan.links[j + 1]) for j in chain) for chain in chains]
+    offers = [[_best_turns(part, model) for part in parts] for model in parts]
+    best = min(offers, key=lambda offer: sum(cost for cost, _ in offer))
+    return [
+        (cost, dict(zip(chain, turns, strict=True)))
+        for chain, (cost, turns) in zip(chains, best, strict=True)
+    ]
 
 
-def _best_turns(
-    plan: Plan, chain: Sequence[int], model: Sequence[int]
-) -> tuple[int, dict[int, int]]:
-    """The quarter turns of a chain's links that make it most like a model; what differs still."""
-    least: dict[int, tuple[int, dict[int, int]]] = {0: (0, {})}  # by the turn of the last link
-    for j, other in zip(chain, model, strict=True):
-        turns = range(4) if plan.joints[j].kind in _TURNABLE else range(1)
-        reached: dict[int, tuple[int, dict[int, int]]] = {}
+@lru_cache(maxsize=4096)  # all plans of a robot have the same limbs
+def _best_turns(chain: Sequence[_Part], model: Sequence[_Part]) -> tuple[int, tuple[int, ...]]:
+    """What differs between a chain and a model, and the quarter turns of its links by which."""
+    least: dict[int, tuple[int, tuple[int, ...]]] = {0: (0, ())}  # by the turn of the last link
+    for part, other in zip(chain, model, strict=True):
+        turns = range(4) if part[0].kind in _TURNABLE else range(1)
+        reached: dict[int, tuple[int, tuple[int, ...]]] = {}
         for turn in turns:
             offers = [
-                (cost + _difference(plan, j, other, before, turn), {**chosen, j: turn})
+                (cost + _difference(part, other, before, turn), (*chosen, turn))
                 for before, (cost, chosen) in least.items()
             ]
             reached[turn] = min(offers, key=lambda offer: offer[0])
@@ -118,11 +125,10 @@ def _best_turns(
     return min(least.values(), key=lambda offer: offer[0])
 
 
-def _difference(plan: Plan, j: int, other: int, before: int, turn: int) -> int:
-    """How unlike joint j and its link are to another's, the links before and after being turned."""
+def _difference(part: _Part, other: _Part, before: int, turn: int) -> int:
+    """How unlike a joint and its link are to others, the links before and after being turned."""
     near, own = _TURNS[before].T, _TURNS[turn]
-    one, two = plan.joints[j], plan.joints[other]
-    link, like = plan.links[j + 1], plan.links[other + 1]
+    (one, link), (two, like) = part, other
     rotation, model = near @ np.array(one.rotation) @ own, np.array(two.rotation)
     unlike = _PATTERN * (bool(_lone(model)) and not _lone(model) & _lone(rotation))
     pairs = [

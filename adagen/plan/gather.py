@@ -28,9 +28,6 @@ from adagen.plan.types import Message, PlanJoint, Process
 from adagen.schedule import postorder
 from adagen.schedule.tree import Gathered
 
-SMALL_CORE = 8
-"""A core is small with at most one joint in so many."""
-
 
 def why_not_gather(joints: Sequence[PlanJoint]) -> str | None:
     """Return why processes of a robot cannot gather, None where they can.
@@ -48,14 +45,6 @@ def why_not_gather(joints: Sequence[PlanJoint]) -> str | None:
 
 class GatherPlanner(SegmentPlanner):
     """Builds the processes and messages of form `segment` with one exchange."""
-
-    def suits(self) -> bool:
-        """Whether gathering pays: a small core, and work of its own for every process."""
-        trees = self.trees()
-        core = sum(len(tree.core) for tree in trees)
-        left = {p for tree in trees for p in tree.owner.values()}
-        busy = {node.processes[0] for node in postorder(self.schedule.root)}
-        return core * SMALL_CORE <= len(self.joints) and left == busy
 
     def trees(self) -> list[Tree]:
         """Return the trees of links that move together, laid out for the schedule's processes.

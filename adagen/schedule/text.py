@@ -51,6 +51,7 @@ def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:
         "meeting": schedule.meeting,
         "families": list(schedule.families),
         "candidates": schedule.candidates,
+        "straight_lines": schedule.straight_lines,
         "expanded": schedule.expanded,
         **told,
     }

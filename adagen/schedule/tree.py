@@ -92,9 +92,11 @@ class Schedule:
         meeting: how its processes meet: joined pair by pair as the tree says (the paper), or all
             gathering what they have at a small core (adagen.plan.gather).
         families: the families of candidates that it was chosen from at the price that is played
-            (adagen.search), which makespan and bound are then told in; empty where they are told in
-            that of the tree.
-        candidates: how many candidates were priced, where families were searched.
+            (adagen.search), which makespan, bound and loads are then told in, in the shape that is
+            emitted; empty where they are told in that of the tree.
+        candidates: how many candidates were priced as loops, where families were searched.
+        straight_lines: how many of them were priced as straight lines of statements, too: the bound
+            is one on all loops and on these.
         gathered: where processes gather; None where the tree says that.
         shape: the shape of the code that a document asks for; "auto" for that of least price.
     """
@@ -113,6 +115,7 @@ class Schedule:
     meeting: Meeting = "join"
     families: tuple[str, ...] = ()
     candidates: int = 0
+    straight_lines: int = 0
     gathered: Gathered | None = None
     shape: str = "auto"
 

@@ -27,6 +27,7 @@ def best_schedule(
     scalar: str = "double",
     limit: float | None = None,
     gather: bool = True,
+    shape: str = "auto",
     **search: Any,
 ) -> Schedule:
     """Return a schedule for a form of the algorithm.
@@ -44,6 +45,7 @@ def best_schedule(
         scalar: "double", "float" or "mixed".
         limit: largest growth g at a cut of form `segment`, instead of what suits the scalar.
         gather: whether processes may gather at a core instead of being joined.
+        shape: of the code that is emitted, as ``adagen.emit.emit`` takes it.
         search: further arguments of ``find_schedule``.
 
     Raises:
@@ -83,11 +85,12 @@ def best_schedule(
     best = joined(cuttable)
     if profile.steps is None:
         return best
-    families = Families(model, seen, processes, profile, expansions)
+    families = Families(model, seen, processes, profile, expansions, shape)
     families.consider(joined([False] * len(seen.topology)), "alone")
     families.consider(best, "joined")
+    families.name(cuttable)
     if gather and can_gather(model):
         alike = seen.trivial and limit is None
-        families.gather(cuttable if alike else cuttable_joints(model, scalar), best)
+        families.gather(cuttable if alike else cuttable_joints(model, scalar))
     families.bound_joined(cuttable)
     return families.taken()

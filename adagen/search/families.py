@@ -1,44 +1,62 @@
-"""Families of candidates, compared at the price that is played, and what is proven of the best.
+"""Candidates of all families, compared at the price that is played, in the shape that is emitted.
 
 * ``alone``: one process does everything.
 * ``gathered``: processes gather at a core (layouts.py), searched by branch and bound.
-* ``joined``: processes are joined at cuts: what the search by steps finds (adagen/schedule) at its
-  own prices, and at those that are played (joined.py).
+* ``joined``: processes are joined at cuts: what the search by steps finds at its own prices, and at
+  those that are played (joined.py).
+* ``balanced``, ``sequential``, ``middle-out``: schedules that have a name (named.py), of robots of
+  some tens of joints, where they cut no joint that loses digits.
 
-The bound is the least of what each family can do.
+Each is a candidate in loops. Those of one process, those that joins and names give, and the layouts
+that come nearest to the best are candidates as straight lines of statements, too. So the fastest of
+all is known before bounds are asked for: these are on all loops, and rule out what is slower.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from typing import get_args
 
-from adagen.emit.predicted import predict
+from adagen.cost import Timeline, timeline
+from adagen.emit.predicted import priced_program
+from adagen.emit.shapes import offered
 from adagen.model import Model
+from adagen.paper.restricted import joined_between_processes
 from adagen.plan import make_plan
+from adagen.plan.types import Process
+from adagen.program import Program
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.fold import Fold
+from adagen.schedule.tree import Named
 from adagen.search.bounds import Bounds
 from adagen.search.floors import Floors
-from adagen.search.gathered import GatheredSearch, Spent
+from adagen.search.gathered import GatheredSearch
+from adagen.search.incumbent import Spent
 from adagen.search.joined import LONG, JoinedFloor
 from adagen.search.layouts import Layout, LayoutPrices
 from adagen.search.limbs import Robot
+from adagen.search.named import named_schedule
 from adagen.search.price import Pricing, played
-from adagen.search.trees import schedule_of
 
-_USUAL = 128  # joints up to which a robot gets all expansions
+_FULL = 128
+"""Joints up to which a robot gets all expansions, and schedules by name are looked at."""
 _PLAYED = 32  # the same where chains are priced as they are played
 _FEWEST = 64  # expansions that any robot gets
 _JOINTS = 20
 """Joints that may be priced in shares of processes for each expansion."""
+
+_EVEN = 2
+"""Layouts that share straight lines out evenly which are looked at."""
+_NEAR, _NEARLY = 8, 1.2
+"""Share of the budget that is spent on layouts that are nearly as fast in loops, and how fast."""
 
 _ROUNDED = 1e-5  # microseconds that sums of rounded times may be off
 
 
 def scaled(expansions: int, joints: int) -> int:
     """Return how many expansions a robot gets, each of which costs as much as it has joints."""
-    return min(expansions, max(_FEWEST, expansions * _USUAL // joints))
+    return min(expansions, max(_FEWEST, expansions * _FULL // joints))
 
 
 class Families:
@@ -50,77 +68,134 @@ class Families:
         processes: P.
         profile: a profile with the costs of steps.
         expansions: what each search may spend, for a robot of some tens of joints.
+        shape: of the code that is emitted, "auto" for that of least price.
     """
 
     def __init__(
-        self, model: Model, seen: Fold, processes: int, profile: CostProfile, expansions: int
+        self,
+        model: Model,
+        seen: Fold,
+        processes: int,
+        profile: CostProfile,
+        expansions: int,
+        shape: str = "auto",
     ) -> None:
         assert profile.steps is not None  # as the caller has made sure
         self.model, self.seen, self.processes = model, seen, processes
-        self.profile, self.costs = profile, profile.steps
+        self.profile, self.costs, self.shape = profile, profile.steps, shape
         self.most, self.expansions = expansions, scaled(expansions, len(model.joints))
         self.topology = Topology.of(model)
         self.best: Schedule | None = None
         self.least = float("inf")
         self.names: list[str] = []
-        self.candidates = self.expanded = 0
+        self.candidates = self.expanded = self.straight_lines = 0
         self.bounds: list[float] = []
-        self.fastest: dict[str, Schedule] = {}  # of each family, with its time as loops
         self._priced: Pricing | None = None
+        self._tried: set[tuple[Process, ...]] = set()
+        self._straight: list[float] | None = None  # what each joint takes of one process
+
+    @property
+    def loops(self) -> bool:
+        """Whether what is emitted may be loops, which is what layouts are priced as."""
+        return self.shape in ("auto", "kernels")
 
     def consider(self, schedule: Schedule, family: str) -> None:
-        """Play a schedule of a family, and keep it if none was as fast."""
+        """Play a schedule of a family in each shape, and keep it if none was as fast."""
         self._name(family)
         self.candidates += 1
         self.expanded += schedule.expanded
-        time = played(self.model, schedule, self.profile)
-        self._keep(family, schedule, time)
+        self._try(schedule)
 
-    def _keep(self, family: str, schedule: Schedule, time: float) -> None:
-        """Keep the fastest of a family, and of all."""
-        known = self.fastest.get(family)
-        if known is None or time < known.makespan:
-            self.fastest[family] = replace(schedule, makespan=time)
-        if time < self.least:
-            self.best, self.least = schedule, time
+    def _try(self, schedule: Schedule) -> None:
+        plan = make_plan(self.model, schedule)
+        if plan.processes in self._tried:
+            return
+        self._tried.add(plan.processes)
+        lines: list[Timeline] = []
+        for shape in offered(plan) if self.shape == "auto" else (self.shape,):
+            program = priced_program(plan, shape)
+            lines.append(timeline(program, self.profile))
+            if program.shape == "unrolled":
+                self.straight_lines += 1
+                self._straight = self._straight or self._by_joint(program, lines[-1])
+        line = min(lines, key=lambda line: line.makespan)
+        if line.makespan < self.least:
+            loads = tuple(line.busy(p) for p in range(self.processes))
+            self.best = replace(schedule, makespan=line.makespan, loads=loads)
+            self.least = line.makespan
+
+    def _by_joint(self, program: Program, line: Timeline) -> list[float]:
+        """What each joint takes of a straight line of one process."""
+        found = [0.0] * len(self.topology)
+        for interval in line.intervals:
+            if interval.operation is not None:
+                (step,) = program.processes[interval.process].operations[interval.operation].steps
+                joint = getattr(step, "joint", getattr(step, "link", 0) - 1)
+                found[max(joint, 0)] += interval.end - interval.start
+        return found
 
     def _name(self, family: str) -> None:
         if family not in self.names:
             self.names.append(family)
 
-    def gather(self, cuttable: Sequence[bool], pattern: Schedule) -> None:
+    def name(self, cuttable: Sequence[bool]) -> None:
+        """Look at the schedules that have a name, where they are soon priced.
+
+        Args:
+            cuttable: for each joint of the folded robot whether processes may meet there.
+        """
+        if len(self.topology) > _FULL:
+            return
+        named: list[tuple[float, int, Schedule]] = []
+        for k, name in enumerate(get_args(Named)):
+            found = named_schedule(name, self.seen.topology, self.processes, profile=self.profile)
+            if all(cuttable[j] for j in joined_between_processes(found.root)):
+                found = self.seen.unfold(found, self.profile)
+                named.append((played(self.model, found, self.profile), k, found))
+        self.candidates += len(named)
+        self.names += [str(found.strategy) for _, _, found in named]
+        if named:
+            self._try(min(named)[2])
+
+    def gather(self, cuttable: Sequence[bool]) -> None:
         """Search the layouts whose processes gather.
 
         Args:
             cuttable: for each joint whether mobilities may meet there without losing digits. Only a
                 root with the ground beyond it shows a mobility; elsewhere inertias are added.
-            pattern: a schedule whose facts (tie, split and so on) are taken over.
         """
-        pricing = self._pricing(pattern)
+        assert self.best is not None  # one process comes first
+        pricing = self._pricing(self.best)
         robot = Robot(pricing.joints)
-        floors = Floors(robot, self.costs)
-        bounds = Bounds(robot, floors, self.processes, self.costs, pricing.channel)
+        bounds = Bounds(
+            robot, Floors(robot, self.costs), self.processes, self.costs, pricing.channel
+        )
         floating = [robot.trees[robot.tree_of[j]].base is not None for j in range(len(cuttable))]
         roots = [False, *(f or c for f, c in zip(floating, cuttable, strict=True))]
-
-        def tree(layout: Layout) -> Schedule | None:
-            return schedule_of(layout, robot, self.topology, pattern, self.profile)
-
-        search = GatheredSearch(
-            LayoutPrices(robot, pricing),
-            bounds,
-            roots,
-            self.least,
-            Spent(_JOINTS * self.most),
-            lambda layout: tree(layout) is not None,
-        )
-        search.run()
+        prices, spent = LayoutPrices(robot, pricing), Spent(_JOINTS * self.most)
+        search = GatheredSearch(prices, bounds, roots, spent)
         self._name("gathered")
-        self.candidates += search.candidates
-        self.expanded += search.spent.expanded
-        self.bounds.append(search.lower)
-        if search.layout is not None and (found := tree(search.layout)) is not None:
-            self._keep("gathered", found, played(self.model, found, self.profile))
+        search.guess()
+        layouts = [layout for _, _, layout in search.found.nearest]
+        if self._straight is not None:
+            layouts += search.even(self._straight, _EVEN)
+        self._try_layouts(layouts, robot)
+        if self.loops:
+            search.run(self.least)
+            self.bounds.append(search.lower)
+        if self._straight is not None:  # what is slower in loops may be faster in a line
+            spent.limit = spent.spent + spent.limit // _NEAR
+            search.run(_NEARLY * self.least)
+        self._try_layouts([layout for _, _, layout in search.found.nearest], robot)
+        self.candidates += search.found.candidates
+        self.expanded += spent.expanded
+
+    def _try_layouts(self, layouts: Iterable[Layout], robot: Robot) -> None:
+        """Play layouts in each shape."""
+        assert self.best is not None  # one process comes first
+        for layout in layouts:
+            gathered = layout.gathered(robot)
+            self._try(replace(self.best, meeting="gather", gathered=gathered))
 
     def bound_joined(self, cuttable: Sequence[bool]) -> None:
         """Bound what processes can do that are joined, and look at what may be faster.
@@ -129,6 +204,8 @@ class Families:
             cuttable: for each joint of the folded robot whether processes may meet there.
         """
         assert self.best is not None  # one process comes first
+        if not self.loops:
+            return
         tie = self.best.tie
         floor = JoinedFloor(
             self.model, self.seen, self.processes, self.profile, self._pricing(self.best), cuttable
@@ -157,25 +234,18 @@ class Families:
     def taken(self) -> Schedule:
         """Return the candidate that is emitted the fastest, with what is known of it.
 
-        Candidates are searched as loops, and bounds are of loops. The best one of each family is
-        then priced in the shape in which it is emitted: straight lines may be faster.
+        Loops are bounded by the searches of all families; of straight lines, and of shapes that are
+        asked for, it is known that whoever exchanges anything waits for a message.
         """
         assert self.best is not None  # one process can do everything
-        lower = min([self.least, *self.bounds])
+        lower = min([self.least, *(self.bounds if self.loops else [self._exchange()])])
         if lower > self.least - _ROUNDED:
             lower = self.least
-        emitted = {
-            name: predict(make_plan(self.model, each), self.profile).makespan
-            for name, each in self.fastest.items()
-        }
-        name = min(emitted, key=emitted.__getitem__)
-        best, time = self.fastest[name], emitted[name]
-        if name == "alone" and time <= self._exchange():
-            best, lower = replace(best, makespan=time), time  # whatever the shape
         return replace(
-            best,
+            self.best,
             lower_bound=lower,
             expanded=self.expanded,
             families=tuple(self.names),
             candidates=self.candidates,
+            straight_lines=self.straight_lines,
         )

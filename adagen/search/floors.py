@@ -126,7 +126,7 @@ class Floors:
         whole = Floor(*found)
         if not limb.up:
             return whole
-        return whole.plus(self._turned[limb.link]).plus(self._upwards(limb))
+        return whole.plus(self._turned[limb.link]).plus(self.upwards(limb))
 
     def alone(self, limb: Limb) -> float:
         """Return about what a limb takes beside no other."""
@@ -135,7 +135,7 @@ class Floors:
     def longest(self, limb: Limb) -> Floor:
         """Return the least that the process takes which has a limb: all of it, and row by row."""
         if limb.up:
-            way = self._above[limb.link].plus(self._upwards(limb))
+            way = self._above[limb.link].plus(self.upwards(limb))
         else:
             way = self._deepest[limb.spans[0].start]
         return _longest((way, self.work(limb)))
@@ -208,8 +208,8 @@ class Floors:
         beside = (self._deepest[k] for k in self.robot.at[parent] if k != j and parent > 0)
         self._above[link] = single.plus(_longest([self._above[parent], *beside]))
 
-    def _upwards(self, limb: Limb) -> Floor:
-        """What a limb takes besides that is swept towards a link beyond it."""
+    def upwards(self, limb: Limb) -> Floor:
+        """Return what a limb takes besides that is swept towards a link beyond it."""
         tree = self.robot.trees[limb.tree]
         first = tree.base + 1 if tree.base is not None else self.robot.held[limb.link] or limb.link
         count = self._depth[limb.link] - self._depth[first]

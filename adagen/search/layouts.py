@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from adagen.plan.gather_steps import ProcessSteps, told
 from adagen.plan.gather_trees import Tree, least_busy
 from adagen.plan.steps import Step
+from adagen.schedule.tree import Gathered
 from adagen.search.limbs import Core, Limb, Robot
 from adagen.search.price import Pricing, Share
 
@@ -62,6 +63,20 @@ class Layout:
                         counts[p] += len(limb) - holds
             found.append(least_busy({p: n for p, n in counts.items() if n}))
         return tuple(found)
+
+    def gathered(self, robot: Robot) -> Gathered:
+        """Return the same as schedules say it: the roots of all trees, and the owners of joints."""
+        roots = [0 if tree.base is None else tree.base + 1 for tree in robot.trees]
+        owners: list[int | None] = [None] * len(robot.joints)
+        for p, own in enumerate(self.shares):
+            for k in own:
+                for joint in self.frame.limbs[k].joints:
+                    owners[joint] = p
+        for core, owner in zip(self.frame.cores, self.core_owners(robot), strict=True):
+            roots[core.tree] = core.root
+            if robot.floats(core.tree, core.root):
+                owners[core.root - 1] = owner
+        return Gathered(tuple(roots), tuple(owners))
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,99 @@
+"""Frames: where processes may gather, one after another, the simplest first.
+
+Trees are shared first, then their cores grow, stretch by stretch: each frame comes from one other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from adagen.search.layouts import Frame, Layout
+from adagen.search.limbs import Core, Robot
+
+
+class Frames:
+    """The frames of a robot.
+
+    Args:
+        robot: the robot.
+        roots: for each link whether processes may meet around it; length N + 1.
+    """
+
+    def __init__(self, robot: Robot, roots: Sequence[bool]) -> None:
+        self.robot, self.roots = robot, roots
+
+    def first(self) -> list[Frame]:
+        """Return the frames that all others come from."""
+        return [self._frame(())] if len(self.robot.trees) > 1 else list(self._opened(()))
+
+    def after(self, frame: Frame) -> list[Frame]:
+        """Return the frames that come from another one."""
+        more = self._opened(frame.cores) if len(self.robot.trees) > 1 else ()
+        return [*self._grown(frame.cores), *more]
+
+    def _frame(self, cores: tuple[Core, ...]) -> Frame:
+        return Frame(cores, self.robot.limbs(cores))
+
+    def _opened(self, cores: tuple[Core, ...]) -> Iterator[Frame]:
+        """Frames that share one more tree, one that comes after those shared."""
+        if cores and any(core.joints for core in cores):
+            return  # trees are shared first, then cores grow
+        for number in range(cores[-1].tree + 1 if cores else 0, len(self.robot.trees)):
+            for link in self.robot.trees[number].links:
+                if self.roots[link]:
+                    yield self._frame((*cores, Core(number, link)))
+
+    def _grown(self, cores: tuple[Core, ...]) -> Iterator[Frame]:
+        """Frames with one more stretch in a core, one that comes after those in it."""
+        last = max((core.joints[-1] for core in cores if core.joints), default=-1)
+        for place, core in enumerate(cores):
+            up = not self.robot.floats(core.tree, core.root)
+            if len(self.robot.at[core.root]) + up < 3:
+                continue  # all that is not beyond the stretch would be of one process
+            for link in (core.root, *(j + 1 for j in core.joints)):
+                for joint in self.robot.at[link]:
+                    if joint > last and (more := self.robot.stretch(joint)):
+                        grown = Core(core.tree, core.root, (*core.joints, *more))
+                        yield self._frame((*cores[:place], grown, *cores[place + 1 :]))
+
+    def meets(self, frame: Frame) -> bool:
+        """Return whether two processes or more can be on either side of each joint of the cores."""
+        for core in frame.cores:
+            beyond: dict[int, int] = {core.root: 0}
+            ends = {
+                core.root: core.root,
+                **{j + 1: self.robot.joints[j].parent for j in core.joints},
+            }
+            inner = {ends[link] for link in ends if link != core.root}
+            for limb in frame.limbs:
+                if limb.tree == core.tree:
+                    beyond[limb.link] = beyond.get(limb.link, 0) + 1
+            leaves = [link for link in ends if link not in inner]
+            if any(beyond.get(link, 0) < 2 for link in leaves):
+                return False
+            first = [j for j in core.joints if self.robot.joints[j].parent == core.root]
+            if len(first) == 1 and beyond[core.root] < 2:
+                return False
+        return True
+
+
+def in_place(layout: Layout, robot: Robot) -> bool:
+    """Return whether two processes or more are on either side of each joint of the cores.
+
+    Elsewhere a smaller core, or another root, does as well.
+    """
+    of = {k: p for p, own in enumerate(layout.shares) for k in own}
+    for core in layout.frame.cores:
+        sides: dict[int, set[int]] = {}
+        for k, limb in enumerate(layout.frame.limbs):
+            if limb.tree == core.tree:
+                sides.setdefault(limb.link, set()).add(of[k])
+        if len(set().union(*sides.values())) < 2:
+            return False
+        for joint in core.joints:
+            span = range(joint + 1, robot.last[joint] + 2)
+            far = [own for link, own in sides.items() if link in span]
+            near = [own for link, own in sides.items() if link not in span]
+            if len(set().union(*far)) < 2 or len(set().union(*near)) < 2:
+                return False
+    return True
