@@ -10,6 +10,8 @@ from adagen.cost.straight import straight_times
 from adagen.plan.stages import Stage, stages
 from adagen.plan.steps import Receive, Send
 from adagen.program import Operation, Program
+from adagen.program.lower import LOOPS
+from adagen.program.names import PREPARED
 from adagen.schedule.costs import ChannelCosts, StepCosts
 from adagen.schedule.profile import CostProfile
 
@@ -194,7 +196,14 @@ def _times(program: Program, costs: StepCosts) -> Times:
         straight = straight_times(program, costs)
         return lambda p, place, _: straight[p][place]
     plan = program.plan
-    slaved = 1 + len(plan.slaved) * costs["slaved.column"]  # right-hand sides of every step
-    return lambda _p, _place, operation: (
-        costs.total(operation_features(operation, plan.joints)) * slaved
-    )
+    loops = program.shape == LOOPS
+    sides = len(plan.slaved)  # right-hand sides of every step beside the motion
+    share = 1 + sides * costs["slaved.column"]
+
+    def time(_p: int, _place: int, operation: Operation) -> float:
+        once = costs.total(operation_features(operation, plan.joints))
+        if not loops:
+            return once * share
+        return once * (1 if operation.does in PREPARED else 1 + sides)
+
+    return time

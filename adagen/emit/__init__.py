@@ -8,7 +8,7 @@ from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
 from adagen.emit.refine import checked_shape, refinement_messages, refinement_steps
-from adagen.emit.shapes import KNOWN, chosen_shape, stepwise
+from adagen.emit.shapes import KNOWN, chosen_shape, refined_shape
 from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words
 from adagen.errors import UsageError
@@ -139,7 +139,9 @@ def program_of(
             raise UsageError("a batch is solved by the plan of one process")
         check_batch(shape, refine)
     if refine and checked_shape(refine, shape) == "auto":
-        shape = stepwise(plan)
+        shape = refined_shape(plan)
+    elif refine and shape == "kernels" and plan.slaved:
+        raise UsageError("shape kernels refines no slaved joints; leave --shape out")
     shape = chosen_shape(plan, shape, batch=batch, profile=profile)
     return lower(refinable(plan) if refine else plan, shape, batch=batch)
 
@@ -173,7 +175,7 @@ def source(
         real=FACTORS[plan.scalar],
         tolerance=TOLERANCE[plan.scalar],
         headers=HEADERS,
-        columns=plan.right_hand_sides,
+        columns=words.columns,
         process_count=processes,
         batch=bool(batch),
         processes=process_rows(words) * (batch or 1),

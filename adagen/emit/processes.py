@@ -57,7 +57,8 @@ def describe_message(words: Words, message: Message) -> str:
 
 def message_size(words: Words, message: Message) -> int:
     """Return the numbers in a message."""
-    return message.numbers(words.plan.right_hand_sides)
+    whole = message.joint is None  # of slaved joints: all right-hand sides together
+    return message.numbers(words.plan.right_hand_sides if whole else words.columns)
 
 
 @dataclass(frozen=True)

@@ -62,6 +62,11 @@ def stepwise(plan: Plan) -> str:
     return next(name for name in ("kernels", "joints") if SHAPES[name].why_not(plan) is None)
 
 
+def refined_shape(plan: Plan) -> str:
+    """Return the fastest shape that refines what a plan answers."""
+    return "joints" if plan.slaved else stepwise(plan)
+
+
 def chosen_shape(
     plan: Plan, shape: str = "auto", *, batch: bool = False, profile: CostProfile | None = None
 ) -> str:
@@ -80,10 +85,12 @@ def chosen_shape(
         if not batch:
             return _cheapest(plan, profile)
         alone = len(plan.processes) == 1 and unrolled.why_not(plan) is None
-        only = kernels.why_not(plan) is not None
+        only = bool(plan.slaved) or kernels.why_not(plan) is not None
         pays = alone and (only or unrolled.pays_in_lanes(plan))
         shape = "unrolled" if pays else "kernels"
     reason = KNOWN[shape].why_not(plan)
+    if reason is None and batch and shape == "kernels" and plan.slaved:
+        reason = f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another'
     if reason is not None:
         raise UsageError(f"shape {shape} cannot be emitted: {reason}")
     return shape

@@ -12,6 +12,7 @@ from adagen.plan import Plan
 from adagen.plan.steps import Bias, Block, Force, Load, blocks_set_by
 from adagen.plan.types import FACTORS
 from adagen.program import Program
+from adagen.program.lower import LOOPS
 
 
 @dataclass(frozen=True)
@@ -27,6 +28,11 @@ class Words:
     def plan(self) -> Plan:
         """The plan that is carried out."""
         return self.program.plan
+
+    @property
+    def columns(self) -> int:
+        """Right-hand sides that a step has; loops take them one after the other."""
+        return 1 if self.program.shape == LOOPS else self.plan.right_hand_sides
 
     @property
     def batch(self) -> bool:

@@ -11,3 +11,6 @@ PREPARES: dict[str, str] = {
 
 PASSING = "pass_kinematics"
 """Kinematics of joints that are only passed on the way to others."""
+
+PREPARED = ("angles", "kinematics", PASSING, "link_inertia", "solve_coupling", "apply_coupling")
+"""What operations of loops do once, however many right-hand sides there are."""

@@ -2437,8 +2437,7 @@ ADAGEN_INLINE void keep_body(Workspace& w, const Joints<T>& joints, const Body<T
   if constexpr (kWidth<T> == 1)
     w.whole[static_cast<std::size_t>(joints.joint[0])] = X;
   else
-    ADAGEN_FOR (k, 0, kWidth<T>)
-      w.whole[static_cast<std::size_t>(joints.joint[k])] = lane(X, k);
+    ADAGEN_FOR (k, 0, kWidth<T>) w.whole[static_cast<std::size_t>(joints.joint[k])] = lane(X, k);
 }
 
 // Handle forces on a link count as its body's.

@@ -1208,12 +1208,24 @@ const Columns6 kGround = [] {
   return result;
 }
 
+// Accelerations of all right-hand sides, added up with the coupling torques.
+template <std::size_t n, std::size_t m>
+void store_coupled(Workspace& w, int joint, int v,
+                   const std::array<std::array<Real, kColumns>, n>& qdd,
+                   const std::array<Real, m>& torques) {
+  std::array<std::array<Real, kColumns>, n> sum{};
+  for (std::size_t k = 0; k < n; ++k) {
+    sum[k][0] = qdd[k][0];
+    for (std::size_t c = 0; c < m; ++c) sum[k][0] += qdd[k][c + 1] * torques[c];
+  }
+  store_acceleration(w, joint, v, sum);
+}
+
 // One row of A qdd = 0, which keeps a slaved joint in step with its source.
-[[maybe_unused]] inline void coupling_row(std::array<Real, kColumns>& row,
-                                          const std::array<Real, kColumns>& slaved,
-                                          const std::array<Real, kColumns>& source,
-                                          double multiplier) {
-  for (std::size_t k = 0; k < kColumns; ++k) row[k] = slaved[k] - Real(multiplier) * source[k];
+template <std::size_t columns>
+void coupling_row(std::array<Real, columns>& row, const std::array<Real, columns>& slaved,
+                  const std::array<Real, columns>& source, double multiplier) {
+  for (std::size_t k = 0; k < columns; ++k) row[k] = slaved[k] - Real(multiplier) * source[k];
 }
 
 // The torques that make A qdd zero: (A H^-1 A^T) torques = -A qdd, by Cholesky's factorization.
@@ -1230,19 +1242,6 @@ void solve_coupling(Workspace& w, int joint, const std::array<std::array<Real, m
   forward_substitute(L, x);
   backward_substitute(L, x);
   for (std::size_t i = 0; i < m; ++i) torques[i] = x[i][0];
-}
-
-// Accelerations of all right-hand sides, added up with the coupling torques.
-template <std::size_t n, std::size_t m>
-void store_coupled(Workspace& w, int joint, int v,
-                   const std::array<std::array<Real, kColumns>, n>& qdd,
-                   const std::array<Real, m>& torques) {
-  std::array<std::array<Real, kColumns>, n> sum{};
-  for (std::size_t k = 0; k < n; ++k) {
-    sum[k][0] = qdd[k][0];
-    for (std::size_t c = 0; c < m; ++c) sum[k][0] += qdd[k][c + 1] * torques[c];
-  }
-  store_acceleration(w, joint, v, sum);
 }
 
 // What goes into a message, and out of one.

@@ -85,7 +85,8 @@ def test_what_is_left_is_not_taken_for_less_than_is_certain(
     """
     model = with_mass(8, 8, 1e6)
     schedule = random_schedule(model, 1, np.random.default_rng(0))
-    solver = builder.solver(make_plan(model, schedule, scalar="mixed"), refine=2)
+    plan = make_plan(model, schedule, scalar="mixed")
+    solver = builder.solver(plan, refine=2, shape="joints")
     states = random_states(model, 3000, seed=3)
 
     def some(*chosen: int) -> States:

@@ -95,7 +95,7 @@ def velocity_product(words: Words, j: int, target: str) -> list[str]:
 
 def store(words: Words, j: int, qdd: str) -> str:
     """The line that gives a joint's acceleration away, or keeps it until coupling is solved."""
-    if words.plan.slaved:
+    if words.columns > 1:
         return f"i.qdd = {qdd};"
     return f"store_acceleration(w, {j}, {words.plan.joints[j].v}, {qdd});"
 
@@ -115,6 +115,8 @@ def torques(words: Words, j: int, tau: str) -> list[str]:
 def coupling_torques(words: Words, j: int, tau: str) -> list[str]:
     """The unit torques by which slaved joints and their sources are held in step."""
     plan, lines = words.plan, []
+    if words.columns == 1:
+        return []
     for column, slaved in enumerate(plan.slaved, start=1):
         mimic = plan.joints[slaved].mimic
         assert mimic is not None  # that is what slaved means

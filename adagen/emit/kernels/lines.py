@@ -3,25 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from adagen.emit import guards
 from adagen.emit.effects import push_calls
+from adagen.emit.entries import entries_of, ranges
 from adagen.emit.kernels import mobility
 from adagen.emit.processes import describe_message
 from adagen.emit.stages import stamped
 from adagen.emit.words import Words
 from adagen.plan.edges import is_base
 from adagen.plan.simd_groups import Limbs, placed_links
-from adagen.plan.steps import LoadRoot, Receive, Send, StartLink, Step
+from adagen.plan.steps import (
+    ApplyCoupling,
+    LoadRoot,
+    Receive,
+    Send,
+    SolveCoupling,
+    StartLink,
+    Step,
+)
 from adagen.plan.types import Message, Process
 from adagen.program import Links, Operation
-from adagen.program.names import PASSING
+from adagen.program.names import PASSING, PREPARED
 from adagen.program.runs import Run, ends_of_run, links_of_run, spans
 from adagen.program.segments import split
 from adagen.program.slots import Slots
-
-_STAYS = ("angles", "kinematics", PASSING, "link_inertia")
-"""What operations do that a correction finds done."""
 
 
 class KernelLines:
@@ -45,6 +52,7 @@ class KernelLines:
     ) -> None:
         self.words, self.p, self.process, self.slots = words, p, process, slots
         self.operations = operations
+        self.responded = False  # whether responses to slaved joints' torques are found
         self.joints = words.plan.joints
         self.placed = placed_links(words.plan)
         self.gathers = set(self.placed)  # links at which paths meet inwards
@@ -57,19 +65,39 @@ class KernelLines:
 
     def all_lines(self) -> list[str]:
         """Return the lines of the process."""
+        follows = ["slave(w.q.data(), w.v.data());"] if self.words.plan.slaved else []
         return [
+            *follows,
             *guards.checks(self.words, self.process),
-            *stamped(self.process, self.operations, self.lines),
+            *stamped(self.process, self.operations, self._lines_in_turn),
             *guards.results(self.words, self.process),
         ]
 
     def corrections(self) -> list[str]:
         """Return the lines that do all again but for motions and inertias of links, which stay."""
-        again = [op for op in self.operations if op.does not in _STAYS]
-        return [
-            *(line for operation in again for line in self.lines(operation)),
-            *guards.corrections(self.words, self.process),
-        ]
+        return [*self.responses(), *guards.corrections(self.words, self.process)]
+
+    def responses(self) -> list[str]:
+        """Return the lines that answer to other torques and forces on links alone."""
+        again = [op for op in self.operations if not (op.does in PREPARED or self._couples(op))]
+        return [line for operation in again for line in self.lines(operation)]
+
+    def _couples(self, operation: Operation) -> bool:
+        """Whether an operation is about the torques that hold slaved joints in step."""
+        for step in operation.steps:
+            if isinstance(step, SolveCoupling | ApplyCoupling):
+                return True
+            if isinstance(step, Send | Receive):
+                return self.words.plan.messages[step.message].joint is None
+        return False
+
+    def _lines_in_turn(self, operation: Operation) -> list[str]:
+        """The lines of an operation, what the first one about slaved joints needs before them."""
+        lines = self.lines(operation)
+        if self._couples(operation) and not self.responded:
+            self.responded = True
+            return [f"find_responses(w, channel, respond_{self.p});", *lines]
+        return lines
 
     def roles(self) -> list[dict[str, bool]]:
         """Return what the process does at each link, once its lines are written.
@@ -200,13 +228,40 @@ class KernelLines:
         return [
             f"{{  // from process {message.source}: {describe_message(self.words, message)}",
             f"  const Number* from = channel.receive({step.message}, w.status);",
-            *(f"  from = get(from, {item});" for item in self._items(message)),
+            *(f"  from = get_responses(from, w, {self.joints[j].v});" for j in message.joints),
+            *(f"  from = get(from, {item});" for item in self._items(replace(message, joints=()))),
             *(f"  from = {'get' if one else 'add'}(from, w.bodies[{k}]);" for k, one in taken),
             "}",
         ]
 
-    def _items(self, message: Message) -> list[str]:
+    def _solve_coupling(self, _: Operation) -> list[str]:
+        plan = self.words.plan
+        rows = []
+        for k, slaved in enumerate(plan.slaved):
+            mimic = plan.joints[slaved].mimic
+            assert mimic is not None  # that is what slaved means
+            own, source = self._responses(slaved), self._responses(mimic[0])
+            rows.append(f"  coupling_row(rows[{k}], {own}, {source}, {mimic[1]!r});")
         return [
+            "{",
+            "  std::array<Responses, kSlavedCount> rows;",
+            *rows,
+            f"  solve_coupling(w, {plan.slaved[0]}, rows, w.coupling);",
+            "}",
+        ]
+
+    def _apply_coupling(self, _: Operation) -> list[str]:
+        own = ranges(entries_of(self.words, "v", self.process.owns))
+        return [f"apply_coupling(w, {first}, {count});" for first, count in own]
+
+    def _responses(self, joint: int) -> str:
+        return f"responses_of(w, {self.joints[joint].v})"
+
+    def _items(self, message: Message) -> list[str]:
+        if message.sweep == "torques":
+            return ["w.coupling"]
+        return [
+            *(self._responses(joint) for joint in message.joints),
             *(self.words.block(block) for block in message.blocks),
             *(self.words.bias(bias) for bias in message.biases),
             *(self.words.force(force) for force in message.forces),

@@ -8,6 +8,7 @@ lane of a register (templates/runtime/kernels/).
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 from adagen.emit.kernels import mobility
@@ -19,12 +20,14 @@ from adagen.plan.gather import why_not_gather
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
     Accelerate,
+    ApplyCoupling,
     Articulate,
     FreeAcceleration,
     FreeBase,
     Kinematics,
     Receive,
     Send,
+    SolveCoupling,
     SolveRoot,
     StartEmpty,
     StartLink,
@@ -49,6 +52,8 @@ _TAKEN = (
     | FreeAcceleration
     | Send
     | Receive
+    | SolveCoupling
+    | ApplyCoupling
     | mobility.STEPS
 )
 
@@ -57,8 +62,11 @@ def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted in this shape; None where it can."""
     if plan.form != "segment":
         return f"it is for form segment, not {plan.form}"
-    if (reason := why_not_gather(plan.joints)) is not None:
+    joints = plan.joints
+    if (reason := why_not_gather([replace(joint, mimic=None) for joint in joints])) is not None:
         return reason
+    if plan.slaved and any(joint.stiffness for joint in joints):
+        return "it has no springs beside slaved joints"
     for process in plan.processes:
         for step in mobility.all_steps(process):
             if not isinstance(step, _TAKEN):
@@ -84,6 +92,8 @@ def values(words: Words) -> dict[str, object]:
         ]
     lines = [writer.all_lines() for writer in writers]
     runtime = [*RUNTIME, *(mobility.runtime(plan) if cuts else ())]
+    if plan.slaved:
+        runtime += [part for part in ("spatial.hpp", "joins.hpp") if part not in runtime]
     refined: dict[str, object] = {}
     if words.refine:
         eigen = ("spatial.hpp", "joins.hpp", "wide.hpp", "refine.hpp")
@@ -93,7 +103,9 @@ def values(words: Words) -> dict[str, object]:
         refined = refinement_values(words, corrections[:count], corrections[count:])
     return {
         "runtime": runtime,
-        "copied": plan.scalar == "mixed",
+        "copied": plan.scalar == "mixed" or bool(plan.slaved),
+        "slaved_count": len(plan.slaved),
+        "responses": [writer.responses() for writer in writers] if plan.slaved else [],
         **refined,
         "cuts": cuts,
         "holds": mobility.holds_ground(plan),

@@ -1,0 +1,46 @@
+// Slaved joints. Each is held in step by a torque between it and its source. What a unit of that
+// torque does, the same sweeps find once more, for nothing else at work.
+inline void pull(Workspace& w, int slaved) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(slaved)];
+  Value *const v = w.v.data(), *const tau = w.tau.data();
+  std::fill_n(v, kNv, Value{}), std::fill_n(tau, kNtau, Value{});
+  tau[joint.v] = 1;
+  tau[kJoints[static_cast<std::size_t>(joint.source)].v] -= Value(joint.multiplier);
+  for (Block& block : w.blocks)
+    for (int k = kTorque; k < kEntries; ++k) std::fill_n(block.entries[k], kPerBlock, Value{});
+}
+
+inline void find_responses(Workspace& w, Channel& channel, void (*sweep)(Workspace&, Channel&)) {
+  const auto answer = w.answer;
+  std::size_t c = 0;
+  for (int j = 0; j < kJointCount; ++j) {
+    if (kJoints[static_cast<std::size_t>(j)].source < 0) continue;
+    pull(w, j);
+    sweep(w, channel);
+    w.responses[c++] = w.answer;
+  }
+  w.answer = answer;
+  w.v = given(w.v), w.tau = given(w.tau);
+  slave(w.q.data(), w.v.data());
+}
+
+// An acceleration as it would be without these torques, and what a unit of each adds to it.
+using Responses = std::array<Real, kSlavedCount + 1>;
+inline Responses responses_of(const Workspace& w, std::size_t v) {
+  Responses result{w.answer[v]};
+  for (std::size_t c = 0; c < kSlavedCount; ++c) result[c + 1] = w.responses[c][v];
+  return result;
+}
+[[maybe_unused]] inline const Number* get_responses(const Number* from, Workspace& w,
+                                                    std::size_t v) {
+  w.answer[v] = Real(*from++);
+  for (auto& response : w.responses) response[v] = Real(*from++);
+  return from;
+}
+
+// The torques at work, on accelerations first .. first + count - 1.
+inline void apply_coupling(Workspace& w, std::size_t first, std::size_t count) {
+  for (std::size_t c = 0; c < kSlavedCount; ++c)
+    for (std::size_t k = first; k < first + count; ++k)
+      w.answer[k] += w.responses[c][k] * w.coupling[c];
+}

@@ -1,0 +1,72 @@
+"""Slaved joints in shape kernels: the sweeps once more for each torque that holds one in step."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from adagen.emit import emit
+from adagen.emit.predicted import predict
+from adagen.emit.shapes import SHAPES
+from adagen.errors import UsageError
+from adagen.model import Mimic, Model, Passive
+from adagen.schedule import load_profile
+from adagen.states import random_states
+from adagen.urdf import read_robot
+from tests.emitted import ROUNDING, Builder, plan_of
+from tests.golden.examples import FOLDER
+from tests.models import serial_chain, star
+
+
+def slaved(model: Model, *pairs: tuple[int, int, float]) -> Model:
+    """Return the model with joints (slaved, source, multiplier) held in step."""
+    joints = list(model.joints)
+    for k, (j, source, multiplier) in enumerate(pairs):
+        joints[j] = replace(joints[j], mimic=Mimic(source, multiplier, 0.2 * k - 0.1))
+    return replace(model, joints=tuple(joints))
+
+
+def damped(model: Model) -> Model:
+    """Return the model with damping and a rotor at every joint."""
+    passive = Passive(damping=0.3, rotor_inertia=0.1)
+    return replace(model, joints=tuple(replace(joint, passive=passive) for joint in model.joints))
+
+
+@pytest.mark.parametrize(
+    ("model", "processes"),
+    [
+        (slaved(star(4, 3, floating=True), (2, 1, -0.5), (8, 1, 2.0)), 1),
+        (damped(slaved(serial_chain(9), (3, 1, -0.5), (7, 1, 1.5), (8, 5, 1.0))), 2),
+        (slaved(serial_chain(12), (4, 11, 0.7)), 3),
+        (read_robot(FOLDER / "models" / "arm7.urdf", mimic=True).model, 2),
+    ],
+    ids=["in lanes", "damped on two", "across three", "arm"],
+)
+def test_slaved_joints_are_held_in_step(
+    model: Model, processes: int, builder: Builder, tmp_path: Path
+) -> None:
+    plan = plan_of(model, processes)
+    assert plan.slaved and SHAPES["kernels"].why_not(plan) is None
+    states = random_states(model, 4, seed=7)
+    solver = builder.solver(plan, name="slaved", shape="kernels")
+    assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
+
+
+def test_each_slaved_joint_costs_the_sweeps_again() -> None:
+    free, profile = serial_chain(9), load_profile("default")
+    held = slaved(free, (3, 1, -0.5))
+    once, twice = (predict(plan_of(m, 1), profile, "kernels").makespan for m in (free, held))
+    assert once < twice < 2 * once
+
+
+def test_what_loops_do_not_do_for_slaved_joints_is_refused() -> None:
+    held = slaved(serial_chain(4), (2, 1, -0.5))
+    plan = plan_of(held, 1)
+    with pytest.raises(UsageError, match="slaved to another"):
+        emit(plan, shape="kernels", batch=1)
+    with pytest.raises(UsageError, match="refines no slaved joints"):
+        emit(plan, shape="kernels", refine=1)
+    springs = tuple(replace(joint, stiffness=1.0) for joint in plan.joints)
+    assert "springs" in str(SHAPES["kernels"].why_not(replace(plan, joints=springs)))
