@@ -178,6 +178,7 @@ def source(
         columns=words.columns,
         process_count=processes,
         batch=bool(batch),
+        alone=_alone(program) and (not batch or processes == 1),
         processes=process_rows(words) * (batch or 1),
         run_list=", ".join(
             "refined" if refine else f"run_{0 if batch else p}" for p in range(processes)
@@ -192,6 +193,11 @@ def source(
         **model_values(words),
         **KNOWN[shape].values(words),
     )
+
+
+def _alone(program: Program) -> bool:
+    """Whether process 0 does all: the others have nothing to do, and nothing is sent."""
+    return meeting(program) == "alone" and not any(p.owns for p in program.plan.processes[1:])
 
 
 def _head(program: Program, stem: str, tuning: str) -> dict[str, object]:

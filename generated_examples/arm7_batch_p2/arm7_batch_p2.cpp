@@ -109,6 +109,7 @@ namespace {
 using Number = double;  // of states, answers and messages
 using Real = double;    // of all between
 constexpr int kProcesses = 2;
+[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
@@ -574,7 +575,7 @@ class Channel {
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
       if (info.source != rank_ && info.target != rank_) continue;
-      ++ways[ports_[k].slots ? 1 : 0];
+      if (info.size > 0) ++ways[ports_[k].slots ? 1 : 0];  // none goes to a process without work
       if (!ports_[k].slots) ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
     }
     MPI_Allreduce(MPI_IN_PLACE, ways.data(), 2, MPI_INT, MPI_SUM, comm_);
@@ -734,7 +735,8 @@ class Channel {
     MPI_Group_free(&whole);
     MPI_Group_free(&near);
     const auto near_pair = [&](const MessageInfo& info) {
-      return on_node[info.source] != MPI_UNDEFINED && on_node[info.target] != MPI_UNDEFINED;
+      return info.size > 0 && on_node[info.source] != MPI_UNDEFINED &&
+             on_node[info.target] != MPI_UNDEFINED;
     };
     if (std::none_of(kMessages.begin(), kMessages.end(), near_pair)) return true;
     std::size_t own = 0;
@@ -3805,7 +3807,7 @@ class Trace {
   // Collective. An evaluation counts from when the first process began.
   void end(MPI_Comm comm, bool keep) {
     trace_stamps = nullptr;
-    long long first = stamps_[0];
+    long long first = stages_ == 0 ? std::numeric_limits<long long>::max() : stamps_[0];
     MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_LONG_LONG, MPI_MIN, comm);
     if (!keep || starts_.size() == kMost * (stamps_.size() - 1)) return;
     for (std::size_t k = 0; k + 1 < stamps_.size(); ++k) {
@@ -3996,7 +3998,7 @@ struct Session {
   }
 
   const char* channel_name() const {
-    if (kProcesses == 1) return "none";
+    if (kAlone) return "none";
     return solver.channel.name();
   }
 };
@@ -4416,7 +4418,7 @@ class Timing {
         const int first = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s), qdd);
         const double in_place_ns =
             std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-        if (kProcesses > 1) MPI_Barrier(session_.comm());
+        if (!kAlone) MPI_Barrier(session_.comm());
         const Clock::time_point start_root = Clock::now();
         const int second =
             session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s), qdd);
@@ -4554,9 +4556,11 @@ class Timing {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // All processes start an evaluation at the same instant of their common clock; hosts have none.
+  // All processes that take part in an evaluation start it at the same instant of their common
+  // clock; hosts have none. One alone starts at once: to meet others that it does not need would
+  // only cool its caches.
   Clock::time_point start_together() const {
-    if (kProcesses == 1) return Clock::now();
+    if (kAlone) return Clock::now();
     if (!session_.solver.channel.on_one_host()) {
       MPI_Barrier(session_.comm());
       return Clock::now();

@@ -111,6 +111,7 @@ namespace {
 using Number = double;  // of states, answers and messages
 using Real = double;    // of all between
 constexpr int kProcesses = 3;
+[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
 constexpr int kNq = 16, kNv = 16;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
@@ -1119,7 +1120,7 @@ class Channel {
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
       if (info.source != rank_ && info.target != rank_) continue;
-      ++ways[ports_[k].slots ? 1 : 0];
+      if (info.size > 0) ++ways[ports_[k].slots ? 1 : 0];  // none goes to a process without work
       if (!ports_[k].slots) ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
     }
     MPI_Allreduce(MPI_IN_PLACE, ways.data(), 2, MPI_INT, MPI_SUM, comm_);
@@ -1279,7 +1280,8 @@ class Channel {
     MPI_Group_free(&whole);
     MPI_Group_free(&near);
     const auto near_pair = [&](const MessageInfo& info) {
-      return on_node[info.source] != MPI_UNDEFINED && on_node[info.target] != MPI_UNDEFINED;
+      return info.size > 0 && on_node[info.source] != MPI_UNDEFINED &&
+             on_node[info.target] != MPI_UNDEFINED;
     };
     if (std::none_of(kMessages.begin(), kMessages.end(), near_pair)) return true;
     std::size_t own = 0;
@@ -3612,6 +3614,7 @@ class Solver {
 
   // State and result in place: reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    if (kAlone && kProcesses > 1 && channel.rank() != 0) return finish(kFine);
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     prepare(q, v, tau, qdd);
     run();
@@ -3620,21 +3623,21 @@ class Solver {
 
   // Everything through process 0: it has the state and gets all accelerations.
   int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    if constexpr (kProcesses == 1) return solve(q, v, tau, qdd);
+    if constexpr (kAlone) return solve(q, v, tau, qdd);
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
   }
 
   // At process 0: the others' next solve_at_root returns kEnded, and so does this.
   int end_at_root() {
-    if constexpr (kProcesses == 1) return kFine;
+    if constexpr (kAlone) return kFine;
     return solve_as_root(q_.data(), v_.data(), tau_.data(), qdd_.data(), failure(kEnded, 0));
   }
 
  private:
   // A pose that the first try cannot stand is known to all processes: they try again together.
   void run() {
-    const std::size_t rank = static_cast<std::size_t>(channel.rank());
+    const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
     kRun[rank](w, channel);
 #ifdef ADAGEN_RECOVERS
     if (failure_kind(w.status) != kSingularPose) return;
@@ -5203,7 +5206,7 @@ class Trace {
   // Collective. An evaluation counts from when the first process began.
   void end(MPI_Comm comm, bool keep) {
     trace_stamps = nullptr;
-    long long first = stamps_[0];
+    long long first = stages_ == 0 ? std::numeric_limits<long long>::max() : stamps_[0];
     MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_LONG_LONG, MPI_MIN, comm);
     if (!keep || starts_.size() == kMost * (stamps_.size() - 1)) return;
     for (std::size_t k = 0; k + 1 < stamps_.size(); ++k) {
@@ -5394,7 +5397,7 @@ struct Session {
   }
 
   const char* channel_name() const {
-    if (kProcesses == 1) return "none";
+    if (kAlone) return "none";
     return solver.channel.name();
   }
 };
@@ -5814,7 +5817,7 @@ class Timing {
         const int first = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s), qdd);
         const double in_place_ns =
             std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-        if (kProcesses > 1) MPI_Barrier(session_.comm());
+        if (!kAlone) MPI_Barrier(session_.comm());
         const Clock::time_point start_root = Clock::now();
         const int second =
             session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s), qdd);
@@ -5952,9 +5955,11 @@ class Timing {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // All processes start an evaluation at the same instant of their common clock; hosts have none.
+  // All processes that take part in an evaluation start it at the same instant of their common
+  // clock; hosts have none. One alone starts at once: to meet others that it does not need would
+  // only cool its caches.
   Clock::time_point start_together() const {
-    if (kProcesses == 1) return Clock::now();
+    if (kAlone) return Clock::now();
     if (!session_.solver.channel.on_one_host()) {
       MPI_Barrier(session_.comm());
       return Clock::now();

@@ -32,7 +32,7 @@ class Channel {
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
       if (info.source != rank_ && info.target != rank_) continue;
-      ++ways[ports_[k].slots ? 1 : 0];
+      if (info.size > 0) ++ways[ports_[k].slots ? 1 : 0];  // none goes to a process without work
       if (!ports_[k].slots) ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
     }
     MPI_Allreduce(MPI_IN_PLACE, ways.data(), 2, MPI_INT, MPI_SUM, comm_);
@@ -192,7 +192,8 @@ class Channel {
     MPI_Group_free(&whole);
     MPI_Group_free(&near);
     const auto near_pair = [&](const MessageInfo& info) {
-      return on_node[info.source] != MPI_UNDEFINED && on_node[info.target] != MPI_UNDEFINED;
+      return info.size > 0 && on_node[info.source] != MPI_UNDEFINED &&
+             on_node[info.target] != MPI_UNDEFINED;
     };
     if (std::none_of(kMessages.begin(), kMessages.end(), near_pair)) return true;
     std::size_t own = 0;

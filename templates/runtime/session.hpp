@@ -116,7 +116,7 @@ struct Session {
   }
 
   const char* channel_name() const {
-    if (kProcesses == 1) return "none";
+    if (kAlone) return "none";
     return solver.channel.name();
   }
 };

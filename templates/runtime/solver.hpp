@@ -23,6 +23,7 @@ class Solver {
 
   // State and result in place: reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    if (kAlone && kProcesses > 1 && channel.rank() != 0) return finish(kFine);
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     prepare(q, v, tau, qdd);
     run();
@@ -31,21 +32,21 @@ class Solver {
 
   // Everything through process 0: it has the state and gets all accelerations.
   int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    if constexpr (kProcesses == 1) return solve(q, v, tau, qdd);
+    if constexpr (kAlone) return solve(q, v, tau, qdd);
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
     return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
   }
 
   // At process 0: the others' next solve_at_root returns kEnded, and so does this.
   int end_at_root() {
-    if constexpr (kProcesses == 1) return kFine;
+    if constexpr (kAlone) return kFine;
     return solve_as_root(q_.data(), v_.data(), tau_.data(), qdd_.data(), failure(kEnded, 0));
   }
 
  private:
   // A pose that the first try cannot stand is known to all processes: they try again together.
   void run() {
-    const std::size_t rank = static_cast<std::size_t>(channel.rank());
+    const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
     kRun[rank](w, channel);
 #ifdef ADAGEN_RECOVERS
     if (failure_kind(w.status) != kSingularPose) return;

@@ -22,7 +22,7 @@ class Timing {
         const int first = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s), qdd);
         const double in_place_ns =
             std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-        if (kProcesses > 1) MPI_Barrier(session_.comm());
+        if (!kAlone) MPI_Barrier(session_.comm());
         const Clock::time_point start_root = Clock::now();
         const int second =
             session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s), qdd);
@@ -160,9 +160,11 @@ class Timing {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // All processes start an evaluation at the same instant of their common clock; hosts have none.
+  // All processes that take part in an evaluation start it at the same instant of their common
+  // clock; hosts have none. One alone starts at once: to meet others that it does not need would
+  // only cool its caches.
   Clock::time_point start_together() const {
-    if (kProcesses == 1) return Clock::now();
+    if (kAlone) return Clock::now();
     if (!session_.solver.channel.on_one_host()) {
       MPI_Barrier(session_.comm());
       return Clock::now();

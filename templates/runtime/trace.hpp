@@ -15,7 +15,7 @@ class Trace {
   // Collective. An evaluation counts from when the first process began.
   void end(MPI_Comm comm, bool keep) {
     trace_stamps = nullptr;
-    long long first = stamps_[0];
+    long long first = stages_ == 0 ? std::numeric_limits<long long>::max() : stamps_[0];
     MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_LONG_LONG, MPI_MIN, comm);
     if (!keep || starts_.size() == kMost * (stamps_.size() - 1)) return;
     for (std::size_t k = 0; k + 1 < stamps_.size(); ++k) {
