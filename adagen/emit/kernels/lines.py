@@ -30,6 +30,7 @@ class KernelLines:
         process: the process.
         operations: what it runs.
         slots: where joints lie in memory.
+        turned: joints that are eliminated in their own axes.
     """
 
     def __init__(
@@ -39,8 +40,10 @@ class KernelLines:
         process: Process,
         operations: tuple[Operation, ...],
         slots: Slots,
+        turned: frozenset[int],
     ) -> None:
         self.words, self.p, self.process, self.slots = words, p, process, slots
+        self.turned = turned
         self.operations = operations
         self.joints = words.plan.joints
         self.placed = placed_links(words.plan)
@@ -217,7 +220,9 @@ class KernelLines:
         near = ends_of_run(self.joints, run)[0]
         self.gathers.add(near)
         verb = "inward"
-        if operation.method == "columns":
+        if operation.method == "turned":
+            verb = "inward_turned"
+        elif operation.method == "columns":
             verb = "inward_in_columns"
             self.columns |= set(links_of_run(self.joints, run)) - {near}
         return [self._sweep(run, verb, _word(operation.first[0])) + self._names(run)]
@@ -226,7 +231,8 @@ class KernelLines:
         """Sweep limbs inwards and leave what is found at the links that they hang on."""
         nears = [self.joints[j].parent for j in limbs.rows[0]]
         self.gathers.update(nears)
-        sweep = f"inward_group<{self.p}, {self._number(limbs)}>(w);"
+        verb = "inward_group" + "_turned" * (not self.turned.isdisjoint(limbs.members()))
+        sweep = f"{verb}<{self.p}, {self._number(limbs)}>(w);"
         left = [
             f"  leave<{_word(first[k])}>(w, {near}, lane(X, {k + limbs.idle}));"
             for k, near in enumerate(nears)

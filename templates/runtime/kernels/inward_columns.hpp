@@ -91,7 +91,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   if constexpr (kAnyPassive) D += joint.passive.rotor;
   const Real inverse = 1 / D;
   const Column before = due.U * due.inverse;
-  subtract(X, due.U, before);
+  subtract(X, due);
   Column U = V - before * q;
   const Real tau = torque(w, joint);
   const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
@@ -107,7 +107,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   Column kept = shuffled<0, 1, 2, 4, 5, 6, 3, 7>(e, e);
   kept[6] = u, kept[7] = inverse;
   std::memcpy(memory.e, &kept, sizeof kept);
-  due = {U, inverse};
+  due = {U, inverse, std::sqrt(inverse)};
   X.force += U * u;
 }
 
