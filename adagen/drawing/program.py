@@ -134,7 +134,11 @@ def operation_name(program: Program, operation: Operation) -> str:
             return f"{does} {about} in {limbs.lanes} lanes"
         case Run() as run:
             about = _span(program, run.first, run.last)
-            by = f", by {operation.method}" if operation.method in ("columns", "turned", "segments") else ""
+            by = (
+                f", by {operation.method}"
+                if operation.method in ("columns", "turned", "segments")
+                else ""
+            )
             return f"{does} {about}{by}"
     if operation.block is not None:
         return does

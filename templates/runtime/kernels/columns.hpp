@@ -98,7 +98,6 @@ ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
   X.angular[0] = X.angular[0] + X.linear[2] * y - X.linear[1] * z;
   X.angular[1] = X.angular[1] + X.linear[0] * z - X.linear[2] * x;
   X.angular[2] = X.angular[2] + X.linear[1] * x - X.linear[0] * y;
-  mirror(X);
   X.force = carried(arm, X.force);
 }
 

@@ -86,6 +86,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   }
   const Column(&side)[3] = along ? X.linear : X.angular;
   const Column V = side[0] * axis.x + side[1] * axis.y + side[2] * axis.z;
+  mirror(X);  // no sooner, so that V need not wait
   const Real q = component<along>(s, due.U);
   Real D = component<along>(s, V) - q * q * due.inverse;
   if constexpr (kAnyPassive) D += joint.passive.rotor;
