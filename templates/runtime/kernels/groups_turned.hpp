@@ -1,4 +1,5 @@
-// See inward_group in groups.hpp: the same where limbs have turned joints. What is handed to the trunk is in axes of the base.
+// See inward_group in groups.hpp: the same where limbs have turned joints. What is handed to the
+// trunk is in axes of the base.
 template <int p, const auto& limbs>
 auto inward_group_turned(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;
