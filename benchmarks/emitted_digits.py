@@ -1,10 +1,11 @@
 """Errors of what is emitted on the robots of the stability suite that are hardest for it.
 
-    python -m benchmarks.emitted_digits [--states 10] [--write docs/stability.md]
+    python -m benchmarks.emitted_digits [--states 5] [--write docs/stability.md]
 
-The suite's state and random ones; each robot on one and two processes, scheduled as by default, in
-each shape that takes its plan, beside the interpreter of the same plan. The truth is certified; the
-errors are the largest in the energy norm sqrt(e^T H e / t^T H t).
+The suite's state and random ones; each robot scheduled as by default, as loops (shape kernels),
+beside the executor of the same plan in double, which straight lines equal to the last bit where
+products are not added in one. The truth is certified; the errors are the largest in the energy norm
+sqrt(e^T H e / t^T H t).
 """
 
 from __future__ import annotations
@@ -12,14 +13,14 @@ from __future__ import annotations
 import argparse
 import platform
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.emit.shapes import SHAPES, chosen_shape
 from adagen.executor import interpret
-from adagen.model import Model
+from adagen.model import Inertia, Model
 from adagen.plan import Plan, make_plan
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import load_profile
@@ -30,11 +31,32 @@ from benchmarks.page import write_between_marks
 from benchmarks.solvers import answers
 
 Array = NDArray[np.float64]
-ROBOTS = {
-    "60 spherical joints": lambda: robots.spherical_rods(60),
-    "30 links, masses graded 1 to 1e8": lambda: robots.graded(30, 1e8),
-    "30 links, a tip of 1e8 kg": lambda: robots.with_mass(30, 30, 1e8),
-    "a coil of 100 links": lambda: robots.coil(100),
+
+
+def slender_tool(radius: float) -> Model:
+    """Return three axes x, y, z through rods of 1 m, the last rod of another radius, m."""
+    links = [robots.rod(), robots.rod(), robots.rod(radius=radius)]
+    return robots.chain("slender tool", links, axes="xyz")
+
+
+def light_wrists() -> Model:
+    """Return 40 rods on three axes each, through links of 1e-4 kg and 2 cm."""
+    light = Inertia(1e-4, np.zeros(3), np.eye(3) * 4e-8)
+    return robots.three_axis(40, light)
+
+
+Case = tuple[Callable[[], Model], int, str]
+ROBOTS: dict[str, Case] = {
+    "3 joints, a tool of 2 um radius": (lambda: slender_tool(2e-6), 1, "double"),
+    "3 joints, a tool of 5 mm radius": (lambda: slender_tool(5e-3), 1, "float"),
+    "30 links, masses graded 1 to 1e8": (lambda: robots.graded(30, 1e8), 1, "double"),
+    "30 links, a tip of 1e8 kg": (lambda: robots.with_mass(30, 30, 1e8), 1, "double"),
+    "three axes through massless links x 40": (lambda: robots.three_axis(40), 1, "double"),
+    "three axes through links of 0.1 g x 40": (light_wrists, 1, "double"),
+    "a coil of 100 links": (lambda: robots.coil(100), 1, "double"),
+    "a coil of 100 links, two processes": (lambda: robots.coil(100), 2, "double"),
+    "60 spherical joints": (lambda: robots.spherical_rods(60), 1, "double"),
+    "60 spherical joints, two processes": (lambda: robots.spherical_rods(60), 2, "double"),
 }
 
 
@@ -47,7 +69,7 @@ def states_of(model: Model, count: int) -> States:
 
 
 def row(name: str, model: Model, plan: Plan, states: States) -> str:
-    """Return a row of the table: the errors of a plan in each shape and of its interpreter."""
+    """Return a row of the table: the errors of a plan as loops and of its executor."""
     each = list(zip(states.q, states.v, states.tau, strict=True))
     truth = [exact_forward_dynamics(model, *state).value for state in each]
     inertia = [joint_space_inertia(model, q) for q in states.q]
@@ -56,14 +78,9 @@ def row(name: str, model: Model, plan: Plan, states: States) -> str:
         rows = zip(inertia, found, truth, strict=True)
         return f"{max(energy_norm_error(h, x - t, t) for h, x, t in rows):.1e}"
 
-    processes, cells = len(plan.processes), []
-    for shape in ("kernels", "unrolled", "joints"):
-        reason = SHAPES[shape].why_not(plan)
-        mark = "**" if chosen_shape(plan) == shape else ""
-        found = None if reason else largest(answers(plan, model, states, shape=shape).qdd)
-        cells.append("" if found is None else f"{mark}{found}{mark}")
-    cells.append(largest([interpret(plan, *state) for state in each]))
-    return f"| {name} | {processes} | {' | '.join(cells)} |"
+    loops = largest(answers(plan, model, states, shape="kernels").qdd)
+    executor = largest([interpret(plan, *state) for state in each])
+    return f"| {name} | {len(plan.processes)} | {plan.scalar} | {loops} | {executor} |"
 
 
 def main() -> int:
@@ -71,24 +88,22 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
-    parser.add_argument("--states", type=int, default=10)
+    parser.add_argument("--states", type=int, default=5)
     parser.add_argument("--write", type=Path)
     options = parser.parse_args()
     lines = [
         f"The suite's state and {options.states} random ones, {platform.machine()}, "
-        "`python -m benchmarks.emitted_digits`; bold: the default shape",
+        "`python -m benchmarks.emitted_digits --states {options.states}`",
         "",
-        "| robot | P | kernels | unrolled | joints | interpreter |",
-        "|---|---|---|---|---|---|",
+        "| robot | P | scalar | loops | executor, double |",
+        "|---|---|---|---|---|",
     ]
-    for name, make in ROBOTS.items():
+    for name, (make, processes, scalar) in ROBOTS.items():
+        print(name, file=sys.stderr)
         model = make()
-        states = states_of(model, options.states)
-        for processes in (1, 2):
-            print(f"{name}, P = {processes}", file=sys.stderr)
-            schedule = best_schedule(model, processes, load_profile("default"))
-            plan = make_plan(model, schedule, form="segment")
-            lines.append(row(name, model, plan, states))
+        schedule = best_schedule(model, processes, load_profile("default"))
+        plan = make_plan(model, schedule, form="segment", scalar=scalar)
+        lines.append(row(name, model, plan, states_of(model, options.states)))
     table = "\n".join(lines)
     if options.write is None:
         print(table)

@@ -134,7 +134,11 @@ def operation_name(program: Program, operation: Operation) -> str:
             return f"{does} {about} in {limbs.lanes} lanes"
         case Run() as run:
             about = _span(program, run.first, run.last)
-            by = f", by {operation.method}" if operation.method in ("columns", "segments") else ""
+            by = (
+                f", by {operation.method}"
+                if operation.method in ("columns", "turned", "segments")
+                else ""
+            )
             return f"{does} {about}{by}"
     if operation.block is not None:
         return does
@@ -204,8 +208,8 @@ def _methods(program: Program) -> dict[int, str]:
     found: dict[int, str] = {}
     for process in program.processes:
         for operation in process.operations:
-            if operation.does == "articulate" and operation.method == "columns":
-                found |= {getattr(step, "joint", 0): "columns" for step in operation.steps}
+            if operation.does == "articulate" and operation.method in ("columns", "turned"):
+                found |= {getattr(step, "joint", 0): operation.method for step in operation.steps}
     for number, (_, limbs) in enumerate(lanes(program), start=1):
         for row in limbs.rows:
             for lane, joint in enumerate(row, start=1 + limbs.idle):

@@ -23,6 +23,7 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
+from adagen.plan.turned import turned_in_loops
 from adagen.plan.types import Plan, Process
 from adagen.program.names import PASSING
 from adagen.program.runs import (
@@ -58,6 +59,7 @@ class Loops:
         self.joints = plan.joints
         self.placed = placed_links(plan)
         starts = {s.link for s in process.steps if isinstance(s, StartLink)}
+        self.turned = turned_in_loops(plan, slots.numbers)
         self.own = starts - self.placed  # links whose own inertia the sweep adds as it passes them
         self.named = mentions(plan, process)
         self.holding: set[int] = set()  # links at which an inertia has been left
@@ -159,14 +161,27 @@ class Loops:
                 # The ground moves as it does, and so does what it carries: nothing is computed.
                 self._add("articulate", unit, "step", own)
                 continue
-            method: Method = "columns" if self._in_columns(unit) else "each"
-            self._add("articulate", unit, method, own, [self._first(self._near(unit))])
+            self._add("articulate", unit, self._method(unit), own, [self._first(self._near(unit))])
+
+    def _method(self, run: Run) -> Method:
+        if self._in_columns(run):
+            return "columns"
+        return "turned" if self._is_turned(run) else "each"
+
+    def _is_turned(self, run: Run) -> bool:
+        """Whether bodies are told in their own axes at links that a run takes them from."""
+        if self.joints[run.first].prescribed:
+            return False
+        far = {link - 1 for link in links_of_run(self.joints, run) if run.reversed}
+        return not self.turned.isdisjoint({*range(run.first, run.last + 1), *far})
 
     def _near(self, run: Run) -> int:
         return ends_of_run(self.joints, run)[0]
 
     def _in_columns(self, run: Run) -> bool:
         if self._near(run) == 0 and self.joints[run.first].prescribed:
+            return False
+        if self._is_turned(run):
             return False
         return not self.batch and pays_columns(self.joints, run)
 

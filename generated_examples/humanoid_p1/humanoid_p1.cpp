@@ -1195,6 +1195,9 @@ constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
 constexpr bool kReordered = true;  // whether joints lie in another order than they have
 constexpr int kSlots[kJointCount]{ 24, 0, 4, 8, 12, 16, 20, 1, 5, 9, 13, 17, 21, 25, 26, 27, 2, 6, 10, 14, 18, 22, 28, 29, 3, 7, 11, 15, 19, 23 };
 constexpr bool kByColumns = false;  // whether runs are taken by columns
+// Joints that are eliminated in their own axes, and whether there are such.
+constexpr bool kAnyTurned = false;
+constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 
 // What a process does at a link.
 struct LinkRole {
@@ -1690,9 +1693,26 @@ void turn(Workspace& w) {
   }
 }
 
+// The bias force of a bare link of pseudo-inertia J and moments c about its origin: that of the
+// acceleration field a + H x, H = alpha x + omega x omega x. All in the same axes.
+template <class T>
+ADAGEN_INLINE void bias_force(const Symmetric<T>& J, const Vector<T>& c, const T& mass,
+                              const Vector<T>& w, const Vector<T>& al, const Vector<T>& a,
+                              Vector<T>& n, Vector<T>& f) {
+  const T xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z;
+  const T xy = w.x * w.y, xz = w.x * w.z, yz = w.y * w.z;
+  const Matrix<T> H{{-(yy + zz), xy - al.z, xz + al.y},
+                    {xy + al.z, -(xx + zz), yz - al.x},
+                    {xz - al.y, yz + al.x, -(xx + yy)}};
+  const Vector<T> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
+  n = cross(c, a);
+  n += Vector<T>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
+                 dot(H.y, Jx) - dot(H.x, Jy)};
+  f = a * mass + H * c;
+}
+
 // Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
-// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J, and the bias
-// force is that of the acceleration field a + H x, H = alpha x + omega x omega x.
+// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J.
 template <int first, int last>
 void set_up_links(Workspace& w) {
   for (int b = first; b < last; ++b) {
@@ -1716,19 +1736,11 @@ void set_up_links(Workspace& w) {
     const Vector<Lanes> c = R * wide_vector(constants.moments);
     narrow(c, block.entries + kMoments);
 
-    const Vector<Lanes> w_ = wide_vector(entries + kOmega), al = wide_vector(entries + kAlpha);
-    const Lanes xx = w_.x * w_.x, yy = w_.y * w_.y, zz = w_.z * w_.z;
-    const Lanes xy = w_.x * w_.y, xz = w_.x * w_.z, yz = w_.y * w_.z;
-    const Matrix<Lanes> H{{-(yy + zz), xy - al.z, xz + al.y},
-                          {xy + al.z, -(xx + zz), yz - al.x},
-                          {xz - al.y, yz + al.x, -(xx + yy)}};
-    const Vector<Lanes> a = wide_vector(entries + kAcceleration);
-    const Vector<Lanes> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
-    Vector<Lanes> n = cross(c, a);
-    n += Vector<Lanes>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
-                       dot(H.y, Jx) - dot(H.x, Jy)};
+    Vector<Lanes> n, f;
+    bias_force(J, c, wide(constants.mass), wide_vector(entries + kOmega),
+               wide_vector(entries + kAlpha), wide_vector(entries + kAcceleration), n, f);
     narrow(n, block.entries + kTorque);
-    narrow(a * wide(constants.mass) + H * c, block.entries + kForce);
+    narrow(f, block.entries + kForce);
   }
 }
 
@@ -2023,6 +2035,124 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Bo
   return !kSphericalRotors;
 }
 
+// Inwards in the links' own axes, where axes of the base would cost digits: S is a coordinate axis
+// there, D an entry of the body, and what is left along S exactly zero. Links beyond joints of
+// kTurned have their bodies told so, each about its own origin as all are.
+ADAGEN_INLINE constexpr bool turned(int j) { return kAnyTurned && kTurned[j]; }
+ADAGEN_INLINE constexpr bool turned_link(int link) { return link > 0 && turned(link - 1); }
+constexpr bool any_turned(int first, int last) {
+  for (int j = first; j <= last; ++j)
+    if (turned(j)) return true;
+  return false;
+}
+
+// R M R^T.
+template <class T, class S>
+ADAGEN_INLINE Symmetric<T> congruent(const Matrix<S>& R, const Symmetric<T>& M) {
+  const Vector<T> x = M * R.x, y = M * R.y, z = M * R.z;
+  return {dot(x, R.x), dot(x, R.y), dot(x, R.z), dot(y, R.y), dot(y, R.z), dot(z, R.z)};
+}
+template <class T>
+ADAGEN_INLINE Matrix<T> transposed(const Matrix<T>& m) {
+  return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}};
+}
+// A body in the axes that R takes it to.
+template <class T>
+ADAGEN_INLINE void turn_body(Body<T>& X, const Matrix<T>& R) {
+  X.A = congruent(R, X.A), X.C = congruent(R, X.C);
+  X.B = R * X.B * transposed(R);
+  X.n = R * X.n, X.f = R * X.f;
+}
+
+// From the axes that a link's body is told in to those of the base, and back.
+ADAGEN_INLINE void to_base(Workspace& w, int link, Body<Value>& X) {
+  if (turned_link(link)) turn_body(X, matrix_at(w.of(link - 1, kAxes)));
+}
+ADAGEN_INLINE void from_base(Workspace& w, int link, Body<Value>& X) {
+  if (turned_link(link)) turn_body(X, transposed(matrix_at(w.of(link - 1, kAxes))));
+}
+
+// Mass, its moments and the pseudo-inertia of the links beyond joints.
+template <class T>
+ADAGEN_INLINE void own_inertia(const Joints<T>& joints, T& mass, Vector<T>& c, Symmetric<T>& J) {
+  if constexpr (kWidth<T> == 1) {
+    const LinkInertia& link = kInertias[static_cast<std::size_t>(joints.joint[0])];
+    const auto x = [](Real number) { return T{} + number; };
+    mass = x(link.mass);
+    c = {x(link.moments[0]), x(link.moments[1]), x(link.moments[2])};
+    J = {x(link.tensor[0]), x(link.tensor[1]), x(link.tensor[2]),
+         x(link.tensor[3]), x(link.tensor[4]), x(link.tensor[5])};
+  } else {
+    const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+    const auto x = [&](const PerJoint& numbers) {
+      return number_at<T>(&numbers[static_cast<std::size_t>(joints.slot % kPerBlock)]);
+    };
+    mass = x(block.mass);
+    c = {x(block.moments[0]), x(block.moments[1]), x(block.moments[2])};
+    J = {x(block.tensor[0]), x(block.tensor[1]), x(block.tensor[2]),
+         x(block.tensor[3]), x(block.tensor[4]), x(block.tensor[5])};
+  }
+}
+
+// Adds a bare link in its own axes: its inertia is constant, and nothing of its bias force is lost.
+template <class T>
+ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Matrix<T> back = transposed(matrix_at<T>(w.at(joints.slot, kAxes)));
+  const auto told = [&](Entry entry) { return back * vector_at<T>(w.at(joints.slot, entry)); };
+  T mass;
+  Vector<T> c;
+  Symmetric<T> J;
+  own_inertia(joints, mass, c, J);
+  Vector<T> n, f;
+  bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
+  if constexpr (kOuterCount > 0) push_own(w, joints, n, f);
+  X.A += Symmetric<T>{J.yy + J.zz, -J.xy, -J.xz, J.xx + J.zz, -J.yz, J.xx + J.yy};
+  X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
+  X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
+  X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
+  X.n += n, X.f += f;
+}
+
+// Takes the freedom along z out of the body, at the joint's origin and in its axes. With a rotor J
+// a part J / D of what is taken along z stays: there, too, nothing is subtracted.
+template <bool along, bool reversed, class T>
+ADAGEN_INLINE void eliminate_own(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Symmetric<T>&A = X.A, &C = X.C;
+  const Matrix<T>& B = X.B;
+  const Vector<T> n = along ? Vector<T>{B.x.z, B.y.z, B.z.z} : Vector<T>{A.xz, A.yz, A.zz};
+  const Vector<T> f = along ? Vector<T>{C.xz, C.yz, C.zz} : B.z;
+  T tau = each(joints, [&w](const JointConstants& own) { return torque(w, own); });
+  if constexpr (reversed) tau = -tau;
+  T D = along ? C.zz : A.zz, rotor{};
+  if constexpr (kAnyPassive) {
+    rotor = each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
+    D += rotor;
+  }
+  if (__builtin_expect(!all_positive(D), 0)) fail_one(w, joints, D);
+  const T inverse = 1 / D, u = (tau - (along ? X.f.z : X.n.z)) * inverse, kept = rotor * inverse;
+  const Vector<T> e_n = n * inverse, e_f = f * inverse;
+  subtract(X, n, f, e_n, e_f);
+  X.n += n * u;
+  X.f += f * u;
+  if constexpr (along) {
+    X.B.x.z = n.x * kept, X.B.y.z = n.y * kept, X.B.z.z = n.z * kept;
+    X.C.xz = f.x * kept, X.C.yz = f.y * kept, X.C.zz = f.z * kept;
+    X.f.z = tau - u * rotor;
+  } else {
+    X.A.xz = n.x * kept, X.A.yz = n.y * kept, X.A.zz = n.z * kept;
+    X.B.z = f * kept;
+    X.n.z = tau - u * rotor;
+  }
+  auto& memory = w.memory(joints);
+  const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
+  Vector<T> k_n = R * e_n;
+  const Vector<T> k_f = R * e_f;
+  if constexpr (!reversed) k_n += cross(memory.r, k_f);
+  T* const e = memory.e;
+  e[0] = k_n.x, e[1] = k_n.y, e[2] = k_n.z, e[3] = k_f.x, e[4] = k_f.y, e[5] = k_f.z;
+  e[6] = u, e[7] = inverse;
+}
+
 // Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
 // is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
 // near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
@@ -2179,29 +2309,45 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind 
   arrive(X);
 }
 
+// Adds a bare link in the axes in which what is found at it is told.
+ADAGEN_INLINE void add_link(Workspace& w, int link, Body<Value>& X) {
+  if (turned_link(link))
+    add_own_link(w, single(link - 1), X);
+  else
+    add_bare_link(w, single(link - 1), X);
+}
+
 // Adds to a body what the sweep finds at a link.
 template <int p>
 ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
   if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
-  if (role.adds_own) add_bare_link(w, single(link - 1), X);
+  if (role.adds_own) add_link(w, link, X);
 }
 
-// What is found at a link.
+// What is found at a link, in axes of the base.
 template <int p>
 ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
   Body<Value> X{};
   meet<p>(w, link, X);
+  to_base(w, link, X);
   return X;
 }
 
+// Leaves a body at a link, in the axes in which that is told.
 template <bool starts>
-ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
+ADAGEN_INLINE void add_to(Workspace& w, int link, const Body<Value>& X) {
   Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
   if constexpr (starts)
     body = X;
   else
     body += X;
+}
+// The same of one in axes of the base.
+template <bool starts>
+ADAGEN_INLINE void leave(Workspace& w, int link, Body<Value> X) {
+  from_base(w, link, X);
+  add_to<starts>(w, link, X);
 }
 
 // Whether nothing but the links themselves is found at links first .. last.
@@ -2272,8 +2418,8 @@ void inward_reversed(Workspace& w) {
 template <int link, bool starts>
 void place(Workspace& w) {
   Body<Value> X{};
-  add_bare_link(w, single(link - 1), X);
-  leave<starts>(w, link, X);
+  add_link(w, link, X);
+  add_to<starts>(w, link, X);
 }
 
 // A floating joint on the ground only adds its torque to the link.
@@ -2291,6 +2437,7 @@ template <int p, int link>
 void solve_root(Workspace& w) {
   if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
 }
+
 
 // Outwards again: the joints' accelerations.
 
@@ -2539,7 +2686,10 @@ ADAGEN_INLINE void meet_group(Workspace& w, const Joints<T>& joints, Body<T>& X)
     sides[lane] = gathers ? &w.bodies[link] : &none;
   }
   if (any) X += side_by_side<T, Body>(sides);
-  add_bare_link(w, joints, X);
+  if (turned(joints.joint[0]))
+    add_own_link(w, joints, X);
+  else
+    add_bare_link(w, joints, X);
 }
 
 // Whether nothing but the links themselves is found between the limbs' joints.
@@ -2585,6 +2735,7 @@ void accelerate_group(Workspace& w) {
     }
   });
 }
+
 
 // "left_hip_pitch" .. "left_ankle_roll", "right_hip_pitch" .. "right_ankle_roll", "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
 constexpr Limbs<4, 6> kLimbs0{0, {{1, 7, 16, 24}, {2, 8, 17, 25}, {3, 9, 18, 26}, {4, 10, 19, 27}, {5, 11, 20, 28}, {6, 12, 21, 29}}};

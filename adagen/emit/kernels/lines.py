@@ -40,6 +40,7 @@ class KernelLines:
         process: the process.
         operations: what it runs.
         slots: where joints lie in memory.
+        turned: joints that are eliminated in their own axes.
     """
 
     def __init__(
@@ -49,8 +50,10 @@ class KernelLines:
         process: Process,
         operations: tuple[Operation, ...],
         slots: Slots,
+        turned: frozenset[int],
     ) -> None:
         self.words, self.p, self.process, self.slots = words, p, process, slots
+        self.turned = turned
         self.operations = operations
         self.responded = False  # whether responses to slaved joints' torques are found
         self.joints = words.plan.joints
@@ -283,7 +286,9 @@ class KernelLines:
         near = ends_of_run(self.joints, run)[0]
         self.gathers.add(near)
         verb = "inward"
-        if operation.method == "columns":
+        if operation.method == "turned":
+            verb = "inward_turned"
+        elif operation.method == "columns":
             verb = "inward_in_columns"
             self.columns |= set(links_of_run(self.joints, run)) - {near}
         return [self._sweep(run, verb, _word(operation.first[0])) + self._names(run)]
@@ -292,7 +297,8 @@ class KernelLines:
         """Sweep limbs inwards and leave what is found at the links that they hang on."""
         nears = [self.joints[j].parent for j in limbs.rows[0]]
         self.gathers.update(nears)
-        sweep = f"inward_group<{self.p}, {self._number(limbs)}>(w);"
+        verb = "inward_group" + "_turned" * (not self.turned.isdisjoint(limbs.members()))
+        sweep = f"{verb}<{self.p}, {self._number(limbs)}>(w);"
         left = [
             f"  leave<{_word(first[k])}>(w, {near}, lane(X, {k + limbs.idle}));"
             for k, near in enumerate(nears)

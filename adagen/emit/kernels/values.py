@@ -32,6 +32,7 @@ from adagen.plan.steps import (
     StartEmpty,
     StartLink,
 )
+from adagen.plan.turned import turned_in_loops
 from adagen.plan.types import PlanLink
 from adagen.program.slots import Slots
 
@@ -80,14 +81,15 @@ def values(words: Words) -> dict[str, object]:
     cuts = mobility.has_cuts(plan)
     program = words.program
     slots = program.slots
+    turned = turned_in_loops(plan, slots.numbers)
     writers = [
-        KernelLines(words, p, process, own.operations, slots)
+        KernelLines(words, p, process, own.operations, slots, turned)
         for p, (process, own) in enumerate(zip(plan.processes, program.processes, strict=True))
     ]
     if any(process.recovery for process in plan.processes):
         again = zip(plan.recovering().processes, program.processes, strict=True)
         writers += [
-            KernelLines(words, p, process, own.recovery, slots)
+            KernelLines(words, p, process, own.recovery, slots, turned)
             for p, (process, own) in enumerate(again, start=len(plan.processes))
         ]
     lines = [writer.all_lines() for writer in writers]
@@ -113,6 +115,8 @@ def values(words: Words) -> dict[str, object]:
             {"type": f"Joint_{words.joints[j]}", "id": f"j_{words.joints[j]}", "members": lines}
             for j, lines in mobility.members(words).items()
         ],
+        "turned": bool(turned),
+        "turned_joints": [int(j in turned) for j in range(len(plan.joints))],
         "inertias": [_inertia(words, link) for link in plan.links[1:]],
         "roles": [writer.roles() for writer in writers],
         "steps": lines[: len(plan.processes)],

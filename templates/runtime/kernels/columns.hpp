@@ -78,17 +78,26 @@ ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
          arm.behind * shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x);
 }
 
+// Gives A below its diagonal what it has above. What is left of a heavy body's inertia along axes
+// that joints have taken out falls off from joint to joint while the inertia stays symmetric, and
+// grows where it does not.
+ADAGEN_INLINE void mirror(Columns& X) {
+  X.angular[1] = shuffled<0, 1, 9, 3, 4, 5, 6, 7>(X.angular[1], X.angular[2]);
+  const Column xy = shuffled<0, 8, 2, 3, 4, 5, 6, 7>(X.angular[0], X.angular[1]);
+  X.angular[0] = shuffled<0, 1, 8, 3, 4, 5, 6, 7>(xy, X.angular[2]);
+}
+
 // The body told about the point at -r from the one that it is told about: what forces become, then
-// what motions were.
+// what motions were, term by term in the same order.
 ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
   ADAGEN_FOR (k, 0, 3) {
     X.angular[k] = carried(arm, X.angular[k]);
     X.linear[k] = carried(arm, X.linear[k]);
   }
   const auto& [x, y, z] = arm.r;
-  X.angular[0] += X.linear[2] * y - X.linear[1] * z;
-  X.angular[1] += X.linear[0] * z - X.linear[2] * x;
-  X.angular[2] += X.linear[1] * x - X.linear[0] * y;
+  X.angular[0] = X.angular[0] + X.linear[2] * y - X.linear[1] * z;
+  X.angular[1] = X.angular[1] + X.linear[0] * z - X.linear[2] * x;
+  X.angular[2] = X.angular[2] + X.linear[1] * x - X.linear[0] * y;
   X.force = carried(arm, X.force);
 }
 
@@ -96,20 +105,21 @@ ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
 // not wait for that.
 struct Due {
   Column U{};
-  Real inverse = 0;
+  Real inverse = 0, root = 0;  // root: of the inverse
 };
 
-// The inertia less e U^T.
-ADAGEN_INLINE void subtract(Columns& X, const Column& U, const Column& e) {
-  X.angular[0] -= e * spread<0>(U);
-  X.angular[1] -= e * spread<1>(U);
-  X.angular[2] -= e * spread<2>(U);
-  X.linear[0] -= e * spread<4>(U);
-  X.linear[1] -= e * spread<5>(U);
-  X.linear[2] -= e * spread<6>(U);
+// The inertia less U U^T / D, as g g^T: as symmetric to the last bit as it was.
+ADAGEN_INLINE void subtract(Columns& X, const Due& due) {
+  const Column g = due.U * due.root;
+  X.angular[0] -= g * spread<0>(g);
+  X.angular[1] -= g * spread<1>(g);
+  X.angular[2] -= g * spread<2>(g);
+  X.linear[0] -= g * spread<4>(g);
+  X.linear[1] -= g * spread<5>(g);
+  X.linear[2] -= g * spread<6>(g);
 }
 ADAGEN_INLINE void settle(Columns& X, Due& due) {
-  subtract(X, due.U, due.U * due.inverse);
+  subtract(X, due);
   due = {};
 }
 ADAGEN_INLINE Body<Real> settled(Columns X, Due due) {

@@ -89,7 +89,10 @@ ADAGEN_INLINE void meet_group(Workspace& w, const Joints<T>& joints, Body<T>& X)
     sides[lane] = gathers ? &w.bodies[link] : &none;
   }
   if (any) X += side_by_side<T, Body>(sides);
-  add_bare_link(w, joints, X);
+  if (turned(joints.joint[0]))
+    add_own_link(w, joints, X);
+  else
+    add_bare_link(w, joints, X);
 }
 
 // Whether nothing but the links themselves is found between the limbs' joints.

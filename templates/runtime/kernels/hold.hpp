@@ -74,4 +74,5 @@ void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
   X.C = {I(3, 3), I(4, 3), I(5, 3), I(4, 4), I(5, 4), I(5, 5)};
   const Columns6 p = -(inertia_of(X) * b);
   X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
+  from_base(w, link, X);
 }

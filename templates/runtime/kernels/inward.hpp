@@ -154,29 +154,45 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind 
   arrive(X);
 }
 
+// Adds a bare link in the axes in which what is found at it is told.
+ADAGEN_INLINE void add_link(Workspace& w, int link, Body<Value>& X) {
+  if (turned_link(link))
+    add_own_link(w, single(link - 1), X);
+  else
+    add_bare_link(w, single(link - 1), X);
+}
+
 // Adds to a body what the sweep finds at a link.
 template <int p>
 ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
   if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
-  if (role.adds_own) add_bare_link(w, single(link - 1), X);
+  if (role.adds_own) add_link(w, link, X);
 }
 
-// What is found at a link.
+// What is found at a link, in axes of the base.
 template <int p>
 ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
   Body<Value> X{};
   meet<p>(w, link, X);
+  to_base(w, link, X);
   return X;
 }
 
+// Leaves a body at a link, in the axes in which that is told.
 template <bool starts>
-ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
+ADAGEN_INLINE void add_to(Workspace& w, int link, const Body<Value>& X) {
   Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
   if constexpr (starts)
     body = X;
   else
     body += X;
+}
+// The same of one in axes of the base.
+template <bool starts>
+ADAGEN_INLINE void leave(Workspace& w, int link, Body<Value> X) {
+  from_base(w, link, X);
+  add_to<starts>(w, link, X);
 }
 
 // Whether nothing but the links themselves is found at links first .. last.
@@ -247,8 +263,8 @@ void inward_reversed(Workspace& w) {
 template <int link, bool starts>
 void place(Workspace& w) {
   Body<Value> X{};
-  add_bare_link(w, single(link - 1), X);
-  leave<starts>(w, link, X);
+  add_link(w, link, X);
+  add_to<starts>(w, link, X);
 }
 
 // A floating joint on the ground only adds its torque to the link.

@@ -86,12 +86,13 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   }
   const Column(&side)[3] = along ? X.linear : X.angular;
   const Column V = side[0] * axis.x + side[1] * axis.y + side[2] * axis.z;
+  mirror(X);  // no sooner, so that V need not wait
   const Real q = component<along>(s, due.U);
   Real D = component<along>(s, V) - q * q * due.inverse;
   if constexpr (kAnyPassive) D += joint.passive.rotor;
   const Real inverse = 1 / D;
   const Column before = due.U * due.inverse;
-  subtract(X, due.U, before);
+  subtract(X, due);
   Column U = V - before * q;
   const Real tau = torque(w, joint);
   const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
@@ -107,7 +108,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   Column kept = shuffled<0, 1, 2, 4, 5, 6, 3, 7>(e, e);
   kept[6] = u, kept[7] = inverse;
   std::memcpy(memory.e, &kept, sizeof kept);
-  due = {U, inverse};
+  due = {U, inverse, std::sqrt(inverse)};
   X.force += U * u;
 }
 

@@ -102,9 +102,26 @@ void turn(Workspace& w) {
   }
 }
 
+// The bias force of a bare link of pseudo-inertia J and moments c about its origin: that of the
+// acceleration field a + H x, H = alpha x + omega x omega x. All in the same axes.
+template <class T>
+ADAGEN_INLINE void bias_force(const Symmetric<T>& J, const Vector<T>& c, const T& mass,
+                              const Vector<T>& w, const Vector<T>& al, const Vector<T>& a,
+                              Vector<T>& n, Vector<T>& f) {
+  const T xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z;
+  const T xy = w.x * w.y, xz = w.x * w.z, yz = w.y * w.z;
+  const Matrix<T> H{{-(yy + zz), xy - al.z, xz + al.y},
+                    {xy + al.z, -(xx + zz), yz - al.x},
+                    {xz - al.y, yz + al.x, -(xx + yy)}};
+  const Vector<T> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
+  n = cross(c, a);
+  n += Vector<T>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
+                 dot(H.y, Jx) - dot(H.x, Jy)};
+  f = a * mass + H * c;
+}
+
 // Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
-// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J, and the bias
-// force is that of the acceleration field a + H x, H = alpha x + omega x omega x.
+// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J.
 template <int first, int last>
 void set_up_links(Workspace& w) {
   for (int b = first; b < last; ++b) {
@@ -128,18 +145,10 @@ void set_up_links(Workspace& w) {
     const Vector<Lanes> c = R * wide_vector(constants.moments);
     narrow(c, block.entries + kMoments);
 
-    const Vector<Lanes> w_ = wide_vector(entries + kOmega), al = wide_vector(entries + kAlpha);
-    const Lanes xx = w_.x * w_.x, yy = w_.y * w_.y, zz = w_.z * w_.z;
-    const Lanes xy = w_.x * w_.y, xz = w_.x * w_.z, yz = w_.y * w_.z;
-    const Matrix<Lanes> H{{-(yy + zz), xy - al.z, xz + al.y},
-                          {xy + al.z, -(xx + zz), yz - al.x},
-                          {xz - al.y, yz + al.x, -(xx + yy)}};
-    const Vector<Lanes> a = wide_vector(entries + kAcceleration);
-    const Vector<Lanes> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
-    Vector<Lanes> n = cross(c, a);
-    n += Vector<Lanes>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
-                       dot(H.y, Jx) - dot(H.x, Jy)};
+    Vector<Lanes> n, f;
+    bias_force(J, c, wide(constants.mass), wide_vector(entries + kOmega),
+               wide_vector(entries + kAlpha), wide_vector(entries + kAcceleration), n, f);
     narrow(n, block.entries + kTorque);
-    narrow(a * wide(constants.mass) + H * c, block.entries + kForce);
+    narrow(f, block.entries + kForce);
   }
 }

@@ -171,7 +171,8 @@ void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias,
 // A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
 template <int link>
 void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
-  const Body<Value>& X = w.bodies[link];
+  Body<Value> X = w.bodies[link];
+  to_base(w, link, X);
   const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
   w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
 }
@@ -179,7 +180,8 @@ void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
 // The force that what was left at a link needs to move as the link does.
 template <int link>
 Columns6 force_on(Workspace& w) {
-  const Body<Value>& X = w.bodies[link];
+  Body<Value> X = w.bodies[link];
+  to_base(w, link, X);
   return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
 }
 

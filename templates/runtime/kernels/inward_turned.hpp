@@ -1,0 +1,79 @@
+// From the parent link's origin to the child link's, in the parent link's axes.
+template <class T>
+ADAGEN_INLINE Vector<T> lever_on_parent(Workspace& w, const Joints<T>& joints, JointKind kind,
+                                        const Matrix<T>& turn) {
+  const auto origin = origin_of(joints);
+  Vector<T> r{T{} + origin.x, T{} + origin.y, T{} + origin.z};
+  if (kind == JointKind::kPrismatic) {
+    const T q = each(joints, [&w](const JointConstants& own) { return w.q[own.q]; });
+    r += Vector<T>{turn.x.z, turn.y.z, turn.z.z} * q;
+  }
+  return r;
+}
+
+// One joint, or one in each lane. The slot is that of the parent link if its body is told in its
+// own axes, and negative if in those of the base.
+template <bool reversed, class T>
+ADAGEN_INLINE void step_turned(Workspace& w, const Joints<T>& joints, JointKind kind, int slot,
+                               Body<T>& X) {
+  const bool own = slot >= 0;
+  if (!turned(joints.joint[0])) {
+    if (reversed && own) turn_body(X, matrix_at<T>(w.at(slot, kAxes)));
+    step_inward<reversed>(w, joints, kind, X, [](const Body<T>&) {});
+    if (!reversed && own) turn_body(X, transposed(matrix_at<T>(w.at(slot, kAxes))));
+    return;
+  }
+  [[maybe_unused]] const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
+  const Matrix<T> turn = matrix_at<T>(w.at(joints.slot, kTurn));
+  if constexpr (reversed) {
+    if (own) {
+      shift(X, -lever_on_parent(w, joints, kind, turn));
+      turn_body(X, transposed(turn));
+    } else {
+      shift(X, -w.memory(joints).r);
+      turn_body(X, transposed(R));
+    }
+  }
+  if (kind == JointKind::kRevolute)
+    eliminate_own<false, reversed>(w, joints, X);
+  else
+    eliminate_own<true, reversed>(w, joints, X);
+  if constexpr (reversed) return;
+  if (own) {
+    turn_body(X, turn);
+    shift(X, lever_on_parent(w, joints, kind, turn));
+  } else {
+    turn_body(X, R);
+    shift(X, w.memory(joints).r);
+  }
+}
+
+// The slot of a link whose body is told in its own axes, -1 of others.
+ADAGEN_INLINE int turned_slot(int link) { return turned_link(link) ? slot_of(link - 1) : -1; }
+
+// See inward in inward.hpp: the same where a joint is turned, or the near link.
+template <int p, int first, int last, bool starts>
+void inward_turned(Workspace& w) {
+  Body<Value> X{};
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    meet<p>(w, j + 1, X);
+    step_turned<false>(w, single(j), kind, turned_slot(kJoints[static_cast<std::size_t>(j)].parent),
+                       X);
+  });
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) add_to<starts>(w, near, X);
+}
+
+// See inward_reversed.
+template <int p, int first, int last, bool starts>
+void inward_turned_reversed(Workspace& w) {
+  Body<Value> X{};
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const int j = first + k;
+    const int parent = kJoints[static_cast<std::size_t>(j)].parent;
+    meet<p>(w, parent, X);
+    step_turned<true>(w, single(j), kind, turned_slot(parent), X);
+  });
+  add_to<starts>(w, last + 1, X);
+}
