@@ -6,6 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
 
+_ROUNDED = 1e-12
+"""Share of a load that its rounding may be: less is no difference."""
+
 
 @dataclass(frozen=True)
 class Guess:
@@ -45,7 +48,7 @@ def _exchange(weights: Sequence[float], shares: list[list[int]], loads: list[flo
     for p in range(len(loads)):
         difference = loads[busiest] - loads[p]
         offers = product(shares[busiest], (None, *shares[p])) if p != busiest else ()
-        best, least = None, difference * (1 - 1e-9)
+        best, least = None, difference * (1 - 1e-9) - _ROUNDED * loads[busiest]
         for give, take in offers:
             moved = weights[give] - (0.0 if take is None else weights[take])
             if abs(difference - 2 * moved) < least:

@@ -18,11 +18,15 @@ from adagen.schedule.sweeps import Sweeps
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Schedule, Tie
 from adagen.search.segment_bounds import SegmentBounds
+from adagen.search.segment_even import evenly_cut
 from adagen.search.segment_front import Label, State, draft_of
 from adagen.search.segment_search import SegmentSearch
 
 _BEAMS = ((1, 1), (4, 1), (16, 1), (4, 2), (8, 4))
 """Of each first guess: options followed at each state, and how unequal divisions may be."""
+
+_EVEN = 600
+"""Expansions for schedules whose segments are alike in time, each of which is soon made."""
 
 
 def segment_bound(topology: Topology, profile: CostProfile, processes: int) -> float:
@@ -80,10 +84,12 @@ def find_segments(
     """
     speeds = _speeds(costs, processes)
     bounds = SegmentBounds(costs, cuttable, speeds)
-    spent = 0
     search = SegmentSearch(costs, bounds, speeds, Budget(expansions, deadline))
     alone = Sweeps(*segment_time(costs, WHOLE, 0, speeds[0]), 0)
     best = Label(alone, State(WHOLE, 0, processes))
+    even = Budget(_EVEN, deadline)
+    best = evenly_cut(costs, bounds, cuttable, speeds, even, best)
+    spent = even.expanded
     for width, uneven in _BEAMS:
         budget = Budget(max(64, expansions // 4), deadline)
         beam = SegmentSearch(costs, bounds, speeds, budget, width, uneven)
@@ -98,6 +104,6 @@ def find_segments(
     lower = search.lower
     if processes > 2 and min(speeds) < max(speeds):
         # On three or more cores of unequal speed the search has missed a schedule (0.2 % faster,
-        # tests/schedule/test_segments.py): what is proven is the bound that needs no search.
+        # tests/search/test_segments.py): what is proven is the bound that needs no search.
         lower = min(lower, bounds.least(WHOLE, processes))
     return Found(draft, lower, spent + search.budget.expanded)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import product
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -33,3 +34,9 @@ def test_the_busiest_has_at_most_a_third_more_than_it_must(
         for of in product(range(processes), repeat=len(weights))
     )
     assert evenly(weights, processes).time <= (4 / 3) * least + 1e-9
+
+
+def test_what_differs_by_rounding_only_is_left() -> None:
+    """Sums of the same numbers in another order are as good: nothing is exchanged for ever."""
+    weights = [0.1, 0.2, 0.3, 0.1, 0.2, 0.3, 0.7, 0.7, 1e-17, 1e-16]
+    assert evenly(weights, 3).time == pytest.approx(0.9, abs=0.11)
