@@ -87,6 +87,7 @@ class Program:
         batch: whether SIMD lanes are for states.
         slots: where joints lie in memory, and what lies side by side.
         processes: one for each process of the plan.
+        recovering: limbs that share straight lines in what is done instead (``recovery``).
     """
 
     plan: Plan
@@ -94,3 +95,4 @@ class Program:
     batch: bool
     slots: Slots
     processes: tuple[ProcessProgram, ...]
+    recovering: tuple[tuple[Limbs, ...], ...] = ()
