@@ -1,11 +1,16 @@
-"""What ``--shape auto`` emits beside every shape, as measured: ``python -m benchmarks.choice``.
+"""What ``--shape auto`` takes beside every shape and grouping: ``python -m benchmarks.choice``.
 
-    python -m benchmarks.choice [--rounds N] [--only NAME ...] [--page] [--out FILE]
+    python -m benchmarks.choice --build [--profile NAME] [--only NAME ...]
+    python -m benchmarks.choice --time [--rounds N]
+    python -m benchmarks.choice --page
 
-Forty robots of example-robot-data on one process and on two. All programs of a robot are built,
-then timed by turns: a round runs each once, and the least median of all rounds counts, since other
-work on the machine only ever adds to a time. --page writes the table into docs/choice.md; the
-record goes to build/choice.json, from which --page alone writes the table again.
+Robots of example-robot-data and the shipped examples on one process and on two, in every shape,
+limbs singly and side by side in every grouping that is compared. --build compiles what is not in
+the cache, two programs at a time, and may be interrupted; what was chosen and predicted goes to
+build/choice.json. --time runs all programs by turns: a round runs each once, and the least median
+of all rounds counts, since other work on the machine only ever adds to a time. --page writes the
+table into docs/choice.md. Where a second process gets nothing to do, one process it is: that is not
+timed again.
 """
 
 from __future__ import annotations
@@ -14,19 +19,25 @@ import argparse
 import json
 import sys
 import sysconfig
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+import time
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from statistics import median
 
-from adagen.build import Toolchain, find_toolchain
-from adagen.calibrate.measure import Program
-from adagen.cost import timeline
+from adagen.build import Toolchain, build_executable, find_toolchain
+from adagen.cost import programmed, timeline
+from adagen.cost.lanes import offered_limbs
+from adagen.emit import emit, stem_of
+from adagen.emit.names import prefix_of
 from adagen.emit.shapes import SHAPES, chosen_shape
-from adagen.errors import AdagenError
+from adagen.errors import AdagenError, EnvironmentFault
+from adagen.executor import Grouping, groupings
 from adagen.plan import Plan, make_plan
 from adagen.program import lower
-from adagen.schedule import load_profile
+from adagen.run import launch
+from adagen.schedule import CostProfile, load_profile, step_costs
 from adagen.search import best_schedule
 from adagen.studies.bench.machine import machine
 from adagen.urdf import read_robot
@@ -77,145 +88,250 @@ ROBOTS: tuple[tuple[str, str, bool], ...] = (
     ("g1_hands", "g1_description/urdf/g1_29dof_with_hand_rev_1_0.urdf", True),
     ("icub", "icub_description/robots/icub.urdf", True),
     ("talos", "talos_data/robots/talos_full_v2.urdf", True),
-    ("romeo", "romeo_description/urdf/romeo.urdf", True),
     ("simple_humanoid", "simple_humanoid_description/urdf/simple_humanoid.urdf", True),
+    ("arm7", "arm7.urdf", False),
+    ("chain16", "chain16.urdf", False),
+    ("human40", "human40.urdf", True),
+    ("humanoid", "humanoid.urdf", True),
+    ("mobile", "mobile.urdf", True),
 )
-"""Names, files of the package example-robot-data, whether the base floats."""
+"""Names, files of the package example-robot-data or shipped ones, whether the base floats."""
 
 
-@dataclass(frozen=True)
+@dataclass
+class Way:
+    """A program of a robot; times in microseconds.
+
+    Attributes:
+        label: shape and grouping.
+        shape: its code shape.
+        predicted: by the profile.
+        executable: where it is.
+        times: medians of the rounds.
+    """
+
+    label: str
+    shape: str
+    predicted: float
+    executable: str
+    times: list[float] = field(default_factory=list)
+
+    @property
+    def time(self) -> float:
+        """The least median."""
+        return min(self.times)
+
+
+@dataclass
 class Case:
-    """A robot on a number of processes; times in microseconds.
+    """A robot on a number of processes.
 
     Attributes:
         robot: its name.
         freedoms: degrees of freedom.
         processes: P.
-        chosen: the shape that ``--shape auto`` emits.
-        measured: the time of every shape that could be built.
-        predicted: what the shipped profile predicts of each.
+        working: how many of them have something to do.
+        chosen: the label of what ``--shape auto`` emits.
+        ways: all programs.
     """
 
     robot: str
     freedoms: int
     processes: int
+    working: int
     chosen: str
-    measured: dict[str, float]
-    predicted: dict[str, float]
+    ways: list[Way]
+
+    @property
+    def auto(self) -> Way:
+        """The way that is chosen."""
+        return next(way for way in self.ways if way.label == self.chosen)
+
+    @property
+    def best(self) -> Way:
+        """The fastest way."""
+        return min(self.ways, key=lambda way: way.time)
 
     @property
     def ratio(self) -> float:
-        """How much slower than the fastest shape the chosen one is, as a ratio."""
-        return self.measured[self.chosen] / min(self.measured.values())
+        """How much slower than the fastest program the chosen one is, as a ratio."""
+        return self.auto.time / self.best.time
 
 
-def cases(name: str, path: Path, floating: bool, rounds: int) -> list[Case]:
-    """Measure a robot on one process and on two."""
-    model, toolchain = read_robot(path, floating=floating).model, find_toolchain()
-    profile = load_profile("default")
-    plans = {p: make_plan(model, best_schedule(model, p, profile)) for p in (1, 2)}
-    programs = {
-        (p, shape): program
-        for p, plan in plans.items()
-        for shape in SHAPES
-        if (program := built(plan, toolchain, shape)) is not None
-    }
-    times: dict[tuple[int, str], list[float]] = {key: [] for key in programs}
-    for _ in range(rounds):
-        for key, program in programs.items():
-            times[key].append(program.measure(repeat=40).time)
-    return [
-        Case(
-            name,
-            model.nv,
-            p,
-            chosen_shape(plan),
-            {shape: min(each) for (q, shape), each in times.items() if q == p},
-            {
-                shape: timeline(lower(plan, shape), profile).makespan
-                for q, shape in programs
-                if q == p
-            },
+def path_of(file: str) -> Path:
+    """Return a robot's file."""
+    shipped = ROOT / "generated_examples" / "models" / file
+    data = Path(sysconfig.get_path("purelib"), "cmeel.prefix/share/example-robot-data/robots")
+    return shipped if shipped.is_file() else data / file
+
+
+def built(name: str, path: Path, floating: bool, profile: CostProfile) -> list[Case]:
+    """Build all programs of a robot on one process and on two."""
+    model, found = read_robot(path, floating=floating).model, []
+    for processes in (1, 2):
+        plan = make_plan(model, best_schedule(model, processes, profile))
+        working = sum(bool(process.owns) for process in plan.processes)
+        if working == processes:
+            ways, chosen = _built(plan, profile)
+            found.append(Case(name, model.nv, processes, working, chosen, ways))
+    return found
+
+
+def _built(plan: Plan, profile: CostProfile) -> tuple[list[Way], str]:
+    """Every program of a plan, and the label of the one that auto takes."""
+    toolchain, stem = find_toolchain(), stem_of(plan)
+    chosen = programmed(plan, chosen_shape(plan, profile=profile), profile)
+    texts: dict[str, Way] = {}
+    label = ""
+    # What auto takes comes first, so that it is there whatever else cannot be built.
+    tried = [(chosen.shape, chosen.slots.limbs), *_alternatives(plan, profile)]
+    for number, (shape, limbs) in enumerate(tried):
+        text = emit(plan, shape=shape, profile=profile, limbs=limbs)[f"{stem}.cpp"]
+        code = "\n".join(line for line in text.splitlines() if not line.startswith("//"))
+        if code in texts or len(text) > MOST_TEXT:
+            continue
+        program = lower(plan, shape, limbs=limbs, costs=step_costs(profile))
+        counts = [f"{each.count}x{len(each.rows)}" for own in limbs for each in own]
+        way = Way(
+            " ".join([shape, *counts]),
+            shape,
+            timeline(program, profile).makespan,
+            str(build_executable(_timed(text, stem), stem, toolchain)),
         )
-        for p, plan in plans.items()
-    ]
+        if way.label in {other.label for other in texts.values()}:
+            way.label += f" ({number})"
+        texts[code] = way
+        label = label or way.label
+    return list(texts.values()), label
 
 
-def built(plan: Plan, toolchain: Toolchain, shape: str) -> Program | None:
-    """Return a plan's program in a shape; None where it cannot be had, or is not waited for."""
-    if shape == "joints" or SHAPES[shape].why_not(plan) is not None:
-        return None  # shape joints is written for reading
-    try:
-        return Program(plan, toolchain, shape, most=MOST_TEXT)
-    except AdagenError as error:
-        print(f"{plan.name}, {shape}: {error}", file=sys.stderr)
-        return None
+def _timed(text: str, stem: str) -> str:
+    """A solver with a small program that times it, in place of its own."""
+    main = (Path(__file__).parent / "choice_program.cpp").read_text(encoding="utf-8")
+    return f"#define ADAGEN_NO_MAIN\n{text}{main.replace('STEM', prefix_of(stem))}"
+
+
+def measured(way: Way, processes: int, toolchain: Toolchain) -> float:
+    """Return the median time of a program in one run, microseconds."""
+    done = launch(Path(way.executable), processes, ["20"], toolchain, 60.0)
+    if done.status != 0:
+        raise EnvironmentFault(f"{way.executable} cannot be timed: {done.stderr}")
+    return float(done.stdout) / 1e3
+
+
+def _alternatives(plan: Plan, profile: CostProfile) -> Iterator[tuple[str, Grouping]]:
+    """Shapes, and the groupings of limbs that are compared in each; all processes likewise."""
+    if SHAPES["kernels"].why_not(plan) is None:
+        offers = [offered_limbs(plan, process, step_costs(profile)) for process in plan.processes]
+        for k in range(max(map(len, offers))):
+            yield "kernels", tuple(own[min(k, len(own) - 1)] for own in offers)
+    if SHAPES["unrolled"].why_not(plan) is None:
+        for grouping in groupings(plan):
+            yield "unrolled", grouping
 
 
 def table(found: Sequence[Case]) -> str:
     """Return the rows and what they come to, as Markdown."""
-    shapes = [shape for shape in SHAPES if any(shape in case.measured for case in found)]
-    head = ["robot", "DOF", "P", *(f"{s}, ns" for s in shapes), "auto", "ratio", "predicted, ns"]
-    lines = [f"| {' | '.join(head)} |", f"|{'---|' * len(head)}"]
+    lines = [
+        "| robot | DOF | P | auto | ns | predicted | fastest | ns | ratio |",
+        "|---|---|---|---|---|---|---|---|---|",
+    ]
     for case in found:
-        times = [_ns(case.measured.get(shape)) for shape in shapes]
-        row = [case.robot, str(case.freedoms), str(case.processes), *times, case.chosen]
-        row += [f"{case.ratio:.2f}", _ns(case.predicted[case.chosen])]
-        lines.append(f"| {' | '.join(row)} |")
+        auto, best = case.auto, case.best
+        cells = [case.robot, case.freedoms, case.processes, auto.label, _ns(auto.time)]
+        cells += [_ns(auto.predicted), best.label, _ns(best.time), f"{case.ratio:.2f}"]
+        lines.append(f"| {' | '.join(map(str, cells))} |")
     ratios = [case.ratio for case in found]
     near = sum(ratio <= FASTEST for ratio in ratios) / len(ratios)
-    off = [case.predicted[s] / case.measured[s] - 1 for case in found for s in case.measured]
+    off = [way.predicted / way.time - 1 for case in found for way in case.ways]
+    robots, programs = len({case.robot for case in found}), sum(len(c.ways) for c in found)
     return "\n".join(
         [
             *lines,
             "",
-            f"Of {len(found)} choices {near:.0%} take at most {FASTEST} x the fastest shape; the "
-            f"largest ratio is {max(ratios):.2f} (asked: 95 %, and {SLOWEST}). Predicted times are "
-            f"off by {median(map(abs, off)):.0%} (median).",
+            f"{robots} robots, {programs} programs. Of {len(found)} choices {near:.0%} take at "
+            f"most {FASTEST} x the fastest program; the largest ratio is {max(ratios):.2f} (asked: "
+            f"95 %, and {SLOWEST}). Predicted times are off by {median(map(abs, off)):.0%} "
+            "(median).",
         ]
     )
 
 
-def _ns(time: float | None) -> str:
-    return "" if time is None else f"{1e3 * time:.0f}"
+def _ns(time: float) -> str:
+    return f"{1e3 * time:.0f}"
 
 
 def main() -> None:
-    """Measure what the command line names."""
+    """Do what the command line says."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--build", action="store_true", help="build what is not built yet")
+    parser.add_argument("--time", action="store_true", help="time all that was built")
+    parser.add_argument("--page", action="store_true", help="write the table into docs/choice.md")
+    parser.add_argument("--profile", default="default", help="what auto goes by")
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--only", nargs="*", metavar="NAME", help="these robots")
-    parser.add_argument("--page", action="store_true", help="write the table into docs/choice.md")
-    parser.add_argument("--kept", action="store_true", help="measure nothing: use the record")
     options = parser.parse_args()
-    if not options.kept:
-        _measure(options.rounds, options.only)
-    record = json.loads(RECORD.read_text(encoding="utf-8"))
-    text = table([Case(**case) for case in record["cases"]])
+    if options.build:
+        _build(options.profile, options.only)
+    if options.time:
+        _time(options.rounds)
+    record = _read()
+    if not all(way.times for case in record for way in case.ways):
+        return
+    text = table(record)
     print(text)
     if options.page:
-        where = record["machine"]
-        built_by = ", ".join(where["compilers"].values())
-        about = f"{where['processor']}, {built_by}; {record['rounds']} rounds by turns."
+        told = json.loads(RECORD.read_text(encoding="utf-8"))
+        where, by = told["machine"], ", ".join(told["machine"]["compilers"].values())
+        about = (
+            f"{where['processor']}, {by}; {told['rounds']} rounds by turns; profile "
+            f"{told['profile']}."
+        )
         write_between_marks(PAGE, "choice", f"{about}\n\n{text}")
 
 
-def _measure(rounds: int, only: Sequence[str] | None) -> None:
-    folder = Path(sysconfig.get_path("purelib"), "cmeel.prefix/share/example-robot-data/robots")
-    found: list[Case] = []
-    for name, path, floating in ROBOTS:
-        if (only and name not in only) or not (folder / path).is_file():
-            continue
-        try:
-            found += cases(name, folder / path, floating, rounds)
-        except AdagenError as error:
-            print(f"{name} is left out: {error}", file=sys.stderr)
-            continue
-        for case in found[-2:]:
-            print(f"{case.robot} P={case.processes}: {case.measured}", file=sys.stderr)
-        record = {"machine": machine(), "rounds": rounds, "cases": list(map(asdict, found))}
-        RECORD.parent.mkdir(parents=True, exist_ok=True)
-        RECORD.write_text(json.dumps(record, indent=1), encoding="utf-8")
+def _build(name: str, only: Sequence[str] | None) -> None:
+    wanted = [r for r in ROBOTS if (not only or r[0] in only) and path_of(r[1]).is_file()]
+    profile, began = load_profile(name), time.monotonic()
+    found: dict[str, list[Case]] = {}
+    with ProcessPoolExecutor(2) as pool:
+        futures = {pool.submit(built, r[0], path_of(r[1]), r[2], profile): r[0] for r in wanted}
+        for done in as_completed(futures):
+            robot = futures[done]
+            try:
+                found[robot] = done.result()
+            except AdagenError as error:
+                print(f"{robot} is left out: {error}", file=sys.stderr)
+                continue
+            ways = ", ".join(f"{len(c.ways)} on {c.processes}" for c in found[robot])
+            print(f"{time.monotonic() - began:.0f} s: {robot}: {ways}", file=sys.stderr, flush=True)
+    cases = [case for r in wanted for case in found.get(r[0], [])]
+    _write({"profile": profile.name, "cases": list(map(asdict, cases))})
+
+
+def _time(rounds: int) -> None:
+    told = json.loads(RECORD.read_text(encoding="utf-8"))
+    cases, toolchain = _read(), find_toolchain()
+    for case in cases:
+        for way in case.ways:
+            way.times = []
+    for k in range(rounds):
+        for case in cases:
+            for way in case.ways:
+                way.times.append(measured(way, case.processes, toolchain))
+        print(f"round {k + 1} of {rounds}", file=sys.stderr, flush=True)
+        told |= {"machine": machine(), "rounds": k + 1, "cases": list(map(asdict, cases))}
+        _write(told)
+
+
+def _read() -> list[Case]:
+    told = json.loads(RECORD.read_text(encoding="utf-8"))
+    return [Case(**c | {"ways": [Way(**way) for way in c["ways"]]}) for c in told["cases"]]
+
+
+def _write(record: dict[str, object]) -> None:
+    RECORD.parent.mkdir(parents=True, exist_ok=True)
+    RECORD.write_text(json.dumps(record, indent=1), encoding="utf-8")
 
 
 if __name__ == "__main__":

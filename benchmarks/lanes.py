@@ -37,7 +37,7 @@ def contestants(model: Model, name: str, compiler: str = "") -> list[Contestant]
     stem = stem_of(plan)
     found = []
     for way, (shape, lanes) in WAYS.items():
-        text = emit(plan, shape=shape, lanes=lanes)[f"{stem}.cpp"]
+        text = emit(plan, shape=shape, limbs=None if lanes else ((),))[f"{stem}.cpp"]
         source = Emitted(f"{name} {way}", model, f"{stem}.cpp", text, shape, 1, "double", None)
         found.append(source.contestant(toolchain))
     return found

@@ -17,11 +17,10 @@ from adagen.calibrate.measure import Measurement
 from adagen.calibrate.nnls import nnls
 from adagen.cost.features import Features, added, operation_features
 from adagen.cost.straight import straight_features
-from adagen.emit.shapes import stepwise
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
 from adagen.plan.stages import Stage, stages
-from adagen.program import lower
+from adagen.program import Program
 from adagen.schedule.costs import NAMES, PER_KIND, PRESCRIBED, StepCosts
 
 Array = NDArray[np.float64]
@@ -53,16 +52,20 @@ class Equation:
 
 @dataclass(frozen=True)
 class Sample:
-    """A plan without slaved joints, and what was measured of its program."""
+    """A program without slaved joints, and what was measured of it."""
 
-    plan: Plan
+    program: Program
     measured: Measurement
+
+    @property
+    def plan(self) -> Plan:
+        """What each process computes."""
+        return self.program.plan
 
     def equations(self) -> list[Equation]:
         """Return one equation for each stage of work."""
         found = []
-        program = lower(self.plan, stepwise(self.plan))
-        for p, process in enumerate(program.processes):
+        for p, process in enumerate(self.program.processes):
             for number, (stage, time) in enumerate(self._timed(p)):
                 if stage.message is None and stage.what != "slaved":
                     own = (each for each in process.operations if each.stage == number)
@@ -130,6 +133,9 @@ def _alike() -> Array:
     row = np.zeros(len(NAMES))  # a run's ends are about as dear as one more joint
     row[NAMES.index("articulate.run")], row[NAMES.index("articulate.revolute")] = 1, -1
     rows.append(row)
+    row = np.zeros(len(NAMES))  # by columns or not
+    row[NAMES.index("articulate_columns.run")], row[NAMES.index("articulate.run")] = 1, -1
+    rows.append(row)
     for k in range(len(NAMES)):
         row = np.zeros(len(NAMES))
         row[k] = 0.1  # and nothing is dearer than it need be
@@ -137,19 +143,33 @@ def _alike() -> Array:
     return np.array(rows)
 
 
-def fit_straight(plans: Sequence[Plan], times: Sequence[float]) -> dict[str, float]:
+HELD = range(1500, 4001, 500)
+"""Statements that a first instruction cache may hold: 32 kB are some 2500."""
+
+
+def fit_straight(programs: Sequence[Program], times: Sequence[float]) -> dict[str, float]:
     """Return the coefficients of straight lines of statements, microseconds.
 
+    How many statements the first instruction cache holds is what explains the times best.
+
     Args:
-        plans: of one process each, emitted in shape `unrolled`.
+        programs: of shape `unrolled`, on one process each.
         times: of an evaluation by each, microseconds.
     """
-    rows = [straight_features(plan) for plan in plans]
-    names = list(rows[0])
-    A = np.array([[row[name] for name in names] for row in rows])
+    rows = [straight_features(program, 0.0) for program in programs]
     weight = 1 / np.array(times)
-    x = nnls(A * weight[:, None], np.ones(len(times)))
-    return dict(zip(names, map(float, x), strict=True))
+
+    def fit(held: float) -> tuple[float, dict[str, float]]:
+        beyond = [
+            {**row, "unrolled.fetched": max(0.0, row["unrolled.fetched"] - held)} for row in rows
+        ]
+        names = list(rows[0])
+        A = np.array([[row[name] for name in names] for row in beyond]) * weight[:, None]
+        x = nnls(A, np.ones(len(times)))
+        off = float(((A @ x - 1) ** 2).sum())
+        return off, {**dict(zip(names, map(float, x), strict=True)), "unrolled.held": held}
+
+    return min((fit(float(held)) for held in HELD), key=lambda found: found[0])[1]
 
 
 def evaluation_cost(samples: Sequence[Sample]) -> float:

@@ -13,8 +13,10 @@ from adagen.build import Toolchain, build_executable
 from adagen.emit import emit, stem_of
 from adagen.emit.shapes import chosen_shape
 from adagen.errors import EnvironmentFault
+from adagen.executor import Grouping
 from adagen.plan import Plan
 from adagen.run import launch
+from adagen.schedule import CostProfile
 
 TIMEOUT = 120.0
 """Seconds after which a run that should take a few is given up."""
@@ -73,6 +75,8 @@ class Program:
         toolchain: what to build and run it with.
         shape: of the code.
         most: characters of a source that is still built; None for any.
+        profile: chooses shape, limbs side by side and methods; the shipped one if not given.
+        limbs: those that each process takes side by side; None for those of least price.
 
     Raises:
         EnvironmentFault: the compiler failed, or is not to be waited for.
@@ -80,13 +84,19 @@ class Program:
     """
 
     def __init__(
-        self, plan: Plan, toolchain: Toolchain, shape: str = "auto", most: int | None = None
+        self,
+        plan: Plan,
+        toolchain: Toolchain,
+        shape: str = "auto",
+        most: int | None = None,
+        profile: CostProfile | None = None,
+        limbs: Grouping | None = None,
     ) -> None:
         self.plan = plan
         self.toolchain = toolchain
-        self.shape = chosen_shape(plan, shape)
+        self.shape = chosen_shape(plan, shape, profile=profile)
         stem = stem_of(plan)
-        text = emit(plan, shape=self.shape)[f"{stem}.cpp"]
+        text = emit(plan, shape=self.shape, profile=profile, limbs=limbs)[f"{stem}.cpp"]
         if most is not None and len(text) > most:
             raise EnvironmentFault(
                 f"{len(text) / 1e6:.1f} million characters take minutes to build"
@@ -106,16 +116,39 @@ class Program:
         Raises:
             EnvironmentFault: it failed, or the time is up.
         """
-        with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
-            trace = Path(folder, "trace.json")
-            words = ["--time", "--json", "--repeat", str(repeat), "--trace", str(trace)]
-            words += ["--channel", channel, *arguments]
-            count = len(self.plan.processes)
-            done = launch(self.executable, count, words, self.toolchain, TIMEOUT)
-            if done.status != 0:
-                raise EnvironmentFault(f"{self.executable.name} cannot be timed: {done.stderr}")
-            report = json.loads(done.stdout)
-            return _measurement(report, json.loads(trace.read_text(encoding="utf-8")))
+        count = len(self.plan.processes)
+        words = ["--channel", channel, *arguments]
+        return timed(self.executable, count, self.toolchain, repeat=repeat, arguments=words)
+
+
+def timed(
+    executable: Path,
+    processes: int,
+    toolchain: Toolchain,
+    *,
+    repeat: int,
+    arguments: Sequence[str] = (),
+) -> Measurement:
+    """Time an emitted program once.
+
+    Args:
+        executable: the program.
+        processes: how many run it.
+        toolchain: what to run it with.
+        repeat: evaluations of each of 64 random states.
+        arguments: more words for it.
+
+    Raises:
+        EnvironmentFault: it failed, or the time is up.
+    """
+    with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
+        trace = Path(folder, "trace.json")
+        words = ["--time", "--json", "--repeat", str(repeat), "--trace", str(trace), *arguments]
+        done = launch(executable, processes, words, toolchain, TIMEOUT)
+        if done.status != 0:
+            raise EnvironmentFault(f"{executable.name} cannot be timed: {done.stderr}")
+        report = json.loads(done.stdout)
+        return _measurement(report, json.loads(trace.read_text(encoding="utf-8")))
 
 
 def _measurement(report: dict[str, Any], trace: dict[str, Any]) -> Measurement:

@@ -26,11 +26,10 @@ from adagen.calibrate.fit import (
     relative_errors,
 )
 from adagen.calibrate.measure import Measurement, Program, least
-from adagen.calibrate.samples import calibration_plans, straight_plans
+from adagen.calibrate.samples import Program as Wanted
+from adagen.calibrate.samples import stepwise_programs, straight_programs
 from adagen.calibrate.surrogate import fit_equation11
-from adagen.emit.predicted import predict
-from adagen.emit.shapes import stepwise
-from adagen.plan import Plan
+from adagen.cost import timeline
 from adagen.schedule import CostProfile, load_profile
 from adagen.schedule.costs import CHANNELS, StepCosts
 
@@ -106,17 +105,12 @@ def calibrate(
     if found.channels is not None:
         costs = _with_latency_at_work(costs, free)
     profile = replace(fit_equation11(name, costs), steps=costs)
+    samples = [*found.stepwise, *found.straight]
     totals = [
-        (label, sample.measured.time, predict(sample.plan, profile, shape).makespan)
-        for label, (sample, shape) in zip(
-            found.labels,
-            [
-                *((sample, "kernels") for sample in found.stepwise),
-                *((sample, "unrolled") for sample in found.straight),
-            ],
-            strict=True,
-        )
+        (label, sample.measured.time, timeline(sample.program, profile).makespan)
+        for label, sample in zip(found.labels, samples, strict=True)
     ]
+    profile = replace(profile, steps=_with_margin(costs, totals))
     errors = relative_errors(free, costs)
     for channel, times in (found.channels or {}).items():
         errors[f"messages, {channel}"] = channel_errors(times, sent.channel(channel))
@@ -133,17 +127,14 @@ def _measure(
     profile: CostProfile, toolchain: Toolchain, quick: bool, progress: Progress | None
 ) -> _Measured:
     """Build all programs and time them in turn, several times over."""
-    plans, straight = calibration_plans(profile, quick), straight_plans(profile)
+    chosen, straight = stepwise_programs(profile, quick), straight_programs(profile)
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
     if cores < 2:
-        plans = [(label, plan) for label, plan in plans if len(plan.processes) == 1]
-    shapes = [
-        *((plan, stepwise(plan)) for _, plan in plans),
-        *((plan, "unrolled") for _, plan in straight),
-    ]
+        chosen = [each for each in chosen if len(each.plan.processes) == 1]
+    wanted = [*chosen, *straight]
     rounds = 2 if quick else _ROUNDS
-    steps = _Steps(len(shapes) + rounds + 1, progress)
-    programs = _built(shapes, toolchain, min(cores, 4), steps)
+    steps = _Steps(len(wanted) + rounds + 1, progress)
+    programs = _built(wanted, toolchain, min(cores, 4), steps)
     channel = channel_program(toolchain) if cores > 1 else None
     found: list[list[Measurement]] = [[] for _ in programs]
     messages: list[Channels] = []
@@ -155,11 +146,13 @@ def _measure(
         steps.done("timing")
     speeds = _speeds(programs, cores) if cores <= _MOST_CORES else ()
     steps.done("comparing cores")
-    samples = [Sample(p.plan, least(times)) for p, times in zip(programs, found, strict=True)]
+    samples = [
+        Sample(each.lowered, least(times)) for each, times in zip(wanted, found, strict=True)
+    ]
     return _Measured(
-        [label for label, _ in (*plans, *straight)],
-        samples[: len(plans)],
-        samples[len(plans) :],
+        [each.label for each in wanted],
+        samples[: len(chosen)],
+        samples[len(chosen) :],
         least_times(messages) if messages else None,
         speeds,
     )
@@ -176,10 +169,13 @@ class _Steps:
 
 
 def _built(
-    shapes: Sequence[tuple[Plan, str]], toolchain: Toolchain, workers: int, steps: _Steps
+    wanted: Sequence[Wanted], toolchain: Toolchain, workers: int, steps: _Steps
 ) -> list[Program]:
+    def build(each: Wanted) -> Program:
+        return Program(each.plan, toolchain, each.shape, profile=each.profile, limbs=each.limbs)
+
     with ThreadPoolExecutor(workers) as pool:
-        futures = [pool.submit(Program, plan, toolchain, shape) for plan, shape in shapes]
+        futures = [pool.submit(build, each) for each in wanted]
         try:
             for future in as_completed(futures):
                 future.result()
@@ -195,7 +191,7 @@ def _costs(free: Sequence[Sample], found: _Measured, default: CostProfile) -> St
     table = fit_steps(free)
     table["process.evaluation"] = evaluation_cost(free)
     table |= fit_straight(
-        [sample.plan for sample in found.straight],
+        [sample.program for sample in found.straight],
         [sample.measured.time for sample in found.straight],
     )
     if found.channels is not None:
@@ -223,10 +219,19 @@ def _with_latency_at_work(costs: StepCosts, samples: Sequence[Sample]) -> StepCo
 
     def off(more: float) -> float:
         profile = CostProfile("", 0.0, 0.0, 0.0, 1.0, steps=raised(more))
-        times = [(s.measured.time, predict(s.plan, profile).makespan) for s in together]
+        times = [(s.measured.time, timeline(s.program, profile).makespan) for s in together]
         return sum(abs(measured - predicted) / measured for measured, predicted in times)
 
     return raised(min((step / 200 for step in range(61)), key=off))  # by up to 0.3 us
+
+
+def _with_margin(costs: StepCosts, totals: Sequence[tuple[str, float, float]]) -> StepCosts:
+    """Return the costs with the share by which predicted times are off, in the median.
+
+    What is predicted to save less is not known to save anything.
+    """
+    off = median(abs(predicted / measured - 1) for _, measured, predicted in totals)
+    return replace(costs, table={**costs.table, "process.margin": min(off, 1.0)})
 
 
 def _with_slaved(costs: StepCosts, samples: Sequence[Sample]) -> StepCosts:

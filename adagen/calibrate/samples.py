@@ -5,14 +5,21 @@ Nearly all of its time is the compiler's, so that each program must earn its pla
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 
 from adagen.calibrate.robots import chain, prescribed, robot, squared, star, tree
 from adagen.calibrate.schedules import random_schedule
-from adagen.model import Mimic, Model
+from adagen.emit.shapes import stepwise
+from adagen.executor import Grouping, groupings
+from adagen.executor.grouping import spared
+from adagen.model import KINDS, Mimic, Model
 from adagen.plan import Plan, make_plan
-from adagen.schedule import CostProfile, Topology
+from adagen.plan.simd_groups import COUNTS, simd_groups
+from adagen.program import Program as Lowered
+from adagen.program import lower
+from adagen.schedule import CostProfile, Topology, step_costs
+from adagen.schedule.costs import LIMIT
 
 HALVES = ["revolute"] * 10 + ["spherical"] * 10
 OTHERS = ["prismatic"] * 8 + ["planar"] * 8
@@ -51,8 +58,49 @@ RARE = (
 """Likewise: what tells of rare kinds of joints."""
 
 
-def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan]]:
-    """Return labels and plans, those of the slaved robot last.
+WAYS = (
+    ("fingers", "each", ()),
+    ("fingers", "columns", ()),
+    ("fingers", "columns", (2,)),
+    ("fingers", "columns", (4,)),
+    ("toes", "columns", (2,)),
+    ("toes", "columns", (4,)),
+    ("toes", "columns", (3,)),
+    ("hands", "each", ()),
+    ("string", "each", ()),
+    ("string", "columns", ()),
+)
+"""Robots, methods and numbers of limbs side by side: whatever the price of these would choose."""
+
+
+@dataclass(frozen=True)
+class Program:
+    """What is built and timed.
+
+    Attributes:
+        label: what tables call it.
+        plan: its plan.
+        shape: of the code.
+        limbs: those that each process takes side by side.
+        profile: chooses the methods.
+    """
+
+    label: str
+    plan: Plan
+    shape: str
+    limbs: Grouping
+    profile: CostProfile
+
+    @property
+    def lowered(self) -> Lowered:
+        """What runs."""
+        return lower(self.plan, self.shape, limbs=self.limbs, costs=step_costs(self.profile))
+
+
+def stepwise_programs(profile: CostProfile, quick: bool) -> list[Program]:
+    """Return the programs that go step by step, that of the slaved robot last.
+
+    What they do does not depend on a profile, so that the same is measured everywhere.
 
     Args:
         profile: prices the schedules' nodes; of no influence on what is measured.
@@ -60,12 +108,55 @@ def calibration_plans(profile: CostProfile, quick: bool) -> list[tuple[str, Plan
     """
     robots = {model.name: model for model in _robots()}
     chosen = CHOSEN if quick else (*CHOSEN, *RARE)
+    usual = by_method(profile, "usual")
     found = [
-        (f"{form} {name} P={processes}", _plan(robots[name], form, processes, seed, how, profile))
+        _program(
+            f"{form} {name} P={processes}",
+            _plan(robots[name], form, processes, seed, how, profile),
+            COUNTS,
+            usual,
+        )
         for form, name, processes, seed, how in chosen
     ]
+    for name, method, counts in WAYS:
+        plan = _plan(robots[name], "segment", 1, 1, "", profile)
+        side = f", {counts[0]} side by side" if counts else ""
+        label = f"{name} by {method}{side}"
+        found.append(_program(label, plan, counts, by_method(profile, method)))
     slaved = _slaved(robot("slaved", chain(12), ["revolute"], 6))
-    return [*found, ("segment slaved P=1", _plan(slaved, "segment", 1, 1, "", profile))]
+    plan = _plan(slaved, "segment", 1, 1, "", profile)
+    return [*found, _program("segment slaved P=1", plan, COUNTS, usual)]
+
+
+def by_method(profile: CostProfile, method: str) -> CostProfile:
+    """Return a profile whose prices choose a method: the one that is to be measured.
+
+    Args:
+        profile: the rest of it.
+        method: "each" passes all runs number by number and joint by joint, "columns" takes by
+            columns and in segments what can be; "usual" runs of four hinges or more.
+    """
+    costs = step_costs(profile)
+    table = dict(costs.table)
+    ends = {"each": LIMIT, "columns": 0.0, "usual": 3.5}[method]
+    for kind in KINDS:
+        table[f"articulate.{kind}"] = table[f"kinematics.{kind}"] = 1.0
+        table[f"articulate_columns.{kind}"] = table[f"kinematics_segments.{kind}"] = 0.0
+    table["articulate_columns.spherical"] = 2.0  # so much dearer than number by number
+    table["articulate.run"] = 0.0
+    table["articulate_columns.run"] = table["kinematics_segments.run"] = ends
+    return replace(profile, steps=replace(costs, table=table))
+
+
+def _program(label: str, plan: Plan, counts: Sequence[int], profile: CostProfile) -> Program:
+    """A program that goes step by step, with as many limbs side by side as there can be."""
+    shape = stepwise(plan)
+    limbs: Grouping = tuple(() for _ in plan.processes)
+    if shape == "kernels" and counts:
+        limbs = tuple(
+            tuple(simd_groups(plan, process, spared, counts)) for process in plan.processes
+        )
+    return Program(label, plan, shape, limbs, profile)
 
 
 def _robots() -> Iterator[Model]:
@@ -81,16 +172,20 @@ def _robots() -> Iterator[Model]:
     yield robot("arms", star(2, 6), ["revolute", *ROWS * 2], 10)
     yield robot("cable", chain(120), ["revolute"] * 90 + ["spherical"] * 30, 17)
     yield robot("rope", chain(40), ["revolute"], 12)
+    yield robot("fingers", star(8, 2), ["revolute"], 18)
+    yield robot("toes", star(12, 1), ["revolute"], 19)
+    yield robot("hands", star(4, 5), ["revolute"], 20)
+    yield robot("string", chain(12), ["revolute"], 21)
     yield robot("body", [0, 1, 2, 3, 1, 5, 6, 1, 8, 9, 10, 8, 12, 13, 8], BODY, 15)
     yield robot("turned", chain(24), TURNED, 8)
     yield prescribed(robot("driven", chain(20), ROWS, 16))
 
 
-def straight_plans(profile: CostProfile) -> list[tuple[str, Plan]]:
-    """Return labels and plans of robots that are carried out as straight lines of statements.
+def straight_programs(profile: CostProfile) -> list[Program]:
+    """Return the programs that are straight lines of statements.
 
-    Their operations for each degree of freedom differ, and so does what waits for what; two are so
-    long that their instructions are fetched anew in each evaluation.
+    Their operations for each degree of freedom differ, and so does what waits for what; some are so
+    long that their instructions are fetched anew in each evaluation, and some have limbs in lanes.
     """
     robots = [
         robot("pair", chain(2), ["revolute"], 1),
@@ -100,10 +195,16 @@ def straight_plans(profile: CostProfile) -> list[tuple[str, Plan]]:
         squared(robot("balls", chain(5), ["spherical"], 1)),
         robot("tangle", chain(16), ["revolute"], 1),
         squared(robot("line", chain(40), ["revolute"], 1)),
+        robot("crab", star(4, 4), ["revolute"], 22),
     ]
-    return [
-        (f"straight {model.name}", _plan(model, "segment", 1, 1, "", profile)) for model in robots
-    ]
+    found = []
+    for model in robots:
+        plan = _plan(model, "segment", 1, 1, "", profile)
+        for limbs in groupings(plan):
+            counts = [each.count for own in limbs for each in own]
+            side = f", {' + '.join(map(str, counts))} side by side" if counts else ""
+            found.append(Program(f"straight {model.name}{side}", plan, "unrolled", limbs, profile))
+    return found
 
 
 def _plan(

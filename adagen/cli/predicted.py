@@ -38,7 +38,7 @@ def scheduled(
         schedule: finds a schedule for a number of processes.
     """
     from adagen.search import choose_processes, predicted_time
-    from adagen.search.choose import WORTH
+    from adagen.search.choose import margin
 
     profile, shape = _profile(options), priced_shape(options)
     if options.procs == AUTO:
@@ -54,7 +54,7 @@ def scheduled(
     if options.procs > 1 and profile.steps is not None:
         many = predicted_time(model, chosen, profile, options.form, shape)
         one = predicted_time(model, schedule(1), profile, options.form, shape)
-        if many > (1 - WORTH) * one:
+        if many > (1 - margin(profile)) * one:
             warn(
                 f"{options.model}: warning: {options.procs} processes do not pay: predicted "
                 f"{many:.2f} us, and {one:.2f} us on one ({profile.name} profile); say --procs 1, "

@@ -24,6 +24,7 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
     from adagen.emit.refine import refinement_steps
     from adagen.emit.shapes import SHAPES, chosen_shape, refined_shape
     from adagen.run.tune import candidates, compilers, table, tune
+    from adagen.schedule import load_profile
 
     if options.shape == "auto":
         shapes = [name for name, shape in SHAPES.items() if shape.why_not(plan) is None]
@@ -34,7 +35,13 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
     stem = stem_of(plan)
 
     def text_of(candidate: Candidate) -> str:
-        files = emit(plan, shape=candidate.shape, refine=options.refine, chunk=candidate.chunk)
+        files = emit(
+            plan,
+            shape=candidate.shape,
+            refine=options.refine,
+            chunk=candidate.chunk,
+            profile=load_profile(options.profile),
+        )
         return files[f"{stem}.cpp"]
 
     with stages.stage("tune"):

@@ -1,6 +1,7 @@
 """What a program takes on a machine: the one price that is searched by, drawn and said."""
 
 from adagen.cost.features import Features, operation_features, step_features
+from adagen.cost.lanes import programmed
 from adagen.cost.play import Exchange, Interval, Timeline, timeline
 
 __all__ = [
@@ -9,6 +10,7 @@ __all__ = [
     "Interval",
     "Timeline",
     "operation_features",
+    "programmed",
     "step_features",
     "timeline",
 ]

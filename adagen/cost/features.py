@@ -136,7 +136,8 @@ def operation_features(operation: Operation, joints: Sequence[PlanJoint]) -> Fea
         return _limbs_features(operation.does, block, joints)
     found = [_of_step(step, operation.method, joints) for step in operation.steps]
     if isinstance(block, Run) and operation.does == "articulate" and operation.method != "step":
-        found.append({"articulate.run": 1})
+        by_columns = operation.method == "columns"
+        found.append({"articulate_columns.run" if by_columns else "articulate.run": 1})
     if operation.method == "segments":
         found.append({"kinematics_segments.run": 1})
     return added(found)

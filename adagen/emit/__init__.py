@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from adagen import __version__
+from adagen.cost import programmed
 from adagen.emit.head import algorithm, program_lines
 from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
@@ -12,12 +15,13 @@ from adagen.emit.shapes import KNOWN, chosen_shape, refined_shape
 from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words
 from adagen.errors import UsageError
+from adagen.executor import Grouping
 from adagen.plan import Plan, plan_to_json
 from adagen.plan.refine import refinable
 from adagen.plan.types import FACTORS
 from adagen.program import Program, check, lower
 from adagen.program.summary import meeting
-from adagen.schedule import CostProfile, load_profile
+from adagen.schedule import CostProfile, load_profile, step_costs
 
 # Largest residual that an emitted self-check lets pass: what the scalar keeps, with a margin for
 # long chains (docs/accuracy.md).
@@ -69,7 +73,7 @@ def emit(
     chunk: int = 0,
     compiler: str = "",
     profile: CostProfile | None = None,
-    lanes: bool = True,
+    limbs: Grouping | None = None,
 ) -> dict[str, str]:
     """Return the emitted files, file name to text.
 
@@ -83,10 +87,11 @@ def emit(
         batch: if not 0, solve many states at once on so many processes, each by the plan of one.
         chunk: values that one function of shape unrolled computes; 0 for its default.
         compiler: what the MPI wrapper is to call; "" for its own choice.
-        profile: what messages cost where the program plays stretches of computing through instead
-            of timing itself; without it, or if it tells nothing of messages, the shipped one.
-        lanes: whether limbs that are alike may share a straight line, one in each SIMD lane; they
-            do where that is less work.
+        profile: what the shape, the methods and the limbs that are taken side by side are chosen
+            by, and what messages cost where the program plays stretches of computing through
+            instead of timing itself; without it, or if it prices joins alone, the shipped one.
+        limbs: those that each process takes side by side, one in each SIMD lane; None for those
+            of least price.
 
     Returns:
         NAME_pP.cpp, NAME_pP.plan.json, Makefile and, if given, NAME_pP.svg.
@@ -96,10 +101,10 @@ def emit(
     """
     processes = batch or len(plan.processes)
     stem = stem_of(plan, name, batch)
-    text = source(plan, stem, shape, refine, chunk, compiler, batch, profile, lanes)
+    text = source(plan, stem, shape, refine, chunk, compiler, batch, profile, limbs)
     files = {
         f"{stem}.cpp": text,
-        f"{stem}.plan.json": plan_to_json(plan),
+        f"{stem}.plan.json": plan_to_json(replace(plan, profile=_named(profile))),
         "Makefile": render(
             "Makefile.j2",
             stem=stem,
@@ -113,6 +118,11 @@ def emit(
     return files
 
 
+def _named(profile: CostProfile | None) -> str:
+    """The name of the profile that a program is chosen by: the shipped one where none can be."""
+    return "default" if profile is None or profile.steps is None else profile.name
+
+
 def program_of(
     plan: Plan,
     shape: str = "auto",
@@ -120,6 +130,7 @@ def program_of(
     *,
     batch: bool = False,
     profile: CostProfile | None = None,
+    limbs: Grouping | None = None,
 ) -> Program:
     """Return the program that is emitted of a plan.
 
@@ -128,7 +139,8 @@ def program_of(
         shape: of the code, one of ``adagen.emit.shapes.KNOWN``, or "auto".
         refine: steps of iterative refinement; None: as many as the scalar needs.
         batch: whether many states are solved at once.
-        profile: what "auto" goes by; the shipped one if not given.
+        profile: what is chosen by; the shipped one if not given.
+        limbs: those that each process takes side by side; None for those of least price.
 
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
@@ -143,7 +155,10 @@ def program_of(
     elif refine and shape == "kernels" and plan.slaved:
         raise UsageError("shape kernels refines no slaved joints; leave --shape out")
     shape = chosen_shape(plan, shape, batch=batch, profile=profile)
-    return lower(refinable(plan) if refine else plan, shape, batch=batch)
+    plan = refinable(plan) if refine else plan
+    if limbs is not None and not batch:
+        return lower(plan, shape, limbs=limbs, costs=step_costs(profile))
+    return programmed(plan, shape, profile, batch=batch)
 
 
 def source(
@@ -155,18 +170,18 @@ def source(
     compiler: str = "",
     batch: int = 0,
     profile: CostProfile | None = None,
-    lanes: bool = True,
+    limbs: Grouping | None = None,
 ) -> str:
     """Return the C++ source of a plan; ``stem`` begins the names of its C functions.
 
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
-    program = program_of(plan, shape, refine, batch=bool(batch), profile=profile)
+    program = program_of(plan, shape, refine, batch=bool(batch), profile=profile, limbs=limbs)
     check(program)
     refine = refinement_steps(refine, plan.scalar)
     plan, shape = program.plan, program.shape
-    words = Words(program, refine, chunk, lanes)
+    words = Words(program, refine, chunk)
     processes = batch or len(plan.processes)
     costs = load_profile("default") if profile is None else profile
     return render(

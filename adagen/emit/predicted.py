@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from adagen.cost import Timeline, timeline
+from adagen.cost import Timeline, programmed, timeline
 from adagen.emit.shapes import SHAPES, chosen_shape, stepwise
 from adagen.plan import Plan
-from adagen.program import Program, lower
+from adagen.program import Program
 from adagen.schedule import CostProfile
 
 
@@ -16,12 +16,13 @@ def priced_program(plan: Plan, shape: str = "auto", profile: CostProfile | None 
         plan: what each process computes.
         shape: of the code, as ``adagen.emit.emit`` takes it; where the plan cannot be had in it,
             the fastest that does the plan step by step.
-        profile: what "auto" goes by; the shipped one if not given.
+        profile: what shape, limbs side by side and methods are chosen by; the shipped one if not
+            given.
     """
     if shape == "auto":
-        return lower(plan, chosen_shape(plan, profile=profile))
+        return programmed(plan, chosen_shape(plan, profile=profile), profile)
     known = shape in SHAPES and SHAPES[shape].why_not(plan) is None
-    return lower(plan, shape if known else stepwise(plan))
+    return programmed(plan, shape if known else stepwise(plan), profile)
 
 
 def predict(plan: Plan, profile: CostProfile, shape: str = "auto") -> Timeline:

@@ -10,17 +10,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
-from adagen.cost import timeline
+from adagen.cost import programmed, timeline
 from adagen.emit import baselines, joints, kernels, unrolled
 from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
-from adagen.program import lower
 from adagen.schedule import CostProfile, load_profile
 
 
@@ -57,6 +56,11 @@ MOST_FREEDOMS = 100
 take longer to make than to find that their instructions no longer fit where they are fetched."""
 
 
+MOST_FREEDOMS_IN_BATCHES = 512
+"""Likewise of batches, whose instructions are fetched once for all lanes: with more freedoms
+compilers take minutes."""
+
+
 def stepwise(plan: Plan) -> str:
     """Return the fastest shape that does a plan step by step, as cost profiles price it."""
     return next(name for name in ("kernels", "joints") if SHAPES[name].why_not(plan) is None)
@@ -84,16 +88,24 @@ def chosen_shape(
     if shape == "auto":
         if not batch:
             return _cheapest(plan, profile)
-        alone = len(plan.processes) == 1 and unrolled.why_not(plan) is None
-        only = bool(plan.slaved) or kernels.why_not(plan) is not None
-        pays = alone and (only or unrolled.pays_in_lanes(plan))
-        shape = "unrolled" if pays else "kernels"
+        shape = _of_batch(plan, profile)
     reason = KNOWN[shape].why_not(plan)
     if reason is None and batch and shape == "kernels" and plan.slaved:
         reason = f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another'
     if reason is not None:
         raise UsageError(f"shape {shape} cannot be emitted: {reason}")
     return shape
+
+
+def _of_batch(plan: Plan, profile: CostProfile | None) -> str:
+    """The shape that a batch takes least time in: joint by joint, or as a straight line."""
+    if len(plan.processes) > 1 or unrolled.why_not(plan) is not None:
+        return "kernels"
+    if plan.slaved or kernels.why_not(plan) is not None:
+        return "unrolled"
+    if sum(KINDS[joint.kind].nv for joint in plan.joints) > MOST_FREEDOMS_IN_BATCHES:
+        return "kernels"
+    return _fastest(plan, ("kernels", "unrolled"), profile, batch=True)
 
 
 def offered(plan: Plan) -> tuple[str, ...]:
@@ -114,9 +126,14 @@ def offered(plan: Plan) -> tuple[str, ...]:
 def _cheapest(plan: Plan, profile: CostProfile | None) -> str:
     """The shape that a plan takes least time in."""
     names = offered(plan)
-    if len(names) == 1:
-        return names[0]
+    return names[0] if len(names) == 1 else _fastest(plan, names, profile)
+
+
+def _fastest(
+    plan: Plan, shapes: Sequence[str], profile: CostProfile | None, *, batch: bool = False
+) -> str:
+    """The first of some shapes that none of the others takes less time than."""
     if profile is None or profile.steps is None:
         profile = load_profile("default")
-    times = {name: timeline(lower(plan, name), profile).makespan for name in names}
-    return min(times, key=times.__getitem__)
+    programs = {shape: programmed(plan, shape, profile, batch=batch) for shape in shapes}
+    return min(shapes, key=lambda shape: timeline(programs[shape], profile).makespan)

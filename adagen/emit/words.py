@@ -22,7 +22,6 @@ class Words:
     program: Program
     refine: int = 0  # steps of refinement
     chunk: int = 0  # values of one function in shape unrolled; 0 for its default
-    lanes: bool = True  # whether limbs may share straight-line code, one in each lane
 
     @property
     def plan(self) -> Plan:

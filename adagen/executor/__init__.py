@@ -7,11 +7,12 @@ text or counts takes them from the graphs.
 from __future__ import annotations
 
 from adagen.executor.checks import SINGULAR, Check
-from adagen.executor.grouping import grouping_of, straight_line
+from adagen.executor.grouping import chosen_grouping, grouping_of, groupings, straight_line
 from adagen.executor.lanes import Grouping
 from adagen.executor.machine import RECEIVED, Machine
 from adagen.executor.run import PlanError, Simulated, simulate
 from adagen.executor.solve import Run, interpret
+from adagen.executor.stretches import Stretch, stretches
 
 __all__ = [
     "RECEIVED",
@@ -22,8 +23,12 @@ __all__ = [
     "PlanError",
     "Run",
     "Simulated",
+    "Stretch",
+    "chosen_grouping",
     "grouping_of",
+    "groupings",
     "interpret",
     "simulate",
     "straight_line",
+    "stretches",
 ]

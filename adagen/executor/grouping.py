@@ -2,52 +2,88 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+
 from adagen.executor.align import unlike
 from adagen.executor.lanes import Grouping, fit_for_lanes
 from adagen.executor.run import Simulated, simulate
+from adagen.executor.stretches import stretches
 from adagen.plan import Plan
-from adagen.plan.simd_groups import Limbs, more_alike, simd_groups
+from adagen.plan.simd_groups import COUNTS, OFFERED, Limbs, more_alike, simd_groups
 from adagen.plan.types import Process
+from adagen.schedule import step_costs
+from adagen.schedule.costs import StepCosts
 
 
-def grouping_of(plan: Plan) -> Grouping:
-    """Return the limbs that go together: those of shape kernels, or others that are more alike."""
+def grouping_of(plan: Plan, counts: Iterable[int] = COUNTS) -> Grouping:
+    """Return limbs that can go together: as many as can be, those that are most alike.
+
+    Args:
+        plan: the plan.
+        counts: how many may go together.
+    """
     if plan.form != "segment":
         return tuple(() for _ in plan.processes)
-    return tuple(fit_for_lanes(plan, _alike(plan, process)) for process in plan.processes)
+    return tuple(fit_for_lanes(plan, _alike(plan, p, counts)) for p in plan.processes)
 
 
-def _alike(plan: Plan, process: Process) -> list[Limbs]:
-    found = simd_groups(plan, process)
+def _alike(plan: Plan, process: Process, counts: Iterable[int]) -> list[Limbs]:
+    found = simd_groups(plan, process, spared, counts)
     return more_alike(plan, process, found, lambda limbs: unlike(plan, limbs))
 
 
-def straight_line(plan: Plan, *, lanes: bool = True) -> tuple[Simulated, ...]:
-    """Return the plan's processes as a straight line is emitted: in lanes where that is less work.
+def spared(kinds: Sequence[str], count: int) -> float:
+    """How many joints need no statements of their own."""
+    return len(kinds) * (count - 1)
+
+
+def straight_line(
+    plan: Plan, *, lanes: bool = True, costs: StepCosts | None = None
+) -> tuple[Simulated, ...]:
+    """Return the plan's processes as a straight line is emitted: in lanes where that takes less.
 
     Args:
         plan: the plan.
         lanes: whether limbs may share code at all.
+        costs: prices statements; the shipped ones if not given.
 
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    grouping = chosen_grouping(plan) if lanes else ()
-    return simulate(plan, grouping) if any(grouping) else simulate(plan)
+    return simulate(plan, chosen_grouping(plan, costs) if lanes else None)
 
 
-def chosen_grouping(plan: Plan) -> Grouping:
-    """Return the limbs that share a straight line: for each process none where that is more work.
+def groupings(plan: Plan) -> list[Grouping]:
+    """Return the groupings of a plan's straight lines that are compared; none comes first."""
+    none: Grouping = tuple(() for _ in plan.processes)
+    return list(dict.fromkeys([none, *(grouping_of(plan, counts) for counts in OFFERED)]))
+
+
+def chosen_grouping(plan: Plan, costs: StepCosts | None = None) -> Grouping:
+    """Return the limbs that share a straight line: for each process the grouping of least price.
+
+    Args:
+        plan: the plan.
+        costs: prices statements; the shipped ones if not given.
 
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    grouping = grouping_of(plan)
-    if any(grouping):
-        alone, together = (
-            max(one.operations.instructions for one in line)
-            for line in (simulate(plan), simulate(plan, grouping))
-        )
-        if together < alone:
-            return grouping
-    return tuple(() for _ in plan.processes)
+    offers = groupings(plan)
+    if len(offers) == 1:
+        return offers[0]
+    prices = step_costs(None) if costs is None else costs
+    times = [_times(plan, offer, prices) for offer in offers]
+    return tuple(
+        offers[min(range(len(offers)), key=lambda k: times[k][p])][p]
+        for p in range(len(plan.processes))
+    )
+
+
+def _times(plan: Plan, grouping: Grouping, costs: StepCosts) -> list[float]:
+    """What each process takes in a grouping, microseconds."""
+    held = costs["unrolled.held"]
+    return [
+        sum(costs.total(part.features) for part in stretches(simulated, process.steps, held))
+        for simulated, process in zip(simulate(plan, grouping), plan.processes, strict=True)
+    ]

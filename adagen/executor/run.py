@@ -47,7 +47,7 @@ def _done(machine: Machine, step: Step) -> bool:
         raise PlanError(f"{step} reads {missing}, which this process does not have") from None
 
 
-@lru_cache(maxsize=8)  # a plan is judged, priced and emitted one after the other, in lanes or not
+@lru_cache(maxsize=12)  # a plan is judged, priced and emitted one after the other, in lanes or not
 def simulate(
     plan: Plan, grouping: Grouping | None = None, refining: Refining = None
 ) -> tuple[Simulated, ...]:

@@ -28,22 +28,16 @@ KINDS = frozenset({"revolute", "prismatic", "spherical"})
 """Kinds of joints that are treated side by side."""
 
 
-@dataclass(frozen=True)
-class _Saving:
-    """What is saved by taking limbs together, in hinges treated singly: so much of each row."""
-
-    row: float
-    costs: float
-
-    def of(self, kinds: Iterable[str]) -> float:
-        return self.row * sum(_WORK.get(kind, 1.0) for kind in kinds) - self.costs
+COUNTS = (2, 3, 4)
+"""How many limbs can be taken at once. Three leave one of four lanes idle."""
 
 
-_WORK = {"spherical": 1.7}  # where a joint is more work than a hinge
+OFFERED = (COUNTS, (2, 4), (2, 3), (2,))
+"""What may be taken at once in the groupings that are compared by their price: where four go
+together, two pairs may be less, or three beside a single one."""
 
-
-COUNTS = {2: _Saving(0.9, 1.0), 3: _Saving(1.6, 1.8), 4: _Saving(2.6, 2.0)}
-"""How many limbs are taken at once, and what that saves. Three leave one of four lanes idle."""
+Saving = Callable[[Sequence[str], int], float]
+"""What so many limbs of joints of some kinds take less together than alone."""
 
 
 @dataclass(frozen=True)
@@ -88,20 +82,25 @@ def placed_links(plan: Plan) -> set[int]:
     return gathered | {s.link for s in steps if isinstance(s, HoldMobility | SolveMobility)}
 
 
-def simd_groups(plan: Plan, process: Process) -> list[Limbs]:
-    """Return the limbs that a process takes side by side.
+def simd_groups(
+    plan: Plan, process: Process, saved: Saving, counts: Iterable[int] = COUNTS
+) -> list[Limbs]:
+    """Return limbs that a process may take side by side.
 
     Those that save most are chosen first, as long as their sweeps can be brought into an order.
 
     Args:
         plan: of form "segment".
         process: one of its processes.
+        saved: what limbs save; only those that save something are taken.
+        counts: how many may be taken at once.
     """
+    may = frozenset(counts)
     last = _last_beyond(plan.joints)
     found: list[Limbs] = []
     for pool in _chains(plan, process):
         chains = pool
-        while (best := _best(plan.joints, chains, last, found)) is not None:
+        while (best := _best(plan.joints, chains, last, found, saved, may)) is not None:
             found.append(best)
             taken = set(best.members())  # what is left of a longer chain may be taken later
             chains = [rest for c in chains if (rest := [j for j in c if j not in taken])]
@@ -180,6 +179,8 @@ def _best(
     chains: Sequence[list[int]],
     last: Sequence[int],
     taken: Sequence[Limbs],
+    saved: Saving,
+    counts: frozenset[int],
 ) -> Limbs | None:
     """The limbs that save most beside those taken; None where nothing is saved."""
     offers: list[tuple[float, Limbs]] = []
@@ -195,10 +196,10 @@ def _best(
                 if not rows or any(_one_beyond_other(cut[-1], other, last) for other in cut[:-1]):
                     continue
                 together.append(chain)
-                saving = COUNTS.get(len(together))
-                if saving is not None and (saved := saving.of(pattern[:rows])) > 0:
-                    offers.append((saved, Limbs(tuple(zip(*sorted(cut), strict=True)))))
-                if len(together) == max(COUNTS):
+                count = len(together)
+                if count in counts and (gain := saved(pattern[:rows], count)) > 0:
+                    offers.append((gain, Limbs(tuple(zip(*sorted(cut), strict=True)))))
+                if count == max(COUNTS):
                     break
     offers.sort(key=lambda offer: -offer[0])
     return next((limbs for _, limbs in offers if _in_order([*taken, limbs], last)), None)

@@ -180,6 +180,7 @@ class Plan:
         processes: one entry per process.
         messages: numbered by their place.
         wrenches: outer forces.
+        profile: name of the cost profile by which its program was chosen.
     """
 
     name: str
@@ -196,6 +197,7 @@ class Plan:
     processes: tuple[Process, ...]
     messages: tuple[Message, ...]
     wrenches: tuple[PlanWrench, ...] = field(default=(), metadata=OPTIONAL)
+    profile: str = field(default="default", metadata=OPTIONAL)
 
     @property
     def right_hand_sides(self) -> int:

@@ -38,6 +38,7 @@ from adagen.program.runs import (
 from adagen.program.segments import split
 from adagen.program.slots import Slots
 from adagen.program.types import Block, Links, Method, Operation
+from adagen.schedule.costs import StepCosts
 
 
 class Loops:
@@ -49,13 +50,20 @@ class Loops:
         slots: where joints lie in memory.
         limbs: those that the process passes side by side.
         batch: whether SIMD lanes are for states.
+        costs: what the methods take that a run can be passed by.
     """
 
     def __init__(
-        self, plan: Plan, process: Process, slots: Slots, limbs: Sequence[Limbs], batch: bool
+        self,
+        plan: Plan,
+        process: Process,
+        slots: Slots,
+        limbs: Sequence[Limbs],
+        batch: bool,
+        costs: StepCosts,
     ) -> None:
         self.plan, self.process, self.slots, self.limbs = plan, process, slots, limbs
-        self.batch = batch
+        self.batch, self.costs = batch, costs
         self.joints = plan.joints
         self.placed = placed_links(plan)
         starts = {s.link for s in process.steps if isinstance(s, StartLink)}
@@ -183,7 +191,7 @@ class Loops:
             return False
         if self._is_turned(run):
             return False
-        return not self.batch and pays_columns(self.joints, run)
+        return not self.batch and pays_columns(self.joints, run, self.costs)
 
     def _set_up_columns(self, links: set[int]) -> None:
         """Set those links up by columns that are not yet, and with them what lies among them."""

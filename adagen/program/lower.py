@@ -5,27 +5,40 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import lru_cache
 
-from adagen.executor.grouping import chosen_grouping
+from adagen.executor.lanes import Grouping
 from adagen.plan.stages import stages
 from adagen.plan.steps import Step
 from adagen.plan.types import Plan, Process
 from adagen.program.loops import Loops
 from adagen.program.slots import Slots
 from adagen.program.types import Method, Operation, ProcessProgram, Program
+from adagen.schedule import step_costs
+from adagen.schedule.costs import StepCosts
 
 LOOPS = "kernels"
 """The shape whose operations are loops over runs and limbs; the others go step by step."""
 
 
-@lru_cache(maxsize=8)  # a plan is priced, checked, drawn and emitted one after the other
-def lower(plan: Plan, shape: str, *, batch: bool = False) -> Program:
-    """Return the program of a plan in a shape.
+@lru_cache(maxsize=16)  # a plan is priced, checked, drawn and emitted one after the other
+def lower(
+    plan: Plan,
+    shape: str,
+    *,
+    batch: bool = False,
+    limbs: Grouping | None = None,
+    costs: StepCosts | None = None,
+) -> Program:
+    """Return the program of a plan in a shape; ``adagen.cost.programmed`` finds the fastest one.
 
     Args:
         plan: what each process computes.
         shape: "kernels", "unrolled", "joints" or a baseline; one that takes the plan.
         batch: whether SIMD lanes are for states.
+        limbs: those that each process takes side by side; None for none.
+        costs: prices the methods by which runs can be passed; the shipped ones if not given.
     """
+    grouping = tuple(() for _ in plan.processes) if limbs is None else limbs
+    prices = step_costs(None) if costs is None else costs
     if shape != LOOPS:
         method: Method = "straight" if shape == "unrolled" else "step"
         processes = tuple(
@@ -34,18 +47,15 @@ def lower(plan: Plan, shape: str, *, batch: bool = False) -> Program:
             )
             for process in plan.processes
         )
-        slots = Slots.plainly(plan)
-        if shape == "unrolled" and not batch:
-            limbs = tuple(tuple(own) for own in chosen_grouping(plan))
-            slots = replace(slots, limbs=limbs)
-        return Program(plan, shape, batch, slots, processes)
-    slots = Slots.of(plan, batch)
+        slots = replace(Slots.plainly(plan), limbs=grouping)
+        return Program(plan, shape, batch, slots, processes, tuple(() for _ in plan.processes))
+    slots = Slots.plainly(plan) if batch else Slots.of(plan, grouping, prices)
     programs = []
     for p, process in enumerate(plan.processes):
-        operations = Loops(plan, process, slots, slots.limbs[p], batch).operations()
+        operations = Loops(plan, process, slots, slots.limbs[p], batch, prices).operations()
         recovery: tuple[Operation, ...] = ()
         if process.recovery:
-            recovery = Loops(plan, _recovery_of(process), slots, (), batch).operations()
+            recovery = Loops(plan, _recovery_of(process), slots, (), batch, prices).operations()
         programs.append(ProcessProgram(operations, recovery))
     return Program(plan, shape, batch, slots, tuple(programs))
 

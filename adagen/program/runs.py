@@ -11,9 +11,7 @@ from adagen.plan.order import Ends, Unit, ends_of, outward_order
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Accelerate, Articulate, Deliver
 from adagen.plan.types import PlanJoint
-
-FEWEST_IN_COLUMNS = 4
-"""Joints of one freedom that a run must have to be taken by columns."""
+from adagen.schedule.costs import StepCosts
 
 OF_ONE_FREEDOM = ("revolute", "prismatic")
 
@@ -139,15 +137,20 @@ def sweep_of(joints: Sequence[PlanJoint], run: Run, verb: str, process: int, *mo
     return f"{name}<{', '.join(map(str, (process, *ends, *more)))}>(w);"
 
 
-def pays_columns(joints: Sequence[PlanJoint], run: Run) -> bool:
-    """Whether a run has joints enough to be taken by columns, for the way there and back.
+def pays_columns(joints: Sequence[PlanJoint], run: Run, costs: StepCosts) -> bool:
+    """Whether a run takes less by columns than number by number, the way there and back included.
 
-    Joints of one freedom, and no fewer than others: a spherical joint leaves so little of a body
-    that it is less work number by number. See templates/runtime/kernels/inward_columns.hpp.
+    By columns a joint of one freedom takes a few instructions for each column; spherical ones are
+    less work number by number. See templates/runtime/kernels/inward_columns.hpp.
     """
-    own = joints[run.first : run.last + 1]
-    single = sum(joint.kind in OF_ONE_FREEDOM for joint in own)
-    return single >= max(FEWEST_IN_COLUMNS, len(own) - single)
+    kinds = [joint.kind for joint in joints[run.first : run.last + 1]]
+    if not any(kind in OF_ONE_FREEDOM for kind in kinds):
+        return False  # nothing would be done by columns
+    alone, columns = (
+        sum(costs[f"{group}.{kind}"] for kind in kinds) + costs[f"{group}.run"]
+        for group in ("articulate", "articulate_columns")
+    )
+    return columns < alone
 
 
 def parts_of(units: Iterable[Unit]) -> Iterable[Limbs | list[int]]:

@@ -13,6 +13,7 @@ from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Kinematics
 from adagen.plan.types import FACTORS, PlanJoint
 from adagen.program.runs import Run, outward_units
+from adagen.schedule.costs import StepCosts
 
 LANES = {"double": 8, "float": 16}
 """Numbers in the widest registers."""
@@ -20,15 +21,16 @@ LANES = {"double": 8, "float": 16}
 KINDS = frozenset({"revolute", "spherical"})
 """Kinds of joints that are passed in segments."""
 
-_FEWEST_ROWS = 2  # of a run's joints, a segment's k-th ones in each
+_FEWEST_ROWS = 2  # in which segments are passed: one after the other is no segment
 
 
-def segments_of(plan: Plan, limbs: Sequence[Sequence[Limbs]]) -> list[Run]:
+def segments_of(plan: Plan, limbs: Sequence[Sequence[Limbs]], costs: StepCosts) -> list[Run]:
     """Return the runs that every process that passes them outwards passes in segments.
 
     Args:
         plan: what is carried out.
         limbs: those that each process takes side by side; their joints are left out.
+        costs: what joints take in segments and one by one.
     """
     taken = {j for own in limbs for each in own for j in each.members()}
     passed = [run for p, own in enumerate(limbs) for run in _outward(plan, p, own)]
@@ -42,18 +44,27 @@ def segments_of(plan: Plan, limbs: Sequence[Sequence[Limbs]]) -> list[Run]:
         (
             run
             for run in pieces
-            if pays_segments(plan.joints, run, plan.scalar)
+            if pays_segments(plan.joints, run, plan.scalar, costs)
             and taken.isdisjoint(range(run.first, run.last + 1))
         ),
         key=lambda run: run.first,
     )
 
 
-def pays_segments(joints: Sequence[PlanJoint], run: Run, scalar: str) -> bool:
-    """Whether a run is long enough for segments, and of kinds that all lanes can take at once."""
-    own = joints[run.first : run.last + 1]
-    enough = len(own) >= _FEWEST_ROWS * LANES[FACTORS[scalar]]
-    return enough and all(j.kind in KINDS for j in own)
+def fits_segments(joints: Sequence[PlanJoint], run: Run, scalar: str) -> bool:
+    """Whether a run is of kinds that all lanes can take at once, and long enough for them."""
+    kinds = {joint.kind for joint in joints[run.first : run.last + 1]}
+    return run.length >= _FEWEST_ROWS * LANES[FACTORS[scalar]] and kinds <= KINDS
+
+
+def pays_segments(joints: Sequence[PlanJoint], run: Run, scalar: str, costs: StepCosts) -> bool:
+    """Whether a run takes less in segments than joint by joint."""
+    if not fits_segments(joints, run, scalar):
+        return False
+    kinds = [joint.kind for joint in joints[run.first : run.last + 1]]
+    alone = sum(costs[f"kinematics.{kind}"] for kind in kinds)
+    segments = sum(costs[f"kinematics_segments.{kind}"] for kind in kinds)
+    return segments + costs["kinematics_segments.run"] < alone
 
 
 def _outward(plan: Plan, p: int, limbs: Sequence[Limbs]) -> Iterator[Run]:

@@ -8,10 +8,11 @@ from functools import cached_property
 from itertools import chain
 
 from adagen.plan import Plan
-from adagen.plan.simd_groups import Limbs, simd_groups
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.types import FACTORS
 from adagen.program.runs import Run
 from adagen.program.segments import LANES, segments_of, slots_of
+from adagen.schedule.costs import StepCosts
 
 
 @dataclass(frozen=True)
@@ -57,12 +58,15 @@ class Slots:
         return Slots(tuple(range(count)), count, ((),) * len(plan.processes), ())
 
     @staticmethod
-    def of(plan: Plan, batch: bool) -> Slots:
-        """Lay out a plan's joints; those of a batch have their lanes for states."""
-        limbs = tuple(
-            () if batch else tuple(simd_groups(plan, process)) for process in plan.processes
-        )
-        segments = () if batch else tuple(segments_of(plan, limbs))
+    def of(plan: Plan, limbs: tuple[tuple[Limbs, ...], ...], costs: StepCosts) -> Slots:
+        """Lay out a plan's joints.
+
+        Args:
+            plan: the plan.
+            limbs: those that each process takes side by side.
+            costs: what the methods take that runs can be passed by.
+        """
+        segments = tuple(segments_of(plan, limbs, costs))
         count, width = len(plan.joints), LANES[FACTORS[plan.scalar]]
         if not segments and not any(limbs):
             return Slots(tuple(range(count)), count, limbs, segments)

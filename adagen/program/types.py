@@ -91,6 +91,7 @@ class Program:
         batch: whether SIMD lanes are for states.
         slots: where joints lie in memory, and what lies side by side.
         processes: one for each process of the plan.
+        recovering: limbs that share straight lines in what is done instead (``recovery``).
     """
 
     plan: Plan
@@ -98,3 +99,4 @@ class Program:
     batch: bool
     slots: Slots
     processes: tuple[ProcessProgram, ...]
+    recovering: tuple[tuple[Limbs, ...], ...] = ()

@@ -1,6 +1,6 @@
 """Which joint joins which partial chains on which process, and what that is predicted to cost."""
 
-from adagen.schedule.profile import CostProfile, load_profile, parse_profile
+from adagen.schedule.profile import CostProfile, load_profile, parse_profile, step_costs
 from adagen.schedule.sweeps import makespan_of, total_work
 from adagen.schedule.text import (
     gathered_line,
@@ -30,6 +30,7 @@ __all__ = [
     "schedule_to_dict",
     "schedule_to_json",
     "schedule_tree",
+    "step_costs",
     "total_work",
     "validate",
 ]

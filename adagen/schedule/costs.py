@@ -35,7 +35,7 @@ PER_KIND: dict[str, tuple[str, ...]] = {
         for group in ("kinematics", "articulate", "accelerate")
         for number in ("two", "four")
     },
-    "articulate_columns": (),
+    "articulate_columns": ("run",),
     "kinematics_segments": ("run",),
     "propagate_run": (),
 }
@@ -56,10 +56,12 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "free": ("base", "acceleration"),
     "slaved": ("solve", "apply", "column"),
     "limbs": ("two", "four"),
-    "process": ("evaluation",),
-    "unrolled": ("evaluation", "operation", "sine", "cycle", "fetched"),
+    "process": ("evaluation", "margin"),
+    "unrolled": ("evaluation", "operation", "move", "sine", "cycle", "fetched", "held"),
 }
-"""Groups with coefficients of their own; ``slaved.column`` is a share, the others are times.
+"""Groups with coefficients of their own, times but for three.
+
+``slaved.column`` and ``process.margin`` are shares, ``unrolled.held`` is a number of statements.
 
 ``unrolled`` prices no steps but a straight line of statements as a whole (shape `unrolled`);
 ``fetched`` is added for each statement beyond those that the first instruction cache holds.
@@ -133,6 +135,17 @@ class StepCosts:
     def total(self, counts: Mapping[str, float]) -> float:
         """Return the time of something by how often each coefficient counts, microseconds."""
         return sum(self.table[name] * count for name, count in counts.items())
+
+    def joint(self, kind: str) -> float:
+        """Return the least that a joint takes that is passed alone or in a run, microseconds."""
+        sweeps = min(self[f"articulate.{kind}"], self[f"articulate_columns.{kind}"])
+        return self[f"kinematics.{kind}"] + sweeps + self[f"accelerate.{kind}"]
+
+    def row(self, kind: str, count: int) -> float:
+        """Return what two, three or four joints of a kind take side by side, microseconds."""
+        lanes = "two" if count == 2 else "four"
+        groups = ("kinematics", "articulate", "accelerate")
+        return sum(self[f"{group}_{lanes}.{kind}"] for group in groups)
 
     def channel(self, name: str) -> ChannelCosts:
         """Return the costs of a channel; ``auto`` is the window, as on one node."""

@@ -8,11 +8,10 @@ from dataclasses import dataclass
 from adagen.emit.predicted import predict
 from adagen.model import Model
 from adagen.plan import make_plan
-from adagen.schedule import CostProfile, Schedule
+from adagen.schedule import CostProfile, Schedule, step_costs
 
-WORTH = 0.03
-"""Share of the time that more processes must save to be preferred."""
-_PATIENCE = 3  # numbers of processes in a row that bring nothing, after which the search ends
+_PATIENCE = 3  # numbers of processes in a row that bring nothing, after which the search ends:
+# a limit of effort, since each of them is a search
 
 
 @dataclass(frozen=True)
@@ -43,6 +42,15 @@ def predicted_time(
     return predict(make_plan(model, schedule, form=form), profile, shape).makespan
 
 
+def margin(profile: CostProfile) -> float:
+    """Return the share of the time that more processes must save to be preferred.
+
+    It is the error of the machine's predicted times, as calibration found it: what is predicted to
+    save less is not known to save anything, and takes more cores.
+    """
+    return step_costs(profile)["process.margin"]
+
+
 def choose_processes(
     model: Model,
     profile: CostProfile,
@@ -70,7 +78,7 @@ def choose_processes(
     seen = [best]
     for processes in range(2, most + 1):
         seen.append(candidate(processes))
-        if seen[-1].time < (1 - WORTH) * best.time:
+        if seen[-1].time < (1 - margin(profile)) * best.time:
             best = seen[-1]
         elif processes - best.processes >= _PATIENCE:
             break

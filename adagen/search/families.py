@@ -113,7 +113,7 @@ class Families:
         self._tried.add(plan.processes)
         lines: list[Timeline] = []
         for shape in offered(plan) if self.shape == "auto" else (self.shape,):
-            program = priced_program(plan, shape)
+            program = priced_program(plan, shape, self.profile)
             lines.append(timeline(program, self.profile))
             if program.shape == "unrolled":
                 self.straight_lines += 1

@@ -14,7 +14,7 @@ from itertools import accumulate
 
 from adagen.plan.simd_groups import KINDS
 from adagen.plan.types import PlanJoint
-from adagen.program.runs import FEWEST_IN_COLUMNS, OF_ONE_FREEDOM, Run
+from adagen.program.runs import OF_ONE_FREEDOM, Run
 from adagen.schedule.costs import PRESCRIBED, StepCosts
 from adagen.search.limbs import Limb, Robot
 
@@ -76,7 +76,7 @@ class Floors:
         in_columns = {
             j
             for run in robot.runs
-            if sum(joints[k].kind in OF_ONE_FREEDOM for k in _within(run)) >= FEWEST_IN_COLUMNS
+            if any(joints[k].kind in OF_ONE_FREEDOM for k in _within(run))
             for j in _within(run)
         }
         long = {j for run in robot.long for j in _within(run)}
@@ -179,13 +179,14 @@ class Floors:
         if joint.parent == 0 and kind == "floating" and not joint.prescribed:
             return [(pose + costs["free.base"], costs["free.acceleration"])]
         priced = PRESCRIBED if joint.prescribed else kind
-        sweeps = [costs[f"articulate.{priced}"]]
+        run = costs["articulate.run"] / length
+        sweeps = [costs[f"articulate.{priced}"] + run]
         if joint.parent == 0:
-            sweeps.append(0.0 if joint.prescribed else costs["articulate.ground"])
+            sweeps.append(0.0 if joint.prescribed else costs["articulate.ground"] + run)
         if in_columns:
-            sweeps.append(costs[f"articulate_columns.{kind}"])
-        inwards = pose + min(sweeps) + costs["articulate.run"] / length
-        return [(inwards, costs[f"accelerate.{priced}"])]
+            run = costs["articulate_columns.run"] / length
+            sweeps.append(costs[f"articulate_columns.{kind}"] + run)
+        return [(pose + min(sweeps), costs[f"accelerate.{priced}"])]
 
     def _in_row(self, joint: PlanJoint, count: int) -> tuple[float, float]:
         """The price of a row of joints."""

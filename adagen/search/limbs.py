@@ -17,7 +17,7 @@ from adagen.plan.edges import Edge, edges_from, is_base, joints_at
 from adagen.plan.gather_trees import Tree, held_links, moving_trees
 from adagen.plan.types import PlanJoint
 from adagen.program.runs import Run, runs
-from adagen.program.segments import KINDS, pays_segments
+from adagen.program.segments import KINDS, fits_segments
 
 _KEPT = 64  # roots whose edges are kept
 _COMPARED = 256
@@ -113,7 +113,7 @@ class Robot:
         own = range(run.first, run.last + 1)
         for fit, group in groupby(own, lambda j: self.joints[j].kind in KINDS):
             part = list(group)
-            if fit and pays_segments(self.joints, Run(part[0], part[-1]), "double"):
+            if fit and fits_segments(self.joints, Run(part[0], part[-1]), "double"):
                 yield Run(part[0], part[-1])
 
     def floats(self, tree: int, link: int) -> bool:

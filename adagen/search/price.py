@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from adagen.cost import operation_features, step_features
+from adagen.cost.lanes import chosen_limbs
 from adagen.emit.predicted import predict
 from adagen.emit.shapes import SHAPES
 from adagen.model import Model
@@ -95,11 +96,11 @@ class Pricing:
         plan = replace(self._plan, processes=(process,), messages=messages)
         if SHAPES["kernels"].why_not(plan) is not None:
             return None
-        slots = Slots.of(plan, batch=False)
-        (limbs,) = slots.limbs
+        limbs = chosen_limbs(plan, process, self.costs)
+        slots = Slots.of(plan, (limbs,), self.costs)
         phases = [0.0, 0.0, 0.0, 0.0]  # kinematics, then as messages part the rest, or else sweeps
         phase = 1
-        found, parts = Loops(plan, process, slots, limbs, batch=False).operations(), stages(process)
+        found, parts = self._operations(plan, process, slots, limbs), stages(process)
         for operation in found:
             match operation.steps:
                 case (Send(),):
@@ -113,6 +114,11 @@ class Pricing:
         moving, inwards, between, outwards = phases
         least = self._least_kinematics(found) if slots.segments else moving
         return Share(moving, least, inwards, between, outwards, process, limbs)
+
+    def _operations(
+        self, plan: Plan, process: Process, slots: Slots, limbs: tuple[Limbs, ...]
+    ) -> tuple[Operation, ...]:
+        return Loops(plan, process, slots, limbs, batch=False, costs=self.costs).operations()
 
     def sweeps(self, process: Process, *, singly: bool) -> tuple[float, float]:
         """Return what a process that exchanges nothing takes in its first and second sweep.
@@ -166,10 +172,10 @@ class Pricing:
         )
         limbs = tuple(share.limbs for share in shares)
         plan = replace(self._plan, processes=processes)
-        segments = tuple(segments_of(plan, limbs))
+        segments = tuple(segments_of(plan, limbs, self.costs))
         slots = replace(Slots.plainly(plan), limbs=limbs, segments=segments)
         return [
-            sum(map(self._time, Loops(plan, process, slots, own, batch=False).operations()))
+            sum(map(self._time, self._operations(plan, process, slots, own)))
             for process, own in zip(processes, limbs, strict=True)
         ]
 

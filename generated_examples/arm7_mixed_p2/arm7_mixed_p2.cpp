@@ -2,9 +2,9 @@
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // options   form segment, shape kernels, scalar mixed, refine 3, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// program   2 processes, joined at cuts; 1.02 us predicted (default profile)
+// program   2 processes, joined at cuts; 1.15 us predicted (default profile)
 //           process 0: base_yaw .. forearm_roll
-//           process 1: wrist_pitch .. right_finger_slide
+//           process 1: left_finger_slide | right_finger_slide in 2 lanes, wrist_pitch .. flange_roll
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
@@ -1695,12 +1695,15 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
 // segments of long runs.
-constexpr int kSlotCount = 9;
-constexpr bool kAbreast = false;  // whether there are such
+constexpr int kSlotCount = 20;
+constexpr bool kAbreast = true;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
-constexpr bool kReordered = false;  // whether joints lie in another order than they have
-constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8 };
+constexpr bool kReordered = true;  // whether joints lie in another order than they have
+constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 18, 19, 16, 17 };
 constexpr bool kByColumns = true;  // whether runs are taken by columns
+// Joints that are eliminated in their own axes, and whether there are such.
+constexpr bool kAnyTurned = false;
+constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 
 // What a process does at a link.
 struct LinkRole {
@@ -2245,9 +2248,26 @@ void turn(Workspace& w) {
   }
 }
 
+// The bias force of a bare link of pseudo-inertia J and moments c about its origin: that of the
+// acceleration field a + H x, H = alpha x + omega x omega x. All in the same axes.
+template <class T>
+ADAGEN_INLINE void bias_force(const Symmetric<T>& J, const Vector<T>& c, const T& mass,
+                              const Vector<T>& w, const Vector<T>& al, const Vector<T>& a,
+                              Vector<T>& n, Vector<T>& f) {
+  const T xx = w.x * w.x, yy = w.y * w.y, zz = w.z * w.z;
+  const T xy = w.x * w.y, xz = w.x * w.z, yz = w.y * w.z;
+  const Matrix<T> H{{-(yy + zz), xy - al.z, xz + al.y},
+                    {xy + al.z, -(xx + zz), yz - al.x},
+                    {xz - al.y, yz + al.x, -(xx + yy)}};
+  const Vector<T> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
+  n = cross(c, a);
+  n += Vector<T>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
+                 dot(H.y, Jx) - dot(H.x, Jy)};
+  f = a * mass + H * c;
+}
+
 // Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
-// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J, and the bias
-// force is that of the acceleration field a + H x, H = alpha x + omega x omega x.
+// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J.
 template <int first, int last>
 void set_up_links(Workspace& w) {
   for (int b = first; b < last; ++b) {
@@ -2271,19 +2291,11 @@ void set_up_links(Workspace& w) {
     const Vector<Lanes> c = R * wide_vector(constants.moments);
     narrow(c, block.entries + kMoments);
 
-    const Vector<Lanes> w_ = wide_vector(entries + kOmega), al = wide_vector(entries + kAlpha);
-    const Lanes xx = w_.x * w_.x, yy = w_.y * w_.y, zz = w_.z * w_.z;
-    const Lanes xy = w_.x * w_.y, xz = w_.x * w_.z, yz = w_.y * w_.z;
-    const Matrix<Lanes> H{{-(yy + zz), xy - al.z, xz + al.y},
-                          {xy + al.z, -(xx + zz), yz - al.x},
-                          {xz - al.y, yz + al.x, -(xx + yy)}};
-    const Vector<Lanes> a = wide_vector(entries + kAcceleration);
-    const Vector<Lanes> Jx{J.xx, J.xy, J.xz}, Jy{J.xy, J.yy, J.yz}, Jz{J.xz, J.yz, J.zz};
-    Vector<Lanes> n = cross(c, a);
-    n += Vector<Lanes>{dot(H.z, Jy) - dot(H.y, Jz), dot(H.x, Jz) - dot(H.z, Jx),
-                       dot(H.y, Jx) - dot(H.x, Jy)};
+    Vector<Lanes> n, f;
+    bias_force(J, c, wide(constants.mass), wide_vector(entries + kOmega),
+               wide_vector(entries + kAlpha), wide_vector(entries + kAcceleration), n, f);
     narrow(n, block.entries + kTorque);
-    narrow(a * wide(constants.mass) + H * c, block.entries + kForce);
+    narrow(f, block.entries + kForce);
   }
 }
 
@@ -2608,6 +2620,124 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Bo
   return !kSphericalRotors;
 }
 
+// Inwards in the links' own axes, where axes of the base would cost digits: S is a coordinate axis
+// there, D an entry of the body, and what is left along S exactly zero. Links beyond joints of
+// kTurned have their bodies told so, each about its own origin as all are.
+ADAGEN_INLINE constexpr bool turned(int j) { return kAnyTurned && kTurned[j]; }
+ADAGEN_INLINE constexpr bool turned_link(int link) { return link > 0 && turned(link - 1); }
+constexpr bool any_turned(int first, int last) {
+  for (int j = first; j <= last; ++j)
+    if (turned(j)) return true;
+  return false;
+}
+
+// R M R^T.
+template <class T, class S>
+ADAGEN_INLINE Symmetric<T> congruent(const Matrix<S>& R, const Symmetric<T>& M) {
+  const Vector<T> x = M * R.x, y = M * R.y, z = M * R.z;
+  return {dot(x, R.x), dot(x, R.y), dot(x, R.z), dot(y, R.y), dot(y, R.z), dot(z, R.z)};
+}
+template <class T>
+ADAGEN_INLINE Matrix<T> transposed(const Matrix<T>& m) {
+  return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}};
+}
+// A body in the axes that R takes it to.
+template <class T>
+ADAGEN_INLINE void turn_body(Body<T>& X, const Matrix<T>& R) {
+  X.A = congruent(R, X.A), X.C = congruent(R, X.C);
+  X.B = R * X.B * transposed(R);
+  X.n = R * X.n, X.f = R * X.f;
+}
+
+// From the axes that a link's body is told in to those of the base, and back.
+ADAGEN_INLINE void to_base(Workspace& w, int link, Body<Value>& X) {
+  if (turned_link(link)) turn_body(X, matrix_at(w.of(link - 1, kAxes)));
+}
+ADAGEN_INLINE void from_base(Workspace& w, int link, Body<Value>& X) {
+  if (turned_link(link)) turn_body(X, transposed(matrix_at(w.of(link - 1, kAxes))));
+}
+
+// Mass, its moments and the pseudo-inertia of the links beyond joints.
+template <class T>
+ADAGEN_INLINE void own_inertia(const Joints<T>& joints, T& mass, Vector<T>& c, Symmetric<T>& J) {
+  if constexpr (kWidth<T> == 1) {
+    const LinkInertia& link = kInertias[static_cast<std::size_t>(joints.joint[0])];
+    const auto x = [](Real number) { return T{} + number; };
+    mass = x(link.mass);
+    c = {x(link.moments[0]), x(link.moments[1]), x(link.moments[2])};
+    J = {x(link.tensor[0]), x(link.tensor[1]), x(link.tensor[2]),
+         x(link.tensor[3]), x(link.tensor[4]), x(link.tensor[5])};
+  } else {
+    const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+    const auto x = [&](const PerJoint& numbers) {
+      return number_at<T>(&numbers[static_cast<std::size_t>(joints.slot % kPerBlock)]);
+    };
+    mass = x(block.mass);
+    c = {x(block.moments[0]), x(block.moments[1]), x(block.moments[2])};
+    J = {x(block.tensor[0]), x(block.tensor[1]), x(block.tensor[2]),
+         x(block.tensor[3]), x(block.tensor[4]), x(block.tensor[5])};
+  }
+}
+
+// Adds a bare link in its own axes: its inertia is constant, and nothing of its bias force is lost.
+template <class T>
+ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Matrix<T> back = transposed(matrix_at<T>(w.at(joints.slot, kAxes)));
+  const auto told = [&](Entry entry) { return back * vector_at<T>(w.at(joints.slot, entry)); };
+  T mass;
+  Vector<T> c;
+  Symmetric<T> J;
+  own_inertia(joints, mass, c, J);
+  Vector<T> n, f;
+  bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
+  if constexpr (kOuterCount > 0) push_own(w, joints, n, f);
+  X.A += Symmetric<T>{J.yy + J.zz, -J.xy, -J.xz, J.xx + J.zz, -J.yz, J.xx + J.yy};
+  X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
+  X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
+  X.C.xx += mass, X.C.yy += mass, X.C.zz += mass;
+  X.n += n, X.f += f;
+}
+
+// Takes the freedom along z out of the body, at the joint's origin and in its axes. With a rotor J
+// a part J / D of what is taken along z stays: there, too, nothing is subtracted.
+template <bool along, bool reversed, class T>
+ADAGEN_INLINE void eliminate_own(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Symmetric<T>&A = X.A, &C = X.C;
+  const Matrix<T>& B = X.B;
+  const Vector<T> n = along ? Vector<T>{B.x.z, B.y.z, B.z.z} : Vector<T>{A.xz, A.yz, A.zz};
+  const Vector<T> f = along ? Vector<T>{C.xz, C.yz, C.zz} : B.z;
+  T tau = each(joints, [&w](const JointConstants& own) { return torque(w, own); });
+  if constexpr (reversed) tau = -tau;
+  T D = along ? C.zz : A.zz, rotor{};
+  if constexpr (kAnyPassive) {
+    rotor = each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
+    D += rotor;
+  }
+  if (__builtin_expect(!all_positive(D), 0)) fail_one(w, joints, D);
+  const T inverse = 1 / D, u = (tau - (along ? X.f.z : X.n.z)) * inverse, kept = rotor * inverse;
+  const Vector<T> e_n = n * inverse, e_f = f * inverse;
+  subtract(X, n, f, e_n, e_f);
+  X.n += n * u;
+  X.f += f * u;
+  if constexpr (along) {
+    X.B.x.z = n.x * kept, X.B.y.z = n.y * kept, X.B.z.z = n.z * kept;
+    X.C.xz = f.x * kept, X.C.yz = f.y * kept, X.C.zz = f.z * kept;
+    X.f.z = tau - u * rotor;
+  } else {
+    X.A.xz = n.x * kept, X.A.yz = n.y * kept, X.A.zz = n.z * kept;
+    X.B.z = f * kept;
+    X.n.z = tau - u * rotor;
+  }
+  auto& memory = w.memory(joints);
+  const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
+  Vector<T> k_n = R * e_n;
+  const Vector<T> k_f = R * e_f;
+  if constexpr (!reversed) k_n += cross(memory.r, k_f);
+  T* const e = memory.e;
+  e[0] = k_n.x, e[1] = k_n.y, e[2] = k_n.z, e[3] = k_f.x, e[4] = k_f.y, e[5] = k_f.z;
+  e[6] = u, e[7] = inverse;
+}
+
 // Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
 // is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
 // near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
@@ -2764,29 +2894,45 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind 
   arrive(X);
 }
 
+// Adds a bare link in the axes in which what is found at it is told.
+ADAGEN_INLINE void add_link(Workspace& w, int link, Body<Value>& X) {
+  if (turned_link(link))
+    add_own_link(w, single(link - 1), X);
+  else
+    add_bare_link(w, single(link - 1), X);
+}
+
 // Adds to a body what the sweep finds at a link.
 template <int p>
 ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
   if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
-  if (role.adds_own) add_bare_link(w, single(link - 1), X);
+  if (role.adds_own) add_link(w, link, X);
 }
 
-// What is found at a link.
+// What is found at a link, in axes of the base.
 template <int p>
 ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
   Body<Value> X{};
   meet<p>(w, link, X);
+  to_base(w, link, X);
   return X;
 }
 
+// Leaves a body at a link, in the axes in which that is told.
 template <bool starts>
-ADAGEN_INLINE void leave(Workspace& w, int link, const Body<Value>& X) {
+ADAGEN_INLINE void add_to(Workspace& w, int link, const Body<Value>& X) {
   Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
   if constexpr (starts)
     body = X;
   else
     body += X;
+}
+// The same of one in axes of the base.
+template <bool starts>
+ADAGEN_INLINE void leave(Workspace& w, int link, Body<Value> X) {
+  from_base(w, link, X);
+  add_to<starts>(w, link, X);
 }
 
 // Whether nothing but the links themselves is found at links first .. last.
@@ -2857,8 +3003,8 @@ void inward_reversed(Workspace& w) {
 template <int link, bool starts>
 void place(Workspace& w) {
   Body<Value> X{};
-  add_bare_link(w, single(link - 1), X);
-  leave<starts>(w, link, X);
+  add_link(w, link, X);
+  add_to<starts>(w, link, X);
 }
 
 // A floating joint on the ground only adds its torque to the link.
@@ -2876,6 +3022,7 @@ template <int p, int link>
 void solve_root(Workspace& w) {
   if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
 }
+
 
 // Numbers of x, or beyond its last one of y.
 template <int... k, class V>
@@ -2988,17 +3135,26 @@ ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
          arm.behind * shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x);
 }
 
+// Gives A below its diagonal what it has above. What is left of a heavy body's inertia along axes
+// that joints have taken out falls off from joint to joint while the inertia stays symmetric, and
+// grows where it does not.
+ADAGEN_INLINE void mirror(Columns& X) {
+  X.angular[1] = shuffled<0, 1, 9, 3, 4, 5, 6, 7>(X.angular[1], X.angular[2]);
+  const Column xy = shuffled<0, 8, 2, 3, 4, 5, 6, 7>(X.angular[0], X.angular[1]);
+  X.angular[0] = shuffled<0, 1, 8, 3, 4, 5, 6, 7>(xy, X.angular[2]);
+}
+
 // The body told about the point at -r from the one that it is told about: what forces become, then
-// what motions were.
+// what motions were, term by term in the same order.
 ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
   ADAGEN_FOR (k, 0, 3) {
     X.angular[k] = carried(arm, X.angular[k]);
     X.linear[k] = carried(arm, X.linear[k]);
   }
   const auto& [x, y, z] = arm.r;
-  X.angular[0] += X.linear[2] * y - X.linear[1] * z;
-  X.angular[1] += X.linear[0] * z - X.linear[2] * x;
-  X.angular[2] += X.linear[1] * x - X.linear[0] * y;
+  X.angular[0] = X.angular[0] + X.linear[2] * y - X.linear[1] * z;
+  X.angular[1] = X.angular[1] + X.linear[0] * z - X.linear[2] * x;
+  X.angular[2] = X.angular[2] + X.linear[1] * x - X.linear[0] * y;
   X.force = carried(arm, X.force);
 }
 
@@ -3006,20 +3162,21 @@ ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
 // not wait for that.
 struct Due {
   Column U{};
-  Real inverse = 0;
+  Real inverse = 0, root = 0;  // root: of the inverse
 };
 
-// The inertia less e U^T.
-ADAGEN_INLINE void subtract(Columns& X, const Column& U, const Column& e) {
-  X.angular[0] -= e * spread<0>(U);
-  X.angular[1] -= e * spread<1>(U);
-  X.angular[2] -= e * spread<2>(U);
-  X.linear[0] -= e * spread<4>(U);
-  X.linear[1] -= e * spread<5>(U);
-  X.linear[2] -= e * spread<6>(U);
+// The inertia less U U^T / D, as g g^T: as symmetric to the last bit as it was.
+ADAGEN_INLINE void subtract(Columns& X, const Due& due) {
+  const Column g = due.U * due.root;
+  X.angular[0] -= g * spread<0>(g);
+  X.angular[1] -= g * spread<1>(g);
+  X.angular[2] -= g * spread<2>(g);
+  X.linear[0] -= g * spread<4>(g);
+  X.linear[1] -= g * spread<5>(g);
+  X.linear[2] -= g * spread<6>(g);
 }
 ADAGEN_INLINE void settle(Columns& X, Due& due) {
-  subtract(X, due.U, due.U * due.inverse);
+  subtract(X, due);
   due = {};
 }
 ADAGEN_INLINE Body<Real> settled(Columns X, Due due) {
@@ -3115,12 +3272,13 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   }
   const Column(&side)[3] = along ? X.linear : X.angular;
   const Column V = side[0] * axis.x + side[1] * axis.y + side[2] * axis.z;
+  mirror(X);  // no sooner, so that V need not wait
   const Real q = component<along>(s, due.U);
   Real D = component<along>(s, V) - q * q * due.inverse;
   if constexpr (kAnyPassive) D += joint.passive.rotor;
   const Real inverse = 1 / D;
   const Column before = due.U * due.inverse;
-  subtract(X, due.U, before);
+  subtract(X, due);
   Column U = V - before * q;
   const Real tau = torque(w, joint);
   const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
@@ -3136,7 +3294,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   Column kept = shuffled<0, 1, 2, 4, 5, 6, 3, 7>(e, e);
   kept[6] = u, kept[7] = inverse;
   std::memcpy(memory.e, &kept, sizeof kept);
-  due = {U, inverse};
+  due = {U, inverse, std::sqrt(inverse)};
   X.force += U * u;
 }
 
@@ -3359,6 +3517,151 @@ void free_acceleration(Workspace& w) {
   as_joint_acceleration<j>(w);
 }
 
+// Limbs side by side: joints of as many limbs as there are lanes are treated together, from the
+// limbs' first joints outwards or back. A first lane that is idle goes by the second one's joints,
+// has memory of its own, and what it gives is written over.
+template <int count, int rows>
+struct Limbs {
+  int slot;                 // of the first joint of the first limb
+  int joints[rows][count];  // all limbs' k-th joints, which are of one kind
+
+  using T = std::conditional_t<count == 2, Two, Four>;
+  static constexpr int kRows = rows;
+  constexpr Joints<T> at(int k) const {
+    Joints<T> result{slot + count * k, {}};
+    for (int lane = 0; lane < count; ++lane) result.joint[lane] = joints[k][lane];
+    return result;
+  }
+  // The link that a limb hangs on.
+  constexpr int near(int lane) const {
+    return kJoints[static_cast<std::size_t>(joints[0][lane])].parent;
+  }
+};
+
+template <const auto& limbs>
+struct LimbRows {
+  static constexpr int kCount = limbs.kRows;
+  static constexpr JointKind kind(int k) { return limbs.at(k).any().kind; }
+};
+
+constexpr int kMostNumbers = 27;  // of what is taken apart or made one: a Body
+
+// One lane of what consists of numbers alone, and all lanes made one.
+template <class T, template <class> class S, std::size_t... k>
+ADAGEN_INLINE S<Value> lane_of(const S<T>& all, int lane, std::index_sequence<k...>) {
+  T numbers[sizeof...(k)];
+  std::memcpy(numbers, &all, sizeof all);
+  const Value own[]{numbers[k][lane]...};
+  S<Value> result;
+  std::memcpy(&result, own, sizeof result);
+  return result;
+}
+template <class T, template <class> class S>
+ADAGEN_INLINE S<Value> lane(const S<T>& all, int lane) {
+  return lane_of(all, lane, std::make_index_sequence<sizeof all / sizeof(T)>{});
+}
+template <class T, std::size_t... lane>
+ADAGEN_INLINE T lanes_of(const Value (&numbers)[kWidth<T>][kMostNumbers], std::size_t k,
+                         std::index_sequence<lane...>) {
+  return T{numbers[lane][k]...};
+}
+template <class T, template <class> class S, std::size_t... k>
+ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>],
+                                std::index_sequence<k...>) {
+  Value own[kWidth<T>][kMostNumbers];
+  ADAGEN_FOR (lane, 0, kWidth<T>) std::memcpy(own[lane], sides[lane], sizeof *sides[lane]);
+  const T numbers[]{lanes_of<T>(own, k, std::make_index_sequence<kWidth<T>>{})...};
+  S<T> result;
+  std::memcpy(&result, numbers, sizeof result);
+  return result;
+}
+template <class T, template <class> class S>
+ADAGEN_INLINE S<T> side_by_side(const S<Value>* const (&sides)[kWidth<T>]) {
+  return side_by_side<T, S>(sides, std::make_index_sequence<sizeof(S<T>) / sizeof(T)>{});
+}
+
+template <const auto& limbs>
+void outward_group(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  Frame<Value> frames[kWidth<T>];
+  const Frame<Value>* sides[kWidth<T>];
+  ADAGEN_FOR (lane, 0, kWidth<T>) {
+    const int near = limbs.near(lane);
+    frames[lane] = near == 0 ? ground() : frame_of(w, near == 0 ? 0 : near - 1);
+    sides[lane] = &frames[lane];
+  }
+  Frame<T> at = side_by_side<T, Frame>(sides);
+  each_row<LimbRows<limbs>, false>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, limbs.at(k), kind, at); });
+}
+
+// Adds to bodies what the sweep finds at the links beyond a row of joints.
+template <int p, class T>
+ADAGEN_INLINE void meet_group(Workspace& w, const Joints<T>& joints, Body<T>& X) {
+  const Body<Value> none{};
+  const Body<Value>* sides[kWidth<T>];
+  bool any = false;
+  ADAGEN_FOR (lane, 0, kWidth<T>) {
+    const std::size_t link = static_cast<std::size_t>(joints.joint[lane] + 1);
+    const bool gathers = kRoles[p][link].gathers;
+    any |= gathers;
+    sides[lane] = gathers ? &w.bodies[link] : &none;
+  }
+  if (any) X += side_by_side<T, Body>(sides);
+  if (turned(joints.joint[0]))
+    add_own_link(w, joints, X);
+  else
+    add_bare_link(w, joints, X);
+}
+
+// Whether nothing but the links themselves is found between the limbs' joints.
+template <int p, class L>
+constexpr bool bare_rows(const L& limbs) {
+  for (int k = 0; k + 1 < L::kRows; ++k)
+    for (const int joint : limbs.at(k).joint)
+      if (kRoles[p][static_cast<std::size_t>(joint + 1)].gathers) return false;
+  return true;
+}
+
+// What hangs on the links that the limbs hang on.
+template <int p, const auto& limbs>
+auto inward_group(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  Body<T> X{};
+  constexpr bool quick = bare_rows<p>(limbs);
+  if constexpr (quick) meet_group<p>(w, limbs.at(limbs.kRows - 1), X);
+  each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    if constexpr (!quick) meet_group<p>(w, limbs.at(k), X);
+    if constexpr (kRefine > 0) keep_body(w, limbs.at(k), X);
+    step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
+      if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
+    });
+  });
+  return X;
+}
+
+template <int p, const auto& limbs>
+void accelerate_group(Workspace& w) {
+  using T = typename std::decay_t<decltype(limbs)>::T;
+  const Motion<Value>* sides[kWidth<T>];
+  ADAGEN_FOR (lane, 0, kWidth<T>)
+    sides[lane] = &w.motions[static_cast<std::size_t>(limbs.near(lane))];
+  Motion<T> a = side_by_side<T, Motion>(sides);
+  each_row<LimbRows<limbs>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const Joints<T> joints = limbs.at(k);
+    move<false>(w, joints, kind, a);
+    if constexpr (kRefine > 0) keep_force<false>(w, joints, a);
+    ADAGEN_FOR (side, 0, kWidth<T>) {
+      const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
+      if (kRoles[p][link].parts) w.motions[link] = lane(a, side);
+    }
+  });
+}
+
+
+// "left_finger_slide", "right_finger_slide"
+constexpr Limbs<2, 1> kLimbs0{16, {{7, 8}}};
+
 
 // Nothing on the ground moves beyond its Frame, and the ground does not yield.
 const Mat6 kZero = Mat6::Zero();
@@ -3537,7 +3840,8 @@ void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias,
 // A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
 template <int link>
 void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
-  const Body<Value>& X = w.bodies[link];
+  Body<Value> X = w.bodies[link];
+  to_base(w, link, X);
   const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
   w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
 }
@@ -3545,7 +3849,8 @@ void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
 // The force that what was left at a link needs to move as the link does.
 template <int link>
 Columns6 force_on(Workspace& w) {
-  const Body<Value>& X = w.bodies[link];
+  Body<Value> X = w.bodies[link];
+  to_base(w, link, X);
   return inertia_of(X) * columns_of(w.motions[link]) + force_of(X);
 }
 
@@ -3680,7 +3985,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.v, 0, 5, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 0, 5, &JointConstants::v, kNotFinite);
   stamp(0);
-  std::copy_n(w.q + 0, 5, w.angle.data() + 0);
+  take_angles<0, 4>(w);
   turn<block(0), block(4) + 1>(w);
   outward<0, 4>(w);  // "base_yaw" .. "forearm_roll"
   stamp(1);
@@ -3742,15 +4047,19 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.v, 0, 9, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 5, 4, &JointConstants::v, kNotFinite);
   stamp(0);
-  std::copy_n(w.q + 0, 7, w.angle.data() + 0);
-  turn<block(0), block(8) + 1>(w);
+  take_angles<0, 8>(w);
+  turn<block(0), block(19) + 1>(w);
   pass_outward<0, 4>(w);  // "base_yaw" .. "forearm_roll"
-  outward<5, 7>(w);  // "wrist_pitch" .. "left_finger_slide"
-  outward<8, 8>(w);  // "right_finger_slide"
+  outward<5, 6>(w);  // "wrist_pitch" .. "flange_roll"
+  outward_group<kLimbs0>(w);
   stamp(1);
-  set_up_links<block(4), block(8) + 1>(w);
-  inward<1, 8, 8, true>(w);  // "right_finger_slide"
-  inward<1, 5, 7, true>(w);  // "wrist_pitch" .. "left_finger_slide"
+  set_up_links<block(4), block(19) + 1>(w);
+  {
+    const auto X = inward_group<1, kLimbs0>(w);
+    leave<true>(w, 7, lane(X, 0));
+    leave<false>(w, 7, lane(X, 1));
+  }
+  inward<1, 5, 6, true>(w);  // "wrist_pitch" .. "flange_roll"
   invert_root<1, 5>(w, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing);
   stamp(2);
   {  // to process 0: assembled: chain of "flange_roll"
@@ -3767,8 +4076,8 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(4);
   w.loads[5] = w.j_flange_roll.F_on_wrist_housing;
   w.motions[5] = motion_of(w.j_flange_roll.b_wrist_housing + w.j_flange_roll.Phi_wrist_housing * w.loads[5]);
-  accelerate<1, 5, 7>(w);  // "wrist_pitch" .. "left_finger_slide"
-  accelerate<1, 8, 8>(w);  // "right_finger_slide"
+  accelerate<1, 5, 6>(w);  // "wrist_pitch" .. "flange_roll"
+  accelerate_group<1, kLimbs0>(w);
   stamp(5);
   require_finite(w, w.answer.data(), 5, 4, &JointConstants::v, kOverflow);
   give(w, 5, 4);
@@ -3827,8 +4136,12 @@ void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
 // Process 1, a correction: its steps again with the factors that they left, for what is
 // left over at the links.
 void correct_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  inward<1, 8, 8, true>(w);  // "right_finger_slide"
-  inward<1, 5, 7, true>(w);  // "wrist_pitch" .. "left_finger_slide"
+  {
+    const auto X = inward_group<1, kLimbs0>(w);
+    leave<true>(w, 7, lane(X, 0));
+    leave<false>(w, 7, lane(X, 1));
+  }
+  inward<1, 5, 6, true>(w);  // "wrist_pitch" .. "flange_roll"
   invert_root<1, 5>(w, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing);
   {  // to process 0: assembled: chain of "flange_roll"
     Number* to = channel.outgoing(0, w.status);
@@ -3842,8 +4155,8 @@ void correct_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
   }
   w.loads[5] = w.j_flange_roll.F_on_wrist_housing;
   w.motions[5] = motion_of(w.j_flange_roll.b_wrist_housing + w.j_flange_roll.Phi_wrist_housing * w.loads[5]);
-  accelerate<1, 5, 7>(w);  // "wrist_pitch" .. "left_finger_slide"
-  accelerate<1, 8, 8>(w);  // "right_finger_slide"
+  accelerate<1, 5, 6>(w);  // "wrist_pitch" .. "flange_roll"
+  accelerate_group<1, kLimbs0>(w);
   require_finite(w, w.answer.data(), 5, 4, &JointConstants::v, kOverflow);
   give(w, 5, 4);
 }

@@ -21,21 +21,22 @@ from adagen.calibrate.fit import (
 )
 from adagen.calibrate.measure import Measurement, StageTime
 from adagen.calibrate.nnls import nnls
-from adagen.calibrate.samples import calibration_plans, straight_plans
+from adagen.calibrate.samples import Program as Wanted
+from adagen.calibrate.samples import stepwise_programs, straight_programs
 from adagen.calibrate.surrogate import fit_equation11, join_time
 from adagen.calibrate.write import profile_text
-from adagen.emit.predicted import predict
-from adagen.emit.shapes import chosen_shape
-from adagen.plan import Plan
+from adagen.cost import operation_features, timeline
+from adagen.cost.straight import straight_features
+from adagen.program import Program
 from adagen.schedule import load_profile, parse_profile
 from adagen.schedule.costs import NAMES, ChannelCosts, StepCosts
 from adagen.schedule.profile import CostProfile
 from tests.cost.costs import MESSAGE, WINDOW, step_costs
 
 
-def played(plan: Plan, costs: StepCosts, noise: float, rng: np.random.Generator) -> Sample:
+def played(program: Program, costs: StepCosts, noise: float, rng: np.random.Generator) -> Sample:
     """Return what would be measured on a machine with these costs."""
-    line = predict(plan, CostProfile("x", 0.1, 0.1, 0.0, 1.0, steps=costs), "kernels").by_stage()
+    line = timeline(program, CostProfile("x", 0.1, 0.1, 0.0, 1.0, steps=costs)).by_stage()
     rows, waiting = [], {}
     for i in line.intervals:
         if i.what == "wait":
@@ -44,13 +45,45 @@ def played(plan: Plan, costs: StepCosts, noise: float, rng: np.random.Generator)
         start = waiting.get((i.process, i.message), i.start) if i.what == "receive" else i.start
         length = (i.end - start) * (1 + noise * rng.normal())
         rows.append(StageTime(i.process, i.what, i.message, start, length))
-    return Sample(plan, Measurement(line.makespan, line.makespan, tuple(rows), "window", True))
+    return Sample(program, Measurement(line.makespan, line.makespan, tuple(rows), "window", True))
 
 
 @pytest.fixture(scope="module")
-def plans() -> list[Plan]:
-    found = [plan for _, plan in calibration_plans(load_profile("paper"), quick=False)]
-    return [plan for plan in found if not plan.slaved]
+def wanted() -> list[Wanted]:
+    return stepwise_programs(load_profile("paper"), quick=False)
+
+
+@pytest.fixture(scope="module")
+def programs(wanted: list[Wanted]) -> list[Program]:
+    return [each.lowered for each in wanted if not each.plan.slaved]
+
+
+def test_every_coefficient_that_prices_something_is_measured(
+    programs: list[Program],
+) -> None:
+    """But those of kinds that rows, columns and segments do not take."""
+    seen = {
+        name
+        for program in programs
+        for process in program.processes
+        for operation in process.operations
+        for name in operation_features(operation, program.plan.joints)
+    }
+    seen |= set(straight_features(straight_programs(load_profile("paper"))[0].lowered, 0.0))
+    fitted = {"process.evaluation", "process.margin", "unrolled.held"}
+    fitted |= {name for name in NAMES if name.startswith("slaved.")}
+    unseen = {name for name in NAMES if name not in seen | fitted}
+    groups = ("_two.", "_four.", "_columns.", "_segments.", "propagate_run.")
+    assert {name for name in unseen if not any(group in name for group in groups)} == set()
+    assert not {name for name in unseen if name.endswith((".revolute", ".run"))}
+
+
+def test_what_is_measured_does_not_depend_on_a_profile(wanted: list[Wanted]) -> None:
+    """Prices choose nothing there: only schedules' nodes are priced."""
+    others = stepwise_programs(load_profile("default"), quick=False)
+    for one, other in zip(wanted, others, strict=True):
+        assert one.limbs == other.limbs
+        assert one.lowered.processes == other.lowered.processes
 
 
 def test_nnls_obeys_its_optimality_conditions() -> None:
@@ -65,10 +98,10 @@ def test_nnls_obeys_its_optimality_conditions() -> None:
         assert np.abs(slope[x > 0]).max(initial=0.0) < 1e-8
 
 
-def test_known_costs_are_found_again(plans: list[Plan]) -> None:
+def test_known_costs_are_found_again(programs: list[Program]) -> None:
     rng = np.random.default_rng(2)
     truth = step_costs()
-    samples = [played(plan, truth, 0.0, rng) for plan in plans]
+    samples = [played(each, truth, 0.0, rng) for each in programs]
     table = fit_steps(samples)
     assert set(table) == set(NAMES) and min(table.values()) >= 0
     found = StepCosts(table, WINDOW, WINDOW)
@@ -79,16 +112,16 @@ def test_known_costs_are_found_again(plans: list[Plan]) -> None:
         assert found[name] == pytest.approx(truth[name], rel=0.03)
 
 
-def test_noise_and_an_outlier_do_little(plans: list[Plan]) -> None:
+def test_noise_and_an_outlier_do_little(programs: list[Program]) -> None:
     rng = np.random.default_rng(3)
     truth = step_costs()
-    samples = [played(plan, truth, 0.03, rng) for plan in plans]
+    samples = [played(each, truth, 0.03, rng) for each in programs]
     bad = samples[0].measured.stages[0]
     stages = (StageTime(0, bad.what, None, 0.0, 20 * bad.length), *samples[0].measured.stages[1:])
     m = samples[0].measured
-    samples[0] = Sample(samples[0].plan, Measurement(m.time, m.best, stages, "window", True))
+    samples[0] = Sample(samples[0].program, Measurement(m.time, m.best, stages, "window", True))
     found = StepCosts(fit_steps(samples), WINDOW, WINDOW)
-    clean = [played(plan, truth, 0.0, rng) for plan in plans]
+    clean = [played(each, truth, 0.0, rng) for each in programs]
     errors = [abs(e) for row in relative_errors(clean, found).values() for e in row]
     assert np.median(errors) < 0.03
 
@@ -128,20 +161,20 @@ def test_a_sender_never_takes_longer_than_the_way() -> None:
 
 
 def test_costs_of_straight_lines_are_found_again() -> None:
-    profile = CostProfile("x", 0.1, 0.1, 0.0, 1.0, steps=step_costs())
-    plans = [plan for _, plan in straight_plans(load_profile("paper"))]
-    assert "unrolled" in {chosen_shape(plan) for plan in plans}
-    times = [predict(plan, profile, "unrolled").makespan for plan in plans]
-    found = fit_straight(plans, times)
-    truth = step_costs()
+    truth = step_costs(unrolled__held=2500.0)
+    profile = CostProfile("x", 0.1, 0.1, 0.0, 1.0, steps=truth)
+    lines = [each.lowered for each in straight_programs(load_profile("paper"))]
+    assert any(any(line.slots.limbs) for line in lines)
+    times = [timeline(line, profile).makespan for line in lines]
+    found = fit_straight(lines, times)
     assert set(found) == {name for name in NAMES if name.startswith("unrolled.")}
     assert found == pytest.approx({name: truth[name] for name in found}, rel=1e-5)
 
 
-def test_an_evaluation_is_found_again(plans: list[Plan]) -> None:
+def test_an_evaluation_is_found_again(programs: list[Program]) -> None:
     rng = np.random.default_rng(4)
     truth = step_costs()
-    samples = [played(plan, truth, 0.0, rng) for plan in plans]
+    samples = [played(each, truth, 0.0, rng) for each in programs]
     assert evaluation_cost(samples) == pytest.approx(truth["process.evaluation"], rel=1e-6)
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from adagen.calibrate.robots import chain, robot, squared, star
+from adagen.cost import programmed
 from adagen.cost.straight import straight_features
 from adagen.emit.predicted import is_priced, predict, priced_program
 from adagen.emit.shapes import SHAPES, chosen_shape
@@ -53,12 +54,13 @@ def test_it_is_what_auto_emits(model: Model) -> None:
     assert priced_program(plan, "kernels").shape == "kernels"
     assert line.makespan < other.makespan  # or auto would be wrong
     (only,) = simulate(plan)
-    found = straight_features(plan)
+    found = straight_features(programmed(plan, "unrolled"), 2500.0)
     assert found["unrolled.sine"] == len(model.joints)
     assert found["unrolled.operation"] == only.operations.arithmetic - only.operations.fused
-    costs = step_costs()
+    costs = step_costs(unrolled__held=2500.0)
     expected = sum(costs[name] * count for name, count in found.items())
-    assert predict(plan, step_profile(), "unrolled").makespan == pytest.approx(expected)
+    profile = step_profile((), unrolled__held=2500.0)
+    assert predict(plan, profile, "unrolled").makespan == pytest.approx(expected)
 
 
 def test_its_stages_share_its_time_in_order() -> None:

@@ -8,13 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.cost import programmed
 from adagen.emit.predicted import predict
 from adagen.emit.shapes import SHAPES
 from adagen.executor import interpret
 from adagen.model import Model, Passive
 from adagen.model.kinds import REVOLUTE, SPHERICAL
 from adagen.plan import Plan, make_plan
-from adagen.plan.simd_groups import placed_links, simd_groups
+from adagen.plan.simd_groups import placed_links
 from adagen.plan.steps import (
     Articulate,
     Disassemble,
@@ -63,7 +64,7 @@ def test_limbs_with_joints_of_prescribed_motion_are_taken_side_by_side(
     model = figure("left_knee", "right_elbow", "neck")
     plan = make_plan(model, best_schedule(model, 1, PROFILE))
     assert SHAPES["kernels"].why_not(plan) is None
-    grouped = {j for limbs in simd_groups(plan, plan.processes[0]) for j in limbs.members()}
+    grouped = {j for limbs in programmed(plan, "kernels").slots.limbs[0] for j in limbs.members()}
     given = {plan.joints[j].name for j in grouped if plan.joints[j].prescribed}
     assert given == {"left_knee", "right_elbow"}
     require_right(plan, model, builder, tmp_path)
@@ -216,7 +217,7 @@ def test_spherical_joints_have_damping_and_rotors(builder: Builder, tmp_path: Pa
     """Limbs side by side among them."""
     model = driven(human_figure())
     plan = make_plan(model, best_schedule(model, 1, PROFILE))
-    grouped = {j for limbs in simd_groups(plan, plan.processes[0]) for j in limbs.members()}
+    grouped = {j for limbs in programmed(plan, "kernels").slots.limbs[0] for j in limbs.members()}
     assert geared_balls(plan) & grouped
     assert SHAPES["kernels"].why_not(plan) is None
     require_right(plan, model, builder, tmp_path)

@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.cost import programmed
 from adagen.emit.shapes import SHAPES
 from adagen.model import Model
 from adagen.model.kinds import PRISMATIC, SPHERICAL
 from adagen.plan import make_plan
-from adagen.plan.simd_groups import simd_groups
 from adagen.plan.steps import Join
 from adagen.schedule import Topology, load_profile
 from adagen.schedule.tree import Named
@@ -116,7 +116,7 @@ def test_limbs_side_by_side_are_solved(
     model: Model, processes: int, builder: Builder, tmp_path: Path
 ) -> None:
     plan = make_plan(model, best_schedule(model, processes, PROFILE))
-    assert any(simd_groups(plan, process) for process in plan.processes)
+    assert any(programmed(plan, "kernels").slots.limbs)
     states = random_states(model, 5, seed=3)
     solver = builder.solver(plan, name="limbs", shape="kernels")
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from adagen.cost import programmed
 from adagen.model import KINDS, Model
 from adagen.program.runs import Run
 from adagen.program.segments import LANES, slots_of, split
-from adagen.program.slots import Slots
 from adagen.states import random_states
 from tests.emitted import NARROW, OPTIMISED, QUICK, ROUNDING, Builder, kernels_of, plan_of
 from tests.models import random_tree, serial_chain
@@ -70,7 +70,7 @@ def test_states_of_a_batch_keep_their_lanes() -> None:
 
 def test_processes_agree_on_the_runs_in_segments() -> None:
     plan = plan_of(serial_chain(70), 3)
-    layout = Slots.of(plan, batch=False)
+    layout = programmed(plan, "kernels").slots
     assert len(layout.segments) == 3
     assert sorted(layout.slots) == sorted(set(layout.slots))
     text = kernels_of(plan)

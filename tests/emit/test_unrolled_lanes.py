@@ -117,7 +117,7 @@ class TestStructure:
     def test_lanes_can_be_turned_off(self) -> None:
         plan = plan_of(star(4, 2), 1)
         assert "const Four " in text_of(plan, shape="unrolled")
-        off = text_of(plan, shape="unrolled", lanes=False)
+        off = text_of(plan, shape="unrolled", limbs=((),))
         assert "const Four " not in off
         assert "const Four " not in text_of(plan, shape="unrolled", batch=2)
 

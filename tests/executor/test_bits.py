@@ -31,7 +31,8 @@ ALGEBRAS = {"double": DOUBLE, "float": FLOAT}
 
 def require_same_bits(plan: Plan, states: States, model: Model, builder: Builder, to: Path) -> None:
     """Build, run and carry out a plan, each limb by itself: both give the same numbers."""
-    solver = builder.solver(plan, EXACT, name="bits", shape="unrolled", lanes=False)
+    none = tuple(() for _ in plan.processes)
+    solver = builder.solver(plan, EXACT, name="bits", shape="unrolled", limbs=none)
     found = solver.solve(model, states, to, "--check")
     rows = zip(states.q, states.v, states.tau, strict=True)
     expected = np.array([interpret(plan, *row, ALGEBRAS[plan.scalar]) for row in rows])

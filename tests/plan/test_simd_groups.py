@@ -8,8 +8,8 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from adagen.executor.grouping import spared
 from adagen.model import Model
-from adagen.model.kinds import SPHERICAL
 from adagen.plan import Plan, make_plan
 from adagen.plan.order import Unit, ends_of, inward_order, outward_order
 from adagen.plan.simd_groups import KINDS, Limbs, simd_groups
@@ -28,7 +28,7 @@ def alone(model: Model) -> Plan:
 
 def limbs_of(model: Model) -> list[Limbs]:
     plan = alone(model)
-    return simd_groups(plan, plan.processes[0])
+    return simd_groups(plan, plan.processes[0], spared)
 
 
 def joints_of(units: Sequence[Unit]) -> list[int]:
@@ -46,17 +46,22 @@ def test_two_limbs_share_two_lanes() -> None:
     assert len(limbs.rows) == 6
 
 
-def test_three_limbs_leave_a_lane_idle_where_they_are_long_enough() -> None:
+def test_three_limbs_leave_a_lane_idle() -> None:
     [limbs] = limbs_of(star(3, 2, floating=True))
     assert limbs.rows == ((1, 3, 5), (2, 4, 6))
     assert (limbs.count, limbs.lanes, limbs.idle) == (3, 4, 1)
-    assert limbs_of(star(3, 1, floating=True)) == []
 
 
-def test_spherical_joints_are_worth_lanes_in_single_rows() -> None:
-    [pair] = limbs_of(star(2, 1, kind=SPHERICAL, floating=True))
-    [three] = limbs_of(star(3, 1, kind=SPHERICAL, floating=True))
-    assert (pair.rows, three.rows) == (((1, 2),), ((1, 2, 3),))
+def test_no_more_limbs_go_together_than_may() -> None:
+    plan = alone(star(4, 3, floating=True))
+    for most in (2, 3):
+        found = simd_groups(plan, plan.processes[0], spared, range(2, most + 1))
+        assert max(limbs.count for limbs in found) == most
+
+
+def test_limbs_that_save_nothing_are_left_alone() -> None:
+    plan = alone(star(4, 3, floating=True))
+    assert simd_groups(plan, plan.processes[0], lambda _kinds, _count: 0.0) == []
 
 
 def test_what_a_handles_mobility_goes_through_is_passed_singly() -> None:
@@ -67,15 +72,11 @@ def test_what_a_handles_mobility_goes_through_is_passed_singly() -> None:
     [process] = [p for p in plan.processes if any(isinstance(s, Propagate) for s in p.steps)]
     through = {s.joint for s in process.steps if isinstance(s, Propagate)}
     assert {model.joints[j].name for j in through} == {"waist_yaw", "waist_roll"}
-    assert not through & {j for each in simd_groups(plan, process) for j in each.members()}
+    assert not through & {j for each in simd_groups(plan, process, spared) for j in each.members()}
 
 
 def test_a_chain_has_nothing_beside_it() -> None:
     assert limbs_of(serial_chain(30)) == []
-
-
-def test_single_joints_are_not_worth_two_lanes() -> None:
-    assert limbs_of(star(2, 1, floating=True)) == []
 
 
 def test_levels_of_a_binary_tree_are_passed_together() -> None:
@@ -100,7 +101,7 @@ def test_limbs_of_any_plan_can_be_passed_in_order(
     model = random_tree(rng, joints, branching=branching, floating=floating)
     plan = make_plan(model, random_schedule(model, processes, rng), meeting=meeting)
     for process in plan.processes:
-        limbs = simd_groups(plan, process)
+        limbs = simd_groups(plan, process, spared)
         members = [j for each in limbs for j in each.members()]
         assert len(set(members)) == len(members)
         assert set(members) <= set(process.owns)
@@ -135,7 +136,7 @@ def test_sweeps_of_one_process_pass_each_link_when_it_is_whole(
     model = random_tree(np.random.default_rng(seed), joints, branching=branching, floating=floating)
     plan = alone(model)
     [process] = plan.processes
-    limbs = simd_groups(plan, process)
+    limbs = simd_groups(plan, process, spared)
     inward = [s for s in process.steps if isinstance(s, Articulate)]
     sweep = {s.joint: ends_of(plan.joints, s.joint, s.reversed) for s in inward}
     seen: set[int] = set()

@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 
 from adagen.calibrate.schedules import random_schedule
+from adagen.cost import programmed
 from adagen.emit.shapes import SHAPES
 from adagen.errors import UsageError
 from adagen.plan import Plan, make_plan
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Accelerate, Receive, Send
-from adagen.program import Operation, Program, ProgramError, check, lower
+from adagen.program import Operation, Program, ProgramError, check
 from adagen.program.runs import Run
 from adagen.schedule import Topology, load_profile
 from adagen.search import best_schedule
@@ -37,7 +38,7 @@ def programs(seed: int) -> list[Program]:
             except UsageError:
                 continue
             found += [
-                lower(plan, name, batch=batch)
+                programmed(plan, name, batch=batch)
                 for name, shape in SHAPES.items()
                 for batch in (False, True)
                 if shape.why_not(plan) is None and not (batch and processes > 1)
@@ -56,7 +57,7 @@ def test_what_is_emitted_is_well_formed(seed: int) -> None:
 def example(meeting: str = "gather", shape: str = "kernels") -> Program:
     model = human_figure()
     schedule = random_schedule(Topology.of(model), 2, PROFILE, 5)
-    return lower(make_plan(model, schedule, meeting=meeting), shape)
+    return programmed(make_plan(model, schedule, meeting=meeting), shape)
 
 
 def spoilt(program: Program, change: Callable[[list[Operation]], list[Operation]]) -> Program:
@@ -187,7 +188,7 @@ def test_every_acceleration_has_one_owner() -> None:
 
 def test_what_recovers_is_checked_too() -> None:
     model = serial_chain(60)
-    program = lower(make_plan(model, best_schedule(model, 2, PROFILE)), "kernels")
+    program = programmed(make_plan(model, best_schedule(model, 2, PROFILE)), "kernels")
     p = next(p for p, process in enumerate(program.processes) if process.recovery)
     check(program)
     processes = list(program.processes)

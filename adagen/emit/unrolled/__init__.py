@@ -8,11 +8,9 @@ alike share code, one in each SIMD lane.
 from __future__ import annotations
 
 from adagen.emit.unrolled.emission import CHUNK, values, why_not
-from adagen.emit.unrolled.pays import pays_in_lanes
 
 __all__ = [
     "CHUNK",
-    "pays_in_lanes",
     "values",
     "why_not",
 ]

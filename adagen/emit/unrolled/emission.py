@@ -12,7 +12,7 @@ from adagen.emit.unrolled.describe import describe_step
 from adagen.emit.unrolled.layout import Chunk, Layout, Stretch, is_given, laid_out, looked_at
 from adagen.emit.unrolled.text import FUNCTIONS, TYPES, Text
 from adagen.emit.words import Words
-from adagen.executor import Simulated, straight_line
+from adagen.executor import Simulated, simulate
 from adagen.executor.checks import exceeds
 from adagen.graph import Expression, live_nodes
 from adagen.plan import Plan
@@ -43,8 +43,10 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
     plan = words.plan
     recovers = any(process.recovery for process in plan.processes)
     plans = [plan, plan.recovering()] if recovers else [plan]
-    lanes = words.lanes and not words.batch
-    line = [one for each in plans for one in straight_line(each, lanes=lanes)]
+    groupings = (words.program.slots.limbs, words.program.recovering)
+    line = [
+        one for each, limbs in zip(plans, groupings, strict=False) for one in simulate(each, limbs)
+    ]
     processes = [process for each in plans for process in each.processes]
     wide = any(simulated.machine.rows.rows for simulated in line)
     rows = [

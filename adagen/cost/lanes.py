@@ -1,0 +1,82 @@
+"""The program that a plan takes least time as in a shape: which limbs are taken side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from functools import lru_cache
+
+from adagen.cost.features import operation_features
+from adagen.executor import chosen_grouping
+from adagen.plan import Plan
+from adagen.plan.simd_groups import OFFERED, Limbs, simd_groups
+from adagen.plan.types import Process
+from adagen.program import Program, lower
+from adagen.program.loops import Loops
+from adagen.program.lower import LOOPS
+from adagen.program.slots import Slots
+from adagen.schedule import CostProfile, step_costs
+from adagen.schedule.costs import StepCosts
+
+
+@lru_cache(maxsize=16)  # a plan is priced, checked, drawn and emitted one after the other
+def programmed(
+    plan: Plan, shape: str, profile: CostProfile | None = None, *, batch: bool = False
+) -> Program:
+    """Return the program of a plan in a shape, limbs side by side as they take least time.
+
+    Args:
+        plan: what each process computes.
+        shape: "kernels", "unrolled", "joints" or a baseline; one that takes the plan.
+        profile: prices limbs and methods; the shipped one where it prices joins alone, or none is
+            given.
+        batch: whether SIMD lanes are for states, and limbs are taken one by one.
+    """
+    costs = step_costs(profile)
+    if batch or shape not in (LOOPS, "unrolled"):
+        return lower(plan, shape, batch=batch, costs=costs)
+    if shape == LOOPS:
+        limbs = tuple(chosen_limbs(plan, process, costs) for process in plan.processes)
+        return lower(plan, shape, limbs=limbs, costs=costs)
+    found = lower(plan, shape, limbs=chosen_grouping(plan, costs), costs=costs)
+    if any(process.recovery for process in plan.processes):
+        return replace(found, recovering=chosen_grouping(plan.recovering(), costs))
+    return found
+
+
+def chosen_limbs(plan: Plan, process: Process, costs: StepCosts) -> tuple[Limbs, ...]:
+    """Return the limbs that a process takes side by side in loops: those of least price.
+
+    Args:
+        plan: of form segment.
+        process: one of its processes; others are of no influence.
+        costs: the machine's coefficients.
+    """
+    offers = offered_limbs(plan, process, costs)
+    if len(offers) == 1:
+        return offers[0]
+    alone = replace(plan, processes=(process,))
+    return min(offers, key=lambda limbs: _time(alone, limbs, costs))
+
+
+def offered_limbs(plan: Plan, process: Process, costs: StepCosts) -> list[tuple[Limbs, ...]]:
+    """Return the groupings of a process's limbs that are compared; none comes first."""
+
+    def saved(kinds: Sequence[str], count: int) -> float:
+        rows = sum(count * costs.joint(kind) - costs.row(kind, count) for kind in kinds)
+        return rows - costs["limbs.two" if count == 2 else "limbs.four"]
+
+    def grouping(counts: Iterable[int]) -> tuple[Limbs, ...]:
+        return tuple(simd_groups(plan, process, saved, counts))
+
+    most = grouping(OFFERED[0])
+    if not most:  # nor would fewer
+        return [()]
+    return list(dict.fromkeys([(), most, *map(grouping, OFFERED[1:])]))
+
+
+def _time(plan: Plan, limbs: tuple[Limbs, ...], costs: StepCosts) -> float:
+    """What the only process of a plan takes, microseconds."""
+    slots = Slots.of(plan, (limbs,), costs)
+    operations = Loops(plan, plan.processes[0], slots, limbs, False, costs).operations()
+    return sum(costs.total(operation_features(each, plan.joints)) for each in operations)

@@ -1,0 +1,80 @@
+"""What the statements of straight lines are made of, in the coefficients of a cost profile.
+
+They are an expression graph, so that what a robot's structure saves is known exactly. Between two
+messages a process's statements are one stretch. Its time is that of its operations, of its sines
+and cosines, and of its longest chain of operations that wait for each other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from adagen.executor.run import Simulated
+from adagen.graph import live_nodes
+from adagen.plan.steps import Receive, Send, Step
+
+_COMPUTED = ("add", "sub", "mul", "reciprocal")
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Statements of one process between two messages.
+
+    Attributes:
+        features: how often each coefficient counts.
+        statements: how many each step has, by the step's place.
+    """
+
+    features: dict[str, float]
+    statements: dict[int, int]
+
+
+def stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list[Stretch]:
+    """Return the stretches of a process.
+
+    Args:
+        simulated: the process after all its steps.
+        steps: these.
+        held: statements whose instructions the first instruction cache holds; more of them are
+            fetched anew in each evaluation.
+    """
+    graph, stretch = simulated.machine.graph, _stretch_of(steps)
+    counts: list[dict[int, int]] = [{} for _ in range(stretch[-1] + 1 if stretch else 1)]
+    done = [0] * len(counts)  # cycles until a stretch's last value is there
+    ready: dict[int, int] = {}
+    for index in live_nodes(graph, simulated.machine.roots()):
+        node = graph.nodes[index]
+        here = stretch[node.mark] if stretch else 0
+        before = max((graph.nodes[k].ready for k in node.args), default=0)
+        own = node.ready - before if node.args else max(0, node.ready)
+        waits = (ready[k] for k in node.args if stretch[graph.nodes[k].mark] == here)
+        ready[index] = own + max(waits, default=0)
+        done[here] = max(done[here], ready[index])
+        if node.op in _COMPUTED:
+            counts[here][node.mark] = counts[here].get(node.mark, 0) + 1
+    operations = simulated.operations
+    computed = sum(sum(count.values()) for count in counts) or 1
+    # A sum takes up a product; what is done in SIMD lanes is done once, and moved into them.
+    statements = operations.arithmetic - operations.fused
+    parts = []
+    for k, (count, cycles) in enumerate(zip(counts, done, strict=True)):
+        share = sum(count.values()) / computed
+        features: dict[str, float] = {
+            "unrolled.operation": statements * share,
+            "unrolled.move": operations.moves * share,
+            "unrolled.fetched": max(0.0, statements + operations.moves - held) * share,
+            "unrolled.sine": len(simulated.machine.angles) if k == 0 else 0,
+            "unrolled.cycle": cycles,
+        }
+        parts.append(Stretch(features, count))
+    return parts
+
+
+def _stretch_of(steps: Sequence[Step]) -> list[int]:
+    """By step: how many messages were exchanged before it."""
+    found, messages = [], 0
+    for step in steps:
+        messages += isinstance(step, Send | Receive)
+        found.append(messages)
+    return found
