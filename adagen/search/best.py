@@ -87,6 +87,8 @@ def best_schedule(
         return best
     families = Families(model, seen, processes, profile, expansions, shape)
     families.consider(joined([False] * len(seen.topology)), "alone")
+    if families.settled:
+        return families.taken()
     families.consider(best, "joined")
     families.name(cuttable)
     if gather and can_gather(model):

@@ -225,6 +225,11 @@ class Families:
             self._priced = Pricing(make_plan(self.model, schedule), self.profile)
         return self._priced
 
+    @property
+    def settled(self) -> bool:
+        """Whether the best so far is done before processes could exchange anything."""
+        return self.least <= self._exchange()
+
     def _exchange(self) -> float:
         """The least that processes take which exchange anything, in any shape; microseconds."""
         fastest = max(self.costs.speed(p) for p in range(self.processes))
