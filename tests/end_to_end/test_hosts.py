@@ -28,7 +28,7 @@ BY_STEM = {example.stem: example for example in EXAMPLES}
         ("human40_p4", 2, "mixed"),
         ("human40_p4", 4, "message"),
         ("chain16_p3", 2, "mixed"),
-        ("mobile_p3", 2, "mixed"),
+        ("mobile_p3", 2, "window"),  # process 2, alone on its host, has nothing to do
     ],
 )
 def test_processes_of_one_host_meet_in_a_window_others_by_messages(
