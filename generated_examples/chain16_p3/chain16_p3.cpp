@@ -2767,7 +2767,8 @@ void inward_turned(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     meet<p>(w, j + 1, X);
-    step_turned<false>(w, single(j), kind, turned_slot(kJoints[static_cast<std::size_t>(j)].parent), X);
+    step_turned<false>(w, single(j), kind, turned_slot(kJoints[static_cast<std::size_t>(j)].parent),
+                       X);
   });
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) add_to<starts>(w, near, X);
