@@ -1,0 +1,34 @@
+"""Which joints loops sweep in their own axes."""
+
+from __future__ import annotations
+
+import pytest
+
+from adagen.model import Model
+from adagen.plan.turned import turned_joints
+from adagen.studies.stability import robots
+from tests.emitted import plan_of
+from tests.models import human_figure
+
+
+def tool(radius: float) -> Model:
+    links = [robots.rod(), robots.rod(), robots.rod(radius=radius)]
+    return robots.chain("tool", links, axes="xyz")
+
+
+@pytest.mark.parametrize("model", [robots.rods(30), robots.coil(20), human_figure()])
+def test_ordinary_robots_stay_in_axes_of_the_base(model: Model) -> None:
+    assert not turned_joints(plan_of(model, 1))
+
+
+def test_a_slender_tool_turns_in_its_own_axes() -> None:
+    # tr A / D is 4/3 of the squared ratio of length and radius: 3.3e3 at 2 cm, 5.3e4 at 5 mm.
+    assert turned_joints(plan_of(tool(0.3), 1)) == set()
+    assert turned_joints(plan_of(tool(5e-3), 1)) == {2}
+    assert turned_joints(plan_of(tool(0.02), 1)) == set()
+    assert turned_joints(plan_of(tool(0.02), 1, scalar="float")) == {2}
+
+
+def test_light_links_turn_with_the_joints_that_may_come_to_lie_along_their_axes() -> None:
+    # Balls of three axes x y z through massless links: joints 0 and 1 bear nothing themselves.
+    assert turned_joints(plan_of(robots.three_axis(1), 1)) == {0, 1, 2}
