@@ -2,7 +2,7 @@
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// program   2 processes, joined at cuts; 1.15 us predicted (default profile)
+// program   2 processes, joined at cuts; 1.01 us predicted (default profile)
 //           process 0: base_yaw .. forearm_roll
 //           process 1: left_finger_slide | right_finger_slide in 2 lanes, wrist_pitch .. flange_roll
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
@@ -3669,12 +3669,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   outward_group<kLimbs0>(w);
   stamp(1);
   set_up_links<block(4), block(11) + 1>(w);
+  set_up_columns<block(10), block(11) + 1>(w);
   {
     const auto X = inward_group<1, kLimbs0>(w);
     leave<true>(w, 7, lane(X, 0));
     leave<false>(w, 7, lane(X, 1));
   }
-  inward<1, 5, 6, true>(w);  // "wrist_pitch" .. "flange_roll"
+  inward_in_columns<1, 5, 6, true>(w);  // "wrist_pitch" .. "flange_roll"
   invert_root<1, 5>(w, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing);
   stamp(2);
   {  // to process 0: assembled: chain of "flange_roll"

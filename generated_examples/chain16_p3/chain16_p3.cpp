@@ -2,7 +2,7 @@
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// program   3 processes, joined at cuts; 1.75 us predicted (default profile)
+// program   3 processes, joined at cuts; 1.64 us predicted (default profile)
 //           process 0: joint01 .. joint08
 //           process 1: joint09 .. joint12
 //           process 2: joint13 .. joint16
@@ -1431,8 +1431,8 @@ constexpr bool kReordered = false;  // whether joints lie in another order than 
 constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
 constexpr bool kByColumns = true;  // whether runs are taken by columns
 // Joints that are eliminated in their own axes, and whether there are such.
-constexpr bool kAnyTurned = true;
-constexpr bool kTurned[kJointCount]{ 0, 0, 1, 1, 1, 1, 1, 0, 1, 1, 1, 0, 0, 0, 0, 0 };
+constexpr bool kAnyTurned = false;
+constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 
 // What a process does at a link.
 struct LinkRole {
@@ -2730,86 +2730,6 @@ void solve_root(Workspace& w) {
   if (!solve_free(whole<p>(w, link), w.motions[link])) fail(w, kFactorization, link - 1);
 }
 
-// From the parent link's origin to the child link's, in the parent link's axes.
-template <class T>
-ADAGEN_INLINE Vector<T> lever_on_parent(Workspace& w, const Joints<T>& joints, JointKind kind,
-                                        const Matrix<T>& turn) {
-  const auto origin = origin_of(joints);
-  Vector<T> r{T{} + origin.x, T{} + origin.y, T{} + origin.z};
-  if (kind == JointKind::kPrismatic) {
-    const T q = each(joints, [&w](const JointConstants& own) { return w.q[own.q]; });
-    r += Vector<T>{turn.x.z, turn.y.z, turn.z.z} * q;
-  }
-  return r;
-}
-
-// One joint, or one in each lane. The slot is that of the parent link if its body is told in its
-// own axes, and negative if in those of the base.
-template <bool reversed, class T>
-ADAGEN_INLINE void step_turned(Workspace& w, const Joints<T>& joints, JointKind kind, int slot,
-                               Body<T>& X) {
-  const bool own = slot >= 0;
-  if (!turned(joints.joint[0])) {
-    if (reversed && own) turn_body(X, matrix_at<T>(w.at(slot, kAxes)));
-    step_inward<reversed>(w, joints, kind, X, [](const Body<T>&) {});
-    if (!reversed && own) turn_body(X, transposed(matrix_at<T>(w.at(slot, kAxes))));
-    return;
-  }
-  [[maybe_unused]] const Matrix<T> R = matrix_at<T>(w.at(joints.slot, kAxes));
-  const Matrix<T> turn = matrix_at<T>(w.at(joints.slot, kTurn));
-  if constexpr (reversed) {
-    if (own) {
-      shift(X, -lever_on_parent(w, joints, kind, turn));
-      turn_body(X, transposed(turn));
-    } else {
-      shift(X, -w.memory(joints).r);
-      turn_body(X, transposed(R));
-    }
-  }
-  if (kind == JointKind::kRevolute)
-    eliminate_own<false, reversed>(w, joints, X);
-  else
-    eliminate_own<true, reversed>(w, joints, X);
-  if constexpr (reversed) return;
-  if (own) {
-    turn_body(X, turn);
-    shift(X, lever_on_parent(w, joints, kind, turn));
-  } else {
-    turn_body(X, R);
-    shift(X, w.memory(joints).r);
-  }
-}
-
-// The slot of a link whose body is told in its own axes, -1 of others.
-ADAGEN_INLINE int turned_slot(int link) { return turned_link(link) ? slot_of(link - 1) : -1; }
-
-// See inward in inward.hpp: the same where a joint is turned, or the near link.
-template <int p, int first, int last, bool starts>
-void inward_turned(Workspace& w) {
-  Body<Value> X{};
-  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
-    const int j = first + k;
-    meet<p>(w, j + 1, X);
-    step_turned<false>(w, single(j), kind, turned_slot(kJoints[static_cast<std::size_t>(j)].parent),
-                       X);
-  });
-  constexpr int near = kJoints[first].parent;
-  if constexpr (near > 0) add_to<starts>(w, near, X);
-}
-
-// See inward_reversed.
-template <int p, int first, int last, bool starts>
-void inward_turned_reversed(Workspace& w) {
-  Body<Value> X{};
-  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
-    const int j = first + k;
-    const int parent = kJoints[static_cast<std::size_t>(j)].parent;
-    meet<p>(w, parent, X);
-    step_turned<true>(w, single(j), kind, turned_slot(parent), X);
-  });
-  add_to<starts>(w, last + 1, X);
-}
-
 
 // Numbers of x, or beyond its last one of y.
 template <int... k, class V>
@@ -3632,7 +3552,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   outward<0, 7>(w);  // "joint01" .. "joint08"
   stamp(1);
   set_up_links<block(0), block(6) + 1>(w);
-  inward_turned<0, 0, 6, true>(w);  // "joint01" .. "joint07"
+  set_up_columns<block(0), block(6) + 1>(w);
+  inward_in_columns<0, 0, 6, true>(w);  // "joint01" .. "joint07"
   propagate<false>(w, 0, kZero, kGround, w.j_joint04.Phi_rod01, w.j_joint04.b_rod01);
   propagate<false>(w, 1, w.j_joint04.Phi_rod01, w.j_joint04.b_rod01, w.j_joint04.Phi_rod02, w.j_joint04.b_rod02);
   propagate<false>(w, 2, w.j_joint04.Phi_rod02, w.j_joint04.b_rod02, w.j_joint04.Phi_rod03, w.j_joint04.b_rod03);
@@ -3700,7 +3621,8 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   outward<8, 11>(w);  // "joint09" .. "joint12"
   stamp(1);
   set_up_links<block(7), block(10) + 1>(w);
-  inward_turned<1, 8, 10, true>(w);  // "joint09" .. "joint11"
+  set_up_columns<block(8), block(10) + 1>(w);
+  inward_in_columns<1, 8, 10, true>(w);  // "joint09" .. "joint11"
   invert_root<1, 8>(w, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08);
   propagate<false>(w, 8, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08, w.j_joint10.Phi_rod09, w.j_joint10.b_rod09);
   w.j_joint10.Phi_rod08_rod09 = passed<false>(w, 8, w.j_joint10.Phi_rod08).transpose();  // with link "rod08"
