@@ -104,7 +104,11 @@ def test_slaved_joints_make_every_step_dearer() -> None:
     made = make_plan(model, schedule)
     assert made.slaved
     without = step_profile(slaved__column=0.0)
-    assert predict(made, step_profile()).makespan > predict(made, without).makespan
+    line, cheaper = (predict(made, p, "joints").makespan for p in (step_profile(), without))
+    assert line > cheaper
+    free = replace(model, joints=tuple(replace(j, mimic=None) for j in model.joints))
+    loops = predict(made, step_profile(), "kernels").makespan
+    assert loops > predict(make_plan(free, schedule), step_profile(), "kernels").makespan
 
 
 @pytest.mark.parametrize("form", ["ada", "segment"])

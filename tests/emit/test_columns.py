@@ -8,10 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.cost import programmed
 from adagen.model import Inertia, Model
 from adagen.model.kinds import PRISMATIC, REVOLUTE, SPHERICAL
 from adagen.plan import make_plan
-from adagen.states import random_states, write_states
+from adagen.states import random_states
+from tests.cost.costs import step_profile
 from tests.emitted import NARROW, OPTIMISED, QUICK, ROUNDING, Builder, kernels_of, plan_of
 from tests.links import with_inertia
 from tests.models import ALL_KINDS, random_tree, serial_chain
@@ -30,10 +32,18 @@ def tree(seed: int) -> Model:
     return random_tree(np.random.default_rng(seed), 12, MANY_HINGES, branching=0.15)
 
 
-def test_only_runs_of_hinges_and_of_some_length_are_taken_by_columns() -> None:
+def test_runs_of_hinges_are_taken_by_columns_where_that_is_cheaper() -> None:
     assert "columns<" not in kernels_of(plan_of(serial_chain(8, kind=SPHERICAL), 1))
     assert "inward_in_columns<0, 0, 5, true>(w);" in kernels_of(plan_of(serial_chain(6), 1))
-    assert "columns<" not in kernels_of(plan_of(serial_chain(3), 1))
+    for joints, run in ((3, 0.0), (3, 1.0), (30, 1.0)):
+        profile = step_profile(
+            articulate__revolute=0.2,
+            articulate_columns__revolute=0.1,
+            articulate_columns__run=run,
+        )
+        program = programmed(plan_of(serial_chain(joints), 1), "kernels", profile)
+        methods = {o.method for o in program.processes[0].operations if o.does == "articulate"}
+        assert methods == {"columns" if run < 0.1 * joints else "each"}
 
 
 def test_links_are_told_by_columns_once() -> None:
@@ -88,12 +98,9 @@ def test_runs_that_others_meet_on_the_way_are_solved(
     assert solver.error(model, states, tmp_path, "--check") < 20 * ROUNDING["double"]
 
 
-def test_a_joint_that_cannot_be_eliminated_is_named(builder: Builder, tmp_path: Path) -> None:
-    # About joint 6's axis the last link is lighter by more than the digits of a float.
+def test_a_link_thinner_than_a_float_shows_is_solved(builder: Builder, tmp_path: Path) -> None:
+    """Joint 6 is swept in its own axes, where the little inertia about it is not rounded away."""
     thin = Inertia(1.0, np.zeros(3), np.diag([1.0, 1.0, 1e-10]))
     model = with_inertia(serial_chain(6, axes="z"), 6, thin)
     solver = builder.solver(plan_of(model, 1, scalar="float"), name="thin", shape="kernels")
-    write_states(random_states(model, 2), model, tmp_path / "s.json")
-    done = solver.run("--states", tmp_path / "s.json", "--result", tmp_path / "r.json")
-    assert (done.status, done.stdout) == (1, "")
-    assert f'joint "{model.joints[5].name}": factorization failed' in done.stderr
+    assert solver.error(model, random_states(model, 2), tmp_path) < ROUNDING["float"]

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.emit.refine import MIXED_STEPS
 from adagen.states import States, random_states
 from tests.emitted import QUICK, Array, Builder, Solver, forward_error, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER, Example
@@ -57,7 +58,7 @@ def test_an_example_passes_its_own_check_and_is_timed(stem: str, builder: Builde
     assert (done.status, done.stderr) == (0, "")
     check, *time = done.stdout.splitlines()
     if BY_STEM[stem].scalar == "mixed":
-        refined, time = time[:2], time[2:]
+        refined, time = time[:MIXED_STEPS], time[MIXED_STEPS:]
         assert all(line.startswith("refine error before step ") for line in refined)
     assert check.startswith("check ") and check.endswith(": right")
     assert time[0].startswith(f"time   {BY_STEM[stem].processes} process")
