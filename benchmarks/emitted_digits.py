@@ -93,7 +93,7 @@ def main() -> int:
     options = parser.parse_args()
     lines = [
         f"The suite's state and {options.states} random ones, {platform.machine()}, "
-        "`python -m benchmarks.emitted_digits --states {options.states}`",
+        f"`python -m benchmarks.emitted_digits --states {options.states}`",
         "",
         "| robot | P | scalar | loops | executor, double |",
         "|---|---|---|---|---|",

@@ -50,7 +50,12 @@ def straight_line(
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    return simulate(plan, chosen_grouping(plan, costs) if lanes else None)
+    return _simulated(plan, chosen_grouping(plan, costs)) if lanes else simulate(plan)
+
+
+def _simulated(plan: Plan, grouping: Grouping) -> tuple[Simulated, ...]:
+    """The plan's processes in a grouping; without limbs they are those that everybody asks for."""
+    return simulate(plan, grouping) if any(grouping) else simulate(plan)
 
 
 def groupings(plan: Plan) -> list[Grouping]:
@@ -85,5 +90,5 @@ def _times(plan: Plan, grouping: Grouping, costs: StepCosts) -> list[float]:
     held = costs["unrolled.held"]
     return [
         sum(costs.total(part.features) for part in stretches(simulated, process.steps, held))
-        for simulated, process in zip(simulate(plan, grouping), plan.processes, strict=True)
+        for simulated, process in zip(_simulated(plan, grouping), plan.processes, strict=True)
     ]

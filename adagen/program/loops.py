@@ -187,11 +187,9 @@ class Loops:
         return ends_of_run(self.joints, run)[0]
 
     def _in_columns(self, run: Run) -> bool:
-        if self._near(run) == 0 and self.joints[run.first].prescribed:
+        if self.batch or self._is_turned(run):
             return False
-        if self._is_turned(run):
-            return False
-        return not self.batch and pays_columns(self.joints, run, self.costs)
+        return pays_columns(self.joints, run, self.costs)
 
     def _set_up_columns(self, links: set[int]) -> None:
         """Set those links up by columns that are not yet, and with them what lies among them."""

@@ -141,11 +141,13 @@ def pays_columns(joints: Sequence[PlanJoint], run: Run, costs: StepCosts) -> boo
     """Whether a run takes less by columns than number by number, the way there and back included.
 
     By columns a joint of one freedom takes a few instructions for each column; spherical ones are
-    less work number by number. See templates/runtime/kernels/inward_columns.hpp.
+    less work number by number, and prescribed ones have no other way. See
+    templates/runtime/kernels/inward_columns.hpp.
     """
-    kinds = [joint.kind for joint in joints[run.first : run.last + 1]]
-    if not any(kind in OF_ONE_FREEDOM for kind in kinds):
-        return False  # nothing would be done by columns
+    own = joints[run.first : run.last + 1]
+    kinds = [joint.kind for joint in own]
+    if not any(kind in OF_ONE_FREEDOM for kind in kinds) or any(j.prescribed for j in own):
+        return False
     alone, columns = (
         sum(costs[f"{group}.{kind}"] for kind in kinds) + costs[f"{group}.run"]
         for group in ("articulate", "articulate_columns")
