@@ -2,12 +2,11 @@
 
 In axes of the base D = s^T A s is known to a unit in the last place of A: log10(tr A / D) digits
 are lost. A few configurations show tr A; at the least D is what the bare link has about the axis,
-however the joints beyond turn. A bare link without inertia about the axis (a wrist of three axes)
-has less the nearer it is to gimbal lock: it is taken for ``NEAR`` of what the next solid link has.
-Where tr A exceeds that
-by more than may be lost, the joint is eliminated in its own axes, in which D is an entry of the
-inertia and nothing is left along the axis; and so are the joints beyond that may come to lie along
-it, up to the first link that is solid beside what hangs on it.
+however the joints beyond turn: nothing for a link without inertia (in a wrist of three axes, which
+loses the more the nearer it is to gimbal lock). Where tr A exceeds that by more than may be lost,
+the joint is eliminated in its own axes, in which D is an entry of the inertia and nothing is left
+along the axis; and so are the joints beyond that may come to lie along it, up to the first link
+that is solid beside what hangs on it.
 """
 
 from __future__ import annotations
@@ -30,10 +29,6 @@ from adagen.plan.types import FACTORS, Plan, PlanJoint, PlanLink
 Array = NDArray[np.float64]
 MOST = {"double": 2.0**18, "float": 2.0**10}
 """What tr A / D may be at most in axes of the base: 3e-11, or 6e-5, of D is lost then."""
-NEAR = 2.0**-10
-"""How near gimbal lock links without inertia are judged: the square of the angle's sine."""
-NOTHING = 1e-12
-"""Share of tr A that is no inertia."""
 SEEDS = (1, 2, 3)
 
 
@@ -126,14 +121,11 @@ def _sides(
             half = slice(0, 3) if free[0] < 3 else slice(3, 6)
             trace = np.trace(inertia[:, half, half], axis1=1, axis2=2) + rotor
             least = float(own[:, free[0], free[0]].min()) + rotor
-            if least <= NOTHING * trace.max() and not backwards:
-                least = NEAR * solid[j + 1][free[0] // 3]
             found[j, backwards] = Side(float(trace.max()), least)
         u = inertia[:, :, free]
         d = inertia[:, free][:, :, free] + rotor * np.eye(len(free))
         return inertia - u @ np.linalg.pinv(d, hermitian=True) @ u.transpose(0, 2, 1)
 
-    solid = _next_solid(joints, links)
     handed: list[Any] = [None] * len(joints)
     whole = [np.broadcast_to(inertia, (len(SEEDS), 6, 6)) for inertia in bare]
     for j in reversed(range(len(joints))):
@@ -149,23 +141,6 @@ def _sides(
         told = back.transpose(0, 2, 1) @ (whole[joint.parent] - handed[j]) @ back
         own = back.transpose(0, 2, 1) @ bare[joint.parent] @ back
         whole[j + 1] = whole[j + 1] + look(j, True, told, own)
-    return found
-
-
-def _next_solid(
-    joints: tuple[PlanJoint, ...], links: tuple[PlanLink, ...]
-) -> list[tuple[float, float]]:
-    """For each link its least moment of inertia and its mass, or those of the next ones beyond."""
-    found = [(float(np.linalg.eigvalsh(np.array(k.tensor))[0]), k.mass) for k in links]
-    beyond: list[list[int]] = [[] for _ in links]
-    for j in reversed(range(len(joints))):
-        link = j + 1
-        size = float(np.trace(np.array(links[link].tensor)))
-        if found[link][0] <= NOTHING * size or size == 0.0:
-            moments = [found[k][0] for k in beyond[link]]
-            masses = [found[link][1], *(found[k][1] for k in beyond[link])]
-            found[link] = (min(moments, default=0.0), max(masses))
-        beyond[joints[j].parent].append(link)
     return found
 
 

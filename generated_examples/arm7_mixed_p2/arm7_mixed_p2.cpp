@@ -2041,6 +2041,9 @@ inline void give(Workspace& w, int first, int count) {
 
 // What cannot be solved is refused, with the joint at fault.
 
+// D beside the trace of what it is found in: less than this is rounding and nothing else.
+constexpr Real kLeast = 16 * std::numeric_limits<Real>::epsilon();
+
 ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
@@ -2698,6 +2701,24 @@ ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& 
   X.n += n, X.f += f;
 }
 
+// What is known of D, less what may be lost of it. What the bare link and the rotor bring is exact;
+// what joints beyond bring is known to a few units in the last place of its trace, and is nothing
+// but noise where links without inertia come near gimbal lock. Of a reversed joint the whole body
+// was turned and shifted.
+template <bool along, bool reversed, class T>
+ADAGEN_INLINE T left_of(const Joints<T>& joints, const Body<T>& X, const T& D) {
+  const Symmetric<T>& whole = along ? X.C : X.A;
+  T brought = whole.xx + whole.yy + whole.zz;
+  if constexpr (!reversed) {
+    T mass;
+    Vector<T> c;
+    Symmetric<T> J;
+    own_inertia(joints, mass, c, J);
+    brought -= along ? 3 * mass : 2 * (J.xx + J.yy + J.zz);
+  }
+  return D - kLeast * brought;
+}
+
 // Takes the freedom along z out of the body, at the joint's origin and in its axes. With a rotor J
 // a part J / D of what is taken along z stays: there, too, nothing is subtracted.
 template <bool along, bool reversed, class T>
@@ -2713,7 +2734,8 @@ ADAGEN_INLINE void eliminate_own(Workspace& w, const Joints<T>& joints, Body<T>&
     rotor = each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
     D += rotor;
   }
-  if (__builtin_expect(!all_positive(D), 0)) fail_one(w, joints, D);
+  const T left = left_of<along, reversed>(joints, X, D);
+  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
   const T inverse = 1 / D, u = (tau - (along ? X.f.z : X.n.z)) * inverse, kept = rotor * inverse;
   const Vector<T> e_n = n * inverse, e_f = f * inverse;
   subtract(X, n, f, e_n, e_f);
@@ -2772,8 +2794,6 @@ ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, cons
   X.n += cross(r, X.f);
   return X;
 }
-
-constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
 
 // Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
 // subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near

@@ -1,5 +1,8 @@
 // What cannot be solved is refused, with the joint at fault.
 
+// D beside the trace of what it is found in: less than this is rounding and nothing else.
+constexpr Real kLeast = 16 * std::numeric_limits<Real>::epsilon();
+
 ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }

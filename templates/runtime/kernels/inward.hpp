@@ -33,8 +33,6 @@ ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, cons
   return X;
 }
 
-constexpr Real kLeast = 8 * std::numeric_limits<Real>::epsilon();
-
 // Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
 // subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near
 // link's origin: outwards the joint has the acceleration u / D - (U / D) a, a being the near
