@@ -187,6 +187,7 @@ def _built(plan: Plan, profile: CostProfile) -> tuple[list[Way], str]:
     tried = [(chosen.shape, chosen.slots.limbs), *_alternatives(plan, profile)]
     for number, (shape, limbs) in enumerate(tried):
         text = emit(plan, shape=shape, profile=profile, limbs=limbs)[f"{stem}.cpp"]
+        # Without comments: what a profile predicts is no reason to build anew.
         code = "\n".join(line for line in text.splitlines() if not line.startswith("//"))
         if code in texts or len(text) > MOST_TEXT:
             continue
@@ -196,7 +197,7 @@ def _built(plan: Plan, profile: CostProfile) -> tuple[list[Way], str]:
             " ".join([shape, *counts]),
             shape,
             timeline(program, profile).makespan,
-            str(build_executable(_timed(text, stem), stem, toolchain)),
+            str(build_executable(_timed(code, stem), stem, toolchain)),
         )
         if way.label in {other.label for other in texts.values()}:
             way.label += f" ({number})"
