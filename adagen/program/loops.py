@@ -132,12 +132,18 @@ class Loops:
                 self._add(what, run, method, map(Kinematics, range(run.first, run.last + 1)))
 
     def _link_inertias(self, steps: list[StartLink]) -> None:
-        links = [step.link for step in steps]
-        self.bare.update(links)
-        self._add("link_inertia", Links(tuple(links)), "each", steps)
-        for link in links:
-            if link in self.placed:
-                self._add("place_inertia", Links((link,)), "step", (), [self._first(link)])
+        """Set all links up at the first of these: links that lie in one block are set up at once.
+
+        Set up again later, they would lose the outer forces that act on them.
+        """
+        if not self.bare:
+            starts = [step for step in self.process.steps if isinstance(step, StartLink)]
+            self.bare.update(step.link for step in starts)
+            self._add("link_inertia", Links(tuple(s.link for s in starts)), "each", starts)
+        for step in steps:
+            if step.link in self.placed:
+                first = self._first(step.link)
+                self._add("place_inertia", Links((step.link,)), "step", (), [first])
 
     def _clear(self, steps: list[StartEmpty]) -> None:
         links = tuple(step.link for step in steps)
