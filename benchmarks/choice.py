@@ -91,9 +91,9 @@ ROBOTS: tuple[tuple[str, str, bool], ...] = (
     ("simple_humanoid", "simple_humanoid_description/urdf/simple_humanoid.urdf", True),
     ("arm7", "arm7.urdf", False),
     ("chain16", "chain16.urdf", False),
-    ("human40", "human40.urdf", True),
+    ("human40", "human40.urdf", False),
     ("humanoid", "humanoid.urdf", True),
-    ("mobile", "mobile.urdf", True),
+    ("mobile", "mobile.urdf", False),
 )
 """Names, files of the package example-robot-data or shipped ones, whether the base floats."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 import pytest
@@ -24,6 +25,7 @@ from tests.models import human_figure, random_tree, serial_chain
 PROFILE = load_profile("default")
 
 
+@lru_cache(maxsize=8)  # several tests look at them
 def programs(seed: int) -> list[Program]:
     """Programs of a random robot in every form, shape and way of meeting that takes it."""
     rng = np.random.default_rng(seed)
@@ -46,7 +48,9 @@ def programs(seed: int) -> list[Program]:
     return found
 
 
-@pytest.mark.parametrize("seed", range(24))
+@pytest.mark.parametrize(
+    "seed", [pytest.param(k, marks=[pytest.mark.slow] * (k >= 8)) for k in range(24)]
+)
 def test_what_is_emitted_is_well_formed(seed: int) -> None:
     found = programs(seed)
     assert len(found) >= 8

@@ -14,8 +14,10 @@ from adagen.program.runs import Run
 from adagen.program.summary import groups, meeting, owners, title
 from tests.program.test_check import example, programs
 
+SEEDS = [pytest.param(k, marks=[pytest.mark.slow] * (k >= 5)) for k in range(12)]
 
-@pytest.mark.parametrize("seed", range(12))
+
+@pytest.mark.parametrize("seed", SEEDS)
 def test_every_step_is_carried_out_once(seed: int) -> None:
     for program in programs(seed):
         for process, own in zip(program.plan.processes, program.processes, strict=True):
@@ -29,7 +31,7 @@ def test_every_step_is_carried_out_once(seed: int) -> None:
             assert stages == sorted(stages)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", SEEDS)
 def test_blocks_hold_the_joints_of_their_steps(seed: int) -> None:
     seen: set[str] = set()
     for program in programs(seed):
@@ -56,7 +58,7 @@ def test_runs_are_swept_from_their_far_end() -> None:
             assert passed == sorted(passed)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", SEEDS[:6])
 def test_a_program_is_printed_as_json_with_every_operation(seed: int) -> None:
     for program in programs(seed):
         text = program_to_json(program)

@@ -48,7 +48,10 @@ def test_nothing_that_is_joined_is_faster(
             assert best.lower_bound <= time
 
 
-@pytest.mark.parametrize("model", [human_figure(), binary(4, floating=True), star(6, 5)])
+@pytest.mark.parametrize(
+    "model",
+    [star(4, 4), *(pytest.param(m, marks=pytest.mark.slow) for m in (human_figure(), binary(4)))],
+)
 def test_one_process_is_a_candidate_in_each_shape(model: Model) -> None:
     """What is taken is not slower than one process in the shape that it is emitted in."""
     for processes in (2, 4):
