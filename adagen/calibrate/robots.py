@@ -59,6 +59,17 @@ def star(arms: int, length: int) -> list[int]:
     return parents
 
 
+def claws(arms: int, length: int, fingers: int, joints: int) -> list[int]:
+    """Return the parents of arms on a hub, each of which ends in fingers."""
+    parents = [0]
+    for _ in range(arms):
+        parents += [1, *range(len(parents) + 1, len(parents) + length)]
+        wrist = len(parents)
+        for _ in range(fingers):
+            parents += [wrist, *range(len(parents) + 1, len(parents) + joints)]
+    return parents
+
+
 def tree(joints: int, branching: float, seed: int) -> list[int]:
     """Return the parents of a random tree in depth-first order.
 
@@ -81,6 +92,16 @@ def prescribed(model: Model) -> Model:
     """Return a robot with the motion of every second joint known, that on the ground left free."""
     joints = [replace(joint, prescribed=j % 2 == 1) for j, joint in enumerate(model.joints)]
     return replace(model, joints=tuple(joints))
+
+
+def hollow(model: Model) -> Model:
+    """Return a robot whose links have no mass but its first one and every third one after it."""
+    ground, *links = model.links
+    bodies = [
+        link if k % 3 == 0 else replace(link, inertia=Inertia.zero())
+        for k, link in enumerate(links)
+    ]
+    return replace(model, links=(ground, *bodies))
 
 
 def squared(model: Model) -> Model:

@@ -30,6 +30,9 @@ from adagen.calibrate.samples import Program as Wanted
 from adagen.calibrate.samples import stepwise_programs, straight_programs
 from adagen.calibrate.surrogate import fit_equation11
 from adagen.cost import timeline
+from adagen.cost.features import operation_features
+from adagen.program.lower import LOOPS
+from adagen.program.names import PREPARED
 from adagen.schedule import CostProfile, load_profile
 from adagen.schedule.costs import CHANNELS, StepCosts
 
@@ -235,17 +238,29 @@ def _with_margin(costs: StepCosts, totals: Sequence[tuple[str, float, float]]) -
 
 
 def _with_slaved(costs: StepCosts, samples: Sequence[Sample]) -> StepCosts:
-    """Return the costs with those of slaved joints, from what is left of a slaved robot's times."""
+    """Return the costs with those of slaved joints, from what is left of slaved robots' times.
+
+    Shape `joints` carries a column more through every step for each of them, loops repeat sweeps.
+    """
     shares, solve = [], []
     for sample in samples:
-        equations = sample.equations()
-        expected = sum(equation.predicted(costs) for equation in equations)
-        extra = sum(equation.time for equation in equations) / expected - 1
-        shares.append(max(0.0, extra / len(sample.plan.slaved)))
-        solve += [stage.length for stage in sample.measured.stages if stage.what == "slaved"]
+        slaved = len(sample.plan.slaved)
+        taken = sum(stage.length for stage in sample.measured.stages if stage.what == "slaved")
+        if sample.program.shape == LOOPS:
+            repeated = sum(
+                costs.total(operation_features(operation, sample.plan.joints))
+                for own in sample.program.processes
+                for operation in own.operations
+                if operation.does not in PREPARED
+            )
+            solve.append(max(0.0, taken - slaved * repeated))
+        else:
+            equations = sample.equations()
+            expected = sum(equation.predicted(costs) for equation in equations)
+            extra = sum(equation.time for equation in equations) / expected - 1
+            shares.append(max(0.0, extra / slaved))
     share = median(shares) if shares else 0.0
-    # Solving and applying are one stage on one process: halves of it.
-    each = median(solve) / 2 / (1 + 2 * share) if solve else 0.0
+    each = median(solve) / 2 if solve else 0.0  # solving and applying are one stage on one process
     table = {**costs.table, "slaved.column": share, "slaved.solve": each, "slaved.apply": each}
     return replace(costs, table=table)
 

@@ -8,7 +8,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from adagen.calibrate.robots import chain, prescribed, robot, squared, star, tree
+from adagen.calibrate.robots import (
+    chain,
+    claws,
+    hollow,
+    prescribed,
+    robot,
+    squared,
+    star,
+    tree,
+)
 from adagen.calibrate.schedules import random_schedule
 from adagen.emit.shapes import stepwise
 from adagen.executor import Grouping, groupings
@@ -69,6 +78,11 @@ WAYS = (
     ("hands", "each", ()),
     ("string", "each", ()),
     ("string", "columns", ()),
+    ("claws", "columns", (2,)),
+    ("claws", "columns", (2, 4)),
+    ("wrist", "each", ()),
+    ("wrists", "columns", (2,)),
+    ("wrists", "columns", (4,)),
 )
 """Robots, methods and numbers of limbs side by side: whatever the price of these would choose."""
 
@@ -98,7 +112,7 @@ class Program:
 
 
 def stepwise_programs(profile: CostProfile, quick: bool) -> list[Program]:
-    """Return the programs that go step by step, that of the slaved robot last.
+    """Return the programs that go step by step, those of the slaved robot last.
 
     What they do does not depend on a profile, so that the same is measured everywhere.
 
@@ -120,12 +134,14 @@ def stepwise_programs(profile: CostProfile, quick: bool) -> list[Program]:
     ]
     for name, method, counts in WAYS:
         plan = _plan(robots[name], "segment", 1, 1, "", profile)
-        side = f", {counts[0]} side by side" if counts else ""
+        side = f", {' and '.join(map(str, counts))} side by side" if counts else ""
         label = f"{name} by {method}{side}"
         found.append(_program(label, plan, counts, by_method(profile, method)))
     slaved = _slaved(robot("slaved", chain(12), ["revolute"], 6))
-    plan = _plan(slaved, "segment", 1, 1, "", profile)
-    return [*found, _program("segment slaved P=1", plan, COUNTS, usual)]
+    for form in ("segment", "ada"):
+        plan = _plan(slaved, form, 1, 1, "", profile)
+        found.append(_program(f"{form} slaved P=1", plan, COUNTS, usual))
+    return found
 
 
 def by_method(profile: CostProfile, method: str) -> CostProfile:
@@ -176,6 +192,9 @@ def _robots() -> Iterator[Model]:
     yield robot("toes", star(12, 1), ["revolute"], 19)
     yield robot("hands", star(4, 5), ["revolute"], 20)
     yield robot("string", chain(12), ["revolute"], 21)
+    yield robot("claws", claws(2, 6, 3, 2), ["revolute"], 23)
+    yield hollow(robot("wrist", star(1, 12), ["revolute"], 24))
+    yield hollow(robot("wrists", star(4, 3), ["revolute"], 25))
     yield robot("body", [0, 1, 2, 3, 1, 5, 6, 1, 8, 9, 10, 8, 12, 13, 8], BODY, 15)
     yield robot("turned", chain(24), TURNED, 8)
     yield prescribed(robot("driven", chain(20), ROWS, 16))

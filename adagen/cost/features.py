@@ -39,6 +39,7 @@ from adagen.plan.steps import (
 )
 from adagen.plan.types import PlanJoint
 from adagen.program import Operation
+from adagen.program.names import PASSING
 from adagen.program.runs import Run
 from adagen.schedule.costs import PRESCRIBED, block_rows
 
@@ -133,14 +134,34 @@ def operation_features(operation: Operation, joints: Sequence[PlanJoint]) -> Fea
     """
     block = operation.block
     if isinstance(block, Limbs):
-        return _limbs_features(operation.does, block, joints)
+        return _limbs_features(operation, block, joints)
     found = [_of_step(step, operation.method, joints) for step in operation.steps]
-    if isinstance(block, Run) and operation.does == "articulate" and operation.method != "step":
-        by_columns = operation.method == "columns"
-        found.append({"articulate_columns.run" if by_columns else "articulate.run": 1})
-    if operation.method == "segments":
-        found.append({"kinematics_segments.run": 1})
+    if isinstance(block, Run):
+        found.append(_run_features(operation, len(operation.steps)))
     return added(found)
+
+
+_RUNS = {
+    ("articulate", "each"): "articulate.run",
+    ("articulate", "turned"): "articulate.run",
+    ("articulate", "columns"): "articulate_columns.run",
+    ("kinematics", "each"): "kinematics.run",
+    (PASSING, "each"): "kinematics.run",
+    ("kinematics", "segments"): "kinematics_segments.run",
+    (PASSING, "segments"): "kinematics_segments.run",
+    ("accelerate", "each"): "accelerate.run",
+    ("accelerate", "segments"): "accelerate.run",
+}
+
+
+def _run_features(operation: Operation, joints: int) -> Features:
+    """Of a run beside its joints: once, and for each joint where these are turned."""
+    found: Features = {}
+    if name := _RUNS.get((operation.does, operation.method)):
+        found[name] = 1
+    if operation.method == "turned":
+        found["articulate.turned"] = joints
+    return found
 
 
 def added(parts: Iterable[Features]) -> Features:
@@ -152,11 +173,14 @@ def added(parts: Iterable[Features]) -> Features:
     return total
 
 
-def _limbs_features(does: str, limbs: Limbs, joints: Sequence[PlanJoint]) -> Features:
-    """Of limbs side by side: row by row, and once for all rows where they are swept inwards."""
-    lanes = _LANES[limbs.lanes]
-    rows: list[Features] = [{f"{does}_{lanes}.{joints[row[0]].kind}": 1} for row in limbs.rows]
-    return added([*rows, {f"limbs.{lanes}": 1}] if does == "articulate" else rows)
+def _limbs_features(operation: Operation, limbs: Limbs, joints: Sequence[PlanJoint]) -> Features:
+    """Of limbs side by side: row by row, and once for all rows of a sweep."""
+    does, lanes = operation.does, _LANES[limbs.lanes]
+    found: list[Features] = [{f"{does}_{lanes}.{joints[row[0]].kind}": 1} for row in limbs.rows]
+    found.append({f"limbs.{lanes}" if does == "articulate" else "limbs.outwards": 1})
+    if operation.method == "turned":
+        found.append({"articulate.turned": len(limbs.rows)})
+    return added(found)
 
 
 def _of_step(step: Step, method: str, joints: Sequence[PlanJoint]) -> Features:

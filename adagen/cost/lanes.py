@@ -64,7 +64,8 @@ def offered_limbs(plan: Plan, process: Process, costs: StepCosts) -> list[tuple[
 
     def saved(kinds: Sequence[str], count: int) -> float:
         rows = sum(count * costs.joint(kind) - costs.row(kind, count) for kind in kinds)
-        return rows - costs["limbs.two" if count == 2 else "limbs.four"]
+        inwards = costs["limbs.two" if count == 2 else "limbs.four"]
+        return rows - inwards - 2 * costs["limbs.outwards"]
 
     def grouping(counts: Iterable[int]) -> tuple[Limbs, ...]:
         return tuple(simd_groups(plan, process, saved, counts))

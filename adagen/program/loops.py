@@ -168,7 +168,9 @@ class Loops:
                 nears = [self.joints[j].parent for j in unit.rows[0]]
                 first = [near > 0 and self._first(near) for near in nears]
                 members = (by_joint[j] for row in reversed(unit.rows) for j in row)
-                self._add("articulate", unit, "lanes", members, first)
+                turned = not self.turned.isdisjoint(unit.members())
+                method: Method = "turned" if turned else "lanes"
+                self._add("articulate", unit, method, members, first)
                 continue
             own = [by_joint[j] for j in _inwards(unit)]
             if self._near(unit) == 0 and self.joints[unit.first].prescribed:

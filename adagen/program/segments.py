@@ -62,9 +62,11 @@ def pays_segments(joints: Sequence[PlanJoint], run: Run, scalar: str, costs: Ste
     if not fits_segments(joints, run, scalar):
         return False
     kinds = [joint.kind for joint in joints[run.first : run.last + 1]]
-    alone = sum(costs[f"kinematics.{kind}"] for kind in kinds)
-    segments = sum(costs[f"kinematics_segments.{kind}"] for kind in kinds)
-    return segments + costs["kinematics_segments.run"] < alone
+    alone, segments = (
+        sum(costs[f"{group}.{kind}"] for kind in kinds) + costs[f"{group}.run"]
+        for group in ("kinematics", "kinematics_segments")
+    )
+    return segments < alone
 
 
 def _outward(plan: Plan, p: int, limbs: Sequence[Limbs]) -> Iterator[Run]:

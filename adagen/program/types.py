@@ -24,8 +24,8 @@ Method = Literal[
 * ``step``: one joint or link, by a call of its own;
 * ``each``: a loop over a run, number by number;
 * ``columns``: a loop over a run, the six columns of the articulated inertia in SIMD lanes;
-* ``turned``: a loop over a run, number by number, joints that lose digits in axes of the base in
-  their own (see adagen/plan/turned.py);
+* ``turned``: a loop over a run, number by number, or over limbs side by side, joints that lose
+  digits in axes of the base in their own (see adagen/plan/turned.py);
 * ``segments``: a run cut into as many segments as there are SIMD lanes, one in each;
 * ``lanes``: limbs side by side, one in each SIMD lane;
 * ``base``: a floating base, whose frame is its own;

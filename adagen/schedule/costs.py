@@ -23,13 +23,13 @@ LIMIT = 1e6
 """Most microseconds that a coefficient may be."""
 
 PER_KIND: dict[str, tuple[str, ...]] = {
-    "kinematics": (),
+    "kinematics": ("run",),
     "join": (PRESCRIBED, "ground", "coupling_a", "coupling_b", "block", "across"),
     "disassemble": (PRESCRIBED, "coupling"),
-    "articulate": (PRESCRIBED, "ground", "reversed", "run"),
+    "articulate": (PRESCRIBED, "ground", "reversed", "run", "turned"),
     "propagate": (PRESCRIBED, "ground", "reversed", "spread"),
     "deliver": (PRESCRIBED, "reversed", "load"),
-    "accelerate": (PRESCRIBED, "reversed"),
+    "accelerate": (PRESCRIBED, "reversed", "run"),
     **{
         f"{group}_{number}": ()
         for group in ("kinematics", "articulate", "accelerate")
@@ -43,10 +43,12 @@ PER_KIND: dict[str, tuple[str, ...]] = {
 
 A joint of known acceleration costs ``prescribed`` whatever its kind, and one on the ground
 ``ground``; ``reversed`` is added where the segment's
-root lies below the joint, ``run`` once for every run of joints; the others are per handle, block or
+root lies below the joint, ``run`` once for every run of joints and ``turned`` for every joint, or
+row of them, of what is swept in the joints' own axes; the others are per handle, block or
 coupling. What ends on a number prices a row of as many joints, passed side by side; the limbs that
-they belong to cost something besides, once (``limbs``). ``articulate_columns`` is for joints of
-runs that are taken by columns, ``kinematics_segments`` of runs passed outwards in segments, and
+they belong to cost something besides, once for each sweep (``limbs``). ``articulate_columns`` is
+for joints of runs that are taken by columns, ``kinematics_segments`` of runs passed outwards in
+segments, and
 ``propagate_run`` of runs from the ground whose mobility is asked for at the last link only.
 """
 
@@ -55,7 +57,7 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "root": ("invert", "solve", "accelerate"),
     "free": ("base", "acceleration"),
     "slaved": ("solve", "apply", "column"),
-    "limbs": ("two", "four"),
+    "limbs": ("two", "four", "outwards"),
     "process": ("evaluation", "margin"),
     "unrolled": ("evaluation", "operation", "move", "sine", "cycle", "fetched", "held"),
 }

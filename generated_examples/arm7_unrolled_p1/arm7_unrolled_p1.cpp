@@ -2,8 +2,8 @@
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// program   1 process; 0.251 us predicted (default profile)
-//           process 0: base_yaw .. right_finger_slide
+// program   1 process; 0.274 us predicted (default profile)
+//           process 0: left_finger_slide | right_finger_slide in 2 lanes, base_yaw .. flange_roll
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // The articulated-body algorithm: I^A and p^A (IA, pA), a link's inertia and bias force with all that
@@ -344,6 +344,145 @@ std::string describe(int status) {
       return "process " + std::to_string(place) + " did not answer within the time limit";
   }
   return "unknown failure";
+}
+
+// Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
+constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
+typedef Real Lanes __attribute__((vector_size(64)));
+typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
+typedef Bits LaneBits __attribute__((vector_size(64)));
+
+// Where registers are narrower, gcc tells that vectors are passed in other ways; none is, all is
+// inlined.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+#define ADAGEN_ALWAYS __attribute__((always_inline))
+#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
+#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
+
+ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
+ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
+
+// Whether any bit is set. Half by half: compilers take lanes apart one by one if left to it.
+typedef std::int64_t FourWords __attribute__((vector_size(32)));
+typedef std::int64_t TwoWords __attribute__((vector_size(16)));
+template <class T>
+ADAGEN_INLINE bool any_of(const T& x) {
+  if constexpr (sizeof x > sizeof(TwoWords)) {
+    typedef std::conditional_t<sizeof x == sizeof(FourWords), TwoWords, FourWords> Half;
+    Half halves[2];
+    std::memcpy(halves, &x, sizeof x);
+    const Half either = halves[0] | halves[1];
+    return any_of(either);
+  } else {
+    std::int64_t words[2]{};
+    std::memcpy(words, &x, sizeof x);
+    return (words[0] | words[1]) != 0;
+  }
+}
+
+// Whether all numbers are positive: false for NaN.
+ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
+template <class T>
+ADAGEN_INLINE bool all_positive(const T& x) {
+  return !any_of(~(x > T{}));
+}
+
+// One number or the other, lane by lane.
+ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
+  const LaneBits bits =
+      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
+  return reinterpret_cast<Lanes>(bits);
+}
+
+ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
+ADAGEN_INLINE bool all_zero(const Lanes& x) { return !any_of(x != Lanes{}); }
+
+ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
+ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
+  Lanes result = x;
+  for (int k = 0; k < kLanes; ++k) result[k] = std::tanh(x[k]);
+  return result;
+}
+
+// Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
+// three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
+// kLargestAngle; beyond, each lane is left to the C library.
+template <class R>
+struct Trigonometry;
+
+template <>
+struct Trigonometry<double> {
+  [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
+  [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
+  [[maybe_unused]] static constexpr double kParts[3] = {
+      1.57079632673412561417e+00, 6.07710050630396597660e-11, 2.02226624871116645580e-21};
+  [[maybe_unused]] static constexpr double kSine[6] = {
+      1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
+      -1.98412698295895385996e-4, 8.33333333332211858878e-3,  -1.66666666666666307295e-1};
+  [[maybe_unused]] static constexpr double kCosine[6] = {
+      -1.13585365213876817300e-11, 2.08757008419747316778e-9,  -2.75573141792967388112e-7,
+      2.48015872888517045348e-5,   -1.38888888888730564116e-3, 4.16666666666665929218e-2};
+};
+
+template <>
+struct Trigonometry<float> {
+  [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
+  [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
+  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f,
+                                                       7.54978995489188216e-8f};
+  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f,
+                                                      -1.6666654611e-1f};
+  [[maybe_unused]] static constexpr float kCosine[3] = {
+      2.443315711809948e-5f, -1.388731625493765e-3f, 4.166664568298827e-2f};
+};
+
+template <std::size_t n>
+ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
+  Lanes result = Lanes{} + coefficients[0];
+  ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
+  return result;
+}
+
+ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
+                                         Lanes& cosine) {
+  for (int k = 0; k < kLanes; ++k)
+    if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+}
+
+// Of angles that are not too large.
+ADAGEN_INLINE void near_sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  using Table = Trigonometry<Real>;
+  const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
+  const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
+  const Lanes turns = shifted - Table::kRound;
+  const Lanes rest =
+      ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
+  const Lanes square = rest * rest;
+  const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
+  const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
+  const LaneBits swapped = -(quadrant & 1);
+  const LaneBits s_bits = reinterpret_cast<LaneBits>(s);
+  const LaneBits c_bits = reinterpret_cast<LaneBits>(c);
+  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
+  const LaneBits sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
+  const LaneBits cosine_bits =
+      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
+  sine = reinterpret_cast<Lanes>(sine_bits);
+  cosine = reinterpret_cast<Lanes>(cosine_bits);
+}
+
+ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
+  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
+  return (angle > kLargest) | (angle < -kLargest);
+}
+
+ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  near_sine_and_cosine(angle, sine, cosine);
+  const LaneBits beyond = too_large(angle);
+  if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
 }
 
 constexpr std::array<MessageInfo, 0> kMessages{ {
@@ -695,11 +834,12 @@ struct Workspace {
   const Value* tau = nullptr;
   Value* qdd = nullptr;
   int status = kFine;
-  alignas(kCacheLine) std::array<Value, 7> angle{}, sine{}, cosine{};
+  alignas(kCacheLine) std::array<Value, 16> angle{}, sine{}, cosine{};
   std::array<Value, kNv> result{};
+  alignas(kCacheLine) std::array<Value, 2> lanes{};  // results of rows
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Value, 134> x{};
+  alignas(kCacheLine) std::array<Value, 136> x{};
 };
 
 // What straight lines of numbers need.
@@ -710,42 +850,6 @@ inline Real unlike_zero(const Real* x, int count) {
   Real sum = 0;
   for (int k = 0; k < count; ++k) sum += x[k] - x[k];
   return sum;
-}
-
-// Sine and cosine by the polynomials of fdlibm on [-pi/4, pi/4], after taking multiples of pi/2
-// away in three parts. No branch: a loop over it is done in SIMD lanes.
-inline void sine_and_cosine(double angle, double& sine, double& cosine) {
-  constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
-  const double n = (angle * 0.63661977236758134308 + kRound) - kRound;
-  const double r = ((angle - n * 1.57079632673412561417e+00) - n * 6.07710050630396597660e-11) -
-                   n * 2.02226624871116645580e-21;
-  const double z = r * r, z2 = z * z, z4 = z2 * z2;
-  const double s = r + r * z *
-                           ((-1.66666666666666307295e-1 + z * 8.33333333332211858878e-3) +
-                            z2 * (-1.98412698295895385996e-4 + z * 2.75573136213857245213e-6) +
-                            z4 * (-2.50507477628578072866e-8 + z * 1.58962301576546568060e-10));
-  const double c =
-      (1 - 0.5 * z) + z2 * ((4.16666666666665929218e-2 - z * 1.38888888888730564116e-3) +
-                            z2 * (2.48015872888517045348e-5 - z * 2.75573141792967388112e-7) +
-                            z4 * (2.08757008419747316778e-9 - z * 1.13585365213876817300e-11));
-  const double half = std::floor(n * 0.5), odd = n - 2 * half;
-  const double sign = 1 - 2 * (half - 2 * std::floor(half * 0.5));
-  sine = sign * (odd != 0 ? c : s);
-  cosine = sign * (odd != 0 ? -s : c);
-}
-
-template <int count>
-inline void take_sines_and_cosines(const Real* angle, Real* sine, Real* cosine) {
-  constexpr double kFar = 1e5;  // beyond, the three parts of pi/2 would lose digits
-  Real farthest = 0;
-  for (int k = 0; k < count; ++k) {
-    double s, c;
-    sine_and_cosine(angle[k], s, c);
-    sine[k] = Real(s), cosine[k] = Real(c);
-  }
-  for (int k = 0; k < count; ++k) farthest = std::max(farthest, std::abs(angle[k]));
-  if (farthest <= kFar) return;
-  for (int k = 0; k < count; ++k) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
 }
 
 // What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
@@ -799,16 +903,112 @@ template <std::size_t owns>
   }
 }
 
+// Limbs that are alike share code: one is in each lane.
+typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
+template <class T>
+[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Real));
+template <class T>
+using Half =
+    std::conditional_t<kWidth<T> == 8, Four, std::conditional_t<kWidth<T> == 4, Two, Real>>;
+
+// Lanes are for limbs: g++ is told not to look for more to put side by side.
+#if defined(__clang__)
+#define ADAGEN_AS_IT_STANDS
+#else
+#define ADAGEN_AS_IT_STANDS __attribute__((optimize("no-tree-slp-vectorize")))
+#endif
+
+template <class T>
+ADAGEN_INLINE T taken(const Real* from) {
+  T x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
+}
+template <class T>
+ADAGEN_INLINE void put(const T& x, Real* to) {
+  std::memcpy(to, &x, sizeof x);
+}
+
+// The sum of the first numbers, half by half.
+template <int count>
+ADAGEN_INLINE Real across(const Real& x) {
+  return x;
+}
+template <int count, class T>
+ADAGEN_INLINE Real across(const T& x) {
+  constexpr int half = kWidth<T> / 2;
+  Half<T> halves[2];
+  std::memcpy(halves, &x, sizeof x);
+  if constexpr (count == kWidth<T>) {
+    const Half<T> sum = halves[0] + halves[1];
+    return across<half>(sum);
+  } else if constexpr (count > half) {
+    return across<half>(halves[0]) + across<count - half>(halves[1]);
+  } else {
+    return across<count>(halves[0]);
+  }
+}
+
+// Zero for finite numbers only, of rows that lie one after the other.
+template <class T, int rows>
+ADAGEN_INLINE Real unlike_zero(const Real* from) {
+  T sum{};
+  ADAGEN_FOR (k, 0, rows) {
+    const T x = taken<T>(from + k * kWidth<T>);
+    sum += x - x;
+  }
+  return across<kWidth<T>>(sum);
+}
+
+// The same as for single numbers, in the name of a joint for each lane.
+template <class T, std::size_t count>
+ADAGEN_COLD void name_what_is_not_more(Workspace& w, const T& x, const T& least, Failure kind,
+                                       const int (&joints)[count]) {
+  for (std::size_t k = 0; k < count; ++k) require_more(w, x[k], least[k], kind, joints[k]);
+}
+template <class T, class L, std::size_t count>
+ADAGEN_INLINE void require_more(Workspace& w, const T& x, const L& least, Failure kind,
+                                const int (&joints)[count]) {
+  const auto good = (x > least) & (x <= std::numeric_limits<Real>::max());
+  if (__builtin_expect(any_of(~good), 0)) name_what_is_not_more(w, x, T{} + least, kind, joints);
+}
+template <class T, std::size_t count>
+ADAGEN_INLINE void require_length(Workspace& w, const T& squared, const int (&joints)[count]) {
+  for (std::size_t k = 0; k < count; ++k) require_length(w, squared[k], joints[k]);
+}
+
+// Sines and cosines of angles, whose places in q are given; as many are written as fill registers.
+template <std::size_t count, std::size_t... lane>
+ADAGEN_INLINE Lanes angles_of(const Real* q, const std::array<int, count>& places,
+                              std::size_t first, std::index_sequence<lane...>) {
+  return Lanes{q[places[std::min(first + lane, count - 1)]]...};
+}
+template <std::size_t count>
+ADAGEN_INLINE void take_sines_and_cosines(const Real* q, const std::array<int, count>& places,
+                                          Real* sine, Real* cosine) {
+  constexpr int kBlocks = (static_cast<int>(count) + kLanes - 1) / kLanes;
+  ADAGEN_FOR (block, 0, kBlocks) {
+    const Lanes angle = angles_of(q, places, static_cast<std::size_t>(block * kLanes),
+                                  std::make_index_sequence<kLanes>{});
+    Lanes s, c;
+    sine_and_cosine(angle, s, c);
+    store(s, sine + block * kLanes);
+    store(c, cosine + block * kLanes);
+  }
+}
+
 // Each function is a straight line. A value is called x and its number in the expression graph; zeros
 // and constants are folded in, nothing is computed twice, and what nobody needs is not there.
 // Frames are the links' own; accelerations are deviations from the field that the links would have
 // with all joint accelerations zero.
 
 // =================================================================================================
-// Process 0: 1044 products, 882 sums, 7 quotients
+// Process 0: 1005 products, 831 sums, 7 quotients, 167 of them in lanes
 // =================================================================================================
 
-ADAGEN_NOINLINE void part_0_0(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   ADAGEN_INPUTS
   // joint 1 "shoulder_pitch": placement, velocity and reference acceleration of its link
   const Real x20 = v[0] * 0.9999999999932537;
@@ -819,348 +1019,323 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   w.x[0] = x37;
   const Real x30 = v[1] * x27;
   w.x[1] = x30;
-  // joint 8 "right_finger_slide": placement, velocity and reference acceleration of its link
-  const Real x585 = q[8] * 2.65358979335273e-06;
-  w.x[2] = x585;
-  const Real x588 = q[8] * 0.9999999999964793;
-  w.x[3] = x588;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1285 = x585 * 1.3267948966763652e-09;
-  const Real x1251 = x588 * 0.0004999999999982397;
-  const Real x1247 = -0.0004999999999982397 - x588 * 0.05;
-  const Real x1250 = 1.3267948966763652e-09 + x585 * 0.05;
-  const Real x1244 = -1.3267948966763652e-09 - x585 * 3.5207693956928924e-13 - x588 * 1.3267948966716939e-07;
-  const Real x1234 = 0.0004999999999982397 + x585 * 1.3267948966716939e-07 + x588 * 0.04999999999964792;
-  const Real x1357 = 0.007199999999999999 + x1244;
-  const Real x1355 = -0.007199999999999999 + x1250;
-  const Real x1351 = x585 * 5.6332219911062896e-14 + 2.122871834682184e-10 + x588 * 2.1228718346747102e-08 + -0.00014399999999999992;
-  const Real x1308 = 8.33333e-06 + x1285 + x1251 - x585 * x1244;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1375 = q[7] * 0.05;
-  const Real x1379 = q[7] * 0.0005;
-  const Real x1377 = -0.0005 - x1375;
-  const Real x1413 = x1234 + x1377;
-  const Real x1378 = 0.0005 + x1375;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1301 = x585 * 2.1228718346747102e-08 + 7.999999999971834e-05 + x588 * 0.007999999999943668;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1410 = -8e-05 - q[7] * 0.008 + x1301;
-  const Real x1408 = x1247 + x1378;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1350 = x1251 + 2.166670000897794e-05 - x588 * x1247 + 0.01009033;
-  const Real x1356 = x588 * x1234 + x1308 + 0.00317433;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1412 = 8.33333e-06 + x1379 - q[7] * x1377 + x1356;
-  require_more(w, x1412, 0.0, kFactorization, 6);
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1614 = 3.673205103346574e-06 * tau[6];
-  w.x[4] = x1614;
-  const Real x1609 = 0.9999999999932537 * tau[6];
-  w.x[5] = x1609;
-  const Real x1423 = 1 / x1412;
-  const Real x1515 = 2.0 * sine[6];
-  const Real x1474 = sine[6] * x1408 + cosine[6] * x1355;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1854 = 3.673205103346574e-06 * tau[5];
-  w.x[6] = x1854;
-  const Real x1849 = 0.9999999999932537 * tau[5];
-  w.x[7] = x1849;
-  const Real x1775 = 2.0 * sine[5];
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x2158 = 3.673205103346574e-06 * tau[4];
-  w.x[8] = x2158;
-  const Real x2154 = 0.9999999999932537 * tau[4];
-  w.x[9] = x2154;
-  const Real x2004 = 2.0 * sine[4];
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2441 = 3.673205103346574e-06 * tau[3];
-  w.x[10] = x2441;
-  const Real x2436 = 0.9999999999932537 * tau[3];
-  w.x[11] = x2436;
-  const Real x2323 = 2.0 * sine[3];
-  w.x[12] = x2323;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2715 = 3.673205103346574e-06 * tau[2];
-  w.x[13] = x2715;
-  const Real x2710 = 0.9999999999932537 * tau[2];
-  w.x[14] = x2710;
-  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x2981 = 3.673205103346574e-06 * tau[1];
-  w.x[15] = x2981;
-  // joint 1 "shoulder_pitch": placement, velocity and reference acceleration of its link
   const Real x32 = v[1] * x25;
-  w.x[16] = x32;
+  w.x[2] = x32;
   const Real x59 = x27 * x29;
-  w.x[17] = x59;
+  w.x[3] = x59;
   const Real x55 = x25 * x27;
-  w.x[18] = x55;
+  w.x[4] = x55;
+  // joints 7 "left_finger_slide", 8 "right_finger_slide": placement, velocity and reference acceleration of their links
+  const Two x558 = Two{q[7], q[8]};
+  const Two x561 = Two{v[7], v[8]};
+  const Two x569 = x558 * Two{0.0, 2.65358979335273e-06};
+  put(x569, w.x.data() + 6);
+  const Two x571 = x558 * Two{1.0, -0.9999999999964793};
+  put(x571, w.x.data() + 8);
+  // joints 7 "left_finger_slide", 8 "right_finger_slide": articulated-body inertia and bias force through them
+  const Two x1111 = Two{tau[7], tau[8]};
+  const Two x1203 = x569 * Two{0.0, 1.3267948966763652e-09};
+  const Two x1172 = x571 * Two{0.0005, -0.0004999999999982397};
+  const Two x1168 = Two{0.0005, -0.0004999999999982397} + x571 * 0.05;
+  const Two x1171 = Two{0.0, 1.3267948966763652e-09} + x569 * 0.05;
+  const Two x1166 = Two{0.0, -1.3267948966763652e-09} - x569 * Two{0.0, 3.5207693956928924e-13} + x571 * Two{0.0, 1.3267948966716939e-07};
+  const Two x1156 = Two{-0.0005, 0.0004999999999982397} + x569 * Two{0.0, 1.3267948966716939e-07} - x571 * Two{0.05, 0.04999999999964792};
+  const Two x1201 = x569 * Two{0.0, 5.6332219911062896e-14} + Two{0.0, 2.122871834682184e-10} - x571 * Two{0.0, 2.1228718346747102e-08};
+  const Real x1271 = across<2>(x1156);
+  const Two x1219 = x569 * Two{0.0, 2.1228718346747102e-08} + Two{-8e-05, 7.999999999971834e-05} - x571 * Two{0.008, 0.007999999999943668};
+  const Two x1181 = x1172 + Two{2.16667e-05, 2.166670000897794e-05} + x571 * x1168;
+  const Two x1211 = x1203 + Two{0.0012966667000000002, 0.001296666699991022} + x569 * x1171;
+  const Real x1264 = across<2>(x1168);
+  const Real x1266 = across<2>(x1219);
+  const Two x1191 = x571 * Two{0.0, 1.3267948966763652e-09} + Two{0.0, 3.3833269865128193e-09} + x569 * x1168;
+  const Two x1227 = 8.33333e-06 + x1203 + x1172 - x569 * x1166;
+  const Two x1228 = x1227 - x571 * x1156;
+  const Real x1283 = 0.007199999999999999 + across<2>(x1166);
+  const Real x1281 = -0.007199999999999999 + across<2>(x1171);
+  const Real x1277 = -0.00014399999999999992 + across<2>(x1201);
+  const Real x1282 = 0.00317433 + across<2>(x1228);
+  require_more(w, x1282, 0.0, kFactorization, 6);
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1486 = 0.9999999999932537 * tau[6];
+  w.x[10] = x1486;
+  const Real x1392 = 2.0 * sine[6];
+  const Real x1351 = sine[6] * x1264 + cosine[6] * x1281;
+  const Real x1300 = 1 / x1282;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1731 = 3.673205103346574e-06 * tau[5];
+  w.x[11] = x1731;
+  const Real x1726 = 0.9999999999932537 * tau[5];
+  w.x[12] = x1726;
+  const Real x1652 = 2.0 * sine[5];
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x2035 = 3.673205103346574e-06 * tau[4];
+  w.x[13] = x2035;
+  const Real x2031 = 0.9999999999932537 * tau[4];
+  w.x[14] = x2031;
+  const Real x1881 = 2.0 * sine[4];
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2318 = 3.673205103346574e-06 * tau[3];
+  w.x[15] = x2318;
+  const Real x2313 = 0.9999999999932537 * tau[3];
+  w.x[16] = x2313;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Real x2592 = 3.673205103346574e-06 * tau[2];
+  w.x[17] = x2592;
+  const Real x2587 = 0.9999999999932537 * tau[2];
+  w.x[18] = x2587;
+  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
+  const Real x2858 = 3.673205103346574e-06 * tau[1];
+  w.x[19] = x2858;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Real x80 = 3.673205103346574e-06 * x27 + 0.9999999999932537 * x29;
   const Real x95 = 3.673205103346574e-06 * x32;
   const Real x97 = 0.9999999999932537 * x32;
-  w.x[19] = x97;
-  const Real x89 = sine[2] * x80 - x25 * cosine[2];
-  w.x[20] = x89;
-  const Real x93 = x25 * sine[2] + cosine[2] * x80;
-  w.x[21] = x93;
+  w.x[20] = x97;
   const Real x94 = 0.9999999999932537 * x27 - 3.673205103346574e-06 * x29 + v[2];
-  w.x[22] = x94;
+  w.x[21] = x94;
+  const Real x118 = x37 + x55 * 0.3;
+  const Real x89 = sine[2] * x80 - x25 * cosine[2];
+  w.x[22] = x89;
+  const Real x93 = x25 * sine[2] + cosine[2] * x80;
+  w.x[23] = x93;
   const Real x120 = (x25 * x25 + x29 * x29) * 0.3;
   const Real x122 = x120 - cosine[1] * 9.809999999933819;
   const Real x125 = -3.603414206382989e-05 + (x30 + x59) * 0.3;
   const Real x114 = x30 * sine[2] - cosine[2] * x95 - v[2] * x89;
-  w.x[23] = x114;
-  const Real x118 = x37 + x55 * 0.3;
+  w.x[24] = x114;
   const Real x129 = 0.9999999999932537 * x125 - 3.673205103346574e-06 * x122;
   const Real x162 = x89 * x94;
-  w.x[24] = x162;
+  w.x[25] = x162;
   const Real x111 = v[2] * x93 - (x30 * cosine[2] + sine[2] * x95);
-  w.x[25] = x111;
+  w.x[26] = x111;
+  const Real x134 = 0.9999999999932537 * x122 + 3.673205103346574e-06 * x125;
+  w.x[27] = x134;
+  const Real x143 = sine[2] * x118 + cosine[2] * x129;
+  w.x[28] = x143;
+  const Real x148 = x93 * x93;
+  w.x[29] = x148;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Real x174 = 0.9999999999932537 * x94 - 3.673205103346574e-06 * x93;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1471 = cosine[6] * x1408 - sine[6] * x1355;
-  const Real x1428 = x1413 * x1423;
-  w.x[26] = x1428;
-  const Real x1429 = x1357 * x1423;
-  w.x[27] = x1429;
-  const Real x1426 = x1351 * x1423;
-  w.x[28] = x1426;
-  const Real x1427 = x1410 * x1423;
-  w.x[29] = x1427;
-  const Real x1453 = 0.9499999999996479 - x1413 * x1428;
-  const Real x1459 = 0.850000000000352 - x1357 * x1429;
-  const Real x1456 = -1.3267948966716939e-07 - x1413 * x1429;
-  const Real x1438 = 2.1228718346747102e-08 - x1351 * x1428;
-  const Real x1441 = -0.07540000000005632 - x1351 * x1429;
-  const Real x1447 = 0.09139999999994367 - x1410 * x1428;
-  const Real x1450 = -2.1228718346747102e-08 - x1410 * x1429;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1407 = 2.16667e-05 + x1379 + q[7] * x1378 + x1350;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1432 = x1407 - x1351 * x1426;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1409 = x1285 + 0.001296666699991022 + x585 * x1250 + 0.008236 + 0.0012966667000000002;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1444 = x1409 - x1410 * x1427;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1273 = 3.3833269865128193e-09 - x588 * 1.3267948966763652e-09 + x585 * x1247;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1435 = x1273 - x1351 * x1427;
-  const Real x1541 = cosine[6] * (x1453 - x1459) - x1456 * x1515;
-  const Real x1480 = cosine[6] * (x1438 - x1450) - sine[6] * (x1441 + x1447);
-  const Real x1519 = cosine[6] * (x1432 - x1444) - x1435 * x1515;
-  const Real x1545 = cosine[6] * x1541;
-  const Real x1485 = cosine[6] * x1480;
-  const Real x1481 = sine[6] * x1480;
-  const Real x1523 = cosine[6] * x1519;
-  const Real x1547 = x1453 - x1545;
-  const Real x1487 = x1438 - x1485;
-  const Real x1483 = x1441 + x1481;
-  const Real x1525 = x1432 - x1523;
-  // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
-  const Real x134 = 0.9999999999932537 * x122 + 3.673205103346574e-06 * x125;
-  w.x[30] = x134;
-  const Real x143 = sine[2] * x118 + cosine[2] * x129;
-  w.x[31] = x143;
-  const Real x148 = x93 * x93;
-  w.x[32] = x148;
-  const Real x139 = sine[2] * x129 - cosine[2] * x118;
-  w.x[33] = x139;
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Real x193 = 3.673205103346574e-06 * x114 + 0.9999999999932537 * x97;
   const Real x183 = x89 * cosine[3] + sine[3] * x174;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1348 = cosine[6] * x1264 - sine[6] * x1281;
+  const Real x1305 = x1271 * x1300;
+  w.x[30] = x1305;
+  const Real x1306 = x1283 * x1300;
+  w.x[31] = x1306;
+  const Real x1303 = x1277 * x1300;
+  w.x[32] = x1303;
+  const Real x1304 = x1266 * x1300;
+  w.x[33] = x1304;
+  const Real x1330 = 0.9499999999996479 - x1271 * x1305;
+  const Real x1336 = 0.850000000000352 - x1283 * x1306;
+  const Real x1333 = -1.3267948966716939e-07 - x1271 * x1306;
+  const Real x1315 = 2.1228718346747102e-08 - x1277 * x1305;
+  const Real x1318 = -0.07540000000005632 - x1277 * x1306;
+  const Real x1324 = 0.09139999999994367 - x1266 * x1305;
+  const Real x1327 = -2.1228718346747102e-08 - x1266 * x1306;
+  const Real x1309 = 0.01009033 + across<2>(x1181) - x1277 * x1303;
+  const Real x1321 = 0.008236 + across<2>(x1211) - x1266 * x1304;
+  const Real x1312 = across<2>(x1191) - x1277 * x1304;
+  const Real x1418 = cosine[6] * (x1330 - x1336) - x1333 * x1392;
+  const Real x1357 = cosine[6] * (x1315 - x1327) - sine[6] * (x1318 + x1324);
+  const Real x1396 = cosine[6] * (x1309 - x1321) - x1312 * x1392;
+  const Real x1422 = cosine[6] * x1418;
+  // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
+  const Real x139 = sine[2] * x129 - cosine[2] * x118;
+  w.x[34] = x139;
+  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Real x187 = cosine[3] * x174 - x89 * sine[3];
   const Real x188 = v[3] - (0.9999999999932537 * x93 + 3.673205103346574e-06 * x94);
   const Real x220 = x143 + (x89 * x93 - x97) * 0.08;
   const Real x222 = (x162 - x114) * 0.08 - x134;
   const Real x199 = 3.673205103346574e-06 * x97 - 0.9999999999932537 * x114;
-  w.x[34] = x199;
+  w.x[35] = x199;
   const Real x214 = x111 * sine[3] + cosine[3] * x193 + v[3] * x183;
-  w.x[35] = x214;
+  w.x[36] = x214;
   const Real x246 = x188 * x188;
   const Real x249 = x183 * x187;
-  w.x[36] = x249;
+  w.x[37] = x249;
   const Real x259 = x183 * x188;
-  w.x[37] = x259;
+  w.x[38] = x259;
   const Real x211 = x111 * cosine[3] - sine[3] * x193 + v[3] * x187;
-  w.x[38] = x211;
+  w.x[39] = x211;
   const Real x218 = x139 - (x148 + x94 * x94) * 0.08;
   const Real x226 = 0.9999999999932537 * x222 - 3.673205103346574e-06 * x220;
   const Real x251 = x199 + x249;
-  w.x[39] = x251;
+  w.x[40] = x251;
   const Real x252 = x183 * x183 + x246;
-  w.x[40] = x252;
+  w.x[41] = x252;
   const Real x254 = x187 * x188;
-  w.x[41] = x254;
+  w.x[42] = x254;
   const Real x260 = x214 + x259;
-  w.x[42] = x260;
+  w.x[43] = x260;
+  const Real x231 = 0.9999999999932537 * x220 + 3.673205103346574e-06 * x222;
+  w.x[44] = x231;
+  const Real x256 = x211 + x254;
+  w.x[45] = x256;
   // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Real x273 = 3.673205103346574e-06 * x187 + 0.9999999999932537 * x188;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1529 = 3.673205103346574e-06 * x1525;
-  const Real x1552 = 3.673205103346574e-06 * (x1547 - 0.95);
-  const Real x1505 = 3.673205103346574e-06 * x1487 + 0.9999999999932537 * x1474;
-  const Real x1534 = 3.673205103346574e-06 * x1529;
-  const Real x1556 = 3.673205103346574e-06 * x1552;
-  const Real x1554 = 0.9999999999932537 * x1552;
-  const Real x1507 = 0.9999999999932537 * x1505;
-  const Real x1510 = 3.673205103346574e-06 * x1505;
-  const Real x1558 = 0.95 + x1556;
-  const Real x1559 = x1547 - x1556;
-  const Real x1567 = 0.09 * x1554;
-  const Real x1495 = 3.673205103346574e-06 * x1483 + 0.9999999999932537 * x1471;
-  const Real x1512 = x1487 - x1510;
-  const Real x1509 = x1474 - x1507;
-  const Real x1522 = x1435 + sine[6] * x1519;
-  const Real x1569 = x1510 + x1567;
-  const Real x1571 = 0.09 * x1558 - x1507;
-  const Real x1574 = x1509 - 0.09 * x1559;
-  const Real x1599 = x1525 - x1534 - 0.09 * x1507 + 0.09 * x1571;
-  const Real x1646 = 0.00351 + x1599;
-  require_more(w, x1646, 0.0, kFactorization, 5);
-  const Real x1544 = x1456 + sine[6] * x1541;
-  const Real x1500 = 0.9999999999932537 * x1483 - 3.673205103346574e-06 * x1471;
-  const Real x1582 = 0.9999999999932537 * x1522 - 0.09 * x1495;
-  w.x[43] = x1582;
-  const Real x1594 = 0.09 * x1569 - (0.9999999999932537 * x1529 + 0.09 * x1512);
-  w.x[44] = x1594;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1660 = 1 / x1646;
-  w.x[45] = x1660;
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x231 = 0.9999999999932537 * x220 + 3.673205103346574e-06 * x222;
-  w.x[46] = x231;
-  const Real x256 = x211 + x254;
-  w.x[47] = x256;
-  const Real x239 = cosine[3] * x226 - sine[3] * x218;
-  w.x[48] = x239;
-  const Real x247 = x187 * x187 + x246;
-  w.x[49] = x247;
-  const Real x250 = x249 - x199;
-  w.x[50] = x250;
-  const Real x235 = cosine[3] * x218 + sine[3] * x226;
-  w.x[51] = x235;
-  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Real x294 = 3.673205103346574e-06 * x214 - 0.9999999999932537 * x199;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1362 = cosine[6] * x1357;
+  const Real x1358 = sine[6] * x1357;
+  const Real x1400 = cosine[6] * x1396;
+  const Real x1424 = x1330 - x1422;
+  const Real x1364 = x1315 - x1362;
+  const Real x1360 = x1318 + x1358;
+  const Real x1402 = x1309 - x1400;
+  const Real x1406 = 3.673205103346574e-06 * x1402;
+  const Real x1429 = 3.673205103346574e-06 * (x1424 - 0.95);
+  const Real x1382 = 3.673205103346574e-06 * x1364 + 0.9999999999932537 * x1351;
+  const Real x1411 = 3.673205103346574e-06 * x1406;
+  const Real x1433 = 3.673205103346574e-06 * x1429;
+  const Real x1431 = 0.9999999999932537 * x1429;
+  const Real x1384 = 0.9999999999932537 * x1382;
+  const Real x1387 = 3.673205103346574e-06 * x1382;
+  const Real x1435 = 0.95 + x1433;
+  const Real x1436 = x1424 - x1433;
+  const Real x1444 = 0.09 * x1431;
+  const Real x1389 = x1364 - x1387;
+  const Real x1372 = 3.673205103346574e-06 * x1360 + 0.9999999999932537 * x1348;
+  const Real x1386 = x1351 - x1384;
+  const Real x1399 = x1312 + sine[6] * x1396;
+  const Real x1446 = x1387 + x1444;
+  const Real x1448 = 0.09 * x1435 - x1384;
+  const Real x1451 = x1386 - 0.09 * x1436;
+  const Real x1476 = x1402 - x1411 - 0.09 * x1384 + 0.09 * x1448;
+  const Real x1523 = 0.00351 + x1476;
+  require_more(w, x1523, 0.0, kFactorization, 5);
+  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x239 = cosine[3] * x226 - sine[3] * x218;
+  w.x[46] = x239;
+  const Real x247 = x187 * x187 + x246;
+  w.x[47] = x247;
+  const Real x250 = x249 - x199;
+  w.x[48] = x250;
+  const Real x235 = cosine[3] * x218 + sine[3] * x226;
+  w.x[49] = x235;
+  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Real x282 = x183 * cosine[4] - sine[4] * x273;
-  w.x[52] = x282;
+  w.x[50] = x282;
   const Real x287 = x183 * sine[4] + cosine[4] * x273;
-  w.x[53] = x287;
+  w.x[51] = x287;
   const Real x289 = 0.9999999999932537 * x187 - 3.673205103346574e-06 * x188 + v[4];
-  w.x[54] = x289;
+  w.x[52] = x289;
   const Real x325 = x239 - (0.08 * x251 + x252 * 0.38);
   const Real x331 = x256 * 0.38 - (x231 + 0.08 * x260);
   const Real x299 = 0.9999999999932537 * x214 + 3.673205103346574e-06 * x199;
-  w.x[55] = x299;
+  w.x[53] = x299;
   const Real x313 = cosine[4] * x294 - x211 * sine[4] - v[4] * x282;
-  w.x[56] = x313;
+  w.x[54] = x313;
   const Real x318 = 0.08 * x247 + x250 * 0.38 + x235;
   const Real x336 = 3.673205103346574e-06 * x325 + 0.9999999999932537 * x331;
   const Real x310 = x211 * cosine[4] + sine[4] * x294 - v[4] * x287;
-  w.x[57] = x310;
+  w.x[55] = x310;
+  const Real x341 = 0.9999999999932537 * x325 - 3.673205103346574e-06 * x331;
+  w.x[56] = x341;
+  const Real x350 = sine[4] * x318 + cosine[4] * x336;
+  w.x[57] = x350;
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x387 = 3.673205103346574e-06 * x287 + 0.9999999999932537 * x289;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1484 = x1447 + x1481;
-  const Real x1548 = 3.673205103346574e-06 * x1544;
-  const Real x1647 = 0.9999999999932537 * x1484 - 0.09 * x1548 + -0.013000000000000001;
-  w.x[58] = x1647;
-  const Real x1648 = 0.052000000000000005 + x1571;
-  w.x[59] = x1648;
-  const Real x1550 = 0.9999999999932537 * x1544;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1663 = x1582 * x1660;
-  w.x[60] = x1663;
-  const Real x1664 = x1594 * x1660;
-  w.x[61] = x1664;
-  const Real x1670 = x1444 + x1523 + 0.0014299999999999998 - x1582 * x1663;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1644 = x1534 - 0.09 * x1509 - 0.09 * x1574 + 0.00338;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1686 = x1644 - x1594 * x1664;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1642 = -0.0005200000000000001 - (3.673205103346574e-06 * x1522 + 0.09 * x1500);
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1673 = x1642 - x1582 * x1664;
-  const Real x1665 = x1647 * x1660;
-  w.x[62] = x1665;
-  const Real x1666 = x1648 * x1660;
-  w.x[63] = x1666;
-  const Real x1779 = cosine[5] * (x1670 - x1686) - x1673 * x1775;
-  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
-  const Real x341 = 0.9999999999932537 * x325 - 3.673205103346574e-06 * x331;
-  w.x[64] = x341;
-  const Real x350 = sine[4] * x318 + cosine[4] * x336;
-  w.x[65] = x350;
-  const Real x345 = cosine[4] * x318 - sine[4] * x336;
-  w.x[66] = x345;
-  // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x405 = 3.673205103346574e-06 * x313 + 0.9999999999932537 * x299;
   const Real x395 = x282 * cosine[5] + sine[5] * x387;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1421 = x1333 + sine[6] * x1418;
+  const Real x1377 = 0.9999999999932537 * x1360 - 3.673205103346574e-06 * x1348;
+  const Real x1459 = 0.9999999999932537 * x1399 - 0.09 * x1372;
+  w.x[58] = x1459;
+  const Real x1471 = 0.09 * x1446 - (0.9999999999932537 * x1406 + 0.09 * x1389);
+  w.x[59] = x1471;
+  const Real x1361 = x1324 + x1358;
+  const Real x1425 = 3.673205103346574e-06 * x1421;
+  const Real x1524 = 0.9999999999932537 * x1361 - 0.09 * x1425 + -0.013000000000000001;
+  w.x[60] = x1524;
+  const Real x1525 = 0.052000000000000005 + x1448;
+  w.x[61] = x1525;
+  const Real x1427 = 0.9999999999932537 * x1421;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1537 = 1 / x1523;
+  w.x[62] = x1537;
+  const Real x1540 = x1459 * x1537;
+  w.x[63] = x1540;
+  const Real x1541 = x1471 * x1537;
+  w.x[64] = x1541;
+  const Real x1547 = x1321 + x1400 + 0.0014299999999999998 - x1459 * x1540;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1521 = x1411 - 0.09 * x1386 - 0.09 * x1451 + 0.00338;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1563 = x1521 - x1471 * x1541;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1519 = -0.0005200000000000001 - (3.673205103346574e-06 * x1399 + 0.09 * x1377);
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1550 = x1519 - x1459 * x1541;
+  const Real x1542 = x1524 * x1537;
+  w.x[65] = x1542;
+  const Real x1543 = x1525 * x1537;
+  w.x[66] = x1543;
+  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
+  const Real x345 = cosine[4] * x318 - sine[4] * x336;
+  w.x[67] = x345;
+  // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x399 = cosine[5] * x387 - x282 * sine[5];
-  w.x[67] = x399;
   const Real x400 = 0.9999999999932537 * x287 - 3.673205103346574e-06 * x289 + v[5];
-  w.x[68] = x400;
   const Real x411 = 3.673205103346574e-06 * x299 - 0.9999999999932537 * x313;
-  w.x[69] = x411;
+  w.x[68] = x411;
   const Real x426 = x310 * sine[5] + cosine[5] * x405 + v[5] * x395;
-  w.x[70] = x426;
   const Real x431 = 3.673205103346574e-06 * x350 + 0.9999999999932537 * x341;
   const Real x452 = x395 * x399;
-  w.x[71] = x452;
+  w.x[69] = x452;
   const Real x462 = x395 * x400;
-  w.x[72] = x462;
   const Real x454 = x411 + x452;
-  w.x[73] = x454;
+  w.x[70] = x454;
   const Real x463 = x426 + x462;
-  w.x[74] = x463;
+  w.x[71] = x463;
   const Real x436 = 0.9999999999932537 * x350 - 3.673205103346574e-06 * x341;
-  w.x[75] = x436;
+  w.x[72] = x436;
   const Real x443 = cosine[5] * x431 - x345 * sine[5];
-  w.x[76] = x443;
+  w.x[73] = x443;
   const Real x449 = x400 * x400;
+  const Real x423 = x310 * cosine[5] - sine[5] * x405 + v[5] * x399;
+  const Real x450 = x399 * x399 + x449;
+  w.x[74] = x450;
   // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
   const Real x474 = 0.9999999999932537 * x400 - 3.673205103346574e-06 * x399;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1575 = x1512 - x1567;
-  w.x[77] = x1575;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1699 = x1459 + x1545 + 1.3 - x1647 * x1665;
-  const Real x1709 = 1.3 + x1558 - x1648 * x1666;
-  const Real x1783 = cosine[5] * x1779;
-  const Real x1676 = x1450 + x1485 - x1582 * x1665;
-  const Real x1679 = x1495 + x1582 * x1666;
-  const Real x1689 = 3.673205103346574e-06 * x1484 + 0.09 * x1550 + x1594 * x1665;
-  const Real x1693 = x1569 - x1594 * x1666;
-  const Real x1702 = x1548 + x1647 * x1666;
-  const Real x1785 = x1670 - x1783;
-  const Real x1667 = x1575 * x1660;
-  w.x[78] = x1667;
-  const Real x1789 = 3.673205103346574e-06 * x1785;
-  const Real x1808 = cosine[5] * (x1699 - x1709) + x1702 * x1775;
-  const Real x1793 = 3.673205103346574e-06 * x1789;
-  const Real x1683 = 0.013000000000000001 + x1500 - x1582 * x1667;
-  const Real x1696 = -0.052000000000000005 + x1574 - x1594 * x1667;
-  const Real x1706 = x1550 - x1647 * x1667;
-  const Real x1712 = x1554 + x1648 * x1667;
-  const Real x1740 = cosine[5] * (x1676 - x1693) + sine[5] * (x1679 + x1689);
-  const Real x1812 = cosine[5] * x1808;
-  const Real x1716 = 1.3 + x1559 - x1575 * x1667;
-  // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
-  const Real x423 = x310 * cosine[5] - sine[5] * x405 + v[5] * x399;
-  w.x[79] = x423;
-  const Real x450 = x399 * x399 + x449;
-  w.x[80] = x450;
-  const Real x439 = x345 * cosine[5] + sine[5] * x431;
-  w.x[81] = x439;
-  // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
   const Real x483 = x395 * cosine[6] + sine[6] * x474;
   const Real x487 = cosine[6] * x474 - x395 * sine[6];
   const Real x488 = v[6] - (0.9999999999932537 * x399 + 3.673205103346574e-06 * x400);
   const Real x492 = 3.673205103346574e-06 * x426 + 0.9999999999932537 * x411;
   const Real x514 = x443 + x454 * 0.09;
   const Real x516 = x436 + x463 * 0.09;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1452 = x1389 - x1444;
+  w.x[75] = x1452;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1656 = cosine[5] * (x1547 - x1563) - x1550 * x1652;
+  const Real x1576 = x1336 + x1422 + 1.3 - x1524 * x1542;
+  const Real x1586 = 1.3 + x1435 - x1525 * x1543;
+  const Real x1660 = cosine[5] * x1656;
+  const Real x1553 = x1327 + x1362 - x1459 * x1542;
+  const Real x1556 = x1372 + x1459 * x1543;
+  const Real x1566 = 3.673205103346574e-06 * x1361 + 0.09 * x1427 + x1471 * x1542;
+  const Real x1570 = x1446 - x1471 * x1543;
+  const Real x1579 = x1425 + x1524 * x1543;
+  const Real x1662 = x1547 - x1660;
+  const Real x1544 = x1452 * x1537;
+  w.x[76] = x1544;
+  const Real x1666 = 3.673205103346574e-06 * x1662;
+  const Real x1685 = cosine[5] * (x1576 - x1586) + x1579 * x1652;
+  const Real x1670 = 3.673205103346574e-06 * x1666;
+  const Real x1560 = 0.013000000000000001 + x1377 - x1459 * x1544;
+  const Real x1573 = -0.052000000000000005 + x1451 - x1471 * x1544;
+  const Real x1583 = x1427 - x1524 * x1544;
+  const Real x1589 = x1431 + x1525 * x1544;
+  const Real x1617 = cosine[5] * (x1553 - x1570) + sine[5] * (x1556 + x1566);
+  // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
+  const Real x439 = x345 * cosine[5] + sine[5] * x431;
+  w.x[77] = x439;
+  // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
   const Real x497 = 0.9999999999932537 * x426 - 3.673205103346574e-06 * x411;
   const Real x538 = x483 * x483;
   const Real x539 = x487 * x487;
@@ -1169,9 +1344,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x512 = x439 - x450 * 0.09;
   const Real x520 = 0.9999999999932537 * x516 - 3.673205103346574e-06 * x514;
   const Real x541 = x539 + x540;
-  const Real x544 = x543 - x497;
   const Real x545 = x497 + x543;
-  const Real x546 = x538 + x540;
   const Real x506 = x423 * cosine[6] + sine[6] * x492 + v[6] * x487;
   const Real x509 = cosine[6] * x492 - x423 * sine[6] - v[6] * x483;
   const Real x548 = x487 * x488;
@@ -1180,821 +1353,796 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x533 = cosine[6] * x520 - sine[6] * x512;
   const Real x549 = x548 - x506;
   const Real x555 = x509 + x553;
-  // joint 7 "left_finger_slide": placement, velocity and reference acceleration of its link
-  const Real x560 = x555 * 0.13;
-  const Real x565 = x549 * 0.13;
+  // joints 7 "left_finger_slide", 8 "right_finger_slide": placement, velocity and reference acceleration of their links
+  const Two x574 = x483 * Two{1.0, -0.9999999999964793} + x487 * Two{0.0, 2.65358979335273e-06};
+  const Two x578 = x487 * Two{1.0, -0.9999999999964793} - x483 * Two{0.0, 2.65358979335273e-06};
+  const Two x591 = x541 * x569 + (x543 - x497) * x571 + x529;
+  const Two x592 = x555 * 0.13 + x591;
+  const Two x600 = x533 - (x545 * x569 + (x538 + x540) * x571);
+  const Two x601 = x549 * 0.13 + x600;
+  const Two x585 = x509 * Two{1.0, -0.9999999999964793} - x506 * Two{0.0, 2.65358979335273e-06};
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1745 = cosine[5] * x1740;
-  const Real x1814 = x1699 - x1812;
-  const Real x1880 = x1785 - x1793 + 0.00189125;
-  require_more(w, x1880, 0.0, kFactorization, 4);
-  const Real x1733 = sine[5] * x1683 + cosine[5] * x1696;
-  const Real x1741 = sine[5] * x1740;
-  const Real x1747 = x1676 - x1745;
-  const Real x1803 = sine[5] * x1706 - cosine[5] * x1712;
-  const Real x1744 = x1741 - x1689;
-  const Real x1765 = 3.673205103346574e-06 * x1747 + 0.9999999999932537 * x1733;
-  const Real x1831 = 3.673205103346574e-06 * (x1814 - x1716) + x1803 * 1.9999999999865075;
-  const Real x1767 = 0.9999999999932537 * x1765;
-  w.x[82] = x1767;
-  const Real x1836 = 3.673205103346574e-06 * x1831;
-  const Real x1881 = -0.017 + 0.9999999999932537 * x1744;
-  w.x[83] = x1881;
-  const Real x1730 = cosine[5] * x1683 - sine[5] * x1696;
-  const Real x1743 = x1741 - x1679;
-  const Real x1782 = x1673 + sine[5] * x1779;
-  const Real x1799 = cosine[5] * x1706 + sine[5] * x1712;
-  const Real x1811 = sine[5] * x1808 - x1702;
+  const Real x1689 = cosine[5] * x1685;
+  const Real x1593 = 1.3 + x1436 - x1452 * x1544;
+  const Real x1622 = cosine[5] * x1617;
+  const Real x1691 = x1576 - x1689;
+  const Real x1757 = x1662 - x1670 + 0.00189125;
+  require_more(w, x1757, 0.0, kFactorization, 4);
+  const Real x1610 = sine[5] * x1560 + cosine[5] * x1573;
+  const Real x1618 = sine[5] * x1617;
+  const Real x1624 = x1553 - x1622;
+  const Real x1680 = sine[5] * x1583 - cosine[5] * x1589;
+  const Real x1621 = x1618 - x1566;
+  const Real x1642 = 3.673205103346574e-06 * x1624 + 0.9999999999932537 * x1610;
+  const Real x1708 = 3.673205103346574e-06 * (x1691 - x1593) + x1680 * 1.9999999999865075;
+  const Real x1644 = 0.9999999999932537 * x1642;
+  w.x[78] = x1644;
+  const Real x1713 = 3.673205103346574e-06 * x1708;
+  const Real x1758 = -0.017 + 0.9999999999932537 * x1621;
+  w.x[79] = x1758;
+  const Real x1607 = cosine[5] * x1560 - sine[5] * x1573;
+  const Real x1620 = x1618 - x1556;
+  const Real x1659 = x1550 + sine[5] * x1656;
+  const Real x1676 = cosine[5] * x1583 + sine[5] * x1589;
+  const Real x1688 = sine[5] * x1685 - x1579;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1892 = 1 / x1880;
-  w.x[84] = x1892;
-  const Real x1897 = x1881 * x1892;
-  w.x[85] = x1897;
-  const Real x1898 = x1767 * x1892;
-  w.x[86] = x1898;
+  const Real x1769 = 1 / x1757;
+  w.x[80] = x1769;
+  const Real x1774 = x1758 * x1769;
+  w.x[81] = x1774;
+  const Real x1775 = x1644 * x1769;
+  w.x[82] = x1775;
   // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
   const Real x551 = x538 + x539;
   const Real x525 = 0.9999999999932537 * x514 + 3.673205103346574e-06 * x516;
   const Real x554 = x553 - x509;
-  const Real x550 = x506 + x548;
-  // joint 7 "left_finger_slide": placement, velocity and reference acceleration of its link
-  const Real x574 = 2.0 * x488;
-  const Real x571 = x525 + x551 * 0.13;
-  // joint 8 "right_finger_slide": placement, velocity and reference acceleration of its link
-  const Real x593 = x487 * 2.65358979335273e-06 - x483 * 0.9999999999964793;
-  const Real x598 = x483 * 2.65358979335273e-06 + x487 * 0.9999999999964793;
-  const Real x616 = x541 * x585 - x544 * x588 + x529 + x560;
-  const Real x623 = x546 * x588 - x545 * x585 + x533 + x565;
-  const Real x608 = x506 * 2.65358979335273e-06 + x509 * 0.9999999999964793;
-  const Real x655 = x488 * x593;
-  const Real x660 = x593 * x598;
-  const Real x657 = x655 - x608;
-  const Real x662 = x497 + x660;
-  const Real x603 = x509 * 2.65358979335273e-06 - x506 * 0.9999999999964793;
-  const Real x649 = 2.65358979335273e-06 * x623 - 0.9999999999964793 * x616 - x574 * v[8];
-  const Real x650 = x593 * x593;
-  const Real x667 = x488 * x598;
-  const Real x653 = x650 + x598 * x598;
-  const Real x665 = x540 + x650;
+  // joints 7 "left_finger_slide", 8 "right_finger_slide": placement, velocity and reference acceleration of their links
+  const Two x631 = x488 * x574;
+  const Two x636 = x574 * x578;
+  const Two x633 = x585 + x631;
+  const Two x637 = x636 - x497;
+  const Two x581 = x506 * Two{1.0, -0.9999999999964793} + x509 * Two{0.0, 2.65358979335273e-06};
+  const Two x614 = Two{1.0, -0.9999999999964793} * x592 + Two{0.0, 2.65358979335273e-06} * x601;
+  const Two x626 = x614 - x561 * (2.0 * x488);
+  const Two x627 = x574 * x574;
+  const Two x641 = x488 * x578;
+  const Two x629 = x627 + x578 * x578;
+  const Two x639 = x540 + x627;
+  const Two x618 = Two{1.0, -0.9999999999964793} * x601 - Two{0.0, 2.65358979335273e-06} * x592;
+  // links 8 "left_finger", 9 "right_finger": force that the reference field takes
+  const Two x1102 = x633 * 0.0015 + x637 * 0.0005 + x626 * 0.05;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1788 = 0.9999999999932537 * x1782;
-  w.x[87] = x1788;
-  const Real x1878 = 0.00136 - 0.9999999999932537 * x1789;
-  w.x[88] = x1878;
-  const Real x1770 = 3.673205103346574e-06 * x1765;
-  const Real x1772 = x1747 - x1770;
-  w.x[89] = x1772;
+  const Real x1665 = 0.9999999999932537 * x1659;
+  w.x[83] = x1665;
+  const Real x1755 = 0.00136 - 0.9999999999932537 * x1666;
+  w.x[84] = x1755;
+  const Real x1647 = 3.673205103346574e-06 * x1642;
+  const Real x1649 = x1624 - x1647;
+  w.x[85] = x1649;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1895 = x1788 * x1892;
-  w.x[90] = x1895;
-  const Real x1896 = x1878 * x1892;
-  w.x[91] = x1896;
-  const Real x1931 = x1709 + x1812 + 1.7 - x1881 * x1897;
-  const Real x1940 = x1716 + x1836 + 1.7 - x1767 * x1898;
-  const Real x1934 = x1881 * x1898 - (3.673205103346574e-06 * x1811 + 0.9999999999932537 * x1799);
-  const Real x1900 = x1772 * x1892;
-  w.x[92] = x1900;
-  const Real x1903 = x1686 + x1783 + 0.01553729 - x1788 * x1895;
-  const Real x1910 = x1693 + x1745 - x1788 * x1897;
+  const Real x1772 = x1665 * x1769;
+  w.x[86] = x1772;
+  const Real x1773 = x1755 * x1769;
+  w.x[87] = x1773;
+  const Real x1808 = x1586 + x1689 + 1.7 - x1758 * x1774;
+  const Real x1817 = x1593 + x1713 + 1.7 - x1644 * x1775;
+  const Real x1811 = x1758 * x1775 - (3.673205103346574e-06 * x1688 + 0.9999999999932537 * x1676);
+  const Real x1777 = x1649 * x1769;
+  w.x[88] = x1777;
+  const Real x1780 = x1563 + x1660 + 0.01553729 - x1665 * x1772;
+  const Real x1787 = x1570 + x1622 - x1665 * x1774;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1875 = 0.136 - (3.673205103346574e-06 * x1743 + 0.9999999999932537 * x1730);
+  const Real x1752 = 0.136 - (3.673205103346574e-06 * x1620 + 0.9999999999932537 * x1607);
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1913 = x1875 + x1788 * x1898;
-  const Real x1919 = 0.01536729 + x1793 - x1878 * x1896;
-  w.x[93] = x1919;
-  const Real x1922 = -0.136 - 3.673205103346574e-06 * x1744 - x1878 * x1897;
-  const Real x1925 = x1770 + x1878 * x1898;
-  const Real x1906 = 3.673205103346574e-06 * x1782 + x1788 * x1896;
-  const Real x2037 = cosine[4] * (x1931 - x1940) - x1934 * x2004;
-  // joint 7 "left_finger_slide": placement, velocity and reference acceleration of its link
-  const Real x579 = x529 + x544 * q[7] + x560 - v[7] * x574;
-  const Real x567 = x533 - x546 * q[7] + x565;
-  // joint 8 "right_finger_slide": placement, velocity and reference acceleration of its link
-  const Real x640 = 2.65358979335273e-06 * x616 + 0.9999999999964793 * x623;
-  const Real x630 = x571 + x554 * x585 + x550 * x588;
-  const Real x646 = v[8] * (2.0 * x593) - x630;
-  // link 8 "left_finger": force that the reference field takes
-  const Real x1082 = x497 * 8.33333e-06;
-  // link 9 "right_finger": force that the reference field takes
-  const Real x1178 = x657 * 0.0015 - x662 * 0.0005 + x649 * 0.05;
-  const Real x1185 = (x603 + x667) * 0.0015 + x665 * 0.0005;
-  const Real x1147 = x667 * 5.333337e-05 - 1.5e-05 * (x653 - x665);
-  const Real x1140 = x1082 + x660 * 5e-06 - x657 * 1.5e-05;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1329 = 2.65358979335273e-06 * x1178 - 0.9999999999964793 * tau[8];
-  const Real x1324 = 0.9999999999964793 * x1178 + 2.65358979335273e-06 * tau[8];
+  const Real x1790 = x1752 + x1665 * x1775;
+  const Real x1796 = 0.01536729 + x1670 - x1755 * x1773;
+  const Real x1799 = -0.136 - 3.673205103346574e-06 * x1621 - x1755 * x1774;
+  const Real x1802 = x1647 + x1755 * x1775;
+  const Real x1783 = 3.673205103346574e-06 * x1659 + x1665 * x1773;
+  // joints 7 "left_finger_slide", 8 "right_finger_slide": placement, velocity and reference acceleration of their links
+  const Two x609 = x525 + x551 * 0.13 + x554 * x569;
+  const Two x611 = (x506 + x548) * x571 - x609;
+  const Two x623 = x611 + x561 * (2.0 * x574);
+  // links 8 "left_finger", 9 "right_finger": force that the reference field takes
+  const Two x1107 = (x641 - x581) * 0.0015 - x639 * 0.0005;
+  const Two x1071 = x641 * 5.333337e-05 + 1.5e-05 * (x629 - x639);
+  const Two x1062 = x497 * 8.33333e-06 - x636 * 5e-06 - x633 * 1.5e-05;
+  const Two x1088 = x581 * 6.66667e-05 - x1071 + x623 * 0.0005;
+  const Two x1081 = x631 * 5.833337e-05 + x637 * 1.5e-05 + x585 * 6.16667e-05;
+  const Two x1091 = x1081 + x626 * 0.0015;
+  const Two x1096 = (x581 + x641) * 0.0005 - x629 * 0.0015;
+  const Two x1097 = x623 * 0.05 + x1096;
+  // joints 7 "left_finger_slide", 8 "right_finger_slide": articulated-body inertia and bias force through them
+  const Two x1242 = Two{0.0, 2.65358979335273e-06} * x1102 + Two{1.0, -0.9999999999964793} * x1111;
+  const Two x1239 = Two{1.0, -0.9999999999964793} * x1102 - Two{0.0, 2.65358979335273e-06} * x1111;
+  const Two x1114 = 20.0 * (x1111 - (x618 * 0.05 + x1107));
+  put(x1114, w.x.data() + 90);
+  const Two x1257 = x1062 - x626 * 0.0005 - x569 * x1242;
+  const Two x1258 = x1257 - x571 * x1239;
+  const Two x1119 = x1088 - x618 * 0.0015 - 0.0015 * x1114;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1937 = 0.9999999999932537 * x1811 - 3.673205103346574e-06 * x1799 - x1881 * x1900;
-  const Real x1943 = x1803 - 0.9999999999932537 * x1831 + x1767 * x1900;
-  const Real x2041 = cosine[4] * x2037;
+  const Real x1914 = cosine[4] * (x1808 - x1817) - x1811 * x1881;
+  const Real x1814 = 0.9999999999932537 * x1688 - 3.673205103346574e-06 * x1676 - x1758 * x1777;
+  const Real x1820 = x1680 - 0.9999999999932537 * x1708 + x1644 * x1777;
+  const Real x1918 = cosine[4] * x1914;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1876 = 0.9999999999932537 * x1743 - 3.673205103346574e-06 * x1730 + 0.017;
+  const Real x1753 = 0.9999999999932537 * x1620 - 3.673205103346574e-06 * x1607 + 0.017;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1916 = x1876 - x1788 * x1900;
-  const Real x1928 = x1733 - x1767 - x1878 * x1900;
-  const Real x1946 = x1814 - x1836 + 1.7 - x1772 * x1900;
-  const Real x1970 = cosine[4] * (x1910 - x1925) - sine[4] * (x1913 + x1922);
-  const Real x2008 = cosine[4] * (x1903 - x1919) + x1906 * x2004;
-  const Real x2043 = x1931 - x2041;
-  w.x[94] = x2043;
-  const Real x1975 = cosine[4] * x1970;
-  const Real x2012 = cosine[4] * x2008;
-  w.x[95] = x2012;
-  const Real x2032 = sine[4] * x1937 + cosine[4] * x1943;
-  const Real x1964 = sine[4] * x1916 + cosine[4] * x1928;
-  w.x[96] = x1964;
-  const Real x1971 = sine[4] * x1970;
-  const Real x1977 = x1910 - x1975;
-  const Real x2014 = x1903 - x2012;
-  const Real x2029 = cosine[4] * x1937 - sine[4] * x1943;
-  const Real x2040 = x1934 + sine[4] * x2037;
-  const Real x1974 = x1922 + x1971;
-  // joint 7 "left_finger_slide": placement, velocity and reference acceleration of its link
-  const Real x576 = x550 * q[7] - x571 + 2.0 * x483 * v[7];
-  // link 7 "hand": force that the reference field takes
-  const Real x1036 = x497 * 0.00317433 - x543 * 0.0018543300000000004 + x549 * 0.00014399999999999992;
-  const Real x1025 = x553 * 0.006916 - 0.00014399999999999992 * (x541 - x551);
-  // link 8 "left_finger": force that the reference field takes
-  const Real x1127 = x555 * 0.0015 + x544 * 0.0005 + x579 * 0.05;
-  const Real x1089 = x1082 - x543 * 5e-06 - x555 * 1.5e-05;
-  const Real x1097 = x548 * 5.333337e-05 + (x551 - x546) * 1.5e-05;
-  const Real x1122 = x550 * 0.0005 - x551 * 0.0015 + x576 * 0.05;
-  // link 9 "right_finger": force that the reference field takes
-  const Real x1163 = x603 * 6.66667e-05 + x1147 + x646 * 0.0005;
-  const Real x1156 = x655 * 5.833337e-05 - x662 * 1.5e-05 - x608 * 6.16667e-05;
-  const Real x1166 = x1156 + x649 * 0.0015;
-  const Real x1171 = (x603 - x667) * 0.0005 - x653 * 0.0015;
-  const Real x1172 = x646 * 0.05 + x1171;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1192 = 20.0 * (x640 * 0.05 + x1185 + tau[8]);
-  w.x[97] = x1192;
-  const Real x1348 = x1140 - x649 * 0.0005 - x585 * x1329;
-  const Real x1197 = x640 * 0.0015 + x1163 - 0.0015 * x1192;
-  // link 8 "left_finger": force that the reference field takes
-  const Real x1133 = x549 * 0.0015 - x546 * 0.0005 + x567 * 0.05;
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x2019 = 3.673205103346574e-06 * x2014;
-  w.x[98] = x2019;
-  const Real x2042 = x1940 + x2041;
-  w.x[99] = x2042;
-  const Real x2058 = 1.9999999999865075 * x2032 - 3.673205103346574e-06 * (x2043 - x1946);
-  const Real x1980 = 0.9999999999932537 * x1974;
-  const Real x1995 = 0.9999999999932537 * x1964 - 3.673205103346574e-06 * x1977;
-  const Real x2023 = 3.673205103346574e-06 * x2019;
-  w.x[100] = x2023;
-  const Real x2047 = 0.9999999999932537 * x2029 - 3.673205103346574e-06 * x2040;
-  w.x[101] = x2047;
-  const Real x2061 = 3.673205103346574e-06 * x2058;
-  w.x[102] = x2061;
-  const Real x1996 = 0.9999999999932537 * x1995;
-  w.x[103] = x1996;
-  const Real x2063 = x1946 - x2061;
-  w.x[104] = x2063;
-  const Real x2078 = x1980 + 0.38 * x2042 + 0.08 * x2047;
+  const Real x1793 = x1753 - x1665 * x1777;
+  const Real x1805 = x1610 - x1644 - x1755 * x1777;
+  const Real x1823 = x1691 - x1713 + 1.7 - x1649 * x1777;
+  const Real x1847 = cosine[4] * (x1787 - x1802) - sine[4] * (x1790 + x1799);
+  const Real x1885 = cosine[4] * (x1780 - x1796) + x1783 * x1881;
+  const Real x1920 = x1808 - x1918;
+  const Real x1852 = cosine[4] * x1847;
+  const Real x1889 = cosine[4] * x1885;
+  const Real x1909 = sine[4] * x1814 + cosine[4] * x1820;
+  const Real x1841 = sine[4] * x1793 + cosine[4] * x1805;
+  const Real x1848 = sine[4] * x1847;
+  const Real x1854 = x1787 - x1852;
+  const Real x1891 = x1780 - x1889;
+  const Real x1906 = cosine[4] * x1814 - sine[4] * x1820;
+  const Real x1917 = x1811 + sine[4] * x1914;
+  const Real x1851 = x1799 + x1848;
+  const Real x1896 = 3.673205103346574e-06 * x1891;
+  const Real x1919 = x1817 + x1918;
+  const Real x1935 = 1.9999999999865075 * x1909 - 3.673205103346574e-06 * (x1920 - x1823);
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x455 = x395 * x395 + x449;
-  w.x[105] = x455;
-  // link 6 "wrist": force that the reference field takes
-  const Real x955 = 0.0005200000000000001 * (x455 - x450);
-  w.x[106] = x955;
-  const Real x957 = x411 * 0.00351 + x452 * 0.0019500000000000001;
-  w.x[107] = x957;
+  w.x[92] = x455;
   // link 7 "hand": force that the reference field takes
-  const Real x1018 = x506 * 0.01009033 - (x548 * 0.00506167 + x545 * 0.00014399999999999992);
-  const Real x1043 = x509 * 0.008236 + x1025 + x525 * 0.007199999999999999;
-  // link 8 "left_finger": force that the reference field takes
-  const Real x1113 = x506 * 6.66667e-05 - x1097 + x576 * 0.0005;
-  const Real x1106 = x553 * 5.833337e-05 + x544 * 1.5e-05 + x509 * 6.16667e-05;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1314 = 0.9999999999964793 * x1197 + 2.65358979335273e-06 * x1166;
-  const Real x1319 = 2.65358979335273e-06 * x1197 - 0.9999999999964793 * x1166;
+  const Real x1008 = x497 * 0.00317433 - x543 * 0.0018543300000000004 + x549 * 0.00014399999999999992;
+  const Real x997 = x553 * 0.006916 - 0.00014399999999999992 * (x541 - x551);
+  const Real x990 = x506 * 0.01009033 - (x548 * 0.00506167 + x545 * 0.00014399999999999992);
+  const Real x1015 = x509 * 0.008236 + x997 + x525 * 0.007199999999999999;
+  // joints 7 "left_finger_slide", 8 "right_finger_slide": articulated-body inertia and bias force through them
+  const Two x1232 = Two{1.0, -0.9999999999964793} * x1119 - Two{0.0, 2.65358979335273e-06} * x1091;
+  const Two x1247 = x571 * x1097 - 0.13 * x1242 + x1232;
+  const Two x1235 = Two{0.0, 2.65358979335273e-06} * x1119 + Two{1.0, -0.9999999999964793} * x1091;
+  const Two x1252 = 0.13 * x1239 + x569 * x1097 + x1235;
   // link 7 "hand": force that the reference field takes
-  const Real x1052 = x555 * 0.0754 - x541 * 0.007199999999999999 + x529 * 0.85;
-  const Real x1057 = x545 * 0.007199999999999999 + x549 * 0.0754 + x533 * 0.85;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1336 = x588 * x1172 + 0.13 * x1329 + x1314;
-  const Real x1343 = x585 * x1172 - 0.13 * x1324 + x1319;
-  // link 7 "hand": force that the reference field takes
-  const Real x1065 = x554 * 0.007199999999999999 - (x525 * 0.85 + x551 * 0.0754);
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1369 = 20.0 * (tau[7] - x1133);
-  w.x[108] = x1369;
-  // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
-  const Real x1363 = x1036 + x533 * 0.007199999999999999 + (x1348 - x588 * x1324);
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1372 = x1113 - x567 * 0.0015 - 0.0015 * x1369;
-  const Real x1401 = q[7] * x1122 - 0.13 * tau[7] + x1372;
-  const Real x1403 = x1106 + x579 * 0.0015 + 0.13 * x1127;
-  const Real x1421 = x1065 + x1172 + x1122;
-  w.x[109] = x1421;
-  const Real x1418 = x1089 - x579 * 0.0005 - q[7] * x1127 + x1363;
+  const Real x1024 = x555 * 0.0754 - x541 * 0.007199999999999999 + x529 * 0.85;
+  const Real x1029 = x545 * 0.007199999999999999 + x549 * 0.0754 + x533 * 0.85;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1425 = x1423 * (tau[6] - x1418);
-  w.x[110] = x1425;
-  const Real x1465 = x1052 - x1324 + x1127 + x1413 * x1425;
-  w.x[111] = x1465;
-  const Real x1467 = x1057 + x1329 + tau[7] + x1357 * x1425;
-  w.x[112] = x1467;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1416 = x1018 - x533 * 0.0754 - x1336 + x1401;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1461 = x1416 + x1351 * x1425;
-  w.x[113] = x1461;
-  // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
-  const Real x1417 = x529 * 0.0754 + x1043 + x1343 + x1403;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1463 = x1417 + x1410 * x1425;
-  w.x[114] = x1463;
-  const Real x1623 = sine[6] * x1465 + cosine[6] * x1467;
-  w.x[115] = x1623;
-  const Real x1606 = sine[6] * x1461 + cosine[6] * x1463;
-  w.x[116] = x1606;
-  const Real x1624 = 3.673205103346574e-06 * x1623;
-  w.x[117] = x1624;
+  const Real x1302 = x1300 * (tau[6] - (x1008 + x533 * 0.007199999999999999 + across<2>(x1258)));
+  w.x[93] = x1302;
+  const Real x1342 = x1024 + across<2>(x1239) + x1271 * x1302;
+  w.x[94] = x1342;
+  const Real x1344 = x1029 + across<2>(x1242) + x1283 * x1302;
+  w.x[95] = x1344;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x2091 = x1996 + 0.38 * x2047 + 0.08 * x2063;
-  const Real x2142 = x2014 - x2023 + 0.38 * x1980 + 0.08 * x1996;
-  const Real x2198 = 0.38 * x2078 + x2142 + 0.08 * x2091 + 0.037748300000000005;
-  require_more(w, x2198, 0.0, kFactorization, 3);
-  const Real x1973 = x1913 + x1971;
-  w.x[118] = x1973;
-  const Real x1961 = cosine[4] * x1916 - sine[4] * x1928;
-  w.x[119] = x1961;
-  const Real x1999 = 3.673205103346574e-06 * x1995;
-  w.x[120] = x1999;
-  const Real x2052 = 0.9999999999932537 * x2040 + 3.673205103346574e-06 * x2029;
-  w.x[121] = x2052;
-  const Real x1976 = x1925 + x1975;
-  w.x[122] = x1976;
-  const Real x1978 = 3.673205103346574e-06 * x1974;
-  w.x[123] = x1978;
-  const Real x1982 = 3.673205103346574e-06 * x1973;
-  w.x[124] = x1982;
-  const Real x1984 = 0.9999999999932537 * x1961;
-  w.x[125] = x1984;
-  const Real x2001 = x1977 + x1999;
-  w.x[126] = x2001;
-  const Real x2011 = sine[4] * x2008 - x1906;
-  w.x[127] = x2011;
-  const Real x2060 = x2032 - 0.9999999999932537 * x2058;
-  w.x[128] = x2060;
-  const Real x2065 = 0.38 * x2052;
-  w.x[129] = x2065;
-  const Real x2068 = 0.08 * x2052;
-  w.x[130] = x2068;
-  const Real x2199 = -0.22000000000000003 - x2078;
-  w.x[131] = x2199;
-  const Real x2200 = -0.11000000000000001 - x2091;
-  w.x[132] = x2200;
+  const Real x1857 = 0.9999999999932537 * x1851;
+  const Real x1872 = 0.9999999999932537 * x1841 - 3.673205103346574e-06 * x1854;
+  const Real x1900 = 3.673205103346574e-06 * x1896;
+  const Real x1924 = 0.9999999999932537 * x1906 - 3.673205103346574e-06 * x1917;
+  w.x[96] = x1924;
+  const Real x1938 = 3.673205103346574e-06 * x1935;
+  const Real x1873 = 0.9999999999932537 * x1872;
+  const Real x1940 = x1823 - x1938;
+  const Real x1955 = x1857 + 0.38 * x1919 + 0.08 * x1924;
+  const Real x1968 = x1873 + 0.38 * x1924 + 0.08 * x1940;
+  const Real x2019 = x1891 - x1900 + 0.38 * x1857 + 0.08 * x1873;
+  const Real x2075 = 0.38 * x1955 + x2019 + 0.08 * x1968 + 0.037748300000000005;
+  require_more(w, x2075, 0.0, kFactorization, 3);
+  const Real x1850 = x1790 + x1848;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2211 = 1 / x2198;
-  w.x[133] = x2211;
-}
-
-ADAGEN_NOINLINE void part_0_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x30 = w.x[1];
-  const Real x32 = w.x[16];
-  const Real x37 = w.x[0];
-  const Real x55 = w.x[18];
-  const Real x59 = w.x[17];
-  const Real x89 = w.x[20];
-  const Real x93 = w.x[21];
-  const Real x94 = w.x[22];
-  const Real x97 = w.x[19];
-  const Real x111 = w.x[25];
-  const Real x114 = w.x[23];
-  const Real x134 = w.x[30];
-  const Real x139 = w.x[33];
-  const Real x143 = w.x[31];
-  const Real x148 = w.x[32];
-  const Real x162 = w.x[24];
-  const Real x199 = w.x[34];
-  const Real x211 = w.x[38];
-  const Real x214 = w.x[35];
-  const Real x231 = w.x[46];
-  const Real x235 = w.x[51];
-  const Real x239 = w.x[48];
-  const Real x247 = w.x[49];
-  const Real x249 = w.x[36];
-  const Real x250 = w.x[50];
-  const Real x251 = w.x[39];
-  const Real x252 = w.x[40];
-  const Real x254 = w.x[41];
-  const Real x256 = w.x[47];
-  const Real x259 = w.x[37];
-  const Real x260 = w.x[42];
-  const Real x282 = w.x[52];
-  const Real x287 = w.x[53];
-  const Real x289 = w.x[54];
-  const Real x299 = w.x[55];
-  const Real x310 = w.x[57];
-  const Real x313 = w.x[56];
-  const Real x341 = w.x[64];
-  const Real x345 = w.x[66];
-  const Real x350 = w.x[65];
-  const Real x399 = w.x[67];
-  const Real x400 = w.x[68];
-  const Real x411 = w.x[69];
-  const Real x423 = w.x[79];
-  const Real x426 = w.x[70];
-  const Real x436 = w.x[75];
-  const Real x439 = w.x[81];
-  const Real x443 = w.x[76];
-  const Real x450 = w.x[80];
-  const Real x452 = w.x[71];
-  const Real x454 = w.x[73];
-  const Real x455 = w.x[105];
-  const Real x462 = w.x[72];
-  const Real x463 = w.x[74];
-  const Real x585 = w.x[2];
-  const Real x588 = w.x[3];
-  const Real x955 = w.x[106];
-  const Real x957 = w.x[107];
-  const Real x1192 = w.x[97];
-  const Real x1369 = w.x[108];
-  const Real x1421 = w.x[109];
-  const Real x1425 = w.x[110];
-  const Real x1426 = w.x[28];
-  const Real x1427 = w.x[29];
-  const Real x1428 = w.x[26];
-  const Real x1429 = w.x[27];
-  const Real x1461 = w.x[113];
-  const Real x1463 = w.x[114];
-  const Real x1465 = w.x[111];
-  const Real x1467 = w.x[112];
-  const Real x1575 = w.x[77];
-  const Real x1582 = w.x[43];
-  const Real x1594 = w.x[44];
-  const Real x1606 = w.x[116];
-  const Real x1609 = w.x[5];
-  const Real x1614 = w.x[4];
-  const Real x1623 = w.x[115];
-  const Real x1624 = w.x[117];
-  const Real x1647 = w.x[58];
-  const Real x1648 = w.x[59];
-  const Real x1660 = w.x[45];
-  const Real x1663 = w.x[60];
-  const Real x1664 = w.x[61];
-  const Real x1665 = w.x[62];
-  const Real x1666 = w.x[63];
-  const Real x1667 = w.x[78];
-  const Real x1767 = w.x[82];
-  const Real x1772 = w.x[89];
-  const Real x1788 = w.x[87];
-  const Real x1849 = w.x[7];
-  const Real x1854 = w.x[6];
-  const Real x1878 = w.x[88];
-  const Real x1881 = w.x[83];
-  const Real x1892 = w.x[84];
-  const Real x1895 = w.x[90];
-  const Real x1896 = w.x[91];
-  const Real x1897 = w.x[85];
-  const Real x1898 = w.x[86];
-  const Real x1900 = w.x[92];
-  const Real x1919 = w.x[93];
-  const Real x1961 = w.x[119];
-  const Real x1964 = w.x[96];
-  const Real x1973 = w.x[118];
-  const Real x1976 = w.x[122];
-  const Real x1978 = w.x[123];
-  const Real x1982 = w.x[124];
-  const Real x1984 = w.x[125];
-  const Real x1996 = w.x[103];
-  const Real x1999 = w.x[120];
-  const Real x2001 = w.x[126];
-  const Real x2011 = w.x[127];
-  const Real x2012 = w.x[95];
-  const Real x2019 = w.x[98];
-  const Real x2023 = w.x[100];
-  const Real x2042 = w.x[99];
-  const Real x2043 = w.x[94];
-  const Real x2047 = w.x[101];
-  const Real x2052 = w.x[121];
-  const Real x2060 = w.x[128];
-  const Real x2061 = w.x[102];
-  const Real x2063 = w.x[104];
-  const Real x2065 = w.x[129];
-  const Real x2068 = w.x[130];
-  const Real x2154 = w.x[9];
-  const Real x2158 = w.x[8];
-  const Real x2199 = w.x[131];
-  const Real x2200 = w.x[132];
-  const Real x2211 = w.x[133];
-  const Real x2323 = w.x[12];
-  const Real x2436 = w.x[11];
-  const Real x2441 = w.x[10];
-  const Real x2710 = w.x[14];
-  const Real x2715 = w.x[13];
-  const Real x2981 = w.x[15];
+  const Real x2088 = 1 / x2075;
+  w.x[97] = x2088;
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x457 = x399 * x400;
   const Real x459 = x423 + x457;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1628 = x1624 + 0.9999999999932537 * x1421;
-  const Real x1633 = 0.9999999999932537 * x1623 - 3.673205103346574e-06 * x1421;
+  w.x[98] = x459;
   // link 6 "wrist": force that the reference field takes
-  const Real x969 = x957 - x955 + x443 * 0.052000000000000005 - x439 * 0.013000000000000001;
+  const Real x929 = x411 * 0.00351 + x452 * 0.0019500000000000001;
+  const Real x904 = x423 * 0.0014299999999999998;
+  w.x[99] = x904;
+  const Real x905 = x457 * 0.00013000000000000002;
+  w.x[100] = x905;
+  const Real x911 = x426 * 0.00338;
+  w.x[101] = x911;
+  const Real x914 = x462 * 0.0020800000000000003;
+  w.x[102] = x914;
+  const Real x940 = x929 - 0.0005200000000000001 * (x455 - x450) + x443 * 0.052000000000000005;
+  const Real x941 = x940 - x439 * 0.013000000000000001;
+  w.x[103] = x941;
+  // link 7 "hand": force that the reference field takes
+  const Real x1037 = x554 * 0.007199999999999999 - (x525 * 0.85 + x551 * 0.0754);
+  // joints 7 "left_finger_slide", 8 "right_finger_slide": articulated-body inertia and bias force through them
+  const Real x1298 = x1037 + across<2>(x1097);
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1655 = 0.9999999999932537 * x1606 - x1614 - 0.09 * x1628 + x969;
+  const Real x1338 = x990 - x533 * 0.0754 + across<2>(x1247) + x1277 * x1302;
+  w.x[104] = x1338;
+  const Real x1340 = x529 * 0.0754 + x1015 + across<2>(x1252) + x1266 * x1302;
+  w.x[105] = x1340;
+  const Real x1500 = sine[6] * x1342 + cosine[6] * x1344;
+  const Real x1483 = sine[6] * x1338 + cosine[6] * x1340;
+  w.x[106] = x1483;
+  const Real x1505 = 3.673205103346574e-06 * x1500 + 0.9999999999932537 * x1298;
+  w.x[107] = x1505;
+  const Real x1507 = 0.9999999999932537 * x1500;
+  w.x[108] = x1507;
+  const Real x1508 = 3.673205103346574e-06 * x1298;
+  w.x[109] = x1508;
+  const Real x1517 = 0.9999999999932537 * x1483 - 3.673205103346574e-06 * tau[6] - 0.09 * x1505;
+  w.x[110] = x1517;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x2064 = x2043 + x2061;
-  const Real x2067 = x1976 - x2065;
-  const Real x2070 = x1978 + x2068;
-  const Real x2082 = 0.08 * x2060;
-  const Real x1990 = 0.9999999999932537 * x1973 + 3.673205103346574e-06 * x1961;
-  const Real x1997 = x1964 - x1996;
-  const Real x2081 = x1984 - x1982 + 0.38 * x2060;
-  const Real x2084 = x2082 - x1999;
-  const Real x2094 = 0.38 * x2064 - x1990;
-  const Real x2097 = x1997 + 0.08 * x2064;
-  const Real x2099 = x2001 + x2065 - x2082;
-  const Real x2116 = 0.38 * x2001 - 0.9999999999932537 * x2011 - 0.38 * x2067;
-  const Real x2117 = x2116 - 0.08 * x2081;
-  const Real x2131 = 0.9999999999932537 * x2019 + 0.08 * x2001 + 0.38 * x2070;
-  const Real x2132 = x2131 - 0.08 * x2084;
+  const Real x1838 = cosine[4] * x1793 - sine[4] * x1805;
+  const Real x1876 = 3.673205103346574e-06 * x1872;
+  const Real x1929 = 0.9999999999932537 * x1917 + 3.673205103346574e-06 * x1906;
+  w.x[111] = x1929;
+  const Real x1878 = x1854 + x1876;
+  const Real x1888 = sine[4] * x1885 - x1783;
+  const Real x1937 = x1909 - 0.9999999999932537 * x1935;
+  w.x[112] = x1937;
+  const Real x1942 = 0.38 * x1929;
+  const Real x2076 = -0.22000000000000003 - x1955;
+  w.x[113] = x2076;
+  const Real x2077 = -0.11000000000000001 - x1968;
+  w.x[114] = x2077;
+  const Real x1941 = x1920 + x1938;
+  w.x[115] = x1941;
+  const Real x1944 = x1802 + x1852 - x1942;
+  w.x[116] = x1944;
+  const Real x1947 = 3.673205103346574e-06 * x1851 + 0.08 * x1929;
+  w.x[117] = x1947;
+  const Real x1959 = 0.08 * x1937;
+  const Real x1867 = 0.9999999999932537 * x1850 + 3.673205103346574e-06 * x1838;
+  const Real x1874 = x1841 - x1873;
+  const Real x1958 = 0.9999999999932537 * x1838 - 3.673205103346574e-06 * x1850 + 0.38 * x1937;
+  w.x[118] = x1958;
+  const Real x1961 = x1959 - x1876;
+  w.x[119] = x1961;
+  const Real x1971 = 0.38 * x1941 - x1867;
+  w.x[120] = x1971;
+  const Real x1974 = x1874 + 0.08 * x1941;
+  w.x[121] = x1974;
+  const Real x1892 = 3.673205103346574e-06 * x1888;
+  w.x[122] = x1892;
+  const Real x1976 = x1878 + x1942 - x1959;
+  w.x[123] = x1976;
+  const Real x1979 = 0.38 * x1971;
+  w.x[124] = x1979;
+  const Real x1980 = x1796 + x1889 - 0.38 * x1867;
+  w.x[125] = x1980;
+  const Real x1982 = 0.38 * x1874;
+  w.x[126] = x1982;
+  const Real x1993 = 0.38 * x1878 - 0.9999999999932537 * x1888 - 0.38 * x1944;
+  const Real x1994 = x1993 - 0.08 * x1958;
+  w.x[127] = x1994;
+  const Real x1997 = 0.08 * x1974;
+  w.x[128] = x1997;
+  const Real x1999 = x1900 + 0.08 * x1874;
+  w.x[129] = x1999;
+  const Real x2008 = 0.9999999999932537 * x1896 + 0.08 * x1878 + 0.38 * x1947;
+  const Real x2009 = x2008 - 0.08 * x1961;
+  w.x[130] = x2009;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2216 = x2199 * x2211;
-  const Real x2217 = x2200 * x2211;
-  const Real x2249 = 2.2 + x2042 - x2199 * x2216;
-  const Real x2259 = 2.2 + x2063 - x2200 * x2217;
-  const Real x2252 = x2047 - x2199 * x2217;
-  const Real x2214 = x2117 * x2211;
-  const Real x2215 = x2132 * x2211;
-  const Real x2218 = x2099 * x2211;
+  const Real x2093 = x2076 * x2088;
+  w.x[131] = x2093;
+  const Real x2094 = x2077 * x2088;
+  w.x[132] = x2094;
+  const Real x2126 = 2.2 + x1919 - x2076 * x2093;
+  w.x[133] = x2126;
+  const Real x2127 = x2076 * x2094;
+  w.x[134] = x2127;
+  const Real x2136 = 2.2 + x1940 - x2077 * x2094;
+  w.x[135] = x2136;
+}
+
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
+  ADAGEN_INPUTS
+  const Real x30 = w.x[1];
+  const Real x32 = w.x[2];
+  const Real x37 = w.x[0];
+  const Real x55 = w.x[4];
+  const Real x59 = w.x[3];
+  const Real x89 = w.x[22];
+  const Real x93 = w.x[23];
+  const Real x94 = w.x[21];
+  const Real x97 = w.x[20];
+  const Real x111 = w.x[26];
+  const Real x114 = w.x[24];
+  const Real x134 = w.x[27];
+  const Real x139 = w.x[34];
+  const Real x143 = w.x[28];
+  const Real x148 = w.x[29];
+  const Real x162 = w.x[25];
+  const Real x199 = w.x[35];
+  const Real x211 = w.x[39];
+  const Real x214 = w.x[36];
+  const Real x231 = w.x[44];
+  const Real x235 = w.x[49];
+  const Real x239 = w.x[46];
+  const Real x247 = w.x[47];
+  const Real x249 = w.x[37];
+  const Real x250 = w.x[48];
+  const Real x251 = w.x[40];
+  const Real x252 = w.x[41];
+  const Real x254 = w.x[42];
+  const Real x256 = w.x[45];
+  const Real x259 = w.x[38];
+  const Real x260 = w.x[43];
+  const Real x282 = w.x[50];
+  const Real x287 = w.x[51];
+  const Real x289 = w.x[52];
+  const Real x299 = w.x[53];
+  const Real x310 = w.x[55];
+  const Real x313 = w.x[54];
+  const Real x341 = w.x[56];
+  const Real x345 = w.x[67];
+  const Real x350 = w.x[57];
+  const Real x411 = w.x[68];
+  const Real x436 = w.x[72];
+  const Real x439 = w.x[77];
+  const Real x443 = w.x[73];
+  const Real x450 = w.x[74];
+  const Real x452 = w.x[69];
+  const Real x454 = w.x[70];
+  const Real x455 = w.x[92];
+  const Real x459 = w.x[98];
+  const Real x463 = w.x[71];
+  const Two x569 = taken<Two>(w.x.data() + 6);
+  const Two x571 = taken<Two>(w.x.data() + 8);
+  const Real x904 = w.x[99];
+  const Real x905 = w.x[100];
+  const Real x911 = w.x[101];
+  const Real x914 = w.x[102];
+  const Real x941 = w.x[103];
+  const Two x1114 = taken<Two>(w.x.data() + 90);
+  const Real x1302 = w.x[93];
+  const Real x1303 = w.x[32];
+  const Real x1304 = w.x[33];
+  const Real x1305 = w.x[30];
+  const Real x1306 = w.x[31];
+  const Real x1338 = w.x[104];
+  const Real x1340 = w.x[105];
+  const Real x1342 = w.x[94];
+  const Real x1344 = w.x[95];
+  const Real x1452 = w.x[75];
+  const Real x1459 = w.x[58];
+  const Real x1471 = w.x[59];
+  const Real x1483 = w.x[106];
+  const Real x1486 = w.x[10];
+  const Real x1505 = w.x[107];
+  const Real x1507 = w.x[108];
+  const Real x1508 = w.x[109];
+  const Real x1517 = w.x[110];
+  const Real x1524 = w.x[60];
+  const Real x1525 = w.x[61];
+  const Real x1537 = w.x[62];
+  const Real x1540 = w.x[63];
+  const Real x1541 = w.x[64];
+  const Real x1542 = w.x[65];
+  const Real x1543 = w.x[66];
+  const Real x1544 = w.x[76];
+  const Real x1644 = w.x[78];
+  const Real x1649 = w.x[85];
+  const Real x1665 = w.x[83];
+  const Real x1726 = w.x[12];
+  const Real x1731 = w.x[11];
+  const Real x1755 = w.x[84];
+  const Real x1758 = w.x[79];
+  const Real x1769 = w.x[80];
+  const Real x1772 = w.x[86];
+  const Real x1773 = w.x[87];
+  const Real x1774 = w.x[81];
+  const Real x1775 = w.x[82];
+  const Real x1777 = w.x[88];
+  const Real x1892 = w.x[122];
+  const Real x1924 = w.x[96];
+  const Real x1929 = w.x[111];
+  const Real x1937 = w.x[112];
+  const Real x1941 = w.x[115];
+  const Real x1944 = w.x[116];
+  const Real x1947 = w.x[117];
+  const Real x1958 = w.x[118];
+  const Real x1961 = w.x[119];
+  const Real x1971 = w.x[120];
+  const Real x1974 = w.x[121];
+  const Real x1976 = w.x[123];
+  const Real x1979 = w.x[124];
+  const Real x1980 = w.x[125];
+  const Real x1982 = w.x[126];
+  const Real x1994 = w.x[127];
+  const Real x1997 = w.x[128];
+  const Real x1999 = w.x[129];
+  const Real x2009 = w.x[130];
+  const Real x2031 = w.x[14];
+  const Real x2035 = w.x[13];
+  const Real x2076 = w.x[113];
+  const Real x2077 = w.x[114];
+  const Real x2088 = w.x[97];
+  const Real x2093 = w.x[131];
+  const Real x2094 = w.x[132];
+  const Real x2126 = w.x[133];
+  const Real x2127 = w.x[134];
+  const Real x2136 = w.x[135];
+  const Real x2313 = w.x[16];
+  const Real x2318 = w.x[15];
+  const Real x2587 = w.x[18];
+  const Real x2592 = w.x[17];
+  const Real x2858 = w.x[19];
   // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Real x356 = x282 * x282;
   const Real x362 = x282 * x287;
   const Real x376 = x282 * x289;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1510 = x1507 - x1508;
+  // link 6 "wrist": force that the reference field takes
+  const Real x932 = x904 + x905 + x463 * 0.0005200000000000001 + x436 * 0.013000000000000001;
+  const Real x935 = x911 + x914 + x459 * 0.0005200000000000001 + x436 * 0.052000000000000005;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1539 = x1537 * (tau[5] - (x941 + x1517));
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1529 = cosine[6] * x1338 - sine[6] * x1340 + x932;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1595 = x1529 + x1459 * x1539;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1530 = 3.673205103346574e-06 * x1483 + x1486 + 0.09 * x1510 + x935;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1597 = x1471 * x1539 - x1530;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2129 = x1924 - x2127;
+  const Real x2200 = 2.0 * sine[3];
+  const Real x2091 = x1994 * x2088;
+  const Real x2092 = x2009 * x2088;
+  const Real x2095 = x1976 * x2088;
+  const Real x2104 = x1944 - x1994 * x2093;
+  const Real x2107 = x1958 - x1994 * x2094;
+  const Real x2116 = x1947 + x2009 * x2093;
+  const Real x2120 = x1961 - x2009 * x2094;
+  const Real x2235 = cosine[3] * (x2126 - x2136) - x2129 * x2200;
+  const Real x2098 = x1979 + x1980 + 0.03224830000000001 - x1994 * x2091;
+  const Real x2113 = x1997 + x1999 + 0.00825 - x2009 * x2092;
+  const Real x2132 = x1929 + x2076 * x2095;
+  const Real x2139 = x1937 - x2077 * x2095;
+  const Real x2239 = cosine[3] * x2235;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x2071 = x1982 - x1892 + 0.08 * x1971 + 0.011000000000000003;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2101 = x2071 - x1994 * x2092;
+  const Real x2142 = 2.2 + x1941 - x1976 * x2095;
+  const Real x2241 = x2126 - x2239;
+  const Real x2110 = 0.22000000000000003 + x1971 - x1994 * x2095;
+  const Real x2123 = 0.11000000000000001 + x1974 - x2009 * x2095;
+  const Real x2165 = cosine[3] * (x2104 - x2120) - sine[3] * (x2107 - x2116);
+  const Real x2230 = cosine[3] * x2139 - sine[3] * x2132;
+  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Real x367 = x356 + x289 * x289;
   const Real x374 = x356 + x287 * x287;
   const Real x378 = x313 + x376;
   const Real x369 = x287 * x289;
-  // link 6 "wrist": force that the reference field takes
-  const Real x938 = x423 * 0.0014299999999999998 + x457 * 0.00013000000000000002 + x463 * 0.0005200000000000001;
-  const Real x949 = x426 * 0.00338 + x462 * 0.0020800000000000003 + x459 * 0.0005200000000000001;
-  const Real x974 = (x452 - x411) * 0.013000000000000001 - x450 * 0.052000000000000005;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1603 = cosine[6] * x1461 - sine[6] * x1463;
-  const Real x1636 = 3.673205103346574e-06 * x1606 + x1609 + 0.09 * x1633;
-  const Real x1620 = cosine[6] * x1465 - sine[6] * x1467;
-  // link 6 "wrist": force that the reference field takes
-  const Real x981 = x454 * 0.052000000000000005 - x455 * 0.013000000000000001 + x443 * 1.3;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1662 = x1660 * (tau[5] - x1655);
-  const Real x1718 = x938 + x436 * 0.013000000000000001 + x1603 + x1582 * x1662;
-  const Real x1720 = x1594 * x1662 - (x949 + x436 * 0.052000000000000005 + x1636);
-  const Real x1846 = sine[5] * x1718 + cosine[5] * x1720;
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x2104 = x1919 + x2012 - 0.38 * x1990 + 0.38 * x2094;
-  const Real x2109 = 0.38 * x1997 - 3.673205103346574e-06 * x2011 + 0.08 * x2094;
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2227 = x2067 - x2117 * x2216;
-  const Real x2230 = x2081 - x2117 * x2217;
-  const Real x2239 = x2070 + x2132 * x2216;
-  const Real x2243 = x2084 - x2132 * x2217;
-  const Real x2358 = cosine[3] * (x2249 - x2259) - x2252 * x2323;
-  const Real x2221 = 0.03224830000000001 + x2104 - x2117 * x2214;
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x2196 = x2023 + 0.08 * x1997 + 0.08 * x2097 + 0.00825;
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2236 = x2196 - x2132 * x2215;
-  const Real x2255 = x2052 + x2199 * x2218;
-  const Real x2262 = x2060 - x2200 * x2218;
-  const Real x2362 = cosine[3] * x2358;
-  const Real x2224 = 0.011000000000000003 + x2109 - x2117 * x2215;
-  const Real x2265 = 2.2 + x2064 - x2099 * x2218;
-  const Real x2364 = x2249 - x2362;
-  const Real x2233 = 0.22000000000000003 + x2094 - x2117 * x2218;
-  const Real x2246 = 0.11000000000000001 + x2097 - x2132 * x2218;
-  const Real x2288 = cosine[3] * (x2227 - x2243) - sine[3] * (x2230 - x2239);
-  const Real x2353 = cosine[3] * x2262 - sine[3] * x2255;
-  const Real x2293 = cosine[3] * x2288;
-  const Real x2327 = cosine[3] * (x2221 - x2236) - x2224 * x2323;
-  const Real x2282 = sine[3] * x2233 + cosine[3] * x2246;
-  const Real x2295 = x2227 - x2293;
-  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Real x364 = x299 - x362;
   // link 5 "wrist_housing": force that the reference field takes
-  const Real x885 = x362 * 0.00017 - x299 * 0.00189125 + x378 * 0.00136;
-  const Real x867 = x369 * 0.01347604 + 0.00136 * (x374 - x367);
-  const Real x889 = x310 * 0.01553729 + x867 + x341 * 0.017;
-  const Real x876 = x376 * 0.01364604 - x364 * 0.00136 + x313 * 0.01536729;
-  const Real x909 = (x310 + x369) * 0.136 - x367 * 0.017;
-  const Real x915 = x341 * 1.7 + x374 * 0.136;
+  const Real x857 = x362 * 0.00017 - x299 * 0.00189125 + x378 * 0.00136;
+  const Real x839 = x369 * 0.01347604 + 0.00136 * (x374 - x367);
+  const Real x861 = x310 * 0.01553729 + x839 + x341 * 0.017;
+  const Real x848 = x376 * 0.01364604 - x364 * 0.00136 + x313 * 0.01536729;
+  const Real x881 = (x310 + x369) * 0.136 - x367 * 0.017;
   // link 6 "wrist": force that the reference field takes
-  const Real x986 = x436 * 1.3 + x463 * 0.052000000000000005 + x459 * 0.013000000000000001;
+  const Real x946 = (x452 - x411) * 0.013000000000000001 - x450 * 0.052000000000000005;
+  // joint 6 "flange_roll": articulated-body inertia and bias force through it
+  const Real x1497 = cosine[6] * x1342 - sine[6] * x1344;
+  // link 6 "wrist": force that the reference field takes
+  const Real x953 = x454 * 0.052000000000000005 - x455 * 0.013000000000000001 + x443 * 1.3;
+  const Real x958 = x436 * 1.3 + x463 * 0.052000000000000005 + x459 * 0.013000000000000001;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1722 = x439 * 1.3 + x974 + x1620 + x1647 * x1662;
-  const Real x1724 = x981 - x1628 + x1648 * x1662;
-  const Real x1726 = x986 + x1633 + x1575 * x1662;
-  const Real x1863 = sine[5] * x1722 + cosine[5] * x1724;
-  const Real x1843 = cosine[5] * x1718 - sine[5] * x1720;
+  const Real x1723 = sine[5] * x1595 + cosine[5] * x1597;
+  const Real x1599 = x439 * 1.3 + x946 + x1497 + x1524 * x1539;
+  const Real x1601 = x953 - x1505 + x1525 * x1539;
+  const Real x1603 = x958 + x1510 + x1452 * x1539;
+  const Real x1740 = sine[5] * x1599 + cosine[5] * x1601;
+  const Real x1764 = x857 - x345 * 0.017 + (0.9999999999932537 * x1723 - x1731);
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2170 = cosine[3] * x2165;
+  const Real x2204 = cosine[3] * (x2098 - x2113) - x2101 * x2200;
+  const Real x2159 = sine[3] * x2110 + cosine[3] * x2123;
+  const Real x2172 = x2104 - x2170;
+  const Real x2208 = cosine[3] * x2204;
+  const Real x2256 = 3.673205103346574e-06 * (x2241 - x2142) + 1.9999999999865075 * x2230;
+  const Real x2210 = x2098 - x2208;
+  const Real x2261 = 3.673205103346574e-06 * x2256;
+  const Real x2190 = 3.673205103346574e-06 * x2172 + 0.9999999999932537 * x2159;
+  const Real x2214 = 3.673205103346574e-06 * x2210;
+  const Real x2263 = x2142 + x2261;
+  const Real x2192 = 0.9999999999932537 * x2190;
+  const Real x2218 = 3.673205103346574e-06 * x2214;
+  const Real x2275 = 0.08 * x2263 - x2192;
+  // link 4 "forearm": force that the reference field takes
+  const Real x780 = x199 * 0.037748300000000005 - x249 * 0.023998300000000004;
   // link 5 "wrist_housing": force that the reference field takes
-  const Real x902 = x364 * 0.017 - x378 * 0.136 + x345 * 1.7;
+  const Real x887 = x341 * 1.7 + x374 * 0.136;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1868 = 3.673205103346574e-06 * x1863 + 0.9999999999932537 * x1726;
-  const Real x1887 = x885 - x345 * 0.017 + (0.9999999999932537 * x1846 - x1854);
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1894 = x1892 * (tau[4] - x1887);
-  const Real x1948 = x889 - x350 * 0.136 + x1843 + x1788 * x1894;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1886 = x876 - x345 * 0.136 - (3.673205103346574e-06 * x1846 + x1849);
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1950 = x1886 + x1878 * x1894;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1888 = cosine[5] * x1722 - sine[5] * x1724 + x902;
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1952 = x1888 + x1881 * x1894;
-  const Real x1955 = x909 - x350 * 1.7 - x1868 - x1767 * x1894;
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2331 = cosine[3] * x2327;
-  const Real x2379 = 3.673205103346574e-06 * (x2364 - x2265) + 1.9999999999865075 * x2353;
-  const Real x2333 = x2221 - x2331;
-  const Real x2384 = 3.673205103346574e-06 * x2379;
-  const Real x2313 = 3.673205103346574e-06 * x2295 + 0.9999999999932537 * x2282;
-  const Real x2337 = 3.673205103346574e-06 * x2333;
-  const Real x2386 = x2265 + x2384;
-  const Real x2315 = 0.9999999999932537 * x2313;
-  const Real x2341 = 3.673205103346574e-06 * x2337;
-  const Real x2398 = 0.08 * x2386 - x2315;
-  const Real x2289 = sine[3] * x2288;
-  const Real x2318 = 3.673205103346574e-06 * x2313;
-  // link 4 "forearm": force that the reference field takes
-  const Real x808 = x199 * 0.037748300000000005 - x249 * 0.023998300000000004;
-  const Real x820 = 0.011000000000000003 * (x252 - x247) + x808 - x239 * 0.11000000000000001;
+  const Real x1720 = cosine[5] * x1595 - sine[5] * x1597;
   // link 5 "wrist_housing": force that the reference field takes
-  const Real x916 = (x310 - x369) * 0.017 + x915;
+  const Real x874 = x364 * 0.017 - x378 * 0.136 + x345 * 1.7;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1890 = 0.9999999999932537 * x1863 - 3.673205103346574e-06 * x1726 + x916;
+  const Real x1745 = 3.673205103346574e-06 * x1740 + 0.9999999999932537 * x1603;
+  // link 5 "wrist_housing": force that the reference field takes
+  const Real x888 = (x310 - x369) * 0.017 + x887;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1957 = x1890 + x1772 * x1894;
-  const Real x2151 = sine[4] * x1948 + cosine[4] * x1950;
-  const Real x2168 = sine[4] * x1952 + cosine[4] * x1955;
-  const Real x2165 = cosine[4] * x1952 - sine[4] * x1955;
-  const Real x2172 = 0.9999999999932537 * x1957 - 3.673205103346574e-06 * x2168;
-  const Real x2189 = 0.9999999999932537 * x2151 + x2158 + 0.38 * x2165;
+  const Real x1771 = x1769 * (tau[4] - x1764);
+  const Real x1825 = x861 - x350 * 0.136 + x1720 + x1665 * x1771;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1763 = x848 - x345 * 0.136 - (3.673205103346574e-06 * x1723 + x1726);
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x1827 = x1763 + x1755 * x1771;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1765 = cosine[5] * x1599 - sine[5] * x1601 + x874;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x1829 = x1765 + x1758 * x1771;
+  const Real x1832 = x881 - x350 * 1.7 - x1745 - x1644 * x1771;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1767 = 0.9999999999932537 * x1740 - 3.673205103346574e-06 * x1603 + x888;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x1834 = x1767 + x1649 * x1771;
+  const Real x2028 = sine[4] * x1825 + cosine[4] * x1827;
+  const Real x2045 = sine[4] * x1829 + cosine[4] * x1832;
+  const Real x2042 = cosine[4] * x1829 - sine[4] * x1832;
+  const Real x2049 = 0.9999999999932537 * x1834 - 3.673205103346574e-06 * x2045;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2279 = cosine[3] * x2233 - sine[3] * x2246;
-  const Real x2291 = x2230 + x2289;
-  const Real x2383 = x2353 - 0.9999999999932537 * x2379;
-  const Real x2426 = x2333 - x2341 - 0.08 * x2315 + 0.08 * x2398;
-  const Real x2472 = 0.0039325 + x2426;
-  require_more(w, x2472, 0.0, kFactorization, 2);
-  const Real x2320 = x2295 - x2318;
-  const Real x2348 = cosine[3] * x2255 + sine[3] * x2262;
-  const Real x2361 = x2252 + sine[3] * x2358;
-  const Real x2387 = x2364 - x2384;
-  const Real x2394 = 0.08 * x2383;
-  const Real x2303 = 3.673205103346574e-06 * x2291 + 0.9999999999932537 * x2279;
-  const Real x2317 = x2282 - x2315;
-  const Real x2330 = x2224 + sine[3] * x2327;
-  const Real x2396 = x2318 - x2394;
-  const Real x2292 = x2289 - x2239;
-  const Real x2369 = 0.9999999999932537 * x2348 - 3.673205103346574e-06 * x2361;
-  const Real x2401 = x2317 - 0.08 * x2387;
-  const Real x2373 = 0.9999999999932537 * x2361 + 3.673205103346574e-06 * x2348;
-  const Real x2409 = 0.9999999999932537 * x2330 - 0.08 * x2303;
-  const Real x2421 = 0.08 * x2396 - (0.9999999999932537 * x2337 + 0.08 * x2320);
-  const Real x2308 = 0.9999999999932537 * x2291 - 3.673205103346574e-06 * x2279;
-  const Real x2393 = 0.9999999999932537 * x2292 + 0.08 * x2369;
+  const Real x2166 = sine[3] * x2165;
+  const Real x2195 = 3.673205103346574e-06 * x2190;
+  const Real x2156 = cosine[3] * x2110 - sine[3] * x2123;
+  const Real x2168 = x2107 + x2166;
+  const Real x2260 = x2230 - 0.9999999999932537 * x2256;
+  const Real x2303 = x2210 - x2218 - 0.08 * x2192 + 0.08 * x2275;
+  const Real x2349 = 0.0039325 + x2303;
+  require_more(w, x2349, 0.0, kFactorization, 2);
+  const Real x2197 = x2172 - x2195;
+  const Real x2225 = cosine[3] * x2132 + sine[3] * x2139;
+  const Real x2238 = x2129 + sine[3] * x2235;
+  const Real x2264 = x2241 - x2261;
+  const Real x2271 = 0.08 * x2260;
+  const Real x2180 = 3.673205103346574e-06 * x2168 + 0.9999999999932537 * x2156;
+  const Real x2194 = x2159 - x2192;
+  const Real x2207 = x2101 + sine[3] * x2204;
+  const Real x2273 = x2195 - x2271;
+  const Real x2169 = x2166 - x2116;
+  const Real x2246 = 0.9999999999932537 * x2225 - 3.673205103346574e-06 * x2238;
+  const Real x2278 = x2194 - 0.08 * x2264;
+  const Real x2250 = 0.9999999999932537 * x2238 + 3.673205103346574e-06 * x2225;
+  const Real x2286 = 0.9999999999932537 * x2207 - 0.08 * x2180;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2483 = 1 / x2472;
-  const Real x2486 = x2409 * x2483;
-  const Real x2487 = x2421 * x2483;
-  const Real x2488 = x2393 * x2483;
-  const Real x2489 = x2398 * x2483;
+  const Real x2360 = 1 / x2349;
   // link 4 "forearm": force that the reference field takes
-  const Real x790 = x211 * 0.03224830000000001 + x254 * 0.029498300000000005 - x260 * 0.011000000000000003;
-  const Real x800 = x256 * 0.011000000000000003 - (x214 * 0.00825 + x259 * 0.005500000000000001);
+  const Real x792 = 0.011000000000000003 * (x252 - x247) + x780 - x239 * 0.11000000000000001;
+  const Real x762 = x211 * 0.03224830000000001 + x254 * 0.029498300000000005 - x260 * 0.011000000000000003;
+  const Real x772 = x256 * 0.011000000000000003 - (x214 * 0.00825 + x259 * 0.005500000000000001);
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x2177 = 0.9999999999932537 * x2168 + 3.673205103346574e-06 * x1957;
-  // link 4 "forearm": force that the reference field takes
-  const Real x827 = x247 * 0.11000000000000001 + x250 * 0.22000000000000003 + x235 * 2.2;
-  const Real x835 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
+  const Real x2066 = 0.9999999999932537 * x2028 + x2035 + 0.38 * x2042;
+  const Real x2054 = 0.9999999999932537 * x2045 + 3.673205103346574e-06 * x1834;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2298 = 0.08 * x2273 - (0.9999999999932537 * x2214 + 0.08 * x2197);
+  const Real x2185 = 0.9999999999932537 * x2168 - 3.673205103346574e-06 * x2156;
+  const Real x2270 = 0.9999999999932537 * x2169 + 0.08 * x2246;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x2181 = cosine[4] * x1948 - sine[4] * x1950 - 0.38 * x2177;
-  const Real x2184 = x2154 - 3.673205103346574e-06 * x2151 - 0.08 * x2177;
-  // link 4 "forearm": force that the reference field takes
-  const Real x843 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x2206 = x820 - x235 * 0.22000000000000003 - (0.08 * x2172 + x2189);
+  const Real x2083 = x792 - x235 * 0.22000000000000003 - (0.08 * x2049 + x2066);
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2213 = x2211 * (tau[3] - x2206);
-  const Real x2402 = x2320 + x2394;
-  const Real x2271 = x827 + x2165 + x2199 * x2213;
-  const Real x2273 = x835 + x2172 + x2200 * x2213;
-  const Real x2267 = x790 - x231 * 0.22000000000000003 + x2181 + x2117 * x2213;
-  const Real x2269 = x800 - x231 * 0.11000000000000001 + x2184 + x2132 * x2213;
+  const Real x2090 = x2088 * (tau[3] - x2083);
+  const Real x2279 = x2197 + x2271;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2493 = x2236 + x2331 + 0.01132625 - x2409 * x2486;
+  const Real x2363 = x2286 * x2360;
+  const Real x2364 = x2298 * x2360;
+  const Real x2365 = x2270 * x2360;
+  const Real x2366 = x2275 * x2360;
+  const Real x2370 = x2113 + x2208 + 0.01132625 - x2286 * x2363;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2470 = x2341 - 0.08 * x2317 - 0.08 * x2401 + 0.01132625;
+  const Real x2347 = x2218 - 0.08 * x2194 - 0.08 * x2278 + 0.01132625;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2509 = x2470 - x2421 * x2487;
-  const Real x2496 = 3.673205103346574e-06 * x2330 + 0.08 * x2308 + x2409 * x2487;
-  const Real x2500 = x2243 + x2293 - x2409 * x2488;
-  const Real x2503 = 0.078 - x2303 - x2409 * x2489;
+  const Real x2386 = x2347 - x2298 * x2364;
+  const Real x2373 = 3.673205103346574e-06 * x2207 + 0.08 * x2185 + x2286 * x2364;
+  const Real x2377 = x2120 + x2170 - x2286 * x2365;
+  const Real x2380 = 0.078 - x2180 - x2286 * x2366;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2471 = -0.078 - (3.673205103346574e-06 * x2292 + 0.08 * x2373);
+  const Real x2348 = -0.078 - (3.673205103346574e-06 * x2169 + 0.08 * x2250);
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2512 = x2471 - x2421 * x2488;
-  const Real x2515 = x2396 - x2421 * x2489;
-  const Real x2521 = x2259 + x2362 + 2.6 - x2393 * x2488;
-  const Real x2530 = 2.6 + x2386 - x2398 * x2489;
-  const Real x2594 = 2.0 * sine[2];
-  const Real x2524 = x2369 - x2393 * x2489;
-  const Real x2598 = cosine[2] * (x2493 - x2509) + x2496 * x2594;
-  const Real x2490 = x2402 * x2483;
-  const Real x2559 = cosine[2] * (x2500 - x2515) - sine[2] * (x2503 + x2512);
-  const Real x2602 = cosine[2] * x2598;
-  const Real x2626 = cosine[2] * (x2521 - x2530) - x2524 * x2594;
-  const Real x2560 = sine[2] * x2559;
-  const Real x2604 = x2493 - x2602;
+  const Real x2389 = x2348 - x2298 * x2365;
+  const Real x2392 = x2273 - x2298 * x2366;
+  const Real x2398 = x2136 + x2239 + 2.6 - x2270 * x2365;
+  const Real x2407 = 2.6 + x2263 - x2275 * x2366;
+  const Real x2471 = 2.0 * sine[2];
+  const Real x2401 = x2246 - x2270 * x2366;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Real x157 = x93 * x94;
+  // link 4 "forearm": force that the reference field takes
+  const Real x799 = x247 * 0.11000000000000001 + x250 * 0.22000000000000003 + x235 * 2.2;
+  const Real x807 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x2058 = cosine[4] * x1825 - sine[4] * x1827 - 0.38 * x2054;
+  const Real x2061 = x2031 - 3.673205103346574e-06 * x2028 - 0.08 * x2054;
+  // link 4 "forearm": force that the reference field takes
+  const Real x815 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2275 = x843 - x2177 + x2099 * x2213;
-  const Real x2450 = sine[3] * x2271 + cosine[3] * x2273;
-  const Real x2433 = sine[3] * x2267 + cosine[3] * x2269;
-  const Real x2455 = 3.673205103346574e-06 * x2450 + 0.9999999999932537 * x2275;
-  const Real x2460 = 0.9999999999932537 * x2450 - 3.673205103346574e-06 * x2275;
-  const Real x2467 = 0.9999999999932537 * x2433 - x2441 - 0.08 * x2455;
+  const Real x2148 = x799 + x2042 + x2076 * x2090;
+  const Real x2150 = x807 + x2049 + x2077 * x2090;
+  const Real x2144 = x762 - x231 * 0.22000000000000003 + x2058 + x1994 * x2090;
+  const Real x2146 = x772 - x231 * 0.11000000000000001 + x2061 + x2009 * x2090;
+  const Real x2152 = x815 - x2054 + x1976 * x2090;
+  const Real x2327 = sine[3] * x2148 + cosine[3] * x2150;
+  const Real x2310 = sine[3] * x2144 + cosine[3] * x2146;
+  const Real x2332 = 3.673205103346574e-06 * x2327 + 0.9999999999932537 * x2152;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2630 = cosine[2] * x2626;
-  const Real x2506 = x2308 - x2409 * x2490;
-  const Real x2518 = x2401 - x2421 * x2490;
-  const Real x2527 = x2373 - x2393 * x2490;
-  const Real x2533 = x2383 - x2398 * x2490;
-  const Real x2563 = x2512 + x2560;
-  const Real x2608 = 3.673205103346574e-06 * x2604;
-  const Real x2564 = cosine[2] * x2559;
-  const Real x2632 = x2521 - x2630;
-  const Real x2569 = 0.9999999999932537 * x2563;
-  const Real x2612 = 3.673205103346574e-06 * x2608;
-  const Real x2553 = sine[2] * x2506 + cosine[2] * x2518;
-  const Real x2566 = x2500 - x2564;
-  const Real x2584 = 3.673205103346574e-06 * x2566 + 0.9999999999932537 * x2553;
-  const Real x2644 = 3.673205103346574e-06 * (x2632 - (2.6 + x2387 - x2402 * x2490));
-  const Real x2697 = 0.3 * (x2569 + 0.3 * (x2530 + x2630));
-  const Real x2640 = 3.673205103346574e-06 * (cosine[2] * x2527 - sine[2] * x2533);
-  const Real x2648 = x2644 + 1.9999999999865075 * (sine[2] * x2527 + cosine[2] * x2533);
-  const Real x2744 = x2604 - x2612 + 0.3 * x2569 + x2697 + 0.048670000000000005;
-  require_more(w, x2744, 0.0, kFactorization, 1);
-  const Real x2601 = sine[2] * x2598 - x2496;
-  const Real x2577 = 3.673205103346574e-06 * (cosine[2] * x2506 - sine[2] * x2518);
-  const Real x2579 = 0.9999999999932537 * (x2503 + x2560) - x2577;
-  const Real x2657 = 0.3 * (0.9999999999932537 * (x2524 + sine[2] * x2626) - x2640);
-  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x2756 = 1 / x2744;
+  const Real x2475 = cosine[2] * (x2370 - x2386) + x2373 * x2471;
+  const Real x2367 = x2279 * x2360;
+  const Real x2436 = cosine[2] * (x2377 - x2392) - sine[2] * (x2380 + x2389);
+  const Real x2479 = cosine[2] * x2475;
+  const Real x2503 = cosine[2] * (x2398 - x2407) - x2401 * x2471;
+  const Real x2437 = sine[2] * x2436;
+  const Real x2481 = x2370 - x2479;
+  const Real x2507 = cosine[2] * x2503;
+  const Real x2383 = x2185 - x2286 * x2367;
+  const Real x2395 = x2278 - x2298 * x2367;
+  const Real x2404 = x2250 - x2270 * x2367;
+  const Real x2410 = x2260 - x2275 * x2367;
+  const Real x2440 = x2389 + x2437;
+  const Real x2485 = 3.673205103346574e-06 * x2481;
+  const Real x2441 = cosine[2] * x2436;
+  const Real x2509 = x2398 - x2507;
+  const Real x2446 = 0.9999999999932537 * x2440;
+  const Real x2489 = 3.673205103346574e-06 * x2485;
+  const Real x2430 = sine[2] * x2383 + cosine[2] * x2395;
+  const Real x2443 = x2377 - x2441;
+  const Real x2461 = 3.673205103346574e-06 * x2443 + 0.9999999999932537 * x2430;
+  const Real x2521 = 3.673205103346574e-06 * (x2509 - (2.6 + x2264 - x2279 * x2367));
+  const Real x2574 = 0.3 * (x2446 + 0.3 * (x2407 + x2507));
+  const Real x2517 = 3.673205103346574e-06 * (cosine[2] * x2404 - sine[2] * x2410);
+  const Real x2525 = x2521 + 1.9999999999865075 * (sine[2] * x2404 + cosine[2] * x2410);
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2337 = 0.9999999999932537 * x2327 - 3.673205103346574e-06 * x2152;
+  const Real x2344 = 0.9999999999932537 * x2310 - x2318 - 0.08 * x2332;
   // link 3 "elbow_housing": force that the reference field takes
-  const Real x750 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
-  const Real x753 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
-  const Real x757 = x139 * 2.6 - (x114 + x162) * 0.078;
-  const Real x766 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
+  const Real x722 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
+  const Real x725 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
+  const Real x729 = x139 * 2.6 - (x114 + x162) * 0.078;
+  const Real x738 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2485 = x2483 * (tau[2] - (x2467 - x97 * 0.0039325));
-  const Real x2689 = 0.9999999999932537 * x2601 - 0.3 * (x2566 - 3.673205103346574e-06 * x2584);
-  const Real x2690 = 0.3 * (x2515 + x2564 - x2657) + x2689;
-  const Real x2693 = 0.9999999999932537 * x2608 + 0.3 * (3.673205103346574e-06 * x2563);
+  const Real x2621 = x2481 - x2489 + 0.3 * x2446 + x2574 + 0.048670000000000005;
+  require_more(w, x2621, 0.0, kFactorization, 1);
+  const Real x2478 = sine[2] * x2475 - x2373;
+  const Real x2454 = 3.673205103346574e-06 * (cosine[2] * x2383 - sine[2] * x2395);
+  const Real x2456 = 0.9999999999932537 * (x2380 + x2437) - x2454;
+  const Real x2534 = 0.3 * (0.9999999999932537 * (x2401 + sine[2] * x2503) - x2517);
+  const Real x2362 = x2360 * (tau[2] - (x2344 - x97 * 0.0039325));
+  const Real x2566 = 0.9999999999932537 * x2478 - 0.3 * (x2443 - 3.673205103346574e-06 * x2461);
+  const Real x2567 = 0.3 * (x2392 + x2441 - x2534) + x2566;
+  const Real x2570 = 0.9999999999932537 * x2485 + 0.3 * (3.673205103346574e-06 * x2440);
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2476 = cosine[3] * x2267 - sine[3] * x2269 + x750;
+  const Real x2353 = cosine[3] * x2144 - sine[3] * x2146 + x722;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2538 = x2476 + x2409 * x2485;
+  const Real x2415 = x2353 + x2286 * x2362;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2477 = x753 - (3.673205103346574e-06 * x2433 + x2436 + 0.08 * x2460);
+  const Real x2354 = x725 - (3.673205103346574e-06 * x2310 + x2313 + 0.08 * x2337);
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2540 = x2477 + x2421 * x2485;
-  const Real x2677 = 0.3 * (x2579 - 0.3 * (x2632 - 3.673205103346574e-06 * x2648));
+  const Real x2417 = x2354 + x2298 * x2362;
+  const Real x2554 = 0.3 * (x2456 - 0.3 * (x2509 - 3.673205103346574e-06 * x2525));
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2479 = cosine[3] * x2271 - sine[3] * x2273 + x757;
+  const Real x2356 = cosine[3] * x2148 - sine[3] * x2150 + x729;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2542 = x2479 + x2393 * x2485;
+  const Real x2419 = x2356 + x2270 * x2362;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2480 = x143 * 2.6 - (x157 - x111) * 0.078 - x2455;
+  const Real x2357 = x143 * 2.6 - (x157 - x111) * 0.078 - x2332;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2544 = x2480 + x2398 * x2485;
-  const Real x2707 = sine[2] * x2538 + cosine[2] * x2540;
-  const Real x2738 = 0.3 * (cosine[2] * x2542 - sine[2] * x2544);
-  const Real x2731 = 0.9999999999932537 * (sine[2] * x2542 + cosine[2] * x2544);
-  const Real x2740 = 0.9999999999932537 * x2707 - x2715 + x2738;
-  const Real x2734 = x2731 - 3.673205103346574e-06 * (x766 + x2460 + x2402 * x2485);
+  const Real x2421 = x2357 + x2275 * x2362;
+  const Real x2584 = sine[2] * x2415 + cosine[2] * x2417;
   // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x2759 = x2690 * x2756;
-  const Real x2760 = x2693 * x2756;
+  const Real x2633 = 1 / x2621;
+  const Real x2636 = x2567 * x2633;
+  const Real x2637 = x2570 * x2633;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2741 = x2509 + x2602 - 0.3 * x2579 - x2677 + 0.048670000000000005;
+  const Real x2618 = x2386 + x2479 - 0.3 * x2456 - x2554 + 0.048670000000000005;
   // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x2768 = x2741 - x2690 * x2759;
+  const Real x2645 = x2618 - x2567 * x2636;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2683 = 3.673205103346574e-06 * x2601 + 0.3 * (x2553 - 0.9999999999932537 * x2584);
+  const Real x2615 = 0.3 * (cosine[2] * x2419 - sine[2] * x2421);
+  const Real x2608 = 0.9999999999932537 * (sine[2] * x2419 + cosine[2] * x2421);
+  const Real x2617 = 0.9999999999932537 * x2584 - x2592 + x2615;
+  const Real x2611 = x2608 - 3.673205103346574e-06 * (x738 + x2337 + x2279 * x2362);
+  const Real x2614 = cosine[2] * x2415 - sine[2] * x2417 - 0.3 * x2611;
+  const Real x2560 = 3.673205103346574e-06 * x2478 + 0.3 * (x2430 - 0.9999999999932537 * x2461);
   // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x2868 = cosine[1] * (x2768 - (0.00558 + x2612 - x2693 * x2760));
-  const Real x2873 = x2868 - (x2690 * x2760 - x2683) * (sine[1] * 2.0);
+  const Real x2745 = cosine[1] * (x2645 - (0.00558 + x2489 - x2570 * x2637));
+  const Real x2750 = x2745 - (x2567 * x2637 - x2560) * (sine[1] * 2.0);
+  const Real x2756 = x2645 - cosine[1] * x2750;
+  const Real x2634 = tau[1] - (x2617 - (x55 * 0.04309 + x37 * 0.31000000000000005));
+  const Real x2635 = x2633 * x2634;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2737 = cosine[2] * x2538 - sine[2] * x2540 - 0.3 * x2734;
+  const Real x2626 = 1.1170584039787268e-05 - (x30 * 0.048670000000000005 + x59 * 0.04309) + x2614;
+  const Real x2627 = x32 * 0.00558 - (3.673205103346574e-06 * x2584 + x2587);
   // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x2879 = x2768 - cosine[1] * x2873;
-  const Real x2757 = tau[1] - (x2740 - (x55 * 0.04309 + x37 * 0.31000000000000005));
-  const Real x2758 = x2756 * x2757;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2749 = 1.1170584039787268e-05 - (x30 * 0.048670000000000005 + x59 * 0.04309) + x2737;
-  const Real x2750 = x32 * 0.00558 - (3.673205103346574e-06 * x2707 + x2710);
-  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x3011 = x2879 - 3.673205103346574e-06 * (3.673205103346574e-06 * x2879) + 0.00882;
-  require_more(w, x3011, 0.0, kFactorization, 0);
-  const Real x2972 = sine[1] * (x2749 + x2690 * x2758);
-  const Real x2979 = 0.9999999999932537 * (x2972 + cosine[1] * (x2750 - x2693 * x2758));
+  const Real x2888 = x2756 - 3.673205103346574e-06 * (3.673205103346574e-06 * x2756) + 0.00882;
+  require_more(w, x2888, 0.0, kFactorization, 0);
+  const Real x2849 = sine[1] * (x2626 + x2567 * x2635);
+  const Real x2856 = 0.9999999999932537 * (x2849 + cosine[1] * (x2627 - x2570 * x2635));
   // joint 0 "base_yaw": articulated-body inertia and bias force through it
-  const Real x3019 = 1 / x3011 * (x2979 + x2981 + tau[0]);
-  w.result[0] = x3019;
+  const Real x2896 = 1 / x2888 * (x2856 + x2858 + tau[0]);
+  w.result[0] = x2896;
   // joint 1 "shoulder_pitch": its acceleration, and that of the link beyond
-  const Real x3028 = 0.9999999999932537 * x3019;
-  const Real x3032 = sine[1] * x3028;
-  const Real x3034 = cosine[1] * x3028;
-  const Real x3041 = x2758 + x2759 * x3032 - x2760 * x3034;
-  const Real x3042 = 3.673205103346574e-06 * x3019 + x3041;
-  w.result[1] = x3042;
+  const Real x2905 = 0.9999999999932537 * x2896;
+  const Real x2909 = sine[1] * x2905;
+  const Real x2911 = cosine[1] * x2905;
+  const Real x2918 = x2635 + x2636 * x2909 - x2637 * x2911;
+  const Real x2919 = 3.673205103346574e-06 * x2896 + x2918;
+  w.result[1] = x2919;
   // joint 2 "upper_arm_roll": its acceleration, and that of the link beyond
-  const Real x3044 = 0.3 * x3032;
-  const Real x3063 = 0.9999999999932537 * x3044;
-  const Real x3064 = 3.673205103346574e-06 * x3044;
-  const Real x3043 = 0.3 * x3041;
-  const Real x3049 = 3.673205103346574e-06 * x3034 + 0.9999999999932537 * x3041;
-  const Real x3068 = cosine[2] * x3043 + sine[2] * x3063;
-  const Real x3072 = cosine[2] * x3063 - sine[2] * x3043;
-  const Real x3058 = sine[2] * x3049 - cosine[2] * x3032;
-  const Real x3062 = sine[2] * x3032 + cosine[2] * x3049;
-  const Real x3084 = x2485 + x2490 * x3064 - x2488 * x3068;
-  const Real x3086 = x3084 - x2489 * x3072 - x2486 * x3058;
-  const Real x3087 = x3086 - x2487 * x3062;
-  const Real x3088 = x3087 - (0.9999999999932537 * x3034 - 3.673205103346574e-06 * x3041);
-  w.result[2] = x3088;
+  const Real x2921 = 0.3 * x2909;
+  const Real x2940 = 0.9999999999932537 * x2921;
+  const Real x2941 = 3.673205103346574e-06 * x2921;
+  const Real x2920 = 0.3 * x2918;
+  const Real x2926 = 3.673205103346574e-06 * x2911 + 0.9999999999932537 * x2918;
+  const Real x2945 = cosine[2] * x2920 + sine[2] * x2940;
+  const Real x2949 = cosine[2] * x2940 - sine[2] * x2920;
+  const Real x2935 = sine[2] * x2926 - cosine[2] * x2909;
+  const Real x2939 = sine[2] * x2909 + cosine[2] * x2926;
+  const Real x2961 = x2362 + x2367 * x2941 - x2365 * x2945;
   // joint 3 "elbow_pitch": its acceleration, and that of the link beyond
-  const Real x3094 = x3064 + 0.08 * x3062;
-  const Real x3099 = 0.9999999999932537 * x3087 - 3.673205103346574e-06 * x3062;
-  const Real x3091 = x3072 + 0.08 * x3087;
-  const Real x3108 = cosine[3] * x3058 + sine[3] * x3099;
-  const Real x3112 = cosine[3] * x3099 - sine[3] * x3058;
-  const Real x3117 = 3.673205103346574e-06 * x3091 + 0.9999999999932537 * x3094;
-  const Real x3123 = 3.673205103346574e-06 * x3094 - 0.9999999999932537 * x3091;
-  const Real x3127 = cosine[3] * x3068 - sine[3] * x3117;
-  const Real x3132 = sine[3] * x3068 + cosine[3] * x3117;
-  const Real x3145 = x2213 - x2214 * x3108 - x2215 * x3112;
-  const Real x3147 = x3145 - x2218 * x3123 - x2216 * x3127;
-  const Real x3148 = x2217 * x3132 + x3147;
-  const Real x3149 = 0.9999999999932537 * x3062 + 3.673205103346574e-06 * x3087 + x3148;
-  w.result[3] = x3149;
+  const Real x2971 = x2941 + 0.08 * x2939;
+  // joint 2 "upper_arm_roll": its acceleration, and that of the link beyond
+  const Real x2963 = x2961 - x2366 * x2949 - x2363 * x2935;
+  const Real x2964 = x2963 - x2364 * x2939;
+  const Real x2965 = x2964 - (0.9999999999932537 * x2911 - 3.673205103346574e-06 * x2918);
+  w.result[2] = x2965;
+  // joint 3 "elbow_pitch": its acceleration, and that of the link beyond
+  const Real x2976 = 0.9999999999932537 * x2964 - 3.673205103346574e-06 * x2939;
+  const Real x2968 = x2949 + 0.08 * x2964;
+  const Real x2985 = cosine[3] * x2935 + sine[3] * x2976;
+  const Real x2989 = cosine[3] * x2976 - sine[3] * x2935;
+  const Real x2994 = 3.673205103346574e-06 * x2968 + 0.9999999999932537 * x2971;
+  const Real x3000 = 3.673205103346574e-06 * x2971 - 0.9999999999932537 * x2968;
+  const Real x3004 = cosine[3] * x2945 - sine[3] * x2994;
+  const Real x3009 = sine[3] * x2945 + cosine[3] * x2994;
+  const Real x3022 = x2090 - x2091 * x2985 - x2092 * x2989;
+  const Real x3024 = x3022 - x2095 * x3000 - x2093 * x3004;
+  const Real x3025 = x2094 * x3009 + x3024;
+  const Real x3026 = 0.9999999999932537 * x2939 + 3.673205103346574e-06 * x2964 + x3025;
+  w.result[3] = x3026;
   // joint 4 "forearm_roll": its acceleration, and that of the link beyond
-  const Real x3162 = x3123 + 0.08 * x3112 + 0.38 * x3108;
-  const Real x3167 = 3.673205103346574e-06 * x3112 + 0.9999999999932537 * x3148;
-  const Real x3156 = x3132 + 0.08 * x3148;
-  const Real x3153 = x3127 - 0.38 * x3148;
-  const Real x3176 = cosine[4] * x3108 - sine[4] * x3167;
-  const Real x3181 = sine[4] * x3108 + cosine[4] * x3167;
-  const Real x3187 = 3.673205103346574e-06 * x3156 - 0.9999999999932537 * x3162;
-  const Real x3192 = 0.9999999999932537 * x3156 + 3.673205103346574e-06 * x3162;
-  const Real x3196 = cosine[4] * x3153 + sine[4] * x3187;
-  const Real x3200 = cosine[4] * x3187 - sine[4] * x3153;
-  const Real x3212 = x1894 - x1895 * x3176 + x1896 * x3181;
-  const Real x3214 = x1900 * x3192 + x3212 - x1897 * x3196;
-  const Real x3215 = x1898 * x3200 + x3214;
-  const Real x3216 = x3215 - (0.9999999999932537 * x3112 - 3.673205103346574e-06 * x3148);
-  w.result[4] = x3216;
+  const Real x3039 = x3000 + 0.08 * x2989 + 0.38 * x2985;
+  const Real x3044 = 3.673205103346574e-06 * x2989 + 0.9999999999932537 * x3025;
+  const Real x3033 = x3009 + 0.08 * x3025;
+  const Real x3030 = x3004 - 0.38 * x3025;
+  const Real x3053 = cosine[4] * x2985 - sine[4] * x3044;
+  const Real x3058 = sine[4] * x2985 + cosine[4] * x3044;
+  const Real x3064 = 3.673205103346574e-06 * x3033 - 0.9999999999932537 * x3039;
+  const Real x3069 = 0.9999999999932537 * x3033 + 3.673205103346574e-06 * x3039;
+  const Real x3073 = cosine[4] * x3030 + sine[4] * x3064;
+  const Real x3077 = cosine[4] * x3064 - sine[4] * x3030;
+  const Real x3089 = x1771 - x1772 * x3053 + x1773 * x3058;
+  const Real x3091 = x1777 * x3069 + x3089 - x1774 * x3073;
+  const Real x3092 = x1775 * x3077 + x3091;
+  const Real x3093 = x3092 - (0.9999999999932537 * x2989 - 3.673205103346574e-06 * x3025);
+  w.result[4] = x3093;
   // joint 5 "wrist_pitch": its acceleration, and that of the link beyond
-  const Real x3237 = 3.673205103346574e-06 * x3200 + 0.9999999999932537 * x3192;
-  const Real x3243 = 3.673205103346574e-06 * x3192 - 0.9999999999932537 * x3200;
-  const Real x3247 = cosine[5] * x3196 - sine[5] * x3237;
-  const Real x3252 = sine[5] * x3196 + cosine[5] * x3237;
-  const Real x3220 = 3.673205103346574e-06 * x3181 + 0.9999999999932537 * x3215;
-  const Real x3265 = x1662 - x1667 * x3243 - x1665 * x3247;
-  const Real x3228 = cosine[5] * x3176 + sine[5] * x3220;
-  const Real x3232 = cosine[5] * x3220 - sine[5] * x3176;
-  const Real x3267 = x1666 * x3252 + x3265 - x1663 * x3228;
-  const Real x3268 = x3267 - x1664 * x3232;
-  const Real x3269 = x3268 - (0.9999999999932537 * x3181 - 3.673205103346574e-06 * x3215);
-  w.result[5] = x3269;
+  const Real x3114 = 3.673205103346574e-06 * x3077 + 0.9999999999932537 * x3069;
+  const Real x3120 = 3.673205103346574e-06 * x3069 - 0.9999999999932537 * x3077;
+  const Real x3124 = cosine[5] * x3073 - sine[5] * x3114;
+  const Real x3129 = sine[5] * x3073 + cosine[5] * x3114;
+  const Real x3097 = 3.673205103346574e-06 * x3058 + 0.9999999999932537 * x3092;
+  const Real x3142 = x1539 - x1544 * x3120 - x1542 * x3124;
+  const Real x3105 = cosine[5] * x3053 + sine[5] * x3097;
+  const Real x3109 = cosine[5] * x3097 - sine[5] * x3053;
+  const Real x3144 = x1543 * x3129 + x3142 - x1540 * x3105;
+  const Real x3145 = x3144 - x1541 * x3109;
+  const Real x3146 = x3145 - (0.9999999999932537 * x3058 - 3.673205103346574e-06 * x3092);
+  w.result[5] = x3146;
   // joint 6 "flange_roll": its acceleration, and that of the link beyond
-  const Real x3280 = 0.9999999999932537 * x3268 - 3.673205103346574e-06 * x3232;
-  const Real x3296 = 0.9999999999932537 * (x3243 - 0.09 * x3232);
-  const Real x3297 = x3296 - 3.673205103346574e-06 * (0.09 * x3268 - x3252);
-  const Real x3289 = cosine[6] * x3228 + sine[6] * x3280;
-  const Real x3293 = cosine[6] * x3280 - sine[6] * x3228;
-  const Real x3306 = cosine[6] * x3247 + sine[6] * x3297;
-  const Real x3310 = cosine[6] * x3297 - sine[6] * x3247;
-  const Real x3320 = x1425 - x1426 * x3289 - x1427 * x3293;
-  const Real x3322 = x3320 - x1428 * x3306 - x1429 * x3310;
-  const Real x3323 = 0.9999999999932537 * x3232 + 3.673205103346574e-06 * x3268 + x3322;
-  w.result[6] = x3323;
-  // joint 7 "left_finger_slide": its acceleration, and that of the link beyond
-  const Real x3334 = x3310 - 0.13 * x3289;
-  const Real x3341 = x1369 + 0.03 * x3289 - x3334;
-  w.result[7] = x3341;
-  // joint 8 "right_finger_slide": its acceleration, and that of the link beyond
-  const Real x3366 = 2.65358979335273e-06 * (x3306 + 0.13 * x3293 + x588 * x3322);
-  const Real x3374 = x1192 + 0.03 * (2.65358979335273e-06 * x3293 - 0.9999999999964793 * x3289);
-  const Real x3375 = x3366 + 0.9999999999964793 * (x3334 - x585 * x3322) + x3374;
-  w.result[8] = x3375;
+  const Real x3157 = 0.9999999999932537 * x3145 - 3.673205103346574e-06 * x3109;
+  const Real x3173 = 0.9999999999932537 * (x3120 - 0.09 * x3109);
+  const Real x3174 = x3173 - 3.673205103346574e-06 * (0.09 * x3145 - x3129);
+  const Real x3166 = cosine[6] * x3105 + sine[6] * x3157;
+  const Real x3170 = cosine[6] * x3157 - sine[6] * x3105;
+  const Real x3183 = cosine[6] * x3124 + sine[6] * x3174;
+  const Real x3187 = cosine[6] * x3174 - sine[6] * x3124;
+  const Real x3197 = x1302 - x1303 * x3166 - x1304 * x3170;
+  const Real x3199 = x3197 - x1305 * x3183 - x1306 * x3187;
+  const Real x3200 = 0.9999999999932537 * x3109 + 3.673205103346574e-06 * x3145 + x3199;
+  w.result[6] = x3200;
+  // joints 7 "left_finger_slide", 8 "right_finger_slide": their accelerations, and those of the links beyond
+  const Two x3232 = Two{1.0, -0.9999999999964793} * (x3187 - 0.13 * x3166 - x569 * x3199);
+  const Two x3230 = Two{0.0, 2.65358979335273e-06} * (x3183 + 0.13 * x3170 - x571 * x3199);
+  const Two x3236 = x1114 + 0.03 * (Two{1.0, -0.9999999999964793} * x3166 + Two{0.0, 2.65358979335273e-06} * x3170);
+  const Two x3237 = x3236 - (x3232 - x3230);
+  put(x3237, w.lanes.data() + 0);
 }
 
 // ---- 5. processes -------------------------------------------------------------------------------
@@ -2002,27 +2150,32 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
 // Process 0: 9 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch", ...
 constexpr std::array<int, 9> kRead_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr std::array<int, 9> kOwned_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
+constexpr std::array<int, 7> kAngles_0{0, 1, 2, 3, 4, 5, 6};
 
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   stamp(0);
   if (!all(unlike_zero(q + 0, 1) == 0))
     name_what_is_not_finite(w, kRead_0, kOwned_0);
-  take_sines_and_cosines<7>(q + 0, w.sine.data(), w.cosine.data());
+  take_sines_and_cosines(q, kAngles_0, w.sine.data(), w.cosine.data());
   part_0_0(w);
   part_0_1(w);
   stamp(1);
   stamp(2);
   stamp(3);
-  if (__builtin_expect(w.status != kFine || !all(unlike_zero(w.result.data() + 0, 9) == 0), 0)) {
+  if (__builtin_expect(w.status != kFine || !all(unlike_zero(w.result.data() + 0, 7) + unlike_zero<Two, 1>(w.lanes.data() + 0) == 0), 0)) {
     // The state's own faults are named before all others.
     const int found = std::exchange(w.status, kFine);
     name_what_is_not_finite(w, kRead_0, kOwned_0);
     Channel::fail(w.status, found);
+    w.result[7] = w.lanes[0];
+    w.result[8] = w.lanes[1];
     name_what_overflows(w, kOwned_0);
   }
   if (w.status != kFine) return;
-  std::copy_n(w.result.data() + 0, 9, w.qdd + 0);
+  std::copy_n(w.result.data() + 0, 7, w.qdd + 0);
+  w.qdd[7] = w.lanes[0];
+  w.qdd[8] = w.lanes[1];
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
@@ -3942,8 +4095,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 130, 0.176};
-constexpr Hop kMessageHop{22.3, 196, 0.484};
+constexpr Hop kWindowHop{1.67, 154, 0.181};
+constexpr Hop kMessageHop{26.1, 232, 0.541};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

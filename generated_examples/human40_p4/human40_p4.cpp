@@ -2,7 +2,7 @@
 //
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// program   4 processes, joined at cuts; 1.06 us predicted (default profile)
+// program   4 processes, joined at cuts; 1.28 us predicted (default profile)
 //           process 0: root .. left_hip, right_hip .. spine
 //           process 1: left_knee .. left_ankle
 //           process 2: neck | right_wrist in 2 lanes, left_shoulder, right_shoulder .. right_elbow
@@ -1426,7 +1426,7 @@ constexpr bool kAbreast = true;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
 constexpr bool kReordered = true;  // whether joints lie in another order than they have
 constexpr int kSlots[kJointCount]{ 0, 1, 8, 9, 2, 3, 4, 5, 18, 24, 25, 16, 19, 20, 17 };
-constexpr bool kByColumns = true;  // whether runs are taken by columns
+constexpr bool kByColumns = false;  // whether runs are taken by columns
 // Joints that are eliminated in their own axes, and whether there are such.
 constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
@@ -2817,343 +2817,6 @@ void solve_root(Workspace& w) {
 }
 
 
-// Numbers of x, or beyond its last one of y.
-template <int... k, class V>
-ADAGEN_INLINE V shuffled(const V& x, const V& y) {
-#if defined(__clang__)
-  return __builtin_shufflevector(x, y, k...);
-#else
-  return __builtin_shuffle(x, y, decltype(x < y){k...});
-#endif
-}
-
-// Rows x and y of a square: what lies in columns apart by a distance changes places.
-template <int distance, class V, std::size_t... column>
-ADAGEN_INLINE void exchange(V& x, V& y, std::index_sequence<column...>) {
-  constexpr int n = sizeof...(column);
-  const V row = shuffled<(column & distance ? n + column - distance : column)...>(x, y);
-  y = shuffled<(column & distance ? n + column : column + distance)...>(x, y);
-  x = row;
-}
-
-// A square of as many rows as each has numbers becomes its transpose: blocks of one number, then of
-// two by two, and so on.
-template <int distance = 1, class V, std::size_t n>
-ADAGEN_INLINE void transpose(V (&rows)[n]) {
-  if constexpr (distance < static_cast<int>(n)) {
-    ADAGEN_FOR (k, 0, static_cast<int>(n))
-      if ((k & distance) == 0)
-        exchange<distance>(rows[k], rows[k + distance], std::make_index_sequence<n>{});
-    transpose<2 * distance>(rows);
-  }
-}
-
-// A body by columns of eight lanes, for what takes one joint at a time: each column a register.
-typedef Real Column __attribute__((vector_size(8 * sizeof(Real))));  // [angular, -, linear, -]
-
-#if defined(__AVX512F__)
-constexpr bool kInColumns = sizeof(Column) <= 64;
-#elif defined(__AVX2__)
-constexpr bool kInColumns = sizeof(Column) <= 32;
-#else
-constexpr bool kInColumns = false;
-#endif
-
-// An articulated body about a point: the columns of its inertia along three rotations and three
-// translations, and its bias force.
-struct Columns {
-  Column angular[3]{}, linear[3]{}, force{};
-};
-
-ADAGEN_INLINE void operator+=(Columns& a, const Columns& b) {
-  ADAGEN_FOR (k, 0, 3) {
-    a.angular[k] += b.angular[k];
-    a.linear[k] += b.linear[k];
-  }
-  a.force += b.force;
-}
-
-ADAGEN_INLINE Column column(const Vector<Real>& angular, const Vector<Real>& linear) {
-  return Column{angular.x, angular.y, angular.z, 0, linear.x, linear.y, linear.z, 0};
-}
-ADAGEN_INLINE Columns columns(const Body<Real>& X) {
-  const auto& [A, B, C, n, f] = X;
-  return {{column({A.xx, A.xy, A.xz}, B.x), column({A.xy, A.yy, A.yz}, B.y),
-           column({A.xz, A.yz, A.zz}, B.z)},
-          {column({B.x.x, B.y.x, B.z.x}, {C.xx, C.xy, C.xz}),
-           column({B.x.y, B.y.y, B.z.y}, {C.xy, C.yy, C.yz}),
-           column({B.x.z, B.y.z, B.z.z}, {C.xz, C.yz, C.zz})},
-          column(n, f)};
-}
-ADAGEN_INLINE Body<Real> body(const Columns& X) {
-  const Column &x = X.angular[0], &y = X.angular[1], &z = X.angular[2];
-  const Column &u = X.linear[0], &v = X.linear[1], &w = X.linear[2], &p = X.force;
-  return {{x[0], x[1], x[2], y[1], y[2], z[2]},
-          {{x[4], x[5], x[6]}, {y[4], y[5], y[6]}, {z[4], z[5], z[6]}},
-          {u[4], u[5], u[6], v[5], v[6], w[6]},
-          {p[0], p[1], p[2]},
-          {p[4], p[5], p[6]}};
-}
-
-// Eight lanes of a register that may hold more.
-template <int first>
-ADAGEN_INLINE Column eight(const Lanes& x) {
-  Real numbers[kLanes];
-  std::memcpy(numbers, &x, sizeof x);
-  Column result;
-  std::memcpy(&result, numbers + first, sizeof result);
-  return result;
-}
-
-// One number of a column in all lanes.
-template <int k>
-ADAGEN_INLINE Column spread(const Column& x) {
-  return shuffled<k, k, k, k, k, k, k, k>(x, x);
-}
-
-// The lever arm r of a force: [n; f] becomes [n + r x f; f].
-struct Arm {
-  Column ahead, behind;  // y z x and z x y of r in the angular lanes
-  Vector<Real> r;
-};
-ADAGEN_INLINE Arm arm(const Vector<Real>& r) {
-  return {Column{r.y, r.z, r.x}, Column{r.z, r.x, r.y}, r};
-}
-// The same where x, too, has r as its linear half.
-ADAGEN_INLINE Arm arm(const Column& x, const Vector<Real>& r) {
-  return {shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x), shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x), r};
-}
-ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
-  return x + arm.ahead * shuffled<6, 4, 5, 7, 7, 7, 7, 7>(x, x) -
-         arm.behind * shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x);
-}
-
-// Gives A below its diagonal what it has above. What is left of a heavy body's inertia along axes
-// that joints have taken out falls off from joint to joint while the inertia stays symmetric, and
-// grows where it does not.
-ADAGEN_INLINE void mirror(Columns& X) {
-  X.angular[1] = shuffled<0, 1, 9, 3, 4, 5, 6, 7>(X.angular[1], X.angular[2]);
-  const Column xy = shuffled<0, 8, 2, 3, 4, 5, 6, 7>(X.angular[0], X.angular[1]);
-  X.angular[0] = shuffled<0, 1, 8, 3, 4, 5, 6, 7>(xy, X.angular[2]);
-}
-
-// The body told about the point at -r from the one that it is told about: what forces become, then
-// what motions were, term by term in the same order.
-ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
-  ADAGEN_FOR (k, 0, 3) {
-    X.angular[k] = carried(arm, X.angular[k]);
-    X.linear[k] = carried(arm, X.linear[k]);
-  }
-  const auto& [x, y, z] = arm.r;
-  X.angular[0] = X.angular[0] + X.linear[2] * y - X.linear[1] * z;
-  X.angular[1] = X.angular[1] + X.linear[0] * z - X.linear[2] * x;
-  X.angular[2] = X.angular[2] + X.linear[1] * x - X.linear[0] * y;
-  X.force = carried(arm, X.force);
-}
-
-// U and 1 / D of the joint before: what is still to be subtracted from the body. So the next D need
-// not wait for that.
-struct Due {
-  Column U{};
-  Real inverse = 0, root = 0;  // root: of the inverse
-};
-
-// The inertia less U U^T / D, as g g^T: as symmetric to the last bit as it was.
-ADAGEN_INLINE void subtract(Columns& X, const Due& due) {
-  const Column g = due.U * due.root;
-  X.angular[0] -= g * spread<0>(g);
-  X.angular[1] -= g * spread<1>(g);
-  X.angular[2] -= g * spread<2>(g);
-  X.linear[0] -= g * spread<4>(g);
-  X.linear[1] -= g * spread<5>(g);
-  X.linear[2] -= g * spread<6>(g);
-}
-ADAGEN_INLINE void settle(Columns& X, Due& due) {
-  subtract(X, due);
-  due = {};
-}
-ADAGEN_INLINE Body<Real> settled(Columns X, Due due) {
-  settle(X, due);
-  return body(X);
-}
-
-// Inwards by columns: a joint takes a few instructions for each. For runs of joints that nothing
-// lies beside; where no register holds a column, such runs are taken number by number.
-
-// The joint that fills a slot.
-const std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
-  std::array<std::size_t, kBlockCount * kPerBlock> result;
-  result.fill(kJointCount);
-  for (int j = 0; j < kJointCount; ++j)
-    result[static_cast<std::size_t>(slot_of(j))] = static_cast<std::size_t>(j);
-  return result;
-}();
-
-// What set_up_links found of the links of blocks first .. last - 1, as it is added to columns.
-template <int first, int last>
-void set_up_columns(Workspace& w) {
-  if constexpr (!kInColumns) return;
-  for (int slot = first * kPerBlock; slot < last * kPerBlock; slot += 8) {
-    const auto row = [&](int entry) {
-      return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
-    };
-    const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
-      ADAGEN_FOR (k, 0, 8) {
-        LinkColumns& link = w.columns[kJointAt[static_cast<std::size_t>(slot + k)]];
-        std::memcpy(link.*place, &found[k], sizeof found[k]);
-      }
-    };
-    const auto& all = kBlockConstants[static_cast<std::size_t>(slot / kPerBlock)];
-    const Column mass = number_at<Column>(&all.mass[static_cast<std::size_t>(slot % kPerBlock)]);
-    const Column x = row(kMoments), y = row(kMoments + 1), z = row(kMoments + 2);
-    const Column none = mass - mass;  // a zero unknown to gcc 12, which errs in shuffles with it
-    constexpr int A = kRotational, n = kTorque, f = kForce;
-    Column tensor[]{row(A), row(A + 1), row(A + 2), row(A + 3), row(A + 4), row(A + 5), mass, none};
-    transpose(tensor);
-    put(&LinkColumns::tensor, tensor);
-    Column moments[]{x, y, z, -x, -y, -z, none, none};
-    transpose(moments);
-    put(&LinkColumns::moments, moments);
-    Column force[]{row(n), row(n + 1), row(n + 2), none, row(f), row(f + 1), row(f + 2), none};
-    transpose(force);
-    put(&LinkColumns::force, force);
-  }
-}
-
-ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Columns& X) {
-  const LinkColumns& own = w.columns[static_cast<std::size_t>(link - 1)];
-  const Column a = number_at<Column>(own.tensor);   // xx xy xz yy yz zz m 0
-  const Column b = number_at<Column>(own.moments);  // x y z -x -y -z 0 0
-  X.angular[0] += shuffled<0, 1, 2, 7, 7, 13, 9, 7>(a, b);
-  X.angular[1] += shuffled<1, 3, 4, 7, 10, 7, 11, 7>(a, b);
-  X.angular[2] += shuffled<2, 4, 5, 7, 12, 8, 7, 7>(a, b);
-  X.linear[0] += shuffled<7, 10, 12, 7, 6, 7, 7, 7>(a, b);
-  X.linear[1] += shuffled<13, 7, 8, 7, 7, 6, 7, 7>(a, b);
-  X.linear[2] += shuffled<9, 11, 7, 7, 7, 7, 6, 7>(a, b);
-  X.force += number_at<Column>(own.force);
-}
-
-template <int p>
-ADAGEN_INLINE void meet(Workspace& w, int link, Columns& X) {
-  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
-  if (role.gathers) X += columns(w.bodies[static_cast<std::size_t>(link)]);
-  if (role.adds_own) add_bare_link(w, link, X);
-}
-
-// S^T x with S = [s; 0] or [0; s].
-template <bool along>
-ADAGEN_INLINE Real component(const Column& s, const Column& x) {
-  constexpr int first = along ? 4 : 0;
-  const Column part = s * x;
-  return (part[first] + part[first + 1]) + part[first + 2];
-}
-
-// See eliminate in inward.hpp. With X less U U^T / D due, S^T X S is less (S^T U)^2 / D.
-template <bool along, bool reversed, class Arrive>
-ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Arrive& arrive) {
-  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-  Memory& memory = w.joints[static_cast<std::size_t>(j)];
-  const Vector<Real>& axis = memory.axis;
-  Column both;  // [axis, -, r, -]
-  std::memcpy(&both, &memory, sizeof both);
-  const Column s = shuffled<0, 1, 2, 3, 0, 1, 2, 3>(both, both);
-  if constexpr (reversed) both = -both;
-  const Arm lever = arm(both, reversed ? -memory.r : memory.r);
-  if constexpr (reversed) {
-    shift(X, lever);
-    due.U = carried(lever, due.U);
-  }
-  const Column(&side)[3] = along ? X.linear : X.angular;
-  const Column V = side[0] * axis.x + side[1] * axis.y + side[2] * axis.z;
-  mirror(X);  // no sooner, so that V need not wait
-  const Real q = component<along>(s, due.U);
-  Real D = component<along>(s, V) - q * q * due.inverse;
-  if constexpr (kAnyPassive) D += joint.passive.rotor;
-  const Real inverse = 1 / D;
-  const Column before = due.U * due.inverse;
-  subtract(X, due);
-  Column U = V - before * q;
-  const Real tau = torque(w, joint);
-  const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
-  constexpr int first = along ? 4 : 0;  // D beside the trace tells what digits are left
-  const Real left = D - kLeast * (side[0][first] + side[1][first + 1] + side[2][first + 2]);
-  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, j);
-  if constexpr (!reversed) {
-    shift(X, lever);
-    U = carried(lever, U);
-  }
-  arrive(X);
-  const Column e = U * inverse;
-  Column kept = shuffled<0, 1, 2, 4, 5, 6, 3, 7>(e, e);
-  kept[6] = u, kept[7] = inverse;
-  std::memcpy(memory.e, &kept, sizeof kept);
-  due = {U, inverse, std::sqrt(inverse)};
-  X.force += U * u;
-}
-
-template <bool reversed, class Arrive>
-ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, Due& due,
-                               const Arrive& arrive) {
-  [[maybe_unused]] const auto number_by_number = [&] {
-    settle(X, due);
-    Body<Real> whole = body(X);
-    step_inward<reversed>(w, single(j), kind, whole, [](const Body<Real>&) {});
-    X = columns(whole);
-  };
-  switch (kind) {
-    case JointKind::kRevolute:
-      eliminate<false, reversed>(w, j, X, due, arrive);
-      return;
-    case JointKind::kPrismatic:
-      if constexpr (any_of(JointKind::kPrismatic)) eliminate<true, reversed>(w, j, X, due, arrive);
-      return;
-    default:
-      if constexpr (kAnySpherical || kAnyPlanar || kAnyFloating) number_by_number();
-  }
-  arrive(X);
-}
-
-// See inward in inward.hpp.
-template <int p, int first, int last, bool starts>
-void inward_in_columns(Workspace& w) {
-  if constexpr (!kInColumns) return inward<p, first, last, starts>(w);
-  constexpr bool quick = bare<p>(first + 1, last);
-  Columns X;
-  Due due;
-  if constexpr (quick) meet<p>(w, last + 1, X);
-  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
-    const int j = first + k;
-    if constexpr (!quick) meet<p>(w, j + 1, X);
-    if constexpr (kRefine > 0) keep_body(w, single(j), settled(X, due));
-    step_inward<false>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
-      if (quick && j > first) add_bare_link(w, j, near);
-    });
-  });
-  settle(X, due);
-  constexpr int near = kJoints[first].parent;
-  if constexpr (near > 0) leave<starts>(w, near, body(X));
-}
-
-// See inward_reversed in inward.hpp.
-template <int p, int first, int last, bool starts>
-void inward_in_columns_reversed(Workspace& w) {
-  if constexpr (!kInColumns) return inward_reversed<p, first, last, starts>(w);
-  constexpr bool quick = bare<p>(first + 1, last);
-  Columns X;
-  Due due;
-  if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
-  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
-    const int j = first + k;
-    if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
-    if constexpr (kRefine > 0) keep_body(w, single(j), settled(X, due));
-    step_inward<true>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
-      if (quick && j < last) add_bare_link(w, j + 1, near);
-    });
-  });
-  settle(X, due);
-  leave<starts>(w, last + 1, body(X));
-}
-
 // Outwards again: the joints' accelerations.
 
 template <class T>
@@ -3792,8 +3455,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(1);
   set_up_links<block(0), block(4) + 1>(w);
   free_base<0, true>(w);
-  set_up_columns<block(2), block(4) + 1>(w);
-  inward_in_columns<0, 4, 6, false>(w);  // "right_hip" .. "right_ankle"
+  inward<0, 4, 6, false>(w);  // "right_hip" .. "right_ankle"
   invert_root<0, 1>(w, w.j_right_hip.Phi_pelvis, w.j_right_hip.b_pelvis);
   stamp(2);
   {  // from process 1: assembled: chain of "left_knee"
@@ -3891,8 +3553,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   outward<2, 3>(w);  // "left_knee" .. "left_ankle"
   stamp(1);
   set_up_links<block(1), block(9) + 1>(w);
-  set_up_columns<block(8), block(9) + 1>(w);
-  inward_in_columns<1, 2, 3, true>(w);  // "left_knee" .. "left_ankle"
+  inward<1, 2, 3, true>(w);  // "left_knee" .. "left_ankle"
   invert_root<1, 2>(w, w.j_left_knee.Phi_left_thigh, w.j_left_knee.b_left_thigh);
   stamp(2);
   {  // to process 0: assembled: chain of "left_knee"
@@ -3938,13 +3599,12 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   outward_group<kLimbs0>(w);
   stamp(1);
   set_up_links<block(5), block(20) + 1>(w);
-  set_up_columns<block(19), block(20) + 1>(w);
   {
     const auto X = inward_group<2, kLimbs0>(w);
     leave<true>(w, 8, lane(X, 0));
     leave<true>(w, 14, lane(X, 1));
   }
-  inward_in_columns<2, 12, 13, false>(w);  // "right_shoulder" .. "right_elbow"
+  inward<2, 12, 13, false>(w);  // "right_shoulder" .. "right_elbow"
   invert_root<2, 8>(w, w.j_right_shoulder.Phi_trunk, w.j_right_shoulder.b_trunk);
   stamp(2);
   {  // from process 3: assembled: chain of "left_elbow"
@@ -4024,8 +3684,7 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   outward<9, 10>(w);  // "left_elbow" .. "left_wrist"
   stamp(1);
   set_up_links<block(18), block(25) + 1>(w);
-  set_up_columns<block(24), block(25) + 1>(w);
-  inward_in_columns<3, 9, 10, true>(w);  // "left_elbow" .. "left_wrist"
+  inward<3, 9, 10, true>(w);  // "left_elbow" .. "left_wrist"
   invert_root<3, 9>(w, w.j_left_elbow.Phi_left_upper_arm, w.j_left_elbow.b_left_upper_arm);
   stamp(2);
   {  // to process 2: assembled: chain of "left_elbow"
@@ -6013,8 +5672,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 130, 0.176};
-constexpr Hop kMessageHop{22.3, 196, 0.484};
+constexpr Hop kWindowHop{1.67, 154, 0.181};
+constexpr Hop kMessageHop{26.1, 232, 0.541};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {
