@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -12,13 +14,22 @@ from adagen.cli import main
 from tests.golden.make_models import MODELS
 
 CASES = [
-    ("humanoid", ["--floating", "--procs", "2"]),  # gathered
+    ("humanoid", ["--procs", "2"]),  # gathered
     ("humanoid", ["--floating", "--procs", "4"]),
     ("humanoid", ["--procs", "1"]),
     ("chain16", ["--procs", "2", "--form", "ada"]),  # joined
     ("arm7", ["--procs", "2", "--schedule", "balanced"]),
     ("arm7", ["--procs", "2"]),  # one process at work
 ]
+
+
+def gathering(folder: Path) -> list[str]:
+    """The words for a robot whose processes gather: messages take no time in this profile."""
+    text = resources.files("adagen.schedule").joinpath("profiles", "default.toml").read_text()
+    profile = folder / "near.toml"
+    profile.write_text(re.sub(r"latency = .*", "latency = 0.001", text))
+    model = str(MODELS / "humanoid.urdf")
+    return [model, "--floating", "--procs", "2", "--profile", str(profile)]
 
 
 def document(capsys: pytest.CaptureFixture[str], *words: str) -> Any:
@@ -71,12 +82,10 @@ def test_its_figures_are_those_of_the_program(
 def test_where_processes_gather_can_be_edited(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    model, file = str(MODELS / "humanoid.urdf"), tmp_path / "schedule.json"
-    words = [model, "--floating", "--procs", "2"]
+    words, file = gathering(tmp_path), tmp_path / "schedule.json"
     said = document(capsys, *words)
     assert said["meeting"] == "gather" and said["gathered"]["owners"]["neck_pitch"] == 1
-    for name in ("neck_yaw", "neck_pitch"):
-        said["gathered"]["owners"][name] = 0
+    said["gathered"]["owners"] |= {"waist_pitch": None, "neck_yaw": 0, "neck_pitch": 0}
     file.write_text(json.dumps(said))
     edited = document(capsys, *words, "--schedule", str(file))
     assert edited["owners"]["neck_pitch"] == edited["owners"]["neck_yaw"] == 0
@@ -97,8 +106,7 @@ def test_where_processes_gather_can_be_edited(
 def test_what_cannot_be_is_refused(
     change: dict[str, Any], complaint: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    model, file = str(MODELS / "humanoid.urdf"), tmp_path / "schedule.json"
-    words = [model, "--floating", "--procs", "2"]
+    words, file = gathering(tmp_path), tmp_path / "schedule.json"
     said = document(capsys, *words)
     for key, value in change.items():
         told = said["gathered"]
