@@ -62,13 +62,11 @@ compilers take minutes."""
 
 
 def stepwise(plan: Plan) -> str:
-    """Return the fastest shape that does a plan step by step, as cost profiles price it."""
+    """Return the fastest shape that does a plan step by step, as cost profiles price it.
+
+    Refined plans are emitted in it, too.
+    """
     return next(name for name in ("kernels", "joints") if SHAPES[name].why_not(plan) is None)
-
-
-def refined_shape(plan: Plan) -> str:
-    """Return the fastest shape that refines what a plan answers."""
-    return "joints" if plan.slaved else stepwise(plan)
 
 
 def chosen_shape(

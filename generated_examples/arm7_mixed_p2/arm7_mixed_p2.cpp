@@ -119,6 +119,7 @@ constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 3;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 2;
@@ -1154,8 +1155,9 @@ struct ExchangeInfo {
 };
 
 // The slaved joint that a right-hand side is of; the first is of none.
-constexpr std::array<int, kColumns> kSlaved = [] {
-  std::array<int, kColumns> result{};
+constexpr int kSides = 1 + kSlavedCount;
+constexpr std::array<int, kSides> kSlaved = [] {
+  std::array<int, kSides> result{};
   for (int j = 0, column = 0; j < kJointCount; ++j)
     if (kJoints[j].source >= 0) result[++column] = j;
   return result;
@@ -1177,7 +1179,10 @@ inline const Number* given(const Number* x) { return x; }
 
 class Refinement {
  public:
-  std::array<Columns6, kJointCount> f;  // joint forces of the last step, every right-hand side
+  // Joint forces of the last step, every right-hand side, and which of these is being found where
+  // they are found one after the other.
+  std::array<Eigen::Matrix<Real, 6, kSides>, kJointCount> f;
+  int side = 0;
   std::array<Eigen::Matrix<Number, 6, 1>, kJointCount> force;  // the same with coupling torques
   std::array<Number, kNv> step{};                              // accelerations of the last step
   std::array<Number, kNv> still{};                             // no velocities
@@ -1211,14 +1216,15 @@ class Refinement {
     for (int k = 0; k < joint.nv; ++k) force[j][free_row(joint.kind, k)] = tau[joint.v + k];
   }
 
-  // What a coupling torque adds to it. Along the source that is the torque times the multiplier,
-  // which may be rounded in f.
+  // What a coupling torque adds to it: along the slaved joint the torque itself, along the source
+  // that times the multiplier, and nothing along others.
   void couple(int j, int column, Number torque) {
-    const JointConstants& slaved = kJoints[kSlaved[column]];
-    force[j] += f[j].col(column).cast<Number>() * torque;
-    if (slaved.source != j) return;
-    const int row = free_row(kJoints[j].kind, 0);
-    force[j][row] -= (Number(slaved.multiplier) + Number(f[j](row, column))) * torque;
+    const JointConstants &joint = kJoints[j], &slaved = kJoints[kSlaved[column]];
+    Eigen::Matrix<Number, 6, 1> of_unit = f[j].col(column).template cast<Number>();
+    for (int k = 0; k < joint.nv; ++k) of_unit[free_row(joint.kind, k)] = 0;
+    if (kSlaved[column] == j) of_unit[free_row(joint.kind, 0)] = 1;
+    if (slaved.source == j) of_unit[free_row(joint.kind, 0)] = -Number(slaved.multiplier);
+    force[j] += of_unit * torque;
   }
 
   // A link without mass hands on what it gets.
@@ -1704,6 +1710,8 @@ constexpr bool kByColumns = true;  // whether runs are taken by columns
 // Joints that are eliminated in their own axes, and whether there are such.
 constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+// Whether sweeps are done again for other forces on links than their motion takes.
+constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
 
 // What a process does at a link.
 struct LinkRole {
@@ -1901,6 +1909,7 @@ struct Frame {
 
 struct Workspace : State, Cuts {
   int status = kFine;
+  bool again = false;  // whether links feel the forces in their blocks, and no motion's
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
   std::array<Memory, kJointCount> joints{};
@@ -2005,14 +2014,16 @@ ADAGEN_INLINE Lanes wide(const Value* x) {
   return result;
 }
 
-// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
-  Value tau = w.tau[joint.v];
+// The torque along one of a joint's freedoms that reaches the links: less damping, spring and
+// friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom = 0) {
+  Value tau = w.tau[joint.v + freedom];
   if constexpr (kAnyPassive) {
     const Passive& own = joint.passive;
-    const Value& qd = w.v[joint.v];
+    const Value& qd = w.v[joint.v + freedom];
     if (own.damping != 0) tau -= own.damping * qd;
-    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.stiffness != 0 && !(kAgain && w.again))
+      tau -= own.stiffness * (w.q[joint.q] - own.rest);
     if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
   }
   return tau;
@@ -2475,7 +2486,8 @@ inline void keep_one_force(Workspace& w, int j, const Motion<Value>& a) {
   }
   const Matrix<Value> R = matrix_at(w.of(j, kAxes));
   n = transposed_times(R, n), f = transposed_times(R, f);
-  w.refinement.f[static_cast<std::size_t>(j)].col(0) << n.x, n.y, n.z, f.x, f.y, f.z;
+  w.refinement.f[static_cast<std::size_t>(j)].col(w.refinement.side) << n.x, n.y, n.z, f.x, f.y,
+      f.z;
 }
 template <bool reversed, class T>
 ADAGEN_INLINE void keep_force(Workspace& w, const Joints<T>& joints, const Motion<T>& a) {
@@ -2483,6 +2495,11 @@ ADAGEN_INLINE void keep_force(Workspace& w, const Joints<T>& joints, const Motio
     keep_one_force<reversed>(w, joints.joint[0], a);
   else
     ADAGEN_FOR (k, 0, kWidth<T>) keep_one_force<reversed>(w, joints.joint[k], lane(a, k));
+}
+
+// The forces that are kept next are of the motion (0), or of the torque at a slaved joint.
+[[maybe_unused]] inline void keep_side(Workspace& w, std::size_t side) {
+  w.refinement.side = static_cast<int>(side);
 }
 
 // Symmetric matrices of three rows, eliminated.
@@ -2692,8 +2709,12 @@ ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& 
   Symmetric<T> J;
   own_inertia(joints, mass, c, J);
   Vector<T> n, f;
-  bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
-  if constexpr (kOuterCount > 0) push_own(w, joints, n, f);
+  if (kAgain && w.again) {
+    n = told(kTorque), f = told(kForce);
+  } else {
+    bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
+    if constexpr (kOuterCount > 0) push_own(w, joints, n, f);
+  }
   X.A += Symmetric<T>{J.yy + J.zz, -J.xy, -J.xz, J.xx + J.zz, -J.yz, J.xx + J.yy};
   X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
   X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
@@ -3886,9 +3907,14 @@ Columns6 force_on(Workspace& w) {
   Y.r.setZero();
 }
 
+// The torques of a joint that reach the links, or its prescribed accelerations.
 template <std::size_t n>
-void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
-  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
+void load_torque(Workspace& w, int j, int, std::array<std::array<Real, kColumns>, n>& tau) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  for (std::size_t k = 0; k < n; ++k) {
+    const int entry = static_cast<int>(k);
+    tau[k][0] = joint.passive.prescribed ? w.tau[joint.v + entry] : torque(w, joint, entry);
+  }
 }
 
 template <std::size_t n>
@@ -4038,7 +4064,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {
     auto& i = w.j_forearm_roll;
     Release<Revolute> release(i.joined);
-    const Columns6& f = w.refinement.f[4] = release.force();
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    w.refinement.f[4].col(w.refinement.side) = f;
     store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
     w.j_shoulder_pitch.F_on_forearm = -i.X.transposed_times(f);
     w.j_flange_roll.F_on_wrist_housing = i.Y.transposed_times(f);
@@ -4134,7 +4161,8 @@ void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
   {
     auto& i = w.j_forearm_roll;
     Release<Revolute> release(i.joined);
-    const Columns6& f = w.refinement.f[4] = release.force();
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    w.refinement.f[4].col(w.refinement.side) = f;
     store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
     w.j_shoulder_pitch.F_on_forearm = -i.X.transposed_times(f);
     w.j_flange_roll.F_on_wrist_housing = i.Y.transposed_times(f);
@@ -4219,9 +4247,11 @@ inline Real coupling_torque([[maybe_unused]] const Workspace& w, [[maybe_unused]
 
 // A correction: links feel what is left over of their equations of motion and nothing else.
 inline void begin_answer(Workspace& w) {
-  for (Columns6& f : w.refinement.f) f.setZero();
+  w.again = false;
+  for (auto& f : w.refinement.f) f.setZero();
 }
 inline void begin_correction(Workspace& w, const RefinedProcess& own) {
+  w.again = true;
   w.v = w.refinement.still.data();
   for (const int link : own.links) {
     const Vec6& rho = w.refinement.rho[static_cast<std::size_t>(link)];
@@ -4258,7 +4288,7 @@ inline void collect_forces(Workspace& w, const RefinedProcess& own, const Number
   Refinement& r = w.refinement;
   for (const int j : own.forces) {
     r.collect(j, tau);
-    for (int c = 1; c < kColumns; ++c) r.couple(j, c, Number(coupling_torque(w, c - 1)));
+    for (int c = 1; c < kSides; ++c) r.couple(j, c, Number(coupling_torque(w, c - 1)));
   }
   for (int k = 0; k < own.inner.count; ++k) r.hand_on(own.inner.first[k], own.beyond.first[k]);
 }

@@ -66,8 +66,6 @@ def why_not(plan: Plan) -> str | None:
     joints = plan.joints
     if (reason := why_not_gather([replace(joint, mimic=None) for joint in joints])) is not None:
         return reason
-    if plan.slaved and any(joint.stiffness for joint in joints):
-        return "it has no springs beside slaved joints"
     for process in plan.processes:
         for step in mobility.all_steps(process):
             if not isinstance(step, _TAKEN):
@@ -106,7 +104,6 @@ def values(words: Words) -> dict[str, object]:
     return {
         "runtime": runtime,
         "copied": plan.scalar == "mixed" or bool(plan.slaved),
-        "slaved_count": len(plan.slaved),
         "responses": [writer.responses() for writer in writers] if plan.slaved else [],
         **refined,
         "cuts": cuts,

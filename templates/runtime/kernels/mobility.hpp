@@ -197,9 +197,14 @@ Columns6 force_on(Workspace& w) {
   Y.r.setZero();
 }
 
+// The torques of a joint that reach the links, or its prescribed accelerations.
 template <std::size_t n>
-void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
-  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
+void load_torque(Workspace& w, int j, int, std::array<std::array<Real, kColumns>, n>& tau) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  for (std::size_t k = 0; k < n; ++k) {
+    const int entry = static_cast<int>(k);
+    tau[k][0] = joint.passive.prescribed ? w.tau[joint.v + entry] : torque(w, joint, entry);
+  }
 }
 
 template <std::size_t n>
