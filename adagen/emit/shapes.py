@@ -2,8 +2,8 @@
 
 * ``kernels``: loops over runs of joints in axes that all links of a base share, several links at
   once where nothing is carried along. It takes plans of form segment.
-* ``joints``: joint-local frames, a function for each joint and step, one call after the other. It
-  takes every plan.
+* ``joints``: joint-local frames, a function for each joint and step, one call after the other: how
+  the paper's form is written. It takes every plan that joins.
 * ``unrolled``: a straight line of scalar statements from an expression graph, the fastest up to
   about 10 joints.
 """
