@@ -22,7 +22,7 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
     from adagen.build import find_toolchain
     from adagen.emit import emit, stem_of
     from adagen.emit.refine import refinement_steps
-    from adagen.emit.shapes import SHAPES, chosen_shape, refined_shape
+    from adagen.emit.shapes import SHAPES, chosen_shape, stepwise
     from adagen.run.tune import candidates, compilers, table, tune
     from adagen.schedule import load_profile
 
@@ -31,7 +31,7 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
     else:
         shapes = [chosen_shape(plan, options.shape)]
     if refinement_steps(options.refine, plan.scalar):
-        shapes = [refined_shape(plan)] if options.shape == "auto" else shapes
+        shapes = [stepwise(plan)] if options.shape == "auto" else shapes
     stem = stem_of(plan)
 
     def text_of(candidate: Candidate) -> str:

@@ -11,7 +11,7 @@ from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
 from adagen.emit.refine import checked_shape, refinement_messages, refinement_steps
-from adagen.emit.shapes import KNOWN, chosen_shape, refined_shape
+from adagen.emit.shapes import KNOWN, chosen_shape, stepwise
 from adagen.emit.templates import render, templates_folder
 from adagen.emit.words import Words
 from adagen.errors import UsageError
@@ -151,9 +151,7 @@ def program_of(
             raise UsageError("a batch is solved by the plan of one process")
         check_batch(shape, refine)
     if refine and checked_shape(refine, shape) == "auto":
-        shape = refined_shape(plan)
-    elif refine and shape == "kernels" and plan.slaved:
-        raise UsageError("shape kernels refines no slaved joints; leave --shape out")
+        shape = stepwise(plan)
     shape = chosen_shape(plan, shape, batch=batch, profile=profile)
     plan = refinable(plan) if refine else plan
     if limbs is not None and not batch:
@@ -191,6 +189,7 @@ def source(
         tolerance=TOLERANCE[plan.scalar],
         headers=HEADERS,
         columns=words.columns,
+        slaved_count=len(plan.slaved),
         process_count=processes,
         batch=bool(batch),
         alone=_alone(program) and (not batch or processes == 1),

@@ -80,7 +80,7 @@ def prescribe(words: Words, j: int, c: str, *, turned: bool = False) -> list[str
     if not joint.prescribed:
         return []
     if turned:
-        return [f"{c} += i.Y * columns_of(prescribed_motion(w, {j}));"]
+        return [f"{c} += prescribed_across(w, {j});"]
     return [
         f"require_finite(w, w.tau + {joint.v}, {words.kind(j).nv}, {j});",
         f"prescribe<{words.type_of(j)}>(w.tau + {joint.v}, {c});",

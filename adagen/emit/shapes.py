@@ -2,8 +2,8 @@
 
 * ``kernels``: loops over runs of joints in axes that all links of a base share, several links at
   once where nothing is carried along. It takes plans of form segment.
-* ``joints``: joint-local frames, a function for each joint and step, one call after the other. It
-  takes every plan.
+* ``joints``: joint-local frames, a function for each joint and step, one call after the other: how
+  the paper's form is written. It takes every plan that joins.
 * ``unrolled``: a straight line of scalar statements from an expression graph, the fastest up to
   about 10 joints.
 """
@@ -62,13 +62,11 @@ compilers take minutes."""
 
 
 def stepwise(plan: Plan) -> str:
-    """Return the fastest shape that does a plan step by step, as cost profiles price it."""
+    """Return the fastest shape that does a plan step by step, as cost profiles price it.
+
+    Refined plans are emitted in it, too.
+    """
     return next(name for name in ("kernels", "joints") if SHAPES[name].why_not(plan) is None)
-
-
-def refined_shape(plan: Plan) -> str:
-    """Return the fastest shape that refines what a plan answers."""
-    return "joints" if plan.slaved else stepwise(plan)
 
 
 def chosen_shape(

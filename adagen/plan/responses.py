@@ -13,6 +13,8 @@ from dataclasses import is_dataclass
 from adagen.plan.steps import Block, HoldMobility, Propagate
 from adagen.plan.types import Plan, Process
 
+_KINDS = ("revolute", "prismatic", "spherical")
+
 
 def mentions(plan: Plan, process: Process) -> Counter[Block]:
     """Return how often a process's steps and the messages name each block.
@@ -53,7 +55,8 @@ def _goes_on(
     if begins and step.near is not None:
         return False
     for each in (step, after):
-        if each.reversed or each.spreads or plan.joints[each.joint].prescribed:
+        joint = plan.joints[each.joint]
+        if each.reversed or each.spreads or joint.prescribed or joint.kind not in _KINDS:
             return False
     follows = plan.joints[after.joint].parent == step.joint + 1 == after.joint
     return follows and after.near == step.block and named[step.block] == 2

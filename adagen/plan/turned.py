@@ -6,12 +6,13 @@ however the joints beyond turn: nothing for a link without inertia (in a wrist o
 loses the more the nearer it is to gimbal lock). Where tr A exceeds that by more than may be lost,
 the joint is eliminated in its own axes, in which D is an entry of the inertia and nothing is left
 along the axis; and so are the joints beyond that may come to lie along it, up to the first link
-that is solid beside what hangs on it.
+that is solid beside what hangs on it. Where processes are joined, links that are joined bare and
+those at the ends of runs joined as one are told in their own axes, too.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -23,7 +24,7 @@ from adagen.model.kinds import KINDS
 from adagen.plan.digits import generic_configuration
 from adagen.plan.placement import motion_transform, placement
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import Articulate
+from adagen.plan.steps import Articulate, FusedJoin, LinkBias
 from adagen.plan.types import FACTORS, Plan, PlanJoint, PlanLink
 
 Array = NDArray[np.float64]
@@ -72,7 +73,24 @@ def turned_joints(plan: Plan) -> frozenset[int]:
         new = [step for step in beyond.get(far, ()) if step not in seen]
         seen.update(new)
         todo += new
-    return frozenset(found)
+    return frozenset(found | _told_at_cuts(plan, {j for j, _ in steps}))
+
+
+def _told_at_cuts(plan: Plan, articulated: Set[int]) -> set[int]:
+    """The joints above bare links that are joined, and above the ends of runs joined as one.
+
+    What is told of such links keeps its digits in their own axes only: constants, and mobilities
+    of which the run takes away the larger part.
+    """
+    found: set[int] = set()
+    for step in (step for process in plan.processes for step in process.steps):
+        if isinstance(step, LinkBias):
+            found.add(step.link - 1)
+        elif isinstance(step, FusedJoin):
+            found.update((step.run[-1], plan.joints[step.run[0]].parent - 1))
+    found.discard(-1)
+    one = ("revolute", "prismatic")
+    return {j for j in found if j not in articulated or plan.joints[j].kind in one}
 
 
 def turned_in_loops(plan: Plan, all_limbs: Iterable[Limbs]) -> frozenset[int]:

@@ -119,6 +119,7 @@ constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 3;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 2;
@@ -724,6 +725,15 @@ Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
   return result;
 }
 
+// Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
+[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
+  Mat6 result;
+  std::size_t k = 0;
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j) result(i, j) = result(j, i) = upper[k++];
+  return result;
+}
+
 // Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
 // quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
 [[maybe_unused]] Real conjugate_rotation(const Number* quaternion, Mat3& E) {
@@ -1154,8 +1164,9 @@ struct ExchangeInfo {
 };
 
 // The slaved joint that a right-hand side is of; the first is of none.
-constexpr std::array<int, kColumns> kSlaved = [] {
-  std::array<int, kColumns> result{};
+constexpr int kSides = 1 + kSlavedCount;
+constexpr std::array<int, kSides> kSlaved = [] {
+  std::array<int, kSides> result{};
   for (int j = 0, column = 0; j < kJointCount; ++j)
     if (kJoints[j].source >= 0) result[++column] = j;
   return result;
@@ -1177,7 +1188,10 @@ inline const Number* given(const Number* x) { return x; }
 
 class Refinement {
  public:
-  std::array<Columns6, kJointCount> f;  // joint forces of the last step, every right-hand side
+  // Joint forces of the last step, every right-hand side, and which of these is being found where
+  // they are found one after the other.
+  std::array<Eigen::Matrix<Real, 6, kSides>, kJointCount> f;
+  int side = 0;
   std::array<Eigen::Matrix<Number, 6, 1>, kJointCount> force;  // the same with coupling torques
   std::array<Number, kNv> step{};                              // accelerations of the last step
   std::array<Number, kNv> still{};                             // no velocities
@@ -1211,14 +1225,15 @@ class Refinement {
     for (int k = 0; k < joint.nv; ++k) force[j][free_row(joint.kind, k)] = tau[joint.v + k];
   }
 
-  // What a coupling torque adds to it. Along the source that is the torque times the multiplier,
-  // which may be rounded in f.
+  // What a coupling torque adds to it: along the slaved joint the torque itself, along the source
+  // that times the multiplier, and nothing along others.
   void couple(int j, int column, Number torque) {
-    const JointConstants& slaved = kJoints[kSlaved[column]];
-    force[j] += f[j].col(column).cast<Number>() * torque;
-    if (slaved.source != j) return;
-    const int row = free_row(kJoints[j].kind, 0);
-    force[j][row] -= (Number(slaved.multiplier) + Number(f[j](row, column))) * torque;
+    const JointConstants &joint = kJoints[j], &slaved = kJoints[kSlaved[column]];
+    Eigen::Matrix<Number, 6, 1> of_unit = f[j].col(column).template cast<Number>();
+    for (int k = 0; k < joint.nv; ++k) of_unit[free_row(joint.kind, k)] = 0;
+    if (kSlaved[column] == j) of_unit[free_row(joint.kind, 0)] = 1;
+    if (slaved.source == j) of_unit[free_row(joint.kind, 0)] = -Number(slaved.multiplier);
+    force[j] += of_unit * torque;
   }
 
   // A link without mass hands on what it gets.
@@ -1704,6 +1719,9 @@ constexpr bool kByColumns = true;  // whether runs are taken by columns
 // Joints that are eliminated in their own axes, and whether there are such.
 constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+// Whether sweeps are done again for other forces on links than their motion takes.
+constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
+constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
 
 // What a process does at a link.
 struct LinkRole {
@@ -1901,6 +1919,7 @@ struct Frame {
 
 struct Workspace : State, Cuts {
   int status = kFine;
+  bool again = false;  // whether links feel the forces in their blocks, and no motion's
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
   std::array<Memory, kJointCount> joints{};
@@ -1911,6 +1930,7 @@ struct Workspace : State, Cuts {
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
+  std::array<Body<Value>, kPassesFree ? kJointCount : 0> free{};  // beyond floating joints
   std::array<Body<Value>, kRefine ? kJointCount : 0> whole{};  // beyond each joint, to be refined
 
   Workspace() {
@@ -2005,14 +2025,16 @@ ADAGEN_INLINE Lanes wide(const Value* x) {
   return result;
 }
 
-// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
-  Value tau = w.tau[joint.v];
+// The torque along one of a joint's freedoms that reaches the links: less damping, spring and
+// friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom = 0) {
+  Value tau = w.tau[joint.v + freedom];
   if constexpr (kAnyPassive) {
     const Passive& own = joint.passive;
-    const Value& qd = w.v[joint.v];
+    const Value& qd = w.v[joint.v + freedom];
     if (own.damping != 0) tau -= own.damping * qd;
-    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.stiffness != 0 && !(kAgain && w.again))
+      tau -= own.stiffness * (w.q[joint.q] - own.rest);
     if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
   }
   return tau;
@@ -2475,7 +2497,8 @@ inline void keep_one_force(Workspace& w, int j, const Motion<Value>& a) {
   }
   const Matrix<Value> R = matrix_at(w.of(j, kAxes));
   n = transposed_times(R, n), f = transposed_times(R, f);
-  w.refinement.f[static_cast<std::size_t>(j)].col(0) << n.x, n.y, n.z, f.x, f.y, f.z;
+  w.refinement.f[static_cast<std::size_t>(j)].col(w.refinement.side) << n.x, n.y, n.z, f.x, f.y,
+      f.z;
 }
 template <bool reversed, class T>
 ADAGEN_INLINE void keep_force(Workspace& w, const Joints<T>& joints, const Motion<T>& a) {
@@ -2483,6 +2506,11 @@ ADAGEN_INLINE void keep_force(Workspace& w, const Joints<T>& joints, const Motio
     keep_one_force<reversed>(w, joints.joint[0], a);
   else
     ADAGEN_FOR (k, 0, kWidth<T>) keep_one_force<reversed>(w, joints.joint[k], lane(a, k));
+}
+
+// The forces that are kept next are of the motion (0), or of the torque at a slaved joint.
+[[maybe_unused]] inline void keep_side(Workspace& w, std::size_t side) {
+  w.refinement.side = static_cast<int>(side);
 }
 
 // Symmetric matrices of three rows, eliminated.
@@ -2692,8 +2720,12 @@ ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& 
   Symmetric<T> J;
   own_inertia(joints, mass, c, J);
   Vector<T> n, f;
-  bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
-  if constexpr (kOuterCount > 0) push_own(w, joints, n, f);
+  if (kAgain && w.again) {
+    n = told(kTorque), f = told(kForce);
+  } else {
+    bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
+    if constexpr (kOuterCount > 0) push_own(w, joints, n, f);
+  }
   X.A += Symmetric<T>{J.yy + J.zz, -J.xy, -J.xz, J.xx + J.zz, -J.yz, J.xx + J.yy};
   X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
   X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
@@ -2858,6 +2890,7 @@ ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Va
   X.n += -n, X.f += -f;
   Motion<Value> a;
   if (!solve_free(X, a)) fail(w, kFactorization, j);
+  if constexpr (kPassesFree) w.free[static_cast<std::size_t>(j)] = X;
   e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
   e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
   X = Body<Value>{};
@@ -3688,8 +3721,34 @@ const Mat6 kZero = Mat6::Zero();
 const Columns6 kGround = Columns6::Zero();
 
 // Mobility: what a segment shows at its handles, and what forces there do inside it. Phi and b are
-// in the axes of the base about the handles' origins; b are accelerations beyond those of a Frame.
-using Vec3 = Eigen::Matrix<Real, 3, 1>;
+// about the handles' origins, in the axes that their bodies are told in (turned.hpp), and so are
+// forces at handles; b are accelerations beyond those of a Frame.
+inline Mat3 mat3_of(const Matrix<Value>& R) {
+  Mat3 result;
+  result << R.x.x, R.x.y, R.x.z, R.y.x, R.y.y, R.y.z, R.z.x, R.z.y, R.z.z;
+  return result;
+}
+template <class M>
+M rotated(const Mat3& R, const M& m) {
+  M result;
+  result.template topRows<3>().noalias() = R * m.template topRows<3>();
+  result.template bottomRows<3>().noalias() = R * m.template bottomRows<3>();
+  return result;
+}
+// Columns at a link from the axes that they are told in there to those of the base, and back.
+template <class M>
+M in_base(Workspace& w, int link, const M& m) {
+  return turned_link(link) ? rotated(mat3_of(matrix_at(w.of(link - 1, kAxes))), m) : m;
+}
+template <class M>
+M as_told(Workspace& w, int link, const M& m) {
+  return turned_link(link) ? rotated(mat3_of(matrix_at(w.of(link - 1, kAxes))).transpose(), m) : m;
+}
+[[maybe_unused]] inline Mat6 mobility_as_told(Workspace& w, int link, const Mat6& Phi) {
+  if (!turned_link(link)) return Phi;
+  const Mat6 half = as_told(w, link, Phi);
+  return as_told(w, link, Mat6(half.transpose()));
+}
 
 ADAGEN_INLINE Motion<Value> motion_of(const Columns6& a) {
   return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
@@ -3756,7 +3815,37 @@ ADAGEN_INLINE bool invert(const Mat6& m, const Real (&least)[6], Mat6& inverse) 
 
 template <int p, int link>
 void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
-  if (!invert(whole<p>(w, link), Phi, b)) fail(w, kFactorization, link - 1);
+  Body<Value> X{};
+  meet<p>(w, link, X);
+  if (!invert(X, Phi, b)) fail(w, kFactorization, link - 1);
+}
+
+// b = -Phi p of a bare link.
+template <int link>
+void bare_link(Workspace& w, const Mat6& Phi, Columns6& b) {
+  static_assert(turned_link(link));
+  Body<Value> X{};
+  add_own_link(w, single(link - 1), X);
+  b.noalias() = -Phi * force_of(X);
+}
+
+// A planar joint's freedoms one after the other, the last one to be eliminated first, at its
+// origin.
+ADAGEN_INLINE void slide_and_turn(Workspace& w, int j, Motion<Lanes>& a,
+                                  const Vector<Lanes>& drive) {
+  const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  const auto moved = [&a](const Value* of, const Lanes& driven) {
+    return driven -
+           ((of[0] * a.angular.x + of[1] * a.angular.y) +
+            (of[2] * a.angular.z + of[3] * a.linear.x) + (of[4] * a.linear.y + of[5] * a.linear.z));
+  };
+  const auto along = [](const Value& x, const Value& y, const Value& z, const Lanes& by) {
+    return Vector<Lanes>{x * by, y * by, z * by};
+  };
+  a.angular += along(R.x.z, R.y.z, R.z.z, moved(e + 16, drive.z));
+  a.linear += along(R.x.y, R.y.y, R.z.y, moved(e + 8, drive.y));
+  a.linear += along(R.x.x, R.y.x, R.z.x, moved(e, drive.x));
 }
 
 // Motions of a link, side by side: what the far link does, with what drives the joint beyond L a
@@ -3778,6 +3867,18 @@ ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a,
       if constexpr (kSphericalRotors) a.angular += solved(e + 12, spin) * rotor_of(single(j));
       if constexpr (reversed) carry(a, -memory.r);
     }
+    return;
+  }
+  if (kind == JointKind::kPlanar) {
+    if constexpr (kAnyPlanar) {
+      if constexpr (!reversed) carry(a, memory.r);
+      slide_and_turn(w, j, a, drive);
+      if constexpr (reversed) carry(a, -memory.r);
+    }
+    return;
+  }
+  if (kind == JointKind::kFloating) {  // the far link moves as if there were no near one
+    a = Motion<Lanes>{};
     return;
   }
   const Lanes x = drive.x - ((e[0] * a.angular.x + e[1] * a.angular.y) +
@@ -3808,12 +3909,30 @@ ADAGEN_INLINE Mat6 from_rows(const Motion<Lanes>& a) {  // transposed
   return result;
 }
 
+template <bool reversed>
+ADAGEN_INLINE constexpr int near_link(int j) {
+  return reversed ? j + 1 : kJoints[static_cast<std::size_t>(j)].parent;
+}
+
 // L m, m being told with the near link in its rows.
 template <bool reversed>
 Mat6 passed(Workspace& w, int j, const Mat6& m) {
-  Motion<Lanes> rows = rows_of(m.transpose());
+  const Mat6 near = in_base(w, near_link<reversed>(j), m);
+  Motion<Lanes> rows = rows_of(near.transpose());
   pass<reversed>(w, j, rows);
-  return from_rows(rows).transpose();
+  const Mat6 far = from_rows(rows).transpose();
+  return as_told(w, near_link<!reversed>(j), far);
+}
+
+// What joints with several freedoms do at the child link's origin is told at the far link's.
+template <bool reversed>
+Mat6 at_far_link(Workspace& w, int j, const Mat6& Phi) {
+  if constexpr (!reversed) return mobility_as_told(w, j + 1, Phi);
+  const Vector<Value> r = -w.joints[static_cast<std::size_t>(j)].r;
+  Mat6 shifted = Mat6::Identity();  // linear += angular x r
+  shifted(3, 1) = r.z, shifted(3, 2) = -r.y, shifted(4, 0) = -r.z;
+  shifted(4, 2) = r.x, shifted(5, 0) = r.y, shifted(5, 1) = -r.x;
+  return mobility_as_told(w, near_link<false>(j), shifted * Phi * shifted.transpose());
 }
 
 // S D^-1 S^T at the far link's origin.
@@ -3822,6 +3941,27 @@ Mat6 own_mobility(Workspace& w, int j) {
   const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
   const Memory& memory = w.joints[static_cast<std::size_t>(j)];
   Mat6 result = Mat6::Zero();
+  if (kind == JointKind::kPlanar) {
+    if constexpr (kAnyPlanar) {
+      Motion<Lanes> a{};
+      Vector<Lanes> unit{};
+      unit.x[0] = 1, unit.y[1] = 1, unit.z[2] = 1;
+      slide_and_turn(w, j, a, unit);
+      const Mat6 moved = from_rows(a);  // transposed: what a freedom does is a column of lanes
+      for (int k = 0; k < 3; ++k) {
+        const Columns6 s = moved.row(k).transpose();
+        result += s * memory.e[8 * k + 7] * s.transpose();
+      }
+    }
+    return at_far_link<reversed>(w, j, result);
+  }
+  if (kind == JointKind::kFloating) {
+    if constexpr (kPassesFree) {
+      Columns6 still;
+      if (!invert(w.free[static_cast<std::size_t>(j)], result, still)) fail(w, kFactorization, j);
+    }
+    return at_far_link<reversed>(w, j, result);
+  }
   if (kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) {
       for (int k = 0; k < 3; ++k) {
@@ -3830,19 +3970,17 @@ Mat6 own_mobility(Workspace& w, int j) {
         result(0, k) = x.x, result(1, k) = x.y, result(2, k) = x.z;
       }
     }
-    if constexpr (reversed) {
-      Mat6 shifted = Mat6::Identity();
-      const Vector<Value> r = -memory.r;  // linear += angular x r
-      shifted(3, 1) = r.z, shifted(3, 2) = -r.y, shifted(4, 0) = -r.z;
-      shifted(4, 2) = r.x, shifted(5, 0) = r.y, shifted(5, 1) = -r.x;
-      result = shifted * result * shifted.transpose();
-    }
-    return result;
+    return at_far_link<reversed>(w, j, result);
   }
   Motion<Value> S{};
-  (kind == JointKind::kPrismatic ? S.linear : S.angular) = axis_at(w.of(j, kAxes));
-  if constexpr (reversed) carry(S, -memory.r);
-  const Columns6 s = columns_of(S);
+  Vector<Value>& along = kind == JointKind::kPrismatic ? S.linear : S.angular;
+  if (!reversed && turned(j)) {
+    along.z = 1;
+  } else {
+    along = axis_at(w.of(j, kAxes));
+    if constexpr (reversed) carry(S, -memory.r);
+  }
+  const Columns6 s = reversed ? as_told(w, near_link<false>(j), columns_of(S)) : columns_of(S);
   return s * memory.e[7] * s.transpose();
 }
 
@@ -3852,18 +3990,25 @@ void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias,
                Columns6& far_bias) {
   const Mat6 half = passed<reversed>(w, j, near);
   far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
-  Motion<Value> a = motion_of(near_bias);
+  Motion<Value> a = motion_of(in_base(w, near_link<reversed>(j), near_bias));
   move<reversed>(w, single(j), kJoints[static_cast<std::size_t>(j)].kind, a);
-  far_bias = columns_of(a);
+  far_bias = as_told(w, near_link<!reversed>(j), columns_of(a));
 }
 
 // A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
 template <int link>
 void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
-  Body<Value> X = w.bodies[link];
-  to_base(w, link, X);
+  const Body<Value>& X = w.bodies[link];
   const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
-  w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
+  const Columns6 a = M.partialPivLu().solve(b - Phi * force_of(X));
+  w.motions[link] = motion_of(in_base(w, link, a));
+}
+
+// A root's acceleration under the forces at handles.
+template <int link>
+void accelerate_root(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  const Columns6 a = b + Phi * as_told(w, link, w.loads[link]);
+  w.motions[link] = motion_of(in_base(w, link, a));
 }
 
 // The force that what was left at a link needs to move as the link does.
@@ -3876,19 +4021,30 @@ Columns6 force_on(Workspace& w) {
 
 // --- joins: adapters to the joints' own frames ---------------------------------------------------
 
-// From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
+// From what is told about the parent's (X) and the child link's origin (Y) to the joint's frame.
 [[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
-  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
-  X.E << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
-  Y.E = X.E;
+  const int parent = kJoints[static_cast<std::size_t>(j)].parent;
+  const Mat3 back = mat3_of(matrix_at(w.of(j, kAxes))).transpose();
   const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  X.E = back;
   X.r << r.x, r.y, r.z;
+  if (turned_link(parent)) {
+    const Mat3 R = mat3_of(matrix_at(w.of(parent - 1, kAxes)));
+    X.E = mat3_of(matrix_at(w.of(j, kTurn))).transpose();
+    X.r = (R.transpose() * X.r).eval();
+  }
+  Y.E = turned_link(j + 1) ? Mat3(Mat3::Identity()) : back;
   Y.r.setZero();
 }
 
+// The torques of a joint that reach the links, or its prescribed accelerations.
 template <std::size_t n>
-void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
-  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
+void load_torque(Workspace& w, int j, int, std::array<std::array<Real, kColumns>, n>& tau) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  for (std::size_t k = 0; k < n; ++k) {
+    const int entry = static_cast<int>(k);
+    tau[k][0] = joint.passive.prescribed ? w.tau[joint.v + entry] : torque(w, joint, entry);
+  }
 }
 
 template <std::size_t n>
@@ -3920,6 +4076,21 @@ ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f)
     }
     return driven;
   }
+  if (kind == JointKind::kPlanar) {
+    if constexpr (kAnyPlanar) {
+      const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+      const auto taken = [&n, &f](const Value* of, const T& x) {
+        n.x -= of[0] * x, n.y -= of[1] * x, n.z -= of[2] * x;
+        f.x -= of[3] * x, f.y -= of[4] * x, f.z -= of[5] * x;
+        return x * of[7];
+      };
+      driven.x = taken(e, dot(f, Vector<Value>{R.x.x, R.y.x, R.z.x}));
+      driven.y = taken(e + 8, dot(f, Vector<Value>{R.x.y, R.y.y, R.z.y}));
+      driven.z = taken(e + 16, dot(n, Vector<Value>{R.x.z, R.y.z, R.z.z}));
+    }
+    if constexpr (!reversed) n += -cross(f, r);
+    return driven;
+  }
   const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_at(w.of(j, kAxes)));
   driven.x = x * e[7];
   if constexpr (!reversed) n += -cross(f, r);
@@ -3935,11 +4106,33 @@ ADAGEN_INLINE void take_load(const Workspace& w, int link, Vector<Value>& n, Vec
   f += Vector<Value>{load[3], load[4], load[5]};
 }
 
+// A wrench on a link beyond a floating joint moves that link and nothing else.
+template <bool reversed>
+ADAGEN_INLINE void push_free(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
+  if constexpr (reversed) n += cross(f, w.joints[static_cast<std::size_t>(j)].r);
+  Body<Value> X = w.free[static_cast<std::size_t>(j)];
+  X.n = -n, X.f = -f;
+  Motion<Value> a;
+  if (!solve_free(X, a)) fail(w, kFactorization, j);
+  Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  e[0] += a.angular.x, e[1] += a.angular.y, e[2] += a.angular.z;
+  e[3] += a.linear.x, e[4] += a.linear.y, e[5] += a.linear.z;
+  n = f = Vector<Value>{};
+}
+
 // A wrench on the far link: the joint is told, and what the near link feels is left.
 template <bool reversed>
 ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
   Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  if constexpr (kPassesFree) {
+    if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kFloating)
+      return push_free<reversed>(w, j, n, f);
+  }
   const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
+  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kPlanar) {
+    if constexpr (kAnyPlanar) e[6] += driven.x, e[14] += driven.y, e[22] += driven.z;
+    return;
+  }
   if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
   } else {
@@ -4038,7 +4231,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {
     auto& i = w.j_forearm_roll;
     Release<Revolute> release(i.joined);
-    const Columns6& f = w.refinement.f[4] = release.force();
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    w.refinement.f[4].col(w.refinement.side) = f;
     store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
     w.j_shoulder_pitch.F_on_forearm = -i.X.transposed_times(f);
     w.j_flange_roll.F_on_wrist_housing = i.Y.transposed_times(f);
@@ -4053,7 +4247,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.loads[1] = Columns6::Zero();
   w.loads[2] = Columns6::Zero();
   w.loads[3] = Columns6::Zero();
-  w.loads[4] = w.j_shoulder_pitch.F_on_forearm;
+  w.loads[4] = in_base(w, 4, w.j_shoulder_pitch.F_on_forearm);
   deliver<0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   accelerate<0, 0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   stamp(7);
@@ -4095,8 +4289,8 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_flange_roll.F_on_wrist_housing);
   }
   stamp(4);
-  w.loads[5] = w.j_flange_roll.F_on_wrist_housing;
-  w.motions[5] = motion_of(w.j_flange_roll.b_wrist_housing + w.j_flange_roll.Phi_wrist_housing * w.loads[5]);
+  w.loads[5] = in_base(w, 5, w.j_flange_roll.F_on_wrist_housing);
+  accelerate_root<5>(w, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing);
   accelerate<1, 5, 6>(w);  // "wrist_pitch" .. "flange_roll"
   accelerate_group<1, kLimbs0>(w);
   stamp(5);
@@ -4134,7 +4328,8 @@ void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
   {
     auto& i = w.j_forearm_roll;
     Release<Revolute> release(i.joined);
-    const Columns6& f = w.refinement.f[4] = release.force();
+    const Columns6 f = release.force();  // Eq. (8), (10)
+    w.refinement.f[4].col(w.refinement.side) = f;
     store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
     w.j_shoulder_pitch.F_on_forearm = -i.X.transposed_times(f);
     w.j_flange_roll.F_on_wrist_housing = i.Y.transposed_times(f);
@@ -4147,7 +4342,7 @@ void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
   w.loads[1] = Columns6::Zero();
   w.loads[2] = Columns6::Zero();
   w.loads[3] = Columns6::Zero();
-  w.loads[4] = w.j_shoulder_pitch.F_on_forearm;
+  w.loads[4] = in_base(w, 4, w.j_shoulder_pitch.F_on_forearm);
   deliver<0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   accelerate<0, 0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   require_finite(w, w.answer.data(), 0, 5, &JointConstants::v, kOverflow);
@@ -4175,8 +4370,8 @@ void correct_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
     const Number* from = channel.receive(1, w.status);
     from = get(from, w.j_flange_roll.F_on_wrist_housing);
   }
-  w.loads[5] = w.j_flange_roll.F_on_wrist_housing;
-  w.motions[5] = motion_of(w.j_flange_roll.b_wrist_housing + w.j_flange_roll.Phi_wrist_housing * w.loads[5]);
+  w.loads[5] = in_base(w, 5, w.j_flange_roll.F_on_wrist_housing);
+  accelerate_root<5>(w, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing);
   accelerate<1, 5, 6>(w);  // "wrist_pitch" .. "flange_roll"
   accelerate_group<1, kLimbs0>(w);
   require_finite(w, w.answer.data(), 5, 4, &JointConstants::v, kOverflow);
@@ -4219,9 +4414,11 @@ inline Real coupling_torque([[maybe_unused]] const Workspace& w, [[maybe_unused]
 
 // A correction: links feel what is left over of their equations of motion and nothing else.
 inline void begin_answer(Workspace& w) {
-  for (Columns6& f : w.refinement.f) f.setZero();
+  w.again = false;
+  for (auto& f : w.refinement.f) f.setZero();
 }
 inline void begin_correction(Workspace& w, const RefinedProcess& own) {
+  w.again = true;
   w.v = w.refinement.still.data();
   for (const int link : own.links) {
     const Vec6& rho = w.refinement.rho[static_cast<std::size_t>(link)];
@@ -4258,7 +4455,7 @@ inline void collect_forces(Workspace& w, const RefinedProcess& own, const Number
   Refinement& r = w.refinement;
   for (const int j : own.forces) {
     r.collect(j, tau);
-    for (int c = 1; c < kColumns; ++c) r.couple(j, c, Number(coupling_torque(w, c - 1)));
+    for (int c = 1; c < kSides; ++c) r.couple(j, c, Number(coupling_torque(w, c - 1)));
   }
   for (int k = 0; k < own.inner.count; ++k) r.hand_on(own.inner.first[k], own.beyond.first[k]);
 }

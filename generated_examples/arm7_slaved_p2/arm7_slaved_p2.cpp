@@ -113,6 +113,7 @@ constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 2;  // right-hand sides: the motion, and one per slaved joint
+[[maybe_unused]] constexpr std::size_t kSlavedCount = 1;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 4;
@@ -325,6 +326,15 @@ Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
                                           const Eigen::Matrix<Real, 6, columns>& m) {
   Eigen::Matrix<Real, 6, columns> result;
   X.times(m, result);
+  return result;
+}
+
+// Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
+[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
+  Mat6 result;
+  std::size_t k = 0;
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j) result(i, j) = result(j, i) = upper[k++];
   return result;
 }
 
@@ -1200,15 +1210,6 @@ const Columns6 kGround = [] {
   for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
   return result;
 }();
-
-// Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
-[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
-  Mat6 result;
-  std::size_t k = 0;
-  for (int i = 0; i < 6; ++i)
-    for (int j = i; j < 6; ++j) result(i, j) = result(j, i) = upper[k++];
-  return result;
-}
 
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>

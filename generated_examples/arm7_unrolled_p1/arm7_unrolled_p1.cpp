@@ -106,6 +106,7 @@ constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 0;

@@ -117,6 +117,7 @@ constexpr int kJointCount = 15, kLinkCount = kJointCount + 1;
 constexpr int kNq = 51, kNv = 40;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 6;
@@ -755,6 +756,15 @@ Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
                                           const Eigen::Matrix<Real, 6, columns>& m) {
   Eigen::Matrix<Real, 6, columns> result;
   X.times(m, result);
+  return result;
+}
+
+// Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
+[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
+  Mat6 result;
+  std::size_t k = 0;
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j) result(i, j) = result(j, i) = upper[k++];
   return result;
 }
 
@@ -1430,6 +1440,9 @@ constexpr bool kByColumns = false;  // whether runs are taken by columns
 // Joints that are eliminated in their own axes, and whether there are such.
 constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+// Whether sweeps are done again for other forces on links than their motion takes.
+constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
+constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
 
 // What a process does at a link.
 struct LinkRole {
@@ -1630,6 +1643,7 @@ struct Frame {
 
 struct Workspace : State, Cuts {
   int status = kFine;
+  bool again = false;  // whether links feel the forces in their blocks, and no motion's
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
   std::array<Memory, kJointCount> joints{};
@@ -1640,6 +1654,7 @@ struct Workspace : State, Cuts {
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
+  std::array<Body<Value>, kPassesFree ? kJointCount : 0> free{};  // beyond floating joints
   std::array<Body<Value>, kRefine ? kJointCount : 0> whole{};  // beyond each joint, to be refined
 
   Workspace() {
@@ -1734,14 +1749,16 @@ ADAGEN_INLINE Lanes wide(const Value* x) {
   return result;
 }
 
-// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
-  Value tau = w.tau[joint.v];
+// The torque along one of a joint's freedoms that reaches the links: less damping, spring and
+// friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom = 0) {
+  Value tau = w.tau[joint.v + freedom];
   if constexpr (kAnyPassive) {
     const Passive& own = joint.passive;
-    const Value& qd = w.v[joint.v];
+    const Value& qd = w.v[joint.v + freedom];
     if (own.damping != 0) tau -= own.damping * qd;
-    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.stiffness != 0 && !(kAgain && w.again))
+      tau -= own.stiffness * (w.q[joint.q] - own.rest);
     if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
   }
   return tau;
@@ -2257,6 +2274,7 @@ template <bool reversed, class T>
 ADAGEN_INLINE void keep_force(Workspace&, const Joints<T>&, const Motion<T>&) {}
 template <class T>
 ADAGEN_INLINE void keep_load(Workspace&, int, const T&, const T&) {}
+[[maybe_unused]] inline void keep_side(Workspace&, std::size_t) {}
 
 // Symmetric matrices of three rows, eliminated.
 
@@ -2465,8 +2483,12 @@ ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& 
   Symmetric<T> J;
   own_inertia(joints, mass, c, J);
   Vector<T> n, f;
-  bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
-  if constexpr (kOuterCount > 0) push_own(w, joints, n, f);
+  if (kAgain && w.again) {
+    n = told(kTorque), f = told(kForce);
+  } else {
+    bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
+    if constexpr (kOuterCount > 0) push_own(w, joints, n, f);
+  }
   X.A += Symmetric<T>{J.yy + J.zz, -J.xy, -J.xz, J.xx + J.zz, -J.yz, J.xx + J.yy};
   X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
   X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
@@ -2631,6 +2653,7 @@ ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Va
   X.n += -n, X.f += -f;
   Motion<Value> a;
   if (!solve_free(X, a)) fail(w, kFactorization, j);
+  if constexpr (kPassesFree) w.free[static_cast<std::size_t>(j)] = X;
   e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
   e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
   X = Body<Value>{};
@@ -3124,8 +3147,34 @@ const Mat6 kZero = Mat6::Zero();
 const Columns6 kGround = Columns6::Zero();
 
 // Mobility: what a segment shows at its handles, and what forces there do inside it. Phi and b are
-// in the axes of the base about the handles' origins; b are accelerations beyond those of a Frame.
-using Vec3 = Eigen::Matrix<Real, 3, 1>;
+// about the handles' origins, in the axes that their bodies are told in (turned.hpp), and so are
+// forces at handles; b are accelerations beyond those of a Frame.
+inline Mat3 mat3_of(const Matrix<Value>& R) {
+  Mat3 result;
+  result << R.x.x, R.x.y, R.x.z, R.y.x, R.y.y, R.y.z, R.z.x, R.z.y, R.z.z;
+  return result;
+}
+template <class M>
+M rotated(const Mat3& R, const M& m) {
+  M result;
+  result.template topRows<3>().noalias() = R * m.template topRows<3>();
+  result.template bottomRows<3>().noalias() = R * m.template bottomRows<3>();
+  return result;
+}
+// Columns at a link from the axes that they are told in there to those of the base, and back.
+template <class M>
+M in_base(Workspace& w, int link, const M& m) {
+  return turned_link(link) ? rotated(mat3_of(matrix_at(w.of(link - 1, kAxes))), m) : m;
+}
+template <class M>
+M as_told(Workspace& w, int link, const M& m) {
+  return turned_link(link) ? rotated(mat3_of(matrix_at(w.of(link - 1, kAxes))).transpose(), m) : m;
+}
+[[maybe_unused]] inline Mat6 mobility_as_told(Workspace& w, int link, const Mat6& Phi) {
+  if (!turned_link(link)) return Phi;
+  const Mat6 half = as_told(w, link, Phi);
+  return as_told(w, link, Mat6(half.transpose()));
+}
 
 ADAGEN_INLINE Motion<Value> motion_of(const Columns6& a) {
   return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
@@ -3192,7 +3241,37 @@ ADAGEN_INLINE bool invert(const Mat6& m, const Real (&least)[6], Mat6& inverse) 
 
 template <int p, int link>
 void invert_root(Workspace& w, Mat6& Phi, Columns6& b) {
-  if (!invert(whole<p>(w, link), Phi, b)) fail(w, kFactorization, link - 1);
+  Body<Value> X{};
+  meet<p>(w, link, X);
+  if (!invert(X, Phi, b)) fail(w, kFactorization, link - 1);
+}
+
+// b = -Phi p of a bare link.
+template <int link>
+void bare_link(Workspace& w, const Mat6& Phi, Columns6& b) {
+  static_assert(turned_link(link));
+  Body<Value> X{};
+  add_own_link(w, single(link - 1), X);
+  b.noalias() = -Phi * force_of(X);
+}
+
+// A planar joint's freedoms one after the other, the last one to be eliminated first, at its
+// origin.
+ADAGEN_INLINE void slide_and_turn(Workspace& w, int j, Motion<Lanes>& a,
+                                  const Vector<Lanes>& drive) {
+  const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+  const auto moved = [&a](const Value* of, const Lanes& driven) {
+    return driven -
+           ((of[0] * a.angular.x + of[1] * a.angular.y) +
+            (of[2] * a.angular.z + of[3] * a.linear.x) + (of[4] * a.linear.y + of[5] * a.linear.z));
+  };
+  const auto along = [](const Value& x, const Value& y, const Value& z, const Lanes& by) {
+    return Vector<Lanes>{x * by, y * by, z * by};
+  };
+  a.angular += along(R.x.z, R.y.z, R.z.z, moved(e + 16, drive.z));
+  a.linear += along(R.x.y, R.y.y, R.z.y, moved(e + 8, drive.y));
+  a.linear += along(R.x.x, R.y.x, R.z.x, moved(e, drive.x));
 }
 
 // Motions of a link, side by side: what the far link does, with what drives the joint beyond L a
@@ -3214,6 +3293,18 @@ ADAGEN_INLINE void pass(Workspace& w, int j, Motion<Lanes>& a,
       if constexpr (kSphericalRotors) a.angular += solved(e + 12, spin) * rotor_of(single(j));
       if constexpr (reversed) carry(a, -memory.r);
     }
+    return;
+  }
+  if (kind == JointKind::kPlanar) {
+    if constexpr (kAnyPlanar) {
+      if constexpr (!reversed) carry(a, memory.r);
+      slide_and_turn(w, j, a, drive);
+      if constexpr (reversed) carry(a, -memory.r);
+    }
+    return;
+  }
+  if (kind == JointKind::kFloating) {  // the far link moves as if there were no near one
+    a = Motion<Lanes>{};
     return;
   }
   const Lanes x = drive.x - ((e[0] * a.angular.x + e[1] * a.angular.y) +
@@ -3244,12 +3335,30 @@ ADAGEN_INLINE Mat6 from_rows(const Motion<Lanes>& a) {  // transposed
   return result;
 }
 
+template <bool reversed>
+ADAGEN_INLINE constexpr int near_link(int j) {
+  return reversed ? j + 1 : kJoints[static_cast<std::size_t>(j)].parent;
+}
+
 // L m, m being told with the near link in its rows.
 template <bool reversed>
 Mat6 passed(Workspace& w, int j, const Mat6& m) {
-  Motion<Lanes> rows = rows_of(m.transpose());
+  const Mat6 near = in_base(w, near_link<reversed>(j), m);
+  Motion<Lanes> rows = rows_of(near.transpose());
   pass<reversed>(w, j, rows);
-  return from_rows(rows).transpose();
+  const Mat6 far = from_rows(rows).transpose();
+  return as_told(w, near_link<!reversed>(j), far);
+}
+
+// What joints with several freedoms do at the child link's origin is told at the far link's.
+template <bool reversed>
+Mat6 at_far_link(Workspace& w, int j, const Mat6& Phi) {
+  if constexpr (!reversed) return mobility_as_told(w, j + 1, Phi);
+  const Vector<Value> r = -w.joints[static_cast<std::size_t>(j)].r;
+  Mat6 shifted = Mat6::Identity();  // linear += angular x r
+  shifted(3, 1) = r.z, shifted(3, 2) = -r.y, shifted(4, 0) = -r.z;
+  shifted(4, 2) = r.x, shifted(5, 0) = r.y, shifted(5, 1) = -r.x;
+  return mobility_as_told(w, near_link<false>(j), shifted * Phi * shifted.transpose());
 }
 
 // S D^-1 S^T at the far link's origin.
@@ -3258,6 +3367,27 @@ Mat6 own_mobility(Workspace& w, int j) {
   const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
   const Memory& memory = w.joints[static_cast<std::size_t>(j)];
   Mat6 result = Mat6::Zero();
+  if (kind == JointKind::kPlanar) {
+    if constexpr (kAnyPlanar) {
+      Motion<Lanes> a{};
+      Vector<Lanes> unit{};
+      unit.x[0] = 1, unit.y[1] = 1, unit.z[2] = 1;
+      slide_and_turn(w, j, a, unit);
+      const Mat6 moved = from_rows(a);  // transposed: what a freedom does is a column of lanes
+      for (int k = 0; k < 3; ++k) {
+        const Columns6 s = moved.row(k).transpose();
+        result += s * memory.e[8 * k + 7] * s.transpose();
+      }
+    }
+    return at_far_link<reversed>(w, j, result);
+  }
+  if (kind == JointKind::kFloating) {
+    if constexpr (kPassesFree) {
+      Columns6 still;
+      if (!invert(w.free[static_cast<std::size_t>(j)], result, still)) fail(w, kFactorization, j);
+    }
+    return at_far_link<reversed>(w, j, result);
+  }
   if (kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) {
       for (int k = 0; k < 3; ++k) {
@@ -3266,19 +3396,17 @@ Mat6 own_mobility(Workspace& w, int j) {
         result(0, k) = x.x, result(1, k) = x.y, result(2, k) = x.z;
       }
     }
-    if constexpr (reversed) {
-      Mat6 shifted = Mat6::Identity();
-      const Vector<Value> r = -memory.r;  // linear += angular x r
-      shifted(3, 1) = r.z, shifted(3, 2) = -r.y, shifted(4, 0) = -r.z;
-      shifted(4, 2) = r.x, shifted(5, 0) = r.y, shifted(5, 1) = -r.x;
-      result = shifted * result * shifted.transpose();
-    }
-    return result;
+    return at_far_link<reversed>(w, j, result);
   }
   Motion<Value> S{};
-  (kind == JointKind::kPrismatic ? S.linear : S.angular) = axis_at(w.of(j, kAxes));
-  if constexpr (reversed) carry(S, -memory.r);
-  const Columns6 s = columns_of(S);
+  Vector<Value>& along = kind == JointKind::kPrismatic ? S.linear : S.angular;
+  if (!reversed && turned(j)) {
+    along.z = 1;
+  } else {
+    along = axis_at(w.of(j, kAxes));
+    if constexpr (reversed) carry(S, -memory.r);
+  }
+  const Columns6 s = reversed ? as_told(w, near_link<false>(j), columns_of(S)) : columns_of(S);
   return s * memory.e[7] * s.transpose();
 }
 
@@ -3288,18 +3416,25 @@ void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias,
                Columns6& far_bias) {
   const Mat6 half = passed<reversed>(w, j, near);
   far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
-  Motion<Value> a = motion_of(near_bias);
+  Motion<Value> a = motion_of(in_base(w, near_link<reversed>(j), near_bias));
   move<reversed>(w, single(j), kJoints[static_cast<std::size_t>(j)].kind, a);
-  far_bias = columns_of(a);
+  far_bias = as_told(w, near_link<!reversed>(j), columns_of(a));
 }
 
 // A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
 template <int link>
 void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
-  Body<Value> X = w.bodies[link];
-  to_base(w, link, X);
+  const Body<Value>& X = w.bodies[link];
   const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
-  w.motions[link] = motion_of(M.partialPivLu().solve(b - Phi * force_of(X)));
+  const Columns6 a = M.partialPivLu().solve(b - Phi * force_of(X));
+  w.motions[link] = motion_of(in_base(w, link, a));
+}
+
+// A root's acceleration under the forces at handles.
+template <int link>
+void accelerate_root(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  const Columns6 a = b + Phi * as_told(w, link, w.loads[link]);
+  w.motions[link] = motion_of(in_base(w, link, a));
 }
 
 // The force that what was left at a link needs to move as the link does.
@@ -3312,19 +3447,30 @@ Columns6 force_on(Workspace& w) {
 
 // --- joins: adapters to the joints' own frames ---------------------------------------------------
 
-// From the axes of the base about the parent's (X) and the child link's origin (Y) to the joint's.
+// From what is told about the parent's (X) and the child link's origin (Y) to the joint's frame.
 [[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
-  const Matrix<Value> R = matrix_at(w.of(j, kAxes));
-  X.E << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
-  Y.E = X.E;
+  const int parent = kJoints[static_cast<std::size_t>(j)].parent;
+  const Mat3 back = mat3_of(matrix_at(w.of(j, kAxes))).transpose();
   const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  X.E = back;
   X.r << r.x, r.y, r.z;
+  if (turned_link(parent)) {
+    const Mat3 R = mat3_of(matrix_at(w.of(parent - 1, kAxes)));
+    X.E = mat3_of(matrix_at(w.of(j, kTurn))).transpose();
+    X.r = (R.transpose() * X.r).eval();
+  }
+  Y.E = turned_link(j + 1) ? Mat3(Mat3::Identity()) : back;
   Y.r.setZero();
 }
 
+// The torques of a joint that reach the links, or its prescribed accelerations.
 template <std::size_t n>
-void load_torque(Workspace& w, int, int v, std::array<std::array<Real, kColumns>, n>& tau) {
-  for (std::size_t k = 0; k < n; ++k) tau[k][0] = w.tau[v + static_cast<int>(k)];
+void load_torque(Workspace& w, int j, int, std::array<std::array<Real, kColumns>, n>& tau) {
+  const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+  for (std::size_t k = 0; k < n; ++k) {
+    const int entry = static_cast<int>(k);
+    tau[k][0] = joint.passive.prescribed ? w.tau[joint.v + entry] : torque(w, joint, entry);
+  }
 }
 
 template <std::size_t n>
@@ -3356,6 +3502,21 @@ ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f)
     }
     return driven;
   }
+  if (kind == JointKind::kPlanar) {
+    if constexpr (kAnyPlanar) {
+      const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+      const auto taken = [&n, &f](const Value* of, const T& x) {
+        n.x -= of[0] * x, n.y -= of[1] * x, n.z -= of[2] * x;
+        f.x -= of[3] * x, f.y -= of[4] * x, f.z -= of[5] * x;
+        return x * of[7];
+      };
+      driven.x = taken(e, dot(f, Vector<Value>{R.x.x, R.y.x, R.z.x}));
+      driven.y = taken(e + 8, dot(f, Vector<Value>{R.x.y, R.y.y, R.z.y}));
+      driven.z = taken(e + 16, dot(n, Vector<Value>{R.x.z, R.y.z, R.z.z}));
+    }
+    if constexpr (!reversed) n += -cross(f, r);
+    return driven;
+  }
   const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_at(w.of(j, kAxes)));
   driven.x = x * e[7];
   if constexpr (!reversed) n += -cross(f, r);
@@ -3371,11 +3532,33 @@ ADAGEN_INLINE void take_load(const Workspace& w, int link, Vector<Value>& n, Vec
   f += Vector<Value>{load[3], load[4], load[5]};
 }
 
+// A wrench on a link beyond a floating joint moves that link and nothing else.
+template <bool reversed>
+ADAGEN_INLINE void push_free(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
+  if constexpr (reversed) n += cross(f, w.joints[static_cast<std::size_t>(j)].r);
+  Body<Value> X = w.free[static_cast<std::size_t>(j)];
+  X.n = -n, X.f = -f;
+  Motion<Value> a;
+  if (!solve_free(X, a)) fail(w, kFactorization, j);
+  Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  e[0] += a.angular.x, e[1] += a.angular.y, e[2] += a.angular.z;
+  e[3] += a.linear.x, e[4] += a.linear.y, e[5] += a.linear.z;
+  n = f = Vector<Value>{};
+}
+
 // A wrench on the far link: the joint is told, and what the near link feels is left.
 template <bool reversed>
 ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
   Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  if constexpr (kPassesFree) {
+    if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kFloating)
+      return push_free<reversed>(w, j, n, f);
+  }
   const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
+  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kPlanar) {
+    if constexpr (kAnyPlanar) e[6] += driven.x, e[14] += driven.y, e[22] += driven.z;
+    return;
+  }
   if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
   } else {
@@ -3528,8 +3711,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(4, w.status);
   }
   stamp(10);
-  w.loads[1] = w.j_right_hip.F_on_pelvis;
-  w.motions[1] = motion_of(w.j_right_hip.b_pelvis + w.j_right_hip.Phi_pelvis * w.loads[1]);
+  w.loads[1] = in_base(w, 1, w.j_right_hip.F_on_pelvis);
+  accelerate_root<1>(w, w.j_right_hip.Phi_pelvis, w.j_right_hip.b_pelvis);
   accelerate<0, 4, 6>(w);  // "right_hip" .. "right_ankle"
   free_acceleration<0>(w);
   stamp(11);
@@ -3568,8 +3751,8 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_left_knee.F_on_left_thigh);
   }
   stamp(4);
-  w.loads[2] = w.j_left_knee.F_on_left_thigh;
-  w.motions[2] = motion_of(w.j_left_knee.b_left_thigh + w.j_left_knee.Phi_left_thigh * w.loads[2]);
+  w.loads[2] = in_base(w, 2, w.j_left_knee.F_on_left_thigh);
+  accelerate_root<2>(w, w.j_left_knee.Phi_left_thigh, w.j_left_knee.b_left_thigh);
   accelerate<1, 2, 3>(w);  // "left_knee" .. "left_ankle"
   stamp(5);
   require_finite(w, w.answer.data(), 9, 4, &JointConstants::v, kOverflow);
@@ -3656,8 +3839,8 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(5, w.status);
   }
   stamp(8);
-  w.loads[8] = w.j_right_shoulder.F_on_trunk;
-  w.motions[8] = motion_of(w.j_right_shoulder.b_trunk + w.j_right_shoulder.Phi_trunk * w.loads[8]);
+  w.loads[8] = in_base(w, 8, w.j_right_shoulder.F_on_trunk);
+  accelerate_root<8>(w, w.j_right_shoulder.Phi_trunk, w.j_right_shoulder.b_trunk);
   accelerate<2, 12, 13>(w);  // "right_shoulder" .. "right_elbow"
   accelerate_group<2, kLimbs0>(w);
   stamp(9);
@@ -3699,8 +3882,8 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_left_elbow.F_on_left_upper_arm);
   }
   stamp(4);
-  w.loads[9] = w.j_left_elbow.F_on_left_upper_arm;
-  w.motions[9] = motion_of(w.j_left_elbow.b_left_upper_arm + w.j_left_elbow.Phi_left_upper_arm * w.loads[9]);
+  w.loads[9] = in_base(w, 9, w.j_left_elbow.F_on_left_upper_arm);
+  accelerate_root<9>(w, w.j_left_elbow.Phi_left_upper_arm, w.j_left_elbow.b_left_upper_arm);
   accelerate<3, 9, 10>(w);  // "left_elbow" .. "left_wrist"
   stamp(5);
   require_finite(w, w.answer.data(), 26, 4, &JointConstants::v, kOverflow);

@@ -108,6 +108,7 @@ constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 constexpr int kNq = 36, kNv = 35;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
+[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 0;
@@ -1198,6 +1199,9 @@ constexpr bool kByColumns = true;  // whether runs are taken by columns
 // Joints that are eliminated in their own axes, and whether there are such.
 constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+// Whether sweeps are done again for other forces on links than their motion takes.
+constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
+constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
 
 // What a process does at a link.
 struct LinkRole {
@@ -1346,6 +1350,7 @@ struct Frame {
 
 struct Workspace : State, Cuts {
   int status = kFine;
+  bool again = false;  // whether links feel the forces in their blocks, and no motion's
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
   std::array<Memory, kJointCount> joints{};
@@ -1356,6 +1361,7 @@ struct Workspace : State, Cuts {
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
+  std::array<Body<Value>, kPassesFree ? kJointCount : 0> free{};  // beyond floating joints
   std::array<Body<Value>, kRefine ? kJointCount : 0> whole{};  // beyond each joint, to be refined
 
   Workspace() {
@@ -1450,14 +1456,16 @@ ADAGEN_INLINE Lanes wide(const Value* x) {
   return result;
 }
 
-// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
-  Value tau = w.tau[joint.v];
+// The torque along one of a joint's freedoms that reaches the links: less damping, spring and
+// friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom = 0) {
+  Value tau = w.tau[joint.v + freedom];
   if constexpr (kAnyPassive) {
     const Passive& own = joint.passive;
-    const Value& qd = w.v[joint.v];
+    const Value& qd = w.v[joint.v + freedom];
     if (own.damping != 0) tau -= own.damping * qd;
-    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.stiffness != 0 && !(kAgain && w.again))
+      tau -= own.stiffness * (w.q[joint.q] - own.rest);
     if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
   }
   return tau;
@@ -1899,6 +1907,7 @@ template <bool reversed, class T>
 ADAGEN_INLINE void keep_force(Workspace&, const Joints<T>&, const Motion<T>&) {}
 template <class T>
 ADAGEN_INLINE void keep_load(Workspace&, int, const T&, const T&) {}
+[[maybe_unused]] inline void keep_side(Workspace&, std::size_t) {}
 
 // Symmetric matrices of three rows, eliminated.
 
@@ -2107,8 +2116,12 @@ ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& 
   Symmetric<T> J;
   own_inertia(joints, mass, c, J);
   Vector<T> n, f;
-  bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
-  if constexpr (kOuterCount > 0) push_own(w, joints, n, f);
+  if (kAgain && w.again) {
+    n = told(kTorque), f = told(kForce);
+  } else {
+    bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
+    if constexpr (kOuterCount > 0) push_own(w, joints, n, f);
+  }
   X.A += Symmetric<T>{J.yy + J.zz, -J.xy, -J.xz, J.xx + J.zz, -J.yz, J.xx + J.yy};
   X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
   X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;
@@ -2273,6 +2286,7 @@ ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Va
   X.n += -n, X.f += -f;
   Motion<Value> a;
   if (!solve_free(X, a)) fail(w, kFactorization, j);
+  if constexpr (kPassesFree) w.free[static_cast<std::size_t>(j)] = X;
   e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
   e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
   X = Body<Value>{};

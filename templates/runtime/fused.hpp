@@ -39,11 +39,11 @@ void place(const std::array<std::array<Real, kColumns>, count>& rows,
 
 // Adds a joint beyond those that are in the run already; ``at`` counts their freedoms.
 template <class Kind, int at, int n>
-void extend(Run<n>& i, const Transform& X, const Vec6& v, const Number* qd) {
+void extend(Run<n>& i, const Transform& X) {
   if constexpr (at == 0) {
     i.X = X;
     i.S.setZero();
-    i.c = velocity_product<Kind>(v, qd);
+    i.c.setZero();
   } else {
     const Mat3 E = X.E * i.X.E;
     i.X.r += i.X.E.transpose() * X.r;
@@ -51,7 +51,7 @@ void extend(Run<n>& i, const Transform& X, const Vec6& v, const Number* qd) {
     const Eigen::Matrix<Real, 6, at> before = i.S.template leftCols<at>();
     i.S.template leftCols<at>() = X * before;
     const Columns6 c = X * i.c;
-    i.c = c + velocity_product<Kind>(v, qd);
+    i.c = c;
   }
   for (int k = 0; k < kFree<Kind>; ++k) i.S(Kind::Free::row[k], at + k) = 1;
 }

@@ -43,15 +43,6 @@ const Columns6 kGround = [] {
   return result;
 }();
 
-// Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
-[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
-  Mat6 result;
-  std::size_t k = 0;
-  for (int i = 0; i < 6; ++i)
-    for (int j = i; j < 6; ++j) result(i, j) = result(j, i) = upper[k++];
-  return result;
-}
-
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>
 void store_coupled(Workspace& w, int joint, int v,

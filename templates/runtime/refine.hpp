@@ -31,8 +31,9 @@ struct ExchangeInfo {
 };
 
 // The slaved joint that a right-hand side is of; the first is of none.
-constexpr std::array<int, kColumns> kSlaved = [] {
-  std::array<int, kColumns> result{};
+constexpr int kSides = 1 + kSlavedCount;
+constexpr std::array<int, kSides> kSlaved = [] {
+  std::array<int, kSides> result{};
   for (int j = 0, column = 0; j < kJointCount; ++j)
     if (kJoints[j].source >= 0) result[++column] = j;
   return result;
@@ -54,7 +55,10 @@ inline const Number* given(const Number* x) { return x; }
 
 class Refinement {
  public:
-  std::array<Columns6, kJointCount> f;  // joint forces of the last step, every right-hand side
+  // Joint forces of the last step, every right-hand side, and which of these is being found where
+  // they are found one after the other.
+  std::array<Eigen::Matrix<Real, 6, kSides>, kJointCount> f;
+  int side = 0;
   std::array<Eigen::Matrix<Number, 6, 1>, kJointCount> force;  // the same with coupling torques
   std::array<Number, kNv> step{};                              // accelerations of the last step
   std::array<Number, kNv> still{};                             // no velocities
@@ -88,14 +92,15 @@ class Refinement {
     for (int k = 0; k < joint.nv; ++k) force[j][free_row(joint.kind, k)] = tau[joint.v + k];
   }
 
-  // What a coupling torque adds to it. Along the source that is the torque times the multiplier,
-  // which may be rounded in f.
+  // What a coupling torque adds to it: along the slaved joint the torque itself, along the source
+  // that times the multiplier, and nothing along others.
   void couple(int j, int column, Number torque) {
-    const JointConstants& slaved = kJoints[kSlaved[column]];
-    force[j] += f[j].col(column).cast<Number>() * torque;
-    if (slaved.source != j) return;
-    const int row = free_row(kJoints[j].kind, 0);
-    force[j][row] -= (Number(slaved.multiplier) + Number(f[j](row, column))) * torque;
+    const JointConstants &joint = kJoints[j], &slaved = kJoints[kSlaved[column]];
+    Eigen::Matrix<Number, 6, 1> of_unit = f[j].col(column).template cast<Number>();
+    for (int k = 0; k < joint.nv; ++k) of_unit[free_row(joint.kind, k)] = 0;
+    if (kSlaved[column] == j) of_unit[free_row(joint.kind, 0)] = 1;
+    if (slaved.source == j) of_unit[free_row(joint.kind, 0)] = -Number(slaved.multiplier);
+    force[j] += of_unit * torque;
   }
 
   // A link without mass hands on what it gets.

@@ -25,7 +25,7 @@ inline void collect_forces(Workspace& w, const RefinedProcess& own, const Number
   Refinement& r = w.refinement;
   for (const int j : own.forces) {
     r.collect(j, tau);
-    for (int c = 1; c < kColumns; ++c) r.couple(j, c, Number(coupling_torque(w, c - 1)));
+    for (int c = 1; c < kSides; ++c) r.couple(j, c, Number(coupling_torque(w, c - 1)));
   }
   for (int k = 0; k < own.inner.count; ++k) r.hand_on(own.inner.first[k], own.beyond.first[k]);
 }

@@ -62,6 +62,15 @@ Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
   return result;
 }
 
+// Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
+[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
+  Mat6 result;
+  std::size_t k = 0;
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j) result(i, j) = result(j, i) = upper[k++];
+  return result;
+}
+
 // Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
 // quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
 [[maybe_unused]] Real conjugate_rotation(const Number* quaternion, Mat3& E) {

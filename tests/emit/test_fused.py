@@ -9,15 +9,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.model import Mimic, Model
+from adagen.emit import program_of
+from adagen.model import Inertia, Mimic, Model
+from adagen.model.kinds import FLOATING, PLANAR, REVOLUTE, SPHERICAL, JointKind
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.steps import FusedJoin
 from adagen.schedule import load_profile
 from adagen.search import named_schedule
 from adagen.states import States, random_states, write_states
-from tests.emitted import ROUNDING, Builder
-from tests.models import three_axis_chain
+from tests.emitted import ROUNDING, Builder, energy_errors
+from tests.models import AXES, Part, assemble, rod, three_axis_chain, vector
 
 PROFILE = load_profile("default")
 
@@ -57,6 +59,56 @@ def test_runs_are_solved(
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
 
+def wrists(kind: JointKind) -> Model:
+    """Return four joints of a kind, each before three axes through two massless links."""
+    step, parts = vector(0.3, 0.0, 0.0), list[Part]()
+    for i in range(4):
+        for k, axis in enumerate("-xyz"):
+            body = rod(1.0, step) if k in (0, 3) else Inertia.zero()
+            above = parts[-1].name if parts else None
+            place = step if k < 2 and parts else np.zeros(3)
+            own, turns = (kind, vector(0, 0, 1)) if k == 0 else (REVOLUTE, vector(*AXES[axis]))
+            parts.append(Part(f"w{i}{axis}", above, own, body, place, axis=turns))
+    return assemble(f"wrists_{kind.name}", parts)
+
+
+@pytest.mark.parametrize(
+    ("model", "processes", "scalar", "more"),
+    [
+        (three_axis_chain(4), 2, "double", 1),
+        (three_axis_chain(8), 3, "float", 1),
+        (slaved_chain(), 2, "double", 1),
+        (wrists(SPHERICAL), 3, "double", 1),
+        (wrists(PLANAR), 3, "double", 1),
+        (wrists(FLOATING), 3, "double", 10),
+    ],
+    ids=["chain", "long chain", "slaved", "spherical", "planar", "floating"],
+)
+def test_loops_join_runs(
+    model: Model, processes: int, scalar: str, more: int, builder: Builder, tmp_path: Path
+) -> None:
+    """Mobilities get to the runs across joints of all kinds.
+
+    Free bodies magnify rounding: shape joints errs by 4e-13 here, too.
+    """
+    plan = replace(balanced(model, processes, "segment"), scalar=scalar)
+    solver = builder.solver(plan, ("-O0",), name="runs", shape="kernels")
+    states = random_states(model, 4, seed=9)
+    assert solver.error(model, states, tmp_path, "--check") < more * ROUNDING[scalar]
+
+
+@pytest.mark.parametrize("scalar", ["double", "mixed"])
+def test_loops_refine_runs(scalar: str, builder: Builder, tmp_path: Path) -> None:
+    model = three_axis_chain(4)
+    plan = replace(balanced(model, 2, "segment"), scalar=scalar)
+    solver = builder.solver(plan, name="runs", refine=3)
+    assert program_of(plan, refine=3).shape == "kernels"
+    states = random_states(model, 4, seed=3)
+    assert energy_errors(model, states, solver.solve(model, states, tmp_path)).max() < 1e-14
+    said = np.array(json.loads((tmp_path / "result.json").read_text())["corrections"])
+    assert (said[:, 1] < 1e-2 * said[:, 0]).all()
+
+
 def tilted(model: Model, angle: float) -> States:
     """Return a state in which the second ball is an angle away from gimbal lock."""
     states = random_states(model, 1, seed=1)
@@ -65,10 +117,15 @@ def tilted(model: Model, angle: float) -> States:
     return replace(states, q=q)
 
 
-@pytest.mark.parametrize("shape", ["joints", "unrolled"])
-def test_gimbal_lock_is_told(shape: str, builder: Builder, tmp_path: Path) -> None:
-    model = three_axis_chain(2)
-    solver = builder.solver(balanced(model, 2, "ada"), ("-O0",), name="runs", shape=shape)
+@pytest.mark.parametrize(
+    ("form", "shape", "balls"),
+    [("ada", "joints", 2), ("ada", "unrolled", 2), ("segment", "kernels", 4)],
+)
+def test_gimbal_lock_is_told(
+    form: str, shape: str, balls: int, builder: Builder, tmp_path: Path
+) -> None:
+    model = three_axis_chain(balls)
+    solver = builder.solver(balanced(model, 2, form), ("-O0",), name="runs", shape=shape)
     names = 'joints "b01x", "b01y", "b01z": '
     given, result = tmp_path / "s.json", tmp_path / "r.json"
     write_states(tilted(model, 0.0), model, given)

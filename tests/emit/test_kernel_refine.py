@@ -15,6 +15,7 @@ from adagen.schedule import Topology, load_profile
 from adagen.schedule.tree import Named
 from adagen.search import named_schedule
 from adagen.states import random_states
+from tests.emit.test_gimbal_lock import two_arms
 from tests.emitted import Builder, energy_errors, text_of
 from tests.models import binary, human_figure, random_tree, serial_chain, star
 from tests.schedules import random_schedule
@@ -28,8 +29,10 @@ PROFILE = load_profile("default")
         (star(4, 3, floating=True), "sequential", 1, "gather", "double"),
         (human_figure(), "balanced", 3, "join", "mixed"),
         (serial_chain(12, kind=SPHERICAL), "balanced", 2, "gather", "double"),
+        (two_arms(), "balanced", 2, "gather", "double"),
+        (two_arms(), "sequential", 1, "gather", "double"),
     ],
-    ids=["lanes", "three joined", "held by balls"],
+    ids=["lanes", "three joined", "held by balls", "in own axes", "lanes in own axes"],
 )
 def test_named_schedules_are_refined(
     model: Model,

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from adagen.emit import emit
+from adagen.emit import emit, program_of
 from adagen.emit.predicted import predict
 from adagen.emit.shapes import SHAPES
 from adagen.errors import UsageError
 from adagen.model import Mimic, Model, Passive
+from adagen.plan import Plan
 from adagen.schedule import load_profile
 from adagen.states import random_states
 from adagen.urdf import read_robot
-from tests.emitted import ROUNDING, Builder, plan_of
+from tests.emit.test_fused import slaved_chain
+from tests.emit.test_gimbal_lock import two_arms
+from tests.emitted import ROUNDING, Builder, energy_errors, plan_of
 from tests.golden.examples import FOLDER
 from tests.models import serial_chain, star
 
@@ -29,8 +34,8 @@ def slaved(model: Model, *pairs: tuple[int, int, float]) -> Model:
 
 
 def damped(model: Model) -> Model:
-    """Return the model with damping and a rotor at every joint."""
-    passive = Passive(damping=0.3, rotor_inertia=0.1)
+    """Return the model with damping, friction, a spring and a rotor at every joint."""
+    passive = Passive(damping=0.3, friction=0.1, stiffness=2.0, rest=0.3, rotor_inertia=0.1)
     return replace(model, joints=tuple(replace(joint, passive=passive) for joint in model.joints))
 
 
@@ -41,8 +46,10 @@ def damped(model: Model) -> Model:
         (damped(slaved(serial_chain(9), (3, 1, -0.5), (7, 1, 1.5), (8, 5, 1.0))), 2),
         (slaved(serial_chain(12), (4, 11, 0.7)), 3),
         (read_robot(FOLDER / "models" / "arm7.urdf", mimic=True).model, 2),
+        (slaved_chain(), 1),
+        (slaved(two_arms(), (7, 1, -0.5), (9, 3, 1.5)), 1),
     ],
-    ids=["in lanes", "damped on two", "across three", "arm"],
+    ids=["in lanes", "damped on two", "across three", "arm", "in own axes", "in lanes, own axes"],
 )
 def test_slaved_joints_are_held_in_step(
     model: Model, processes: int, builder: Builder, tmp_path: Path
@@ -52,6 +59,35 @@ def test_slaved_joints_are_held_in_step(
     states = random_states(model, 4, seed=7)
     solver = builder.solver(plan, name="slaved", shape="kernels")
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
+
+
+@pytest.mark.parametrize(
+    ("model", "processes", "scalar"),
+    [
+        (slaved(star(4, 3, floating=True), (2, 1, -0.5), (8, 1, 2.0)), 1, "mixed"),
+        (slaved(serial_chain(12), (4, 11, 0.7)), 3, "double"),
+        (slaved(serial_chain(9), (3, 1, -0.5), (7, 1, 1.5), (8, 5, 1.0)), 2, "mixed"),
+        (slaved_chain(), 1, "double"),
+        (slaved(two_arms(), (7, 1, -0.5), (9, 3, 1.5)), 1, "double"),
+    ],
+    ids=["in lanes", "across three", "mixed on two", "in own axes", "in lanes, own axes"],
+)
+def test_slaved_joints_are_refined(
+    model: Model, processes: int, scalar: str, builder: Builder, tmp_path: Path
+) -> None:
+    """The first correction is as large as the error was; what it leaves is rounding."""
+    plan = plan_of(model, processes, scalar=scalar)
+    assert chosen_by_refinement(plan) == "kernels"
+    states = random_states(model, 4, seed=7)
+    solver = builder.solver(plan, name="slaved", refine=3, shape="kernels")
+    assert energy_errors(model, states, solver.solve(model, states, tmp_path)).max() < 1e-14
+    said = np.array(json.loads((tmp_path / "result.json").read_text())["corrections"])
+    assert (said[:, 1] < 1e-2 * said[:, 0]).all()
+
+
+def chosen_by_refinement(plan: Plan) -> str:
+    """Return the shape that a refined plan is emitted in."""
+    return program_of(plan, refine=2).shape
 
 
 def test_each_slaved_joint_costs_the_sweeps_again() -> None:
@@ -66,7 +102,3 @@ def test_what_loops_do_not_do_for_slaved_joints_is_refused() -> None:
     plan = plan_of(held, 1)
     with pytest.raises(UsageError, match="slaved to another"):
         emit(plan, shape="kernels", batch=1)
-    with pytest.raises(UsageError, match="refines no slaved joints"):
-        emit(plan, shape="kernels", refine=1)
-    springs = tuple(replace(joint, stiffness=1.0) for joint in plan.joints)
-    assert "springs" in str(SHAPES["kernels"].why_not(replace(plan, joints=springs)))

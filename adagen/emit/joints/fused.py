@@ -19,7 +19,7 @@ def type_of(words: Words, join: FusedJoin) -> str:
     return f"Fused<{freedoms(words, join)}>"
 
 
-def _rows(words: Words, join: FusedJoin) -> list[tuple[int, int, int]]:
+def rows_of(words: Words, join: FusedJoin) -> list[tuple[int, int, int]]:
     """Each joint of the run, its first row among those of the run, and their number."""
     rows, first = [], 0
     for j in join.run:
@@ -32,14 +32,14 @@ def assembly(words: Words, join: FusedJoin) -> list[str]:
     """Eq. (3)-(7) of the run: its motions, then as for any joint in its coordinates."""
     others = ", ".join(words.quoted_joint(j) for j in join.run[:-1])
     lines = [f"auto& i = {words.memory(join.joint)};  // one joint with {others}"]
-    for j, first, count in _rows(words, join):
+    for j, first, count in rows_of(words, join):
         joint, memory = words.plan.joints[j], words.memory(j)
         slaved = [] if joint.mimic is None else [configuration(words, j)[1]]
         lines += [
             "{",
             *(f"  {line}" for line in slaved),
-            f"  extend<{words.type_of(j)}, {first}>"
-            f"(i.run, {memory}.X, {memory}.v, {velocity(words, j)});",
+            f"  extend<{words.type_of(j)}, {first}>(i.run, {memory}.X);",
+            f"  i.run.c += velocity_product<{words.type_of(j)}>({memory}.v, {velocity(words, j)});",
             f"  std::array<std::array<Real, kColumns>, {count}> tau;",
             f"  load_torque(w, {j}, {joint.v}, tau);",
             *(f"  {line}" for line in coupling_torques(words, j, "tau")),
@@ -66,14 +66,15 @@ def assembly(words: Words, join: FusedJoin) -> list[str]:
         f"if (!join(i.joined, {phi_a}, Phi_B, i.run.BX * {b_a}, "
         f"i.run.B * {words.bias(join.b_bias)}, i.run.c))",
         f"  fail(w, kFactorization, {join.joint});",
-        *(_couple(words, coupling) for coupling in join.couplings),
+        *(couple(words, coupling) for coupling in join.couplings),
         *block_updates(words, join),
         *bias_updates(words, join),
     ]
     return lines
 
 
-def _couple(words: Words, coupling: Coupling) -> str:
+def couple(words: Words, coupling: Coupling) -> str:
+    """The line that finds how a handle feels the run."""
     transposed = ".transpose()" if coupling.transposed else ""
     frame = "BX" if coupling.side == "A" else "B"
     phi = f"i.run.{frame} * {words.block(coupling.source)}{transposed}"
@@ -83,7 +84,7 @@ def _couple(words: Words, coupling: Coupling) -> str:
 def reassembly(words: Words, join: FusedJoin) -> list[str]:
     """The same for other biases, and the torques that the forces of its joints lack."""
     lines = []
-    for j, first, count in _rows(words, join):
+    for j, first, count in rows_of(words, join):
         lines += [
             "{",
             f"  std::array<std::array<Real, kColumns>, {count}> tau;",
@@ -96,8 +97,8 @@ def reassembly(words: Words, join: FusedJoin) -> list[str]:
     return [*lines, f"rejoin(i.joined, i.P, i.run.BX * {b_a}, {b_b});", *bias_updates(words, join)]
 
 
-def disassembly(words: Words, join: FusedJoin, end: Disassemble) -> list[str]:
-    """Eq. (8)-(10) of the run: the accelerations of its joints, and what its ends get to feel."""
+def released(words: Words, join: FusedJoin, end: Disassemble) -> list[str]:
+    """Eq. (8) of the run, and Eq. (10), its force on the last link, where that is asked for."""
     lines = [
         f"auto& i = {words.memory(join.joint)};",
         f"Release<{type_of(words, join)}> release(i.joined);",
@@ -109,9 +110,15 @@ def disassembly(words: Words, join: FusedJoin, end: Disassemble) -> list[str]:
         lines.append("const Columns6 f = i.run.B.transpose() * release.force();  // Eq. (8), (10)")
     else:
         lines.append("release.force();  // Eq. (8)")
+    return lines
+
+
+def disassembly(words: Words, join: FusedJoin, end: Disassemble) -> list[str]:
+    """Eq. (8)-(10) of the run: the accelerations of its joints, and what its ends get to feel."""
+    lines = released(words, join, end)
     if words.refine:
         lines.append(f"w.refinement.f[{join.joint}] = f;")
-    for j, first, count in _rows(words, join):
+    for j, first, count in rows_of(words, join):
         qdd = f"part<{first}, {count}>(release.qdd())"
         if words.plan.slaved:
             lines.append(f"{words.memory(j)}.qdd = {qdd};  // Eq. (9)")

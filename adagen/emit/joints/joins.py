@@ -35,7 +35,7 @@ def assembly(words: Words, join: Join, *, turned: bool = False) -> list[str]:
     j = join.joint
     rotor = words.plan.joints[j].rotor_inertia
     tau = "i.tau" if rotor else "i.joined.tau"
-    lines = [f"auto& i = {words.memory(j)};", *torques(words, j, tau)]
+    lines = [f"auto& i = {words.memory(j)};", *torques(words, j, tau, turned=turned)]
     if join.a is None:
         phi_a = "kZero"
     else:
@@ -100,13 +100,16 @@ def store(words: Words, j: int, qdd: str) -> str:
     return f"store_acceleration(w, {j}, {words.plan.joints[j].v}, {qdd});"
 
 
-def torques(words: Words, j: int, tau: str) -> list[str]:
+def torques(words: Words, j: int, tau: str, *, turned: bool = False) -> list[str]:
     """The lines that set a joint's torques at work; none where its acceleration is prescribed."""
     joint = words.plan.joints[j]
     if joint.prescribed:
         return []
+    load = f"load_torque(w, {j}, {joint.v}, {tau});"
+    if turned:  # what passive effects take, it knows
+        return [load]
     return [
-        f"load_torque(w, {j}, {joint.v}, {tau});",
+        load,
         *coupling_torques(words, j, tau),
         *effects.passive_torques(words, j, tau),
     ]
@@ -185,7 +188,10 @@ def disassembly(words: Words, join: Join, end: Disassemble, *, turned: bool = Fa
         handle = words.links[coupling.handle]
         lines.append(f"release.feel_{coupling.side}(i.at_{handle}, {words.force(force)});")
     joint = words.plan.joints[j]
-    if words.refine:
+    if words.refine and turned:
+        lines.append("const Columns6 f = release.force();  // Eq. (8), (10)")
+        lines.append(f"w.refinement.f[{j}].col(w.refinement.side) = f;")
+    elif words.refine:
         kept = f"w.refinement.f[{j}] = release.force();"
         lines.append(f"const Columns6& f = {kept}" if end.updates else kept)
     elif end.updates or joint.rotor_inertia:

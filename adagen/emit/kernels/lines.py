@@ -77,8 +77,13 @@ class KernelLines:
         ]
 
     def corrections(self) -> list[str]:
-        """Return the lines that do all again but for motions and inertias of links, which stay."""
-        return [*self.responses(), *guards.corrections(self.words, self.process)]
+        """Return the lines that do all again but for motions and inertias of links, which stay.
+
+        So do the responses to slaved joints' torques.
+        """
+        again = [op for op in self.operations if op.does not in PREPARED or self._couples(op)]
+        lines = [line for operation in again for line in self.lines(operation)]
+        return [*lines, *guards.corrections(self.words, self.process)]
 
     def responses(self) -> list[str]:
         """Return the lines that answer to other torques and forces on links alone."""

@@ -1,7 +1,7 @@
 """Shape `kernels` where segments meet: mobilities outwards, joins, and forces back as C++ lines.
 
-Blocks and biases are in the axes of the base; a join turns what it reads into its joint's frame
-(runtime/kernels/mobility.hpp) and then is that of shape `joints`.
+Blocks and biases are in the axes that their links' bodies are told in; a join turns what it reads
+into its joint's frame (runtime/kernels/mobility.hpp) and then is that of shape `joints`.
 """
 
 from __future__ import annotations
@@ -11,11 +11,14 @@ from dataclasses import replace
 
 from adagen.emit import effects
 from adagen.emit.joints import joins
+from adagen.emit.joints.fused import freedoms, type_of
+from adagen.emit.kernels import fused
 from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.edges import is_free_base
 from adagen.plan.steps import (
     AccelerateRoot,
+    Bias,
     Deliver,
     Disassemble,
     Force,
@@ -23,6 +26,7 @@ from adagen.plan.steps import (
     HoldMobility,
     InvertRoot,
     Join,
+    LinkBias,
     Load,
     LoadRoot,
     Propagate,
@@ -37,8 +41,10 @@ from adagen.program.runs import Run, ends_of_run
 
 STEPS = (
     InvertRoot
+    | LinkBias
     | Propagate
     | Join
+    | FusedJoin
     | Disassemble
     | Load
     | LoadRoot
@@ -59,11 +65,17 @@ def holds_ground(plan: Plan) -> bool:
     return any(isinstance(s, HoldMobility) for p in plan.processes for s in all_steps(p))
 
 
+def has_fused(plan: Plan) -> bool:
+    """Return whether runs of joints are joined as one."""
+    return any(isinstance(s, FusedJoin) for p in plan.processes for s in p.steps)
+
+
 def runtime(plan: Plan) -> list[str]:
     """Return the parts of the runtime that joins need."""
     joined = {s.joint for p in plan.processes for s in all_steps(p) if isinstance(s, Join)}
     held = any(plan.joints[j].prescribed or plan.joints[j].rotor_inertia for j in joined)
-    return ["spatial.hpp", "joins.hpp", *["effects.hpp"] * held]
+    runs = ["fused.hpp"] * has_fused(plan)
+    return ["spatial.hpp", "joins.hpp", *runs, *["effects.hpp"] * held]
 
 
 def all_steps(process: Process) -> tuple[Step, ...]:
@@ -71,17 +83,13 @@ def all_steps(process: Process) -> tuple[Step, ...]:
     return (*process.steps, *process.recovery)
 
 
-def why_not(plan: Plan) -> str | None:
-    """Return why these steps cannot be emitted in this shape; None where they can."""
-    for process in plan.processes:
-        for step in all_steps(process):
-            if isinstance(step, FusedJoin):
-                return f'several joints up to "{plan.joints[step.joint].name}" are joined as one'
-            if isinstance(step, Propagate):
-                joint = plan.joints[step.joint]
-                if joint.kind in ("planar", "floating") and not joint.prescribed:
-                    return f'mobility would pass joint "{joint.name}", which is {joint.kind}'
-    return None
+def passes_free(plan: Plan) -> bool:
+    """Return whether mobilities are passed outwards across floating joints."""
+    return any(
+        isinstance(s, Propagate) and plan.joints[s.joint].kind == "floating"
+        for p in plan.processes
+        for s in all_steps(p)
+    )
 
 
 def members(words: Words) -> dict[int, list[str]]:
@@ -96,21 +104,29 @@ def members(words: Words) -> dict[int, list[str]]:
             for bias in biases_set_by(step):
                 assert bias.joint is not None
                 lines[bias.joint][f"Columns6 b_{words.links[bias.handle]};"] = None
+            if isinstance(step, LinkBias):
+                lines[step.link - 1]["Columns6 b;"] = None
             if isinstance(step, Join):
-                kind = effects.joined_type(words, step.joint)
-                own = lines[step.joint]
-                own["Transform X, Y;  // to the joint's frame, about its two links' origins"] = None
-                own[f"Joined<{kind}> joined;"] = None
-                if words.plan.joints[step.joint].rotor_inertia:
-                    torque = effects.freedoms_type(words, step.joint)
-                    own[f"{torque} tau;  // drives rotor and joint"] = None
-                for coupling in step.couplings:
-                    own[f"Coupled<{kind}> at_{words.links[coupling.handle]};"] = None
+                lines[step.joint].update(dict.fromkeys(_members_of_join(words, step)))
             if isinstance(step, Disassemble):
                 forces |= {update.target for update in step.updates}
     for force in sorted(forces):
         lines[force.joint][f"Columns6 {words.force_member(force)};"] = None
     return {joint: list(lines[joint]) for joint in sorted(lines)}
+
+
+def _members_of_join(words: Words, join: Join) -> list[str]:
+    if isinstance(join, FusedJoin):
+        kind = type_of(words, join)
+        lines = [f"Run<{freedoms(words, join)}> run;"]
+    else:
+        kind = effects.joined_type(words, join.joint)
+        lines = ["Transform X, Y;  // to the joint's frame, about its two links' origins"]
+        if words.plan.joints[join.joint].rotor_inertia:
+            torque = effects.freedoms_type(words, join.joint)
+            lines.append(f"{torque} tau;  // drives rotor and joint")
+    handles = [words.links[coupling.handle] for coupling in join.couplings]
+    return [*lines, f"Joined<{kind}> joined;", *(f"Coupled<{kind}> at_{h};" for h in handles)]
 
 
 def lines_of(words: Words, p: int, step: Step) -> list[str]:
@@ -122,25 +138,18 @@ def lines_of(words: Words, p: int, step: Step) -> list[str]:
         case InvertRoot():
             phi, b = words.block(step.block), words.bias(step.bias)
             return [f"invert_root<{p}, {step.link}>(w, {phi}, {b});"]
+        case LinkBias():
+            phi, b = words.bare_block(step.link), words.bias(Bias(None, step.link))
+            return [f"bare_link<{step.link}>(w, {phi}, {b});"]
         case Join():
-            turned = replace(step, velocity_product=False)
-            return _scoped(
-                [
-                    f"auto& i = {words.memory(step.joint)};",
-                    f"set_transforms(w, {step.joint}, i.X, i.Y);",
-                    *joins.assembly(words, turned, turned=True)[1:],
-                ]
-            )
+            return _scoped(_assembly(words, step))
         case Disassemble():
-            join = _join_of(words.plan, step.joint)
-            lines = joins.disassembly(words, join, step, turned=True)
-            joint = words.plan.joints[step.joint]
-            if is_free_base(joint):
-                lines.append(f"as_joint_acceleration<{step.joint}>(w);")
-            return _scoped(lines)
-        case Load():
-            force = "Columns6::Zero()" if step.force is None else words.force(step.force)
-            return [f"w.loads[{step.link}] = {force};"]
+            return _scoped(_disassembly(words, step))
+        case Load(link, force):
+            load = (
+                "Columns6::Zero()" if force is None else f"in_base(w, {link}, {words.force(force)})"
+            )
+            return [f"w.loads[{link}] = {load};"]
         case LoadRoot():
             sign = "" if step.held else "-"
             return [f"w.loads[{step.link}] = {sign}force_on<{step.link}>(w);"]
@@ -149,12 +158,32 @@ def lines_of(words: Words, p: int, step: Step) -> list[str]:
             return [f"hold<{step.link}>(w, {phi}, {b});"]
         case AccelerateRoot():
             b, phi = words.bias(step.bias), words.block(step.block)
-            load = f"w.loads[{step.link}]"
-            return [f"w.motions[{step.link}] = motion_of({b} + {phi} * {load});"]
+            return [f"accelerate_root<{step.link}>(w, {phi}, {b});"]
         case SolveMobility():
             phi, b = words.block(step.block), words.bias(step.bias)
             return [f"solve_mobility<{step.link}>(w, {phi}, {b});"]
     raise AssertionError(f"no code for {step}")
+
+
+def _assembly(words: Words, step: Join) -> list[str]:
+    if isinstance(step, FusedJoin):
+        return fused.assembly(words, step)
+    turned = replace(step, velocity_product=False)
+    return [
+        f"auto& i = {words.memory(step.joint)};",
+        f"set_transforms(w, {step.joint}, i.X, i.Y);",
+        *joins.assembly(words, turned, turned=True)[1:],
+    ]
+
+
+def _disassembly(words: Words, step: Disassemble) -> list[str]:
+    join = _join_of(words.plan, step.joint)
+    if isinstance(join, FusedJoin):
+        return fused.disassembly(words, join, step)
+    lines = joins.disassembly(words, join, step, turned=True)
+    if is_free_base(words.plan.joints[step.joint]):
+        lines.append(f"as_joint_acceleration<{step.joint}>(w);")
+    return lines
 
 
 def propagation(words: Words, operation: Operation) -> list[str]:

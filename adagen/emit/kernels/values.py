@@ -18,20 +18,6 @@ from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.gather import why_not_gather
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import (
-    Accelerate,
-    ApplyCoupling,
-    Articulate,
-    FreeAcceleration,
-    FreeBase,
-    Kinematics,
-    Receive,
-    Send,
-    SolveCoupling,
-    SolveRoot,
-    StartEmpty,
-    StartLink,
-)
 from adagen.plan.turned import turned_in_loops
 from adagen.plan.types import PlanLink
 from adagen.program.slots import Slots
@@ -42,37 +28,12 @@ RUNTIME = (
     "kernels/algebra.hpp",
 )
 
-_TAKEN = (
-    Kinematics
-    | StartLink
-    | StartEmpty
-    | FreeBase
-    | Articulate
-    | SolveRoot
-    | Accelerate
-    | FreeAcceleration
-    | Send
-    | Receive
-    | SolveCoupling
-    | ApplyCoupling
-    | mobility.STEPS
-)
-
 
 def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted in this shape; None where it can."""
     if plan.form != "segment":
         return f"it is for form segment, not {plan.form}"
-    joints = plan.joints
-    if (reason := why_not_gather([replace(joint, mimic=None) for joint in joints])) is not None:
-        return reason
-    if plan.slaved and any(joint.stiffness for joint in joints):
-        return "it has no springs beside slaved joints"
-    for process in plan.processes:
-        for step in mobility.all_steps(process):
-            if not isinstance(step, _TAKEN):
-                return f"it has no {type(step).__name__} between processes"
-    return mobility.why_not(plan)
+    return why_not_gather([replace(joint, mimic=None) for joint in plan.joints])
 
 
 def values(words: Words) -> dict[str, object]:
@@ -106,10 +67,11 @@ def values(words: Words) -> dict[str, object]:
     return {
         "runtime": runtime,
         "copied": plan.scalar == "mixed" or bool(plan.slaved),
-        "slaved_count": len(plan.slaved),
         "responses": [writer.responses() for writer in writers] if plan.slaved else [],
         **refined,
         "cuts": cuts,
+        "fused": mobility.has_fused(plan),
+        "passes_free": mobility.passes_free(plan),
         "holds": mobility.holds_ground(plan),
         "cut_joints": [
             {"type": f"Joint_{words.joints[j]}", "id": f"j_{words.joints[j]}", "members": lines}

@@ -1,8 +1,10 @@
 // A correction: links feel what is left over of their equations of motion and nothing else.
 inline void begin_answer(Workspace& w) {
-  for (Columns6& f : w.refinement.f) f.setZero();
+  w.again = false;
+  for (auto& f : w.refinement.f) f.setZero();
 }
 inline void begin_correction(Workspace& w, const RefinedProcess& own) {
+  w.again = true;
   w.v = w.refinement.still.data();
   for (const int link : own.links) {
     const Vec6& rho = w.refinement.rho[static_cast<std::size_t>(link)];

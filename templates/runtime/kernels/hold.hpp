@@ -43,7 +43,7 @@ void respond(Workspace& w, Mat6& Phi, Columns6& b) {
     ADAGEN_FOR (k, 0, kGroups) pass<false>(w, j, g[k], drives[k]);
     move<false>(w, single(j), kJoints[j].kind, a);
   }
-  b = columns_of(a);
+  b = as_told(w, last + 1, columns_of(a));
   Lanes columns[6]{};
   ADAGEN_FOR (k, 0, kGroups) {
     Lanes rows[kPerBlock]{g[k].angular.x, g[k].angular.y, g[k].angular.z,
@@ -55,6 +55,7 @@ void respond(Workspace& w, Mat6& Phi, Columns6& b) {
     }
   }
   ADAGEN_FOR (i, 0, 6) std::memcpy(Phi.data() + 6 * i, &columns[i], 6 * sizeof(Real));
+  if constexpr (turned_link(last + 1)) Phi = mobility_as_told(w, last + 1, Phi);
 }
 
 // What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to
@@ -74,5 +75,4 @@ void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
   X.C = {I(3, 3), I(4, 3), I(5, 3), I(4, 4), I(5, 4), I(5, 5)};
   const Columns6 p = -(inertia_of(X) * b);
   X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
-  from_base(w, link, X);
 }

@@ -96,6 +96,7 @@ ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Va
   X.n += -n, X.f += -f;
   Motion<Value> a;
   if (!solve_free(X, a)) fail(w, kFactorization, j);
+  if constexpr (kPassesFree) w.free[static_cast<std::size_t>(j)] = X;
   e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
   e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
   X = Body<Value>{};

@@ -51,6 +51,13 @@ ADAGEN_INLINE void step_turned(Workspace& w, const Joints<T>& joints, JointKind 
 // The slot of a link whose body is told in its own axes, -1 of others.
 ADAGEN_INLINE int turned_slot(int link) { return turned_link(link) ? slot_of(link - 1) : -1; }
 
+// Keeps a body on the far side of joints for their forces, told in axes of the base.
+template <class T>
+ADAGEN_INLINE void keep_turned(Workspace& w, const Joints<T>& joints, int slot, Body<T> X) {
+  if (slot >= 0) turn_body(X, matrix_at<T>(w.at(slot, kAxes)));
+  keep_body(w, joints, X);
+}
+
 // See inward in inward.hpp: the same where a joint is turned, or the near link.
 template <int p, int first, int last, bool starts>
 void inward_turned(Workspace& w) {
@@ -58,6 +65,7 @@ void inward_turned(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     meet<p>(w, j + 1, X);
+    if constexpr (kRefine > 0) keep_turned(w, single(j), turned_slot(j + 1), X);
     step_turned<false>(w, single(j), kind, turned_slot(kJoints[static_cast<std::size_t>(j)].parent),
                        X);
   });
@@ -73,6 +81,7 @@ void inward_turned_reversed(Workspace& w) {
     const int j = first + k;
     const int parent = kJoints[static_cast<std::size_t>(j)].parent;
     meet<p>(w, parent, X);
+    if constexpr (kRefine > 0) keep_turned(w, single(j), turned_slot(parent), X);
     step_turned<true>(w, single(j), kind, turned_slot(parent), X);
   });
   add_to<starts>(w, last + 1, X);

@@ -26,7 +26,8 @@ inline void keep_one_force(Workspace& w, int j, const Motion<Value>& a) {
   }
   const Matrix<Value> R = matrix_at(w.of(j, kAxes));
   n = transposed_times(R, n), f = transposed_times(R, f);
-  w.refinement.f[static_cast<std::size_t>(j)].col(0) << n.x, n.y, n.z, f.x, f.y, f.z;
+  w.refinement.f[static_cast<std::size_t>(j)].col(w.refinement.side) << n.x, n.y, n.z, f.x, f.y,
+      f.z;
 }
 template <bool reversed, class T>
 ADAGEN_INLINE void keep_force(Workspace& w, const Joints<T>& joints, const Motion<T>& a) {
@@ -34,4 +35,9 @@ ADAGEN_INLINE void keep_force(Workspace& w, const Joints<T>& joints, const Motio
     keep_one_force<reversed>(w, joints.joint[0], a);
   else
     ADAGEN_FOR (k, 0, kWidth<T>) keep_one_force<reversed>(w, joints.joint[k], lane(a, k));
+}
+
+// The forces that are kept next are of the motion (0), or of the torque at a slaved joint.
+[[maybe_unused]] inline void keep_side(Workspace& w, std::size_t side) {
+  w.refinement.side = static_cast<int>(side);
 }

@@ -5,3 +5,4 @@ template <bool reversed, class T>
 ADAGEN_INLINE void keep_force(Workspace&, const Joints<T>&, const Motion<T>&) {}
 template <class T>
 ADAGEN_INLINE void keep_load(Workspace&, int, const T&, const T&) {}
+[[maybe_unused]] inline void keep_side(Workspace&, std::size_t) {}

@@ -122,6 +122,7 @@ struct Frame {
 
 struct Workspace : State, Cuts {
   int status = kFine;
+  bool again = false;  // whether links feel the forces in their blocks, and no motion's
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
   std::array<Memory, kJointCount> joints{};
@@ -132,6 +133,7 @@ struct Workspace : State, Cuts {
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
+  std::array<Body<Value>, kPassesFree ? kJointCount : 0> free{};  // beyond floating joints
   std::array<Body<Value>, kRefine ? kJointCount : 0> whole{};  // beyond each joint, to be refined
 
   Workspace() {
@@ -226,14 +228,16 @@ ADAGEN_INLINE Lanes wide(const Value* x) {
   return result;
 }
 
-// The torque of a joint with one freedom that reaches the links: less damping, spring and friction.
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint) {
-  Value tau = w.tau[joint.v];
+// The torque along one of a joint's freedoms that reaches the links: less damping, spring and
+// friction.
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom = 0) {
+  Value tau = w.tau[joint.v + freedom];
   if constexpr (kAnyPassive) {
     const Passive& own = joint.passive;
-    const Value& qd = w.v[joint.v];
+    const Value& qd = w.v[joint.v + freedom];
     if (own.damping != 0) tau -= own.damping * qd;
-    if (own.stiffness != 0) tau -= own.stiffness * (w.q[joint.q] - own.rest);
+    if (own.stiffness != 0 && !(kAgain && w.again))
+      tau -= own.stiffness * (w.q[joint.q] - own.rest);
     if (own.friction != 0) tau -= own.friction * hyperbolic_tangent(qd / own.friction_speed);
   }
   return tau;

@@ -1,5 +1,5 @@
 // Slaved joints. Each is held in step by a torque between it and its source. What a unit of that
-// torque does, the same sweeps find once more, for nothing else at work.
+// torque does, the same sweeps find once more, for nothing else at work, springs neither.
 inline void pull(Workspace& w, int slaved) {
   const JointConstants& joint = kJoints[static_cast<std::size_t>(slaved)];
   Value *const v = w.v.data(), *const tau = w.tau.data();
@@ -12,13 +12,17 @@ inline void pull(Workspace& w, int slaved) {
 
 inline void find_responses(Workspace& w, Channel& channel, void (*sweep)(Workspace&, Channel&)) {
   const auto answer = w.answer;
+  w.again = true;
   std::size_t c = 0;
   for (int j = 0; j < kJointCount; ++j) {
     if (kJoints[static_cast<std::size_t>(j)].source < 0) continue;
     pull(w, j);
+    keep_side(w, c + 1);
     sweep(w, channel);
     w.responses[c++] = w.answer;
   }
+  keep_side(w, 0);
+  w.again = false;
   w.answer = answer;
   w.v = given(w.v), w.tau = given(w.tau);
   slave(w.q.data(), w.v.data());

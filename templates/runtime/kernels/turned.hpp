@@ -67,8 +67,12 @@ ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& 
   Symmetric<T> J;
   own_inertia(joints, mass, c, J);
   Vector<T> n, f;
-  bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
-  if constexpr (kOuterCount > 0) push_own(w, joints, n, f);
+  if (kAgain && w.again) {
+    n = told(kTorque), f = told(kForce);
+  } else {
+    bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
+    if constexpr (kOuterCount > 0) push_own(w, joints, n, f);
+  }
   X.A += Symmetric<T>{J.yy + J.zz, -J.xy, -J.xz, J.xx + J.zz, -J.yz, J.xx + J.yy};
   X.B.x.y -= c.z, X.B.x.z += c.y, X.B.y.x += c.z;
   X.B.y.z -= c.x, X.B.z.x -= c.y, X.B.z.y += c.x;

@@ -21,6 +21,21 @@ ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f)
     }
     return driven;
   }
+  if (kind == JointKind::kPlanar) {
+    if constexpr (kAnyPlanar) {
+      const Matrix<Value> R = matrix_at(w.of(j, kAxes));
+      const auto taken = [&n, &f](const Value* of, const T& x) {
+        n.x -= of[0] * x, n.y -= of[1] * x, n.z -= of[2] * x;
+        f.x -= of[3] * x, f.y -= of[4] * x, f.z -= of[5] * x;
+        return x * of[7];
+      };
+      driven.x = taken(e, dot(f, Vector<Value>{R.x.x, R.y.x, R.z.x}));
+      driven.y = taken(e + 8, dot(f, Vector<Value>{R.x.y, R.y.y, R.z.y}));
+      driven.z = taken(e + 16, dot(n, Vector<Value>{R.x.z, R.y.z, R.z.z}));
+    }
+    if constexpr (!reversed) n += -cross(f, r);
+    return driven;
+  }
   const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_at(w.of(j, kAxes)));
   driven.x = x * e[7];
   if constexpr (!reversed) n += -cross(f, r);
@@ -36,11 +51,33 @@ ADAGEN_INLINE void take_load(const Workspace& w, int link, Vector<Value>& n, Vec
   f += Vector<Value>{load[3], load[4], load[5]};
 }
 
+// A wrench on a link beyond a floating joint moves that link and nothing else.
+template <bool reversed>
+ADAGEN_INLINE void push_free(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
+  if constexpr (reversed) n += cross(f, w.joints[static_cast<std::size_t>(j)].r);
+  Body<Value> X = w.free[static_cast<std::size_t>(j)];
+  X.n = -n, X.f = -f;
+  Motion<Value> a;
+  if (!solve_free(X, a)) fail(w, kFactorization, j);
+  Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  e[0] += a.angular.x, e[1] += a.angular.y, e[2] += a.angular.z;
+  e[3] += a.linear.x, e[4] += a.linear.y, e[5] += a.linear.z;
+  n = f = Vector<Value>{};
+}
+
 // A wrench on the far link: the joint is told, and what the near link feels is left.
 template <bool reversed>
 ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
   Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+  if constexpr (kPassesFree) {
+    if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kFloating)
+      return push_free<reversed>(w, j, n, f);
+  }
   const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
+  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kPlanar) {
+    if constexpr (kAnyPlanar) e[6] += driven.x, e[14] += driven.y, e[22] += driven.z;
+    return;
+  }
   if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
   } else {

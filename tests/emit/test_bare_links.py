@@ -1,0 +1,51 @@
+"""Shape kernels where a bare link is joined, and where mobilities pass joints of all kinds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.emit.shapes import SHAPES
+from adagen.plan import make_plan
+from adagen.plan.steps import LinkBias, Propagate
+from adagen.states import random_states
+from tests.emitted import ROUNDING, Builder
+from tests.models import random_tree
+from tests.schedules import random_schedule
+
+
+@pytest.mark.parametrize(
+    ("seed", "joints", "floating", "mimics"), [(4, 9, True, 0), (5, 12, False, 0), (4, 9, True, 2)]
+)
+@pytest.mark.parametrize("processes", [2, 4])
+def test_trees_with_bare_links_are_solved(
+    seed: int,
+    joints: int,
+    floating: bool,
+    mimics: int,
+    processes: int,
+    builder: Builder,
+    tmp_path: Path,
+) -> None:
+    model = random_tree(np.random.default_rng(seed), joints, floating=floating, mimics=mimics)
+    schedule = random_schedule(model, processes, np.random.default_rng(processes - 2))
+    plan = make_plan(model, schedule)
+    steps = [step for process in plan.processes for step in process.steps]
+    passed = {plan.joints[step.joint].kind for step in steps if isinstance(step, Propagate)}
+    assert any(isinstance(step, LinkBias) for step in steps)
+    assert processes == 2 or passed & {"floating", "planar"}
+    solver = builder.solver(plan, ("-O0",), name="bare", shape="kernels")
+    states = random_states(model, 4, seed=9)
+    assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_loops_take_every_plan_of_form_segment(seed: int) -> None:
+    """Whatever robot it is, and whoever joins what."""
+    rng = np.random.default_rng(seed)
+    model = random_tree(rng, 10, floating=seed % 2 == 0, mimics=seed % 3)
+    for processes in (1, 2, 3, 5):
+        plan = make_plan(model, random_schedule(model, processes, rng))
+        assert SHAPES["kernels"].why_not(plan) is None
