@@ -34,8 +34,6 @@ from tests.models import human_figure, random_tree, serial_chain
 UNITS = 32.0
 ROUNDED = 16.0  # units in the last place
 EXACT = (*QUICK, "-ffp-contract=off")
-OTHER_SHAPES = {"joined by two", "segments joined in fused joints"}
-"""Plans that loops do not take: springs beside slaved joints, joints joined as one."""
 KINDS = (REVOLUTE, REVOLUTE, PRISMATIC, SPHERICAL)
 
 
@@ -92,7 +90,7 @@ def test_loops_differ_from_the_executor_in_last_places(
         pytest.param(name, scalar, marks=pytest.mark.slow if scalar == "float" else ())
         for name, case in CASES.items()
         for scalar in ("double", "float")
-        if case.options != ADA and name not in OTHER_SHAPES
+        if case.options != ADA
     ],
 )
 def test_so_they_do_in_every_family(
