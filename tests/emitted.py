@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.build import Toolchain, build_executable
-from adagen.build.toolchain import STANDARD, WARNINGS
+from adagen.build.cache import uses_mpi
+from adagen.build.toolchain import STANDARD, WARNINGS, with_compiler
 from adagen.emit import emit, stem_of
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
@@ -80,8 +81,7 @@ class Builder:
 
     def with_compiler(self, name: str) -> Builder:
         """Return a builder with another compiler behind the wrapper."""
-        environment = (*self.toolchain.environment, ("OMPI_CXX", name), ("MPICH_CXX", name))
-        return replace(self, toolchain=replace(self.toolchain, environment=environment))
+        return replace(self, toolchain=with_compiler(self.toolchain, name))
 
     def compile(
         self, source: str, stem: str, flags: Sequence[str] = QUICK, libraries: Sequence[str] = ()
@@ -99,7 +99,7 @@ class Builder:
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, f"{stem}.cpp")
             path.write_text(source)
-            command = toolchain.compile_command(path, path.with_suffix(""))
+            command = toolchain.compile_command(path, path.with_suffix(""), uses_mpi(source))
             done = subprocess.run(
                 command, capture_output=True, text=True, env=toolchain.variables(os.environ)
             )

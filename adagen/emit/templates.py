@@ -37,9 +37,14 @@ def environment() -> Environment:
 
 def _verbatim(name: str) -> str:
     """Return a C++ part that holds no template syntax, as it stands."""
-    return (templates_folder() / name).read_text(encoding="utf-8").rstrip("\n")
+    return template(name).rstrip("\n")
 
 
-def render(template: str, **values: object) -> str:
+def template(name: str) -> str:
+    """Return a template that is emitted as it stands."""
+    return (templates_folder() / name).read_text(encoding="utf-8")
+
+
+def render(name: str, **values: object) -> str:
     """Return a rendered template."""
-    return environment().get_template(template).render(**values)
+    return environment().get_template(name).render(**values)

@@ -74,12 +74,10 @@ def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 class TestGenerate:
-    def test_the_four_files_are_written_and_told(
-        self, arm: Path, tmp_path: Path, said: Said
-    ) -> None:
+    def test_the_files_are_written_and_told(self, arm: Path, tmp_path: Path, said: Said) -> None:
         out = tmp_path / "out"
         assert main([str(arm), "--procs", "2", "--out", str(out)]) == 0
-        names = {"arm_p2.cpp", "arm_p2.plan.json", "arm_p2.svg", "Makefile"}
+        names = {"arm_p2.cpp", "arm_p2.h", "arm_p2.plan.json", "arm_p2.svg", "Makefile"}
         assert {p.name for p in out.iterdir()} == names
         stdout, stderr = said()
         assert stdout == ""
@@ -121,7 +119,7 @@ class TestGenerate:
         out = tmp_path / "deep" / "out"
         words = [str(arm), "--procs", "1", "--out", str(out), f"--name={name}"]
         assert main(words) == 0
-        assert len(list(out.iterdir())) == 4
+        assert len(list(out.iterdir())) == 5
         assert [p.name for p in (tmp_path / "deep").iterdir()] == ["out"]
 
     def test_a_refused_robot_writes_nothing(self, tmp_path: Path, said: Said) -> None:

@@ -62,7 +62,7 @@ def test_the_command_line_writes_the_same(emitted: dict[str, bytes], tmp_path: P
     words = [str(example.urdf), "--procs", "3", "--form", example.form]
     assert main([*words, "--out", str(tmp_path)]) == 0
     files = {f"{example.stem}/{name}": data for name, data in held(tmp_path).items()}
-    assert len(files) == 4
+    assert len(files) == 5
     assert files == {name: emitted[name] for name in files}
 
 
