@@ -45,8 +45,8 @@ def run(argv: Sequence[str]) -> int:
     check_emission(parser, options)
 
     from adagen.cli import pipeline
-    from adagen.cli.files import write_files
     from adagen.cli.predicted import prediction
+    from adagen.wholefile import write_files
 
     stages = Stages()
     try:

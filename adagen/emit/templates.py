@@ -31,11 +31,11 @@ def environment() -> Environment:
         keep_trailing_newline=True,
         autoescape=False,  # noqa: S701 (C++, not HTML; names are quoted by adagen.emit.names)
     )
-    env.globals["verbatim"] = _verbatim
+    env.globals["verbatim"] = verbatim
     return env
 
 
-def _verbatim(name: str) -> str:
+def verbatim(name: str) -> str:
     """Return a C++ part that holds no template syntax, as it stands."""
     return template(name).rstrip("\n")
 

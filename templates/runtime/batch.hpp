@@ -62,6 +62,9 @@ class Solver {
     return failures_[size(k)].state;
   }
 
+  // Why: its status.
+  int failed_status(int k) const { return failures_[size(k)].status; }
+
   // What simulates asks for one state at a time.
   int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     return solve(q, v, tau, qdd);

@@ -19,6 +19,7 @@ from adagen.plan.steps import StartLink
 from adagen.reference import forward_dynamics
 from adagen.states import random_states, read_result, write_states
 from adagen.urdf import read_robot
+from tests.emitted import WRITTEN
 
 LINK = (
     '<link name="{name}"><inertial><mass value="1.5"/><origin xyz="0.01 0.02 0.1"/>'
@@ -119,7 +120,7 @@ class TestGenerate:
         out = tmp_path / "deep" / "out"
         words = [str(arm), "--procs", "1", "--out", str(out), f"--name={name}"]
         assert main(words) == 0
-        assert len(list(out.iterdir())) == 5
+        assert len(list(out.iterdir())) == WRITTEN
         assert [p.name for p in (tmp_path / "deep").iterdir()] == ["out"]
 
     def test_a_refused_robot_writes_nothing(self, tmp_path: Path, said: Said) -> None:

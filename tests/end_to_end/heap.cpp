@@ -13,9 +13,13 @@ void* __libc_calloc(std::size_t, std::size_t);
 void* __libc_realloc(void*, std::size_t);
 void* __libc_memalign(std::size_t, std::size_t);
 void* malloc(std::size_t size) { return ++allocations, __libc_malloc(size); }
-void* calloc(std::size_t count, std::size_t size) { return ++allocations, __libc_calloc(count, size); }
+void* calloc(std::size_t count, std::size_t size) {
+  return ++allocations, __libc_calloc(count, size);
+}
 void* realloc(void* old, std::size_t size) { return ++allocations, __libc_realloc(old, size); }
-void* aligned_alloc(std::size_t to, std::size_t size) { return ++allocations, __libc_memalign(to, size); }
+void* aligned_alloc(std::size_t to, std::size_t size) {
+  return ++allocations, __libc_memalign(to, size);
+}
 }
 
 int main() {

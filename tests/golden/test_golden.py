@@ -9,6 +9,7 @@ import pytest
 
 from adagen.cli import main
 from adagen.plan import FORMS
+from tests.emitted import WRITTEN
 from tests.golden.directory import HINT, differences, held, update
 from tests.golden.examples import EXAMPLES, FOLDER, KEPT, golden_files
 
@@ -62,7 +63,7 @@ def test_the_command_line_writes_the_same(emitted: dict[str, bytes], tmp_path: P
     words = [str(example.urdf), "--procs", "3", "--form", example.form]
     assert main([*words, "--out", str(tmp_path)]) == 0
     files = {f"{example.stem}/{name}": data for name, data in held(tmp_path).items()}
-    assert len(files) == 5
+    assert len(files) == WRITTEN
     assert files == {name: emitted[name] for name in files}
 
 
