@@ -72,7 +72,11 @@ def request_of(options: argparse.Namespace) -> Request:
     from adagen.library import Request
 
     given = {name: getattr(options, name) for name in _ASKED if hasattr(options, name)}
-    return Request(procs=options.procs or 1, **given)
+    tuned = getattr(options, "tuned", None)
+    if tuned is not None:
+        given |= {"shape": tuned.shape, "chunk": tuned.chunk, "compiler": tuned.compiler}
+    tuned = tuned is not None or getattr(options, "tune", False)
+    return Request(procs=options.procs or 1, tuned=tuned, **given)
 
 
 _ASKED = (
@@ -101,10 +105,9 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
             if getattr(options, "shape", found.shape) == "auto":
                 options.shape = found.shape
             return schedule_of(model, replace(asked, procs=options.procs))
-        gather = not getattr(options, "tune", False)
 
         def schedule(processes: int) -> Schedule:
-            return searched(model, replace(asked, procs=processes), gather=gather)
+            return searched(model, replace(asked, procs=processes))
 
         return as_gathered(model, scheduled(model, options, schedule))
 

@@ -13,6 +13,7 @@ from adagen.cost import Timeline, timeline
 from adagen.drawing import draw
 from adagen.emit import emit, program_of
 from adagen.errors import InputError, UsageError
+from adagen.library.command import command_of, with_command
 from adagen.library.request import Request
 from adagen.library.robot import Origin, Robot
 from adagen.library.scheduling import given_schedule, schedule_of
@@ -34,6 +35,7 @@ class Compiled:
 
     Attributes:
         model: the robot.
+        origin: where it comes from.
         request: what was asked for, with the shape that a given schedule asks for.
         schedule: what runs where.
         plan: what each process computes.
@@ -44,6 +46,7 @@ class Compiled:
     """
 
     model: Model
+    origin: Origin
     request: Request
     schedule: Schedule
     plan: Plan
@@ -80,6 +83,14 @@ class Compiled:
             return None
         return -math.log10(found.error)
 
+    def in_folder(self, folder: str | os.PathLike[str]) -> dict[str, str]:
+        """Return the files as they are written into a folder.
+
+        The source's head has the command that makes them again, with paths seen from the folder.
+        """
+        command = command_of(self.origin, self.request, Path(folder))
+        return {**self.files, f"{self.stem}.cpp": with_command(self.source, command)}
+
     def write(self, folder: str | os.PathLike[str]) -> list[Path]:
         """Write the files, all or none, and return their paths; those that are right stay.
 
@@ -87,7 +98,7 @@ class Compiled:
             UsageError: a file that is there was not written by adagen, or for another robot.
             EnvironmentFault: writing failed.
         """
-        write_files(Path(folder), self.files)
+        write_files(Path(folder), self.in_folder(folder))
         return [Path(folder, name) for name in sorted(self.files)]
 
     def build(self, toolchain: Toolchain | None = None) -> Solver:
@@ -185,4 +196,4 @@ def emitted(
         profile=profile,
     )
     line = timeline(program, profile) if priced else None
-    return Compiled(model, request, schedule, plan, program, line, files)
+    return Compiled(model, origin, request, schedule, plan, program, line, files)

@@ -35,6 +35,7 @@ class Request:
         name: of the files; None: the robot description's.
         chunk: values that one function of shape unrolled computes; 0 for its default.
         compiler: that the source is meant for; "" for any.
+        tuned: whether shape, chunk and compiler were found by trying; processes do not gather then.
     """
 
     procs: int = 1
@@ -55,6 +56,7 @@ class Request:
     name: str | None = None
     chunk: int = 0
     compiler: str = ""
+    tuned: bool = False
 
     def __post_init__(self) -> None:
         """Refuse what cannot be had, whatever the robot.
@@ -93,7 +95,7 @@ class Request:
 
         Who asks for a strategy or a split asks for the paper's way to meet.
         """
-        if self.strategy != "exact" or self.split != "always":
+        if self.strategy != "exact" or self.split != "always" or self.tuned:
             return False
         return self.shape in ("auto", "kernels") and not self.refinement
 
@@ -102,6 +104,8 @@ class Request:
         """The shape that a prediction is of: what is asked for, or comes with other wishes."""
         if self.batch:
             return "kernels"
+        if self.tuned:  # it was not known yet
+            return "auto"
         return "joints" if self.refinement else self.shape
 
 

@@ -38,13 +38,12 @@ def schedule_of(model: Model, request: Request) -> Schedule:
     return as_gathered(model, searched(model, request))
 
 
-def searched(model: Model, request: Request, *, gather: bool = True) -> Schedule:
+def searched(model: Model, request: Request) -> Schedule:
     """Return the schedule that is searched, or of the name that is asked for.
 
-    Args:
-        model: the robot.
-        request: what is asked for.
-        gather: whether processes may gather, as far as the request lets them.
+    Raises:
+        InputError: the profile is refused, or the robot cannot be treated in this form.
+        UsageError: there is no such profile.
     """
     profile = load_profile(request.profile)
     if request.schedule != "auto":
@@ -60,7 +59,7 @@ def searched(model: Model, request: Request, *, gather: bool = True) -> Schedule
         strategy=request.strategy,
         split=request.split,
         improved=not request.naive,
-        gather=gather and request.may_gather,
+        gather=request.may_gather,
         shape=request.priced_shape,
         **({} if request.expansions is None else {"expansions": request.expansions}),
     )

@@ -1,6 +1,7 @@
 // Forward dynamics of "chain16" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
+// command   adagen ../models/chain16.urdf --procs 4 --form=ada --channel=message
 // options   form ada, shape joints, scalar double, channel message, fixed base, gravity 0.0, 0.0, -9.81
 // program   4 processes, joined at cuts; 2.37 us predicted (default profile)
 //           process 0: joint01 .. joint06, joint10

@@ -92,10 +92,10 @@ class TestGenerate:
         elsewhere.mkdir()
         other = elsewhere / arm.name
         other.write_bytes(arm.read_bytes())
-        for model, out in ((arm, "a"), (other, "b")):
-            assert main([str(model), "--procs", "2", "--out", str(tmp_path / out)]) == 0
-        for file in (tmp_path / "a").iterdir():
-            assert file.read_bytes() == (tmp_path / "b" / file.name).read_bytes()
+        for model in (arm, other):
+            assert main([str(model), "--procs", "2", "--out", str(model.parent / "out")]) == 0
+        for file in (tmp_path / "out").iterdir():
+            assert file.read_bytes() == (elsewhere / "out" / file.name).read_bytes()
             assert str(tmp_path) not in file.read_text()
 
     def test_generating_again_replaces_and_keeps_other_files(

@@ -75,7 +75,7 @@ class TestUsage:
             (["schedul", "robot.urdf", "--procs", "2"], "did you mean 'schedule'?"),
             (["benchmark", "robot.urdf"], "did you mean 'bench'?"),
             (["compile", "robot.urdf", "--procs", "2"], "adagen MODEL --procs P emits a solver"),
-            (["compile"], "commands are info, schedule, solve, calibrate, env"),
+            (["compile"], "commands are info, schedule, solve, verify, calibrate, env"),
             (["r.urdf", "--procs", "2", "--batch", "--refine", "1"], "batches are not refined"),
             (["r.urdf", "--procs", "2", "--batch", "--shape", "joints"], "in shapes kernels"),
             (["r.urdf", "--procs", "2", "--batch", "--tune"], "batches are not tuned"),

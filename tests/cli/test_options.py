@@ -171,6 +171,7 @@ def test_real_robots(robot: str, tmp_path: Path, capsys: pytest.CaptureFixture[s
         assert ok == out.exists() and (not ok or len(list(out.iterdir())) == WRITTEN)
         done += ok
         if k % 3 == 0:
+            assert not ok or main(["verify", str(out)]) == 0, capsys.readouterr()
             words = words_of(case, tmp_path, emitted=False)
             done_or_refused(["schedule", str(path_of(robot)), *words], capsys)
     assert done >= len(cases) // 2  # a robot may refuse a shape, for one
