@@ -18,7 +18,7 @@ _EPILOG = """\
 other commands (each has a --help of its own):
   adagen info MODEL                     joints, places, what is not modelled
   adagen schedule MODEL                 what runs where, and what it should cost
-  adagen verify DIR ...                 emit again, and compare with what is there
+  adagen verify DIR ...                 emit again and compare
   adagen solve MODEL --states FILE      generate, build and run for given states
   adagen calibrate                      measure what operations cost here
   adagen bench MODEL ...                time it beside pinocchio, casadi, MuJoCo
