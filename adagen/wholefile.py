@@ -77,6 +77,8 @@ def write_files(folder: Path, files: Mapping[str, str]) -> None:
         for name, text in files.items():
             _check_ours(folder / name, text)
         for name, text in files.items():
+            if _is_right(folder / name, text):
+                continue  # its time stays, and nothing that depends on it is built anew
             waiting.append((write_beside(folder, text), folder / name))
         while waiting:
             temporary, place = waiting[0]
@@ -89,6 +91,14 @@ def write_files(folder: Path, files: Mapping[str, str]) -> None:
     finally:
         for temporary, _ in waiting:
             remove(temporary)
+
+
+def _is_right(path: Path, text: str) -> bool:
+    """Whether a file holds a text already."""
+    try:
+        return not path.is_symlink() and path.read_bytes() == text.encode("utf-8")
+    except OSError:
+        return False
 
 
 def _check_ours(path: Path, text: str) -> None:

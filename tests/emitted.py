@@ -34,8 +34,8 @@ QUICK = ("-O1", "-march=native", "-DNDEBUG", "-fno-math-errno")
 OPTIMISED = ("-O3", *QUICK[1:])
 NARROW = ("-O1", "-march=x86-64-v2", *QUICK[2:])  # registers of two doubles
 TIMEOUT = 120.0
-WRITTEN = 5
-"""Files that are written for a solver: source, header, plan, drawing, Makefile."""
+WRITTEN = 7
+"""Files that are written for a solver: source, header, plan, drawing, what builds and finds it."""
 ROUNDING = {
     scalar: 450 * float(np.finfo(number).eps)
     for scalar, number in (("double", np.float64), ("float", np.float32))

@@ -58,7 +58,6 @@ def run(argv: Sequence[str]) -> int:
 
     from adagen.cli import pipeline
     from adagen.cli.predicted import prediction
-    from adagen.wholefile import write_files
 
     stages = Stages()
     try:
@@ -66,9 +65,9 @@ def run(argv: Sequence[str]) -> int:
         made = pipeline.generate(model, options, stages)
         told = prediction(made.schedule, made.timeline)
         with stages.stage("write"):
-            write_files(options.out, made.in_folder(options.out))
+            written = made.write(options.out)
     finally:
         if options.verbose:
             note(str(stages))
-    note(f"wrote {', '.join(str(options.out / name) for name in sorted(made.files))}; {told}")
+    note(f"wrote {', '.join(map(str, written))}; {told}")
     return 0

@@ -70,18 +70,28 @@ def emit(
             of least price.
 
     Returns:
-        NAME_pP.cpp, NAME_pP.plan.json, Makefile and, if given, NAME_pP.svg.
+        NAME_pP.cpp, NAME_pP.h, NAME_pP.plan.json, NAME_pP.pc and, if given, NAME_pP.svg; Makefile
+        and CMakeLists.txt, which are the same for all, and build all in their folder.
 
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
+    processes = batch or len(plan.processes)
     stem = stem_of(plan, name, batch)
     header, text = _texts(plan, stem, shape, refine, chunk, compiler, batch, profile, limbs)
     files = {
         f"{stem}.cpp": text,
         f"{stem}.h": header,
         f"{stem}.plan.json": plan_to_json(replace(plan, profile=_named(profile))),
+        f"{stem}.pc": render(
+            "solver.pc.j2",
+            stem=stem,
+            process_count=processes,
+            mpi=processes > 1,
+            version=__version__,
+        ),
         "Makefile": template("Makefile"),
+        "CMakeLists.txt": template("CMakeLists.txt"),
     }
     if svg is not None:
         files[f"{stem}.svg"] = svg

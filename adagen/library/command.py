@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shlex
 from collections.abc import Iterator
 from dataclasses import fields
 from pathlib import Path
 
+from adagen.errors import UsageError, printable
 from adagen.library.request import Request
 from adagen.library.robot import Origin
 from adagen.library.scheduling import KNOWN
@@ -16,6 +18,8 @@ from adagen.schedule.profile import SHIPPED, stored_profiles
 
 _MARK = "// command   "
 _HEAD_LINES = 30
+_HEAD_CHARACTERS = 10_000
+_DESCRIPTION = re.compile("description sha256 ([0-9a-f]+)")
 _SAID_BY_ITSELF = {"procs", "schedule", "profile", "chunk", "compiler", "tuned", "shape"}
 
 
@@ -87,3 +91,27 @@ def command_in(source: str) -> list[str] | None:
             except ValueError:
                 return None
     return None
+
+
+def refuse_another(path: Path, source: str) -> None:
+    """Refuse to write a source in place of one that was made of another robot.
+
+    A robot is another one where neither the place of its description nor the description is the
+    same.
+
+    Raises:
+        UsageError: it is another one.
+    """
+    try:
+        with path.open(encoding="utf-8", errors="replace") as file:
+            head = file.read(_HEAD_CHARACTERS)
+    except OSError:  # nothing is there, or what is there is judged by who writes
+        return
+    before, now = command_in(head), command_in(source)
+    if not before or not now or before[1:2] == now[1:2]:
+        return
+    if _DESCRIPTION.findall(head) != _DESCRIPTION.findall(source[:_HEAD_CHARACTERS]):
+        raise UsageError(
+            f"{printable(str(path))} was made of another robot, {printable(before[1])}; choose "
+            "another --name or --out, or remove it"
+        )

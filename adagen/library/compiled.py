@@ -13,7 +13,7 @@ from adagen.cost import Timeline, timeline
 from adagen.drawing import draw
 from adagen.emit import emit, program_of
 from adagen.errors import InputError, UsageError
-from adagen.library.command import command_of, with_command
+from adagen.library.command import command_of, refuse_another, with_command
 from adagen.library.request import Request
 from adagen.library.robot import Origin, Robot
 from adagen.library.scheduling import given_schedule, schedule_of
@@ -95,11 +95,14 @@ class Compiled:
         """Write the files, all or none, and return their paths; those that are right stay.
 
         Raises:
-            UsageError: a file that is there was not written by adagen, or for another robot.
+            UsageError: a file that is there was not written by adagen, or of another robot.
             EnvironmentFault: writing failed.
         """
-        write_files(Path(folder), self.in_folder(folder))
-        return [Path(folder, name) for name in sorted(self.files)]
+        files = self.in_folder(folder)
+        source = f"{self.stem}.cpp"
+        refuse_another(Path(folder, source), files[source])
+        write_files(Path(folder), files)
+        return [Path(folder, name) for name in sorted(files)]
 
     def build(self, toolchain: Toolchain | None = None) -> Solver:
         """Return the solver, built now or found in the cache.
