@@ -222,7 +222,7 @@ class TestEnv:
     def test_each_answer_alone_and_all_as_json(self, capsys: pytest.CaptureFixture[str]) -> None:
         assert main(["env", "--json"]) == 0
         told = json.loads(capsys.readouterr().out)
-        for which in ("mpicxx", "mpiexec", "flags"):
+        for which in ("cxx", "mpicxx", "mpiexec", "flags"):
             assert main(["env", f"--{which}"]) == 0
             assert shlex.split(capsys.readouterr().out) == told[which]
         assert main(["env", "--eigen"]) == 0
