@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 
 class AdagenError(Exception):
     """A failure that a person can act on: one line of text and an exit status.
@@ -53,6 +55,44 @@ class EnvironmentFault(AdagenError):
 
     def __str__(self) -> str:
         return f"error: {super().__str__()}"
+
+
+class JointError(UsageError, LookupError):
+    """There is no joint of this name."""
+
+    def __str__(self) -> str:
+        return super().__str__().removeprefix("error: ")
+
+
+class SolveError(AdagenError, ArithmeticError):
+    """A state has no accelerations that can be computed.
+
+    Args:
+        text: why, with the joint's name.
+        joint: the name of the joint that it is about, or None.
+        state: the first state that failed, counted from 0; None of a single state.
+        count: how many states failed.
+        out: the accelerations of all states, shape (S, nv), not numbers where they failed; None
+            of a single state.
+    """
+
+    status = 1
+
+    def __init__(
+        self,
+        text: str,
+        joint: str | None = None,
+        state: int | None = None,
+        count: int = 1,
+        out: Any = None,
+    ) -> None:
+        super().__init__(text, joint, state, count, out)
+        self.text, self.joint, self.state, self.count, self.out = text, joint, state, count, out
+
+    def __str__(self) -> str:
+        place = "" if self.state is None else f"state {self.state}: "
+        more = f" (and {self.count - 1} more states)" if self.count > 1 else ""
+        return f"{place}{printable(self.text)}{more}"
 
 
 def printable(text: str) -> str:

@@ -1,13 +1,17 @@
-"""Text files written whole or not at all: beside their place first, then renamed."""
+"""Text files written whole or not at all: beside their place first, then renamed; all or none."""
 
 from __future__ import annotations
 
 import os
 import tempfile
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from adagen.errors import EnvironmentFault, printable
+from adagen.errors import EnvironmentFault, UsageError, printable
+
+_SIGNATURE = b"adagen"
+_HEAD_BYTES = 1000
 
 
 def write_whole(path: Path, text: str) -> None:
@@ -52,3 +56,62 @@ def remove(path: Path) -> None:
     """Remove a file if that can be done."""
     with suppress(OSError):
         path.unlink()
+
+
+def write_files(folder: Path, files: Mapping[str, str]) -> None:
+    """Write all of ``files`` (name to text) into ``folder``, which is made where it is missing.
+
+    Every text is first written beside its place and only then, when all are complete, renamed: a
+    failure leaves what was there. A file that adagen did not write is not overwritten.
+
+    Raises:
+        UsageError: a file that is there was not written by adagen, or is a folder.
+        EnvironmentFault: writing failed.
+    """
+    for name in files:
+        if not name or name in (".", "..") or any(c in name for c in "/\\\0"):
+            raise ValueError(f"not a plain file name: {name!r}")
+    waiting: list[tuple[Path, Path]] = []
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, text in files.items():
+            _check_ours(folder / name, text)
+        for name, text in files.items():
+            if _is_right(folder / name, text):
+                continue  # its time stays, and nothing that depends on it is built anew
+            waiting.append((write_beside(folder, text), folder / name))
+        while waiting:
+            temporary, place = waiting[0]
+            os.replace(temporary, place)  # noqa: PTH105 (a symlink is replaced, not followed)
+            waiting.pop(0)
+    except OSError as error:
+        raise EnvironmentFault(
+            f"cannot write to {printable(str(folder))}: {error.strerror or error}"
+        ) from None
+    finally:
+        for temporary, _ in waiting:
+            remove(temporary)
+
+
+def _is_right(path: Path, text: str) -> bool:
+    """Whether a file holds a text already."""
+    try:
+        return not path.is_symlink() and path.read_bytes() == text.encode("utf-8")
+    except OSError:
+        return False
+
+
+def _check_ours(path: Path, text: str) -> None:
+    """Refuse to overwrite a file that lacks the signature that the new text carries."""
+    if path.is_symlink() and not path.exists():
+        return
+    if path.is_dir():
+        raise UsageError(f"{printable(str(path))} is a folder; choose another --out or --name")
+    if not path.exists() or _SIGNATURE not in text[:_HEAD_BYTES].encode():
+        return
+    with path.open("rb") as file:
+        head = file.read(_HEAD_BYTES)
+    if head.strip() and _SIGNATURE not in head:
+        raise UsageError(
+            f"{printable(str(path))} exists and was not written by adagen; choose another --out"
+        )

@@ -27,6 +27,7 @@ from pathlib import Path
 from statistics import median
 
 from adagen.build import Toolchain, build_executable, find_toolchain
+from adagen.build.cache import uses_mpi
 from adagen.cost import programmed, timeline
 from adagen.cost.lanes import offered_limbs
 from adagen.emit import emit, stem_of
@@ -209,7 +210,9 @@ def _built(plan: Plan, profile: CostProfile) -> tuple[list[Way], str]:
 def _timed(text: str, stem: str) -> str:
     """A solver with a small program that times it, in place of its own."""
     main = (Path(__file__).parent / "choice_program.cpp").read_text(encoding="utf-8")
-    return f"#define ADAGEN_NO_MAIN\n{text}{main.replace('STEM', prefix_of(stem))}"
+    opening = 'MPI_COMM_WORLD, "auto", 10' if uses_mpi(text) else ""
+    main = main.replace("OPENING", opening).replace("STEM", prefix_of(stem))
+    return f"#define ADAGEN_NO_MAIN\n{text}{main}"
 
 
 def measured(way: Way, processes: int, toolchain: Toolchain) -> float:

@@ -2,6 +2,10 @@
 // Times the solver above on random states: median nanoseconds of an evaluation, over when the last
 // process is done. A small program in place of the emitted one's own, which takes compilers twice
 // as long as the solver.
+#include <mpi.h>
+
+#include <cstdlib>
+#include <vector>
 #if defined(__linux__)
 #include <sched.h>
 #endif
@@ -46,7 +50,7 @@ int main(int argc, char** argv) {
   const char* name = nullptr;
   for (int k = 0, q, q_size, v, v_size; STEM_joint(k, &name, &q, &q_size, &v, &v_size); ++k)
     nq = q + q_size, nv = v + v_size;
-  STEM_solver* const solver = STEM_open(MPI_COMM_WORLD, "auto", 10);
+  STEM_solver* const solver = STEM_open(OPENING);
   if (solver == nullptr) MPI_Abort(MPI_COMM_WORLD, 1);
   constexpr int states = 64;
   std::uint64_t seed = 88172645463325252;

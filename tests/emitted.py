@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.build import Toolchain, build_executable
-from adagen.build.toolchain import STANDARD, WARNINGS
+from adagen.build.cache import uses_mpi
+from adagen.build.toolchain import STANDARD, WARNINGS, with_compiler
 from adagen.emit import emit, stem_of
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
@@ -33,6 +34,8 @@ QUICK = ("-O1", "-march=native", "-DNDEBUG", "-fno-math-errno")
 OPTIMISED = ("-O3", *QUICK[1:])
 NARROW = ("-O1", "-march=x86-64-v2", *QUICK[2:])  # registers of two doubles
 TIMEOUT = 120.0
+WRITTEN = 7
+"""Files that are written for a solver: source, header, plan, drawing, what builds and finds it."""
 ROUNDING = {
     scalar: 450 * float(np.finfo(number).eps)
     for scalar, number in (("double", np.float64), ("float", np.float32))
@@ -80,8 +83,7 @@ class Builder:
 
     def with_compiler(self, name: str) -> Builder:
         """Return a builder with another compiler behind the wrapper."""
-        environment = (*self.toolchain.environment, ("OMPI_CXX", name), ("MPICH_CXX", name))
-        return replace(self, toolchain=replace(self.toolchain, environment=environment))
+        return replace(self, toolchain=with_compiler(self.toolchain, name))
 
     def compile(
         self, source: str, stem: str, flags: Sequence[str] = QUICK, libraries: Sequence[str] = ()
@@ -99,7 +101,7 @@ class Builder:
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, f"{stem}.cpp")
             path.write_text(source)
-            command = toolchain.compile_command(path, path.with_suffix(""))
+            command = toolchain.compile_command(path, path.with_suffix(""), uses_mpi(source))
             done = subprocess.run(
                 command, capture_output=True, text=True, env=toolchain.variables(os.environ)
             )

@@ -28,5 +28,5 @@ def test_packages_have_an_order() -> None:
     assert order.index("plan") < order.index("executor") < order.index("program")
     assert order.index("program") < order.index("cost") < order.index("emit")
     assert order.index("schedule") < order.index("paper") < order.index("search")
-    assert order.index("emit") < order.index("search") < order.index("cli")
+    assert order.index("emit") < order.index("search") < order.index("library") < order.index("cli")
     assert order.index("search") < order.index("studies")

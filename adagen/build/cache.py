@@ -90,7 +90,7 @@ def _compile(source_text: str, name: str, toolchain: Toolchain, work: Path) -> N
         source.write_text(source_text, encoding="utf-8")
     except OSError as error:
         raise EnvironmentFault(f"cannot write {source}: {error.strerror}") from None
-    done = _run(toolchain.compile_command(source, work / name), toolchain)
+    done = _run(toolchain.compile_command(source, work / name, uses_mpi(source_text)), toolchain)
     if done.returncode != 0:
         raise EnvironmentFault(_why(done, work))
 
@@ -111,12 +111,13 @@ def _move_into_place(work: Path, final: Path, executable: Path) -> None:
 
 def _key(source_text: str, name: str, toolchain: Toolchain) -> str:
     """Return the SHA-256, in hexadecimal, of everything that decides on the executable."""
+    compiler = toolchain.compiler(uses_mpi(source_text))
     parts = (
         source_text,
         name,
-        "\0".join(toolchain.mpicxx),
+        "\0".join(compiler),
         "\0".join(toolchain.flags),
-        _compiler_identity(toolchain),
+        _compiler_identity(compiler, toolchain),
         _eigen_version(toolchain.eigen),
         _processor(),
     )
@@ -127,16 +128,21 @@ def _key(source_text: str, name: str, toolchain: Toolchain) -> str:
     return digest.hexdigest()
 
 
-def _compiler_identity(toolchain: Toolchain) -> str:
+def uses_mpi(source_text: str) -> bool:
+    """Tell whether a C++ source is to be compiled and linked with MPI."""
+    return "#include <mpi.h>" in source_text
+
+
+def _compiler_identity(compiler: tuple[str, ...], toolchain: Toolchain) -> str:
     """Return what tells one compiler and MPI from another: its version and what it adds."""
-    version = _run([*toolchain.mpicxx, "--version"], toolchain)
+    version = _run([*compiler, "--version"], toolchain)
     if version.returncode != 0:
         said = printable(" ".join((version.stderr or version.stdout).split()))[:300]
         raise EnvironmentFault(
-            f"{toolchain.mpicxx[0]} does not work: {said or 'no message'} (is g++ installed?)"
+            f"{compiler[0]} does not work: {said or 'no message'} (is g++ installed?)"
         )
     for option in ("--showme", "-show"):  # Open MPI's word, MPICH's word
-        shown = _run([*toolchain.mpicxx, option], toolchain)
+        shown = _run([*compiler, option], toolchain)
         if shown.returncode == 0:
             return version.stdout + shown.stdout
     return version.stdout

@@ -38,6 +38,7 @@ class Toolchain:
 
     Attributes:
         mpicxx: command of the MPI compiler wrapper, as arguments.
+        cxx: command of the compiler for what needs no MPI, as arguments.
         mpiexec: command that starts MPI processes, as arguments.
         eigen: folder that holds ``Eigen/Dense``.
         flags: options of the compiler.
@@ -46,16 +47,21 @@ class Toolchain:
     """
 
     mpicxx: tuple[str, ...]
+    cxx: tuple[str, ...]
     mpiexec: tuple[str, ...]
     eigen: Path
     flags: tuple[str, ...]
     wheel: bool
     environment: tuple[tuple[str, str], ...] = ()
 
-    def compile_command(self, source: Path, executable: Path) -> list[str]:
+    def compiler(self, mpi: bool) -> tuple[str, ...]:
+        """Return what compiles programs that exchange messages, or those that do not."""
+        return self.mpicxx if mpi else self.cxx
+
+    def compile_command(self, source: Path, executable: Path, mpi: bool = True) -> list[str]:
         """Return the arguments that compile ``source`` into ``executable``."""
         eigen = ("-isystem", str(self.eigen))
-        return [*self.mpicxx, *self.flags, *eigen, str(source), "-o", str(executable)]
+        return [*self.compiler(mpi), *self.flags, *eigen, str(source), "-o", str(executable)]
 
     def variables(self, environ: Mapping[str, str]) -> dict[str, str]:
         """Return ``environ`` with this toolchain's own variables added."""
@@ -78,6 +84,7 @@ def find_toolchain(environ: Mapping[str, str] | None = None) -> Toolchain:
     extra = _words(environ.get("CXXFLAGS", ""))
     return Toolchain(
         mpicxx=mpicxx,
+        cxx=_find_compiler(environ),
         mpiexec=mpiexec,
         eigen=_find_eigen(environ),
         flags=(*STANDARD, *OPTIMISATION, *WARNINGS, *extra),
@@ -94,11 +101,13 @@ def find_toolchain(environ: Mapping[str, str] | None = None) -> Toolchain:
 
 
 def with_compiler(toolchain: Toolchain, compiler: str) -> Toolchain:
-    """Return the toolchain with another compiler behind Open MPI's or MPICH's wrapper."""
+    """Return the toolchain with another compiler, also behind Open MPI's or MPICH's wrapper."""
     if not compiler:
         return toolchain
     words = (("OMPI_CXX", compiler), ("MPICH_CXX", compiler))
-    return replace(toolchain, environment=(*toolchain.environment, *words))
+    return replace(
+        toolchain, cxx=tuple(_words(compiler)), environment=(*toolchain.environment, *words)
+    )
 
 
 def mpi_environment(environ: Mapping[str, str], uid: int, *, wheel: bool = True) -> dict[str, str]:
@@ -242,6 +251,14 @@ def _compiler_choice(environ: Mapping[str, str]) -> dict[str, str]:
     if compiler is None:
         raise EnvironmentFault(_NO_COMPILER)
     return {"OMPI_CXX": compiler}
+
+
+def _find_compiler(environ: Mapping[str, str]) -> tuple[str, ...]:
+    """Return the command of the compiler for what needs no MPI."""
+    asked = environ.get("CXX", "").strip() or environ.get("OMPI_CXX", "").strip()
+    if asked:
+        return _words(asked)
+    return (_first_on_path(("c++", "g++", "clang++"), environ) or "c++",)
 
 
 def _command(text: str, environ: Mapping[str, str], variable: str) -> tuple[str, ...]:

@@ -16,7 +16,7 @@ import numpy as np
 from adagen.build import Toolchain, build_executable
 from adagen.calibrate.measure import TIMEOUT
 from adagen.calibrate.nnls import nnls
-from adagen.emit import HEADERS
+from adagen.emit.headers import MPI, PROGRAM, SOLVER
 from adagen.emit.templates import render
 from adagen.errors import EnvironmentFault
 from adagen.run import launch
@@ -58,7 +58,12 @@ def channel_program(toolchain: Toolchain) -> Path:
         for size in SIZES
         for source, comment in ((0, "there"), (1, "and back"))
     ]
-    text = render("channel_times.cpp.j2", headers=HEADERS, channel_messages=messages)
+    text = render(
+        "channel_times.cpp.j2",
+        mpi=True,
+        headers=sorted({*SOLVER, *MPI, *PROGRAM}),
+        channel_messages=messages,
+    )
     return build_executable(text, _NAME, toolchain)
 
 

@@ -212,7 +212,7 @@ def _emit(entry: Entry, model: Model, variant: str) -> Emitted:
     words = shlex.split(variant)
     more = [w for k, w in enumerate(words) if not {w, *words[k - 1 : k]} & _NAMED]
     names = [shape, *([options.scalar] if options.scalar != "double" else []), *more]
-    file, text = made.source
+    file, text = f"{made.stem}.cpp", made.source
     if len(text) > MOST_TEXT:
         raise UsageError(
             f"shape {shape}: {len(text) / 1e6:.1f} million characters of source take minutes to "

@@ -23,6 +23,7 @@ def run(argv: Sequence[str]) -> int:
     parser = make_parser("adagen env", "Print the toolchain that would be used.", _EPILOG)
     which = parser.add_mutually_exclusive_group()
     for option, help_text in (
+        ("--cxx", "only the compiler for one process"),
         ("--mpicxx", "only the compiler wrapper"),
         ("--mpiexec", "only the launcher"),
         ("--eigen", "only the folder with Eigen's headers"),
@@ -36,6 +37,7 @@ def run(argv: Sequence[str]) -> int:
     options = parse(parser, argv)
     toolchain = find_toolchain(os.environ)
     lines = {
+        "cxx": shlex.join(toolchain.cxx),
         "mpicxx": shlex.join(toolchain.mpicxx),
         "mpiexec": shlex.join(toolchain.mpiexec),
         "eigen": shlex.quote(str(toolchain.eigen)),
@@ -44,6 +46,7 @@ def run(argv: Sequence[str]) -> int:
     }
     if options.which == "json":
         told: dict[str, object] = {
+            "cxx": list(toolchain.cxx),
             "mpicxx": list(toolchain.mpicxx),
             "mpiexec": list(toolchain.mpiexec),
             "eigen": str(toolchain.eigen),

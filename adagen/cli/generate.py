@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 from collections.abc import Sequence
 
 from adagen.cli.console import Stages, note
@@ -17,6 +18,7 @@ _EPILOG = """\
 other commands (each has a --help of its own):
   adagen info MODEL                     joints, places, what is not modelled
   adagen schedule MODEL                 what runs where, and what it should cost
+  adagen verify DIR ...                 emit again and compare
   adagen solve MODEL --states FILE      generate, build and run for given states
   adagen calibrate                      measure what operations cost here
   adagen bench MODEL ...                time it beside pinocchio, casadi, MuJoCo
@@ -32,8 +34,12 @@ examples:
 exit status: 0 done, 1 the input is at fault, 2 usage, 3 tool or surroundings."""
 
 
-def run(argv: Sequence[str]) -> int:
-    """Carry out ``adagen MODEL`` with the given arguments; return the exit status."""
+def options_of(argv: Sequence[str]) -> argparse.Namespace:
+    """Return the options of ``adagen MODEL``.
+
+    Raises:
+        UsageError: the words are no such command line.
+    """
     parser = make_parser("adagen", _DESCRIPTION, _EPILOG)
     parser.usage = "adagen MODEL [--procs P] [--out DIR] [option ...]"
     add_model(parser)
@@ -43,9 +49,14 @@ def run(argv: Sequence[str]) -> int:
     parser.add_argument("--name", help="name of the files (default: MODEL's)")
     options = parse(parser, argv)
     check_emission(parser, options)
+    return options
+
+
+def run(argv: Sequence[str]) -> int:
+    """Carry out ``adagen MODEL`` with the given arguments; return the exit status."""
+    options = options_of(argv)
 
     from adagen.cli import pipeline
-    from adagen.cli.files import write_files
     from adagen.cli.predicted import prediction
 
     stages = Stages()
@@ -54,9 +65,9 @@ def run(argv: Sequence[str]) -> int:
         made = pipeline.generate(model, options, stages)
         told = prediction(made.schedule, made.timeline)
         with stages.stage("write"):
-            write_files(options.out, made.files)
+            written = made.write(options.out)
     finally:
         if options.verbose:
             note(str(stages))
-    note(f"wrote {', '.join(str(options.out / name) for name in sorted(made.files))}; {told}")
+    note(f"wrote {', '.join(map(str, written))}; {told}")
     return 0

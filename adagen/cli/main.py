@@ -15,7 +15,7 @@ from types import FrameType
 
 from adagen.errors import AdagenError, UsageError, printable
 
-VERBS = ("info", "schedule", "solve", "calibrate", "env", "bench", "stability", "chart")
+VERBS = ("info", "schedule", "solve", "verify", "calibrate", "env", "bench", "stability", "chart")
 INTERNAL = 3
 INTERRUPTED = 130
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import re
+from dataclasses import dataclass
 from pathlib import Path
 
 from adagen.cli.parser import Parser, finite, whole
@@ -70,6 +72,7 @@ RARE = frozenset(
         "--form",
         "--shape",
         "--tune",
+        "--tuned",
         "--channel",
     ]
 )
@@ -196,6 +199,12 @@ def add_emission(parser: Parser) -> None:
         help="build every shape with every compiler at hand, time them, and keep the fastest",
     )
     group.add_argument(
+        "--tuned",
+        type=_tuned,
+        metavar="SHAPE:N:COMPILER",
+        help="take what --tune has found, as the head of a source tells it, without trying",
+    )
+    group.add_argument(
         "--channel",
         choices=("auto", "window", "message"),
         default="auto",
@@ -249,8 +258,28 @@ def check_emission(parser: Parser, options: argparse.Namespace) -> None:
     checked_shape(steps, options.shape)
     if options.batch:
         check_batch(options.shape, steps)
-        if options.tune:
+        if options.tune or options.tuned is not None:
             parser.error("batches are not tuned: leave out --tune or --batch")
+    if options.tuned is not None and (options.tune or options.shape != "auto"):
+        parser.error("--tuned says what --tune and --shape would: leave those out")
+
+
+@dataclass(frozen=True)
+class Tuned:
+    """What was found by trying: shape, values of a function (0: default), compiler ("": any)."""
+
+    shape: str
+    chunk: int
+    compiler: str
+
+
+def _tuned(text: str) -> Tuned:
+    """Return what --tune had found."""
+    shape, _, rest = text.partition(":")
+    chunk, _, compiler = rest.partition(":")
+    if shape not in ("unrolled", "kernels", "joints") or not re.fullmatch(r"[\w+.-]*", compiler):
+        raise argparse.ArgumentTypeError(f"not SHAPE:N:COMPILER: {text!r}")
+    return Tuned(shape, whole(0, 10**9)(chunk), compiler)
 
 
 def _processes(text: str) -> int:

@@ -3,55 +3,24 @@
 from __future__ import annotations
 
 import argparse
-import hashlib
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING
 
 from adagen.cli.console import Stages, progress, tell, warn
-from adagen.cli.options import AUTO, refinement
-from adagen.cli.predicted import priced_shape, scheduled
-from adagen.errors import InputError, UsageError
+from adagen.cli.options import AUTO
+from adagen.cli.predicted import scheduled
+from adagen.errors import InputError
 
 if TYPE_CHECKING:
-    from adagen.cost import Timeline
+    from adagen.library import Compiled, Origin, Request
     from adagen.model import Model
     from adagen.plan import Plan
-    from adagen.program import Program
-    from adagen.schedule import CostProfile, Schedule, Topology
+    from adagen.schedule import Schedule
     from adagen.urdf import Reading
-
-
-@dataclass(frozen=True)
-class Generated:
-    """What one run of the compiler made.
-
-    Attributes:
-        schedule: the schedule.
-        plan: the plan.
-        program: what is emitted.
-        timeline: how an evaluation is predicted to go; None where the profile or a batch leaves
-            that open.
-        files: file name to text: source, plan, drawing and Makefile.
-        processes: how many run it; they share the robot, or the states of a batch.
-        compiler: what the MPI wrapper is to call; "" for its own choice.
-    """
-
-    schedule: Schedule
-    plan: Plan
-    program: Program
-    timeline: Timeline | None
-    files: dict[str, str]
-    processes: int
-    compiler: str = ""
-
-    @property
-    def source(self) -> tuple[str, str]:
-        """File name and text of the C++ source."""
-        return next((name, text) for name, text in self.files.items() if name.endswith(".cpp"))
 
 
 def read_model(
@@ -74,22 +43,47 @@ def read_whole(
         InputError: the robot description or the scene is refused.
     """
     with stages.stage("read"), progress(f"reading {Path(options.model).name}"):
-        if options.scene is not None:
-            from adagen.cli.scenes import read_in_scene
+        from adagen.cli.scenes import in_scene
+        from adagen.library.robot import read_whole
 
-            return read_in_scene(options, gravity)
-        from adagen.urdf import read_robot
-
-        reading = read_robot(
-            options.model,
-            floating=options.floating,
-            mimic=options.mimic,
-            gravity=gravity,
-            strict=options.strict,
-            held=False,
-        )
+        reading, scene = read_whole(origin_of(options, gravity))
+        if scene is not None:
+            return in_scene(reading, scene, options), reading
     tell(reading, options.verbose > 0)
     return reading.model, reading
+
+
+def origin_of(options: argparse.Namespace, gravity: Sequence[float] | None) -> Origin:
+    """Return where the robot of the options comes from, and how it is read."""
+    from adagen.library import Origin
+
+    return Origin(
+        Path(options.model),
+        options.floating,
+        options.mimic,
+        options.strict,
+        None if options.scene is None else Path(options.scene),
+        None if gravity is None else tuple(gravity),
+    )
+
+
+def request_of(options: argparse.Namespace) -> Request:
+    """Return what the options ask for; of ``--procs auto``, one process."""
+    from adagen.library import Request
+
+    given = {name: getattr(options, name) for name in _ASKED if hasattr(options, name)}
+    tuned = getattr(options, "tuned", None)
+    if tuned is not None:
+        given |= {"shape": tuned.shape, "chunk": tuned.chunk, "compiler": tuned.compiler}
+    tuned = tuned is not None or getattr(options, "tune", False)
+    return Request(procs=options.procs or 1, tuned=tuned, **given)
+
+
+_ASKED = (
+    *("form", "scalar", "channel", "shape", "refine", "batch", "profile", "schedule", "objective"),
+    *("tie", "strategy", "split", "naive", "expansions", "name"),
+)
+"""Members of a request that are options of the same name."""
 
 
 def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) -> Schedule:
@@ -100,99 +94,22 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
         UsageError: there is no such profile or schedule.
     """
     with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
+        from adagen.library.scheduling import KNOWN, given_schedule, schedule_of, searched
         from adagen.plan import as_gathered
-        from adagen.schedule import Topology, load_profile
-        from adagen.schedule.tree import Named
-        from adagen.search.objective import schedule_for
 
-        profile = load_profile(options.profile)
-        joins = profile.joins_only() if options.form == "ada" else profile
-        if options.schedule not in ("auto", *get_args(Named)):
-            found = _read_schedule(options, Topology.of(model), joins)
+        asked = request_of(options)
+        if asked.schedule not in KNOWN:
+            found = given_schedule(model, asked)
+            if options.procs == AUTO:
+                options.procs = found.processes
             if getattr(options, "shape", found.shape) == "auto":
                 options.shape = found.shape
-            return as_gathered(model, found)
+            return schedule_of(model, replace(asked, procs=options.procs))
 
         def schedule(processes: int) -> Schedule:
-            if options.schedule != "auto":
-                return _named_schedule(model, options, processes, joins)
-            return schedule_for(
-                options.objective,
-                model,
-                processes,
-                profile,
-                options.form,
-                options.scalar,
-                tie=options.tie,
-                strategy=options.strategy,
-                split=options.split,
-                improved=not options.naive,
-                gather=_may_gather(options),
-                shape=priced_shape(options),
-                **({} if options.expansions is None else {"expansions": options.expansions}),
-            )
+            return searched(model, replace(asked, procs=processes))
 
         return as_gathered(model, scheduled(model, options, schedule))
-
-
-def _named_schedule(
-    model: Model, options: argparse.Namespace, processes: int, profile: CostProfile
-) -> Schedule:
-    """Return the schedule of the name that the user gave.
-
-    Raises:
-        InputError: the robot has no joint at which anything could be joined.
-    """
-    from adagen.plan.clusters import fold_of
-    from adagen.search import named_schedule
-
-    seen = fold_of(model, options.form)
-    if not len(seen.topology):
-        raise InputError(
-            f"form {options.form} treats all links of this robot as one, as their inertias cannot"
-            f" be inverted: there is no order of joints for --schedule {options.schedule}; leave it"
-            " out"
-        )
-    found = named_schedule(options.schedule, seen.topology, processes, profile=profile)
-    return seen.unfold(found, profile)
-
-
-def _read_schedule(
-    options: argparse.Namespace, topology: Topology, profile: CostProfile
-) -> Schedule:
-    """Return the schedule in the file that the user gave."""
-    from adagen.schedule.tree import Named
-    from adagen.search import schedule_from_json
-
-    try:
-        text = Path(options.schedule).read_text(encoding="utf-8")
-    except FileNotFoundError:
-        known = ", ".join(("auto", *get_args(Named)))
-        raise UsageError(
-            f"--schedule: '{options.schedule}' is no file and none of {known}"
-        ) from None
-    except OSError as error:
-        raise InputError(f"cannot read it: {error.strerror}", options.schedule) from None
-    except ValueError:
-        raise InputError("not UTF-8 text", options.schedule) from None
-    schedule = schedule_from_json(text, topology, profile, options.schedule)
-    if options.procs == AUTO:
-        options.procs = schedule.processes
-    if schedule.processes != options.procs:
-        raise InputError(
-            f"this schedule is for {schedule.processes} processes, not {options.procs}; "
-            f"say --procs {schedule.processes}",
-            options.schedule,
-        )
-    return schedule
-
-
-def draw(schedule: Schedule, model: Model, program: Program, profile: CostProfile) -> str:
-    """Return a program drawn as SVG."""
-    from adagen.drawing import draw
-    from adagen.schedule import Topology
-
-    return draw(schedule, Topology.of(model), program, profile, model.name)
 
 
 @contextmanager
@@ -206,28 +123,23 @@ def _about(file: str) -> Iterator[None]:
         raise
 
 
-def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Generated:
+def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compiled:
     """Return all that is emitted for a robot under the options; nothing is written.
 
     Raises:
         InputError: the robot cannot be treated in this form.
     """
-    batch = 0
+    processes = 0
     if options.batch:
-        batch, options.procs = shared_by(options), 1
+        processes, options.procs = shared_by(options), 1
     with _about(options.model):
         schedule = schedule_model(model, options, stages)
+    request = replace(request_of(options), procs=processes or options.procs)
     with stages.stage("plan"), progress("planning"), _about(options.model):
-        from adagen.plan import make_plan
+        from adagen.library.compiled import planned
+        from adagen.library.robot import source_hash
 
-        plan = make_plan(
-            model,
-            schedule,
-            form=options.form,
-            scalar=options.scalar,
-            channel=options.channel,
-            source_hash=source_hash(Path(options.model)),
-        )
+        plan = planned(model, schedule, request, source_hash(Path(options.model)))
     _warn_of_idle(plan, options)
     if options.verbose and options.scene is not None:
         from adagen.cli.scenes import tell_savings
@@ -236,48 +148,16 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Gener
             tell_savings(plan, schedule, options)
     with stages.stage("assess"):
         _warn_of_lost_digits(plan, model, options)
-    chosen = _shape(plan, options, stages)
-    program, line = _programmed(plan, options, chosen["shape"])
+    if options.tune:
+        from adagen.cli.tuning import tuned
+
+        best = tuned(plan, options, stages)
+        request = replace(request, shape=best.shape, chunk=best.chunk, compiler=best.compiler)
     with stages.stage("emit"), progress("emitting"):
-        from adagen.emit import emit
-        from adagen.schedule import load_profile
+        from adagen.library.compiled import emitted
 
-        name = Path(options.model).stem if options.name is None else options.name
-        profile = load_profile(options.profile)
-        files = emit(
-            plan,
-            name=name,
-            svg=draw(schedule, model, program, profile),
-            refine=options.refine,
-            batch=batch,
-            profile=profile,
-            **chosen,
-        )
-    processes = batch or options.procs
-    return Generated(schedule, plan, program, line, files, processes, chosen.get("compiler", ""))
-
-
-def _programmed(
-    plan: Plan, options: argparse.Namespace, shape: str
-) -> tuple[Program, Timeline | None]:
-    """Return what is emitted of a plan, and how an evaluation is predicted to go."""
-    from adagen.cli.predicted import timeline_of
-    from adagen.emit import program_of
-    from adagen.schedule import load_profile
-
-    profile = load_profile(options.profile)
-    program = program_of(plan, shape, options.refine, batch=options.batch, profile=profile)
-    return program, None if options.batch else timeline_of(program, options)
-
-
-def _shape(plan: Plan, options: argparse.Namespace, stages: Stages) -> dict[str, Any]:
-    """Return what ``emit`` is told of shape and compiler: as asked for, or found by trying."""
-    if not options.tune:
-        return {"shape": options.shape}
-    from adagen.cli.tuning import tuned
-
-    best = tuned(plan, options, stages)
-    return {"shape": best.shape, "chunk": best.chunk, "compiler": best.compiler}
+        origin = origin_of(options, getattr(options, "gravity", None))
+        return emitted(model, origin, schedule, plan, request)
 
 
 def _warn_of_idle(plan: Plan, options: argparse.Namespace) -> None:
@@ -293,18 +173,6 @@ def _warn_of_idle(plan: Plan, options: argparse.Namespace) -> None:
 def shared_by(options: argparse.Namespace) -> int:
     """Return by how many processes a batch is shared: all cores for auto."""
     return int(options.procs) or len(os.sched_getaffinity(0))
-
-
-def _may_gather(options: argparse.Namespace) -> bool:
-    """Return whether processes may gather: shape kernels alone knows how to.
-
-    Who asks for a strategy or a split asks for the paper's way to meet.
-    """
-    if options.strategy != "exact" or options.split != "always":
-        return False
-    shape = getattr(options, "shape", "auto")
-    whole = refinement(options) or getattr(options, "tune", False)
-    return shape in ("auto", "kernels") and not whole
 
 
 def _warn_of_lost_digits(plan: Plan, model: Model, options: argparse.Namespace) -> None:
@@ -351,15 +219,3 @@ def _why_it_fails(plan: Plan, model: Model, options: argparse.Namespace, failure
         f"is singular or too small to be joined there ({failure}): leave out --schedule, or say"
         " --procs 1"
     )
-
-
-def source_hash(path: Path) -> str:
-    """Return the SHA-256 of a robot description, in hexadecimal.
-
-    Raises:
-        InputError: it cannot be read.
-    """
-    try:
-        return hashlib.sha256(path.read_bytes()).hexdigest()
-    except OSError as error:
-        raise InputError(f"cannot read it: {error.strerror}", str(path)) from None

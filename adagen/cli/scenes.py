@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from adagen.cli.console import note, progress, tell, warn
-from adagen.errors import EnvironmentFault, InputError, UsageError
-from adagen.scene import Reduction, apply_scene, read_scene
+from adagen.errors import EnvironmentFault, InputError
+from adagen.scene import Reduction, apply_scene
 from adagen.scene.report import Cost, measured, removed, saved
 from adagen.scene.types import Scene
 
@@ -21,32 +20,16 @@ if TYPE_CHECKING:
     from adagen.urdf import Reading
 
 
-def read_in_scene(
-    options: argparse.Namespace, gravity: Sequence[float] | None
-) -> tuple[Model, Reading]:
-    """Return the robot of the options, reduced to what their scene needs, and what was read.
+def in_scene(reading: Reading, scene: Scene, options: argparse.Namespace) -> Model:
+    """Return a robot reduced to what a scene needs; what there is to say of it is said.
 
     The reduction is kept as ``options.reduction`` for what is said later.
 
     Raises:
-        InputError: the robot description or the scene is refused.
-        UsageError: the command line contradicts the scene.
+        InputError: the scene does not fit the robot.
     """
-    from adagen.urdf import check_reduced, read_robot
+    from adagen.urdf import check_reduced
 
-    scene = read_scene(options.scene)
-    _check_agreement(scene, options, gravity)
-    reading = read_robot(
-        options.model,
-        floating=options.floating or scene.floating,
-        mimic=options.mimic or bool(scene.mimic),
-        gravity=gravity,
-        effects=scene.from_urdf,
-        decided=scene.decides,
-        check=False,
-        strict=options.strict,
-        held=scene.base is not None,
-    )
     tell(reading, options.verbose > 0)
     reduction = apply_scene(reading.model, scene)
     for warning in check_reduced(reading, reduction.model):
@@ -55,20 +38,7 @@ def read_in_scene(
         for line in removed(reduction):
             note(line)
     options.reduction = reduction
-    return reduction.model, reading
-
-
-def _check_agreement(
-    scene: Scene, options: argparse.Namespace, gravity: Sequence[float] | None
-) -> None:
-    if scene.base is not None and options.floating:
-        raise UsageError("the scene says how the base is held: leave out --floating")
-    if scene.mimic is False and options.mimic:
-        raise UsageError("the scene leaves mimic joints free: leave out --mimic")
-    if scene.gravity is not None and gravity is not None and tuple(gravity) != scene.gravity:
-        given = ", ".join(f"{x:g}" for x in gravity)
-        message = f"another gravity is given beside the scene, [{given}]: keep one"
-        raise scene.error(message, "gravity")
+    return reduction.model
 
 
 def tell_savings(plan: Plan, schedule: Schedule, options: argparse.Namespace) -> None:

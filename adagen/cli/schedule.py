@@ -114,12 +114,13 @@ def _show(found: _Found) -> None:
 
 def _drawing(found: _Found, options: argparse.Namespace) -> str:
     """Return the schedule as SVG, or predicted and measured timelines where there is a trace."""
-    from adagen.cli import pipeline
-    from adagen.schedule import load_profile
+    from adagen.drawing import draw
+    from adagen.schedule import Topology, load_profile
 
     model, processes = found.model, found.schedule.processes
     if options.trace is None:
-        return pipeline.draw(found.schedule, model, found.program, load_profile(options.profile))
+        profile, topology = load_profile(options.profile), Topology.of(model)
+        return draw(found.schedule, topology, found.program, profile, model.name)
     from adagen.drawing.trace import machine_svg
     from adagen.run.trace import read_trace
 

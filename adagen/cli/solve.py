@@ -76,13 +76,10 @@ def _solve(options: argparse.Namespace, stages: Stages) -> int:
         states = read_states(options.states, model, missing)
     made = pipeline.generate(model, options, stages)
     with stages.stage("build"):
-        name, source = made.source
-        toolchain = with_compiler(find_toolchain(), made.compiler)
-        executable = build_executable(
-            source, name.removesuffix(".cpp"), toolchain, progress=progress
-        )
+        toolchain = with_compiler(find_toolchain(), made.request.compiler)
+        executable = build_executable(made.source, made.stem, toolchain, progress=progress)
     with stages.stage("run"):
-        status, result = _run(executable, made.processes, toolchain, options, model, states)
+        status, result = _run(executable, made.request.procs, toolchain, options, model, states)
     if status != 0:
         return status
     if options.result is None:

@@ -6,13 +6,15 @@ from dataclasses import replace
 
 from adagen import __version__
 from adagen.cost import programmed
+from adagen.emit import headers
 from adagen.emit.head import algorithm, program_lines
+from adagen.emit.interface import FAILURES
 from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
 from adagen.emit.refine import checked_shape, refinement_messages, refinement_steps
 from adagen.emit.shapes import KNOWN, chosen_shape, stepwise
-from adagen.emit.templates import render, templates_folder
+from adagen.emit.templates import render, template, templates_folder
 from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.executor import Grouping
@@ -26,32 +28,6 @@ from adagen.schedule import CostProfile, load_profile, step_costs
 # Largest residual that an emitted self-check lets pass: what the scalar keeps, with a margin for
 # long chains (docs/accuracy.md).
 TOLERANCE = {"double": 1e-9, "float": 1e-3, "mixed": 1e-9}
-
-HEADERS = (
-    "algorithm",
-    "array",
-    "atomic",
-    "charconv",
-    "chrono",
-    "cmath",
-    "cstddef",
-    "cstdint",
-    "cstdio",
-    "cstdlib",
-    "cstring",
-    "fstream",
-    "iterator",
-    "limits",
-    "memory",
-    "new",
-    "sstream",
-    "stdexcept",
-    "string",
-    "thread",
-    "type_traits",
-    "utility",
-    "vector",
-)
 
 __all__ = ["check_batch", "emit", "file_stem", "program_of", "stem_of", "templates_folder"]
 
@@ -94,24 +70,28 @@ def emit(
             of least price.
 
     Returns:
-        NAME_pP.cpp, NAME_pP.plan.json, Makefile and, if given, NAME_pP.svg.
+        NAME_pP.cpp, NAME_pP.h, NAME_pP.plan.json, NAME_pP.pc and, if given, NAME_pP.svg; Makefile
+        and CMakeLists.txt, which are the same for all, and build all in their folder.
 
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
     processes = batch or len(plan.processes)
     stem = stem_of(plan, name, batch)
-    text = source(plan, stem, shape, refine, chunk, compiler, batch, profile, limbs)
+    header, text = _texts(plan, stem, shape, refine, chunk, compiler, batch, profile, limbs)
     files = {
         f"{stem}.cpp": text,
+        f"{stem}.h": header,
         f"{stem}.plan.json": plan_to_json(replace(plan, profile=_named(profile))),
-        "Makefile": render(
-            "Makefile.j2",
+        f"{stem}.pc": render(
+            "solver.pc.j2",
             stem=stem,
             process_count=processes,
-            compiler=compiler,
-            eigen="#include <Eigen/" in text,
+            mpi=processes > 1,
+            version=__version__,
         ),
+        "Makefile": template("Makefile"),
+        "CMakeLists.txt": template("CMakeLists.txt"),
     }
     if svg is not None:
         files[f"{stem}.svg"] = svg
@@ -159,22 +139,27 @@ def program_of(
     return programmed(plan, shape, profile, batch=batch)
 
 
-def source(
-    plan: Plan,
-    stem: str,
-    shape: str = "auto",
-    refine: int | None = None,
-    chunk: int = 0,
-    compiler: str = "",
-    batch: int = 0,
-    profile: CostProfile | None = None,
-    limbs: Grouping | None = None,
-) -> str:
+def source(plan: Plan, stem: str, shape: str = "auto") -> str:
     """Return the C++ source of a plan; ``stem`` begins the names of its C functions.
 
     Raises:
-        UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
+        UsageError: the plan cannot be emitted in this shape.
     """
+    return _texts(plan, stem, shape, None, 0, "", 0, None, None)[1]
+
+
+def _texts(
+    plan: Plan,
+    stem: str,
+    shape: str,
+    refine: int | None,
+    chunk: int,
+    compiler: str,
+    batch: int,
+    profile: CostProfile | None,
+    limbs: Grouping | None,
+) -> tuple[str, str]:
+    """Return the C header and the C++ source of a plan; the source holds the header's text."""
     program = program_of(plan, shape, refine, batch=bool(batch), profile=profile, limbs=limbs)
     check(program)
     refine = refinement_steps(refine, plan.scalar)
@@ -182,31 +167,35 @@ def source(
     words = Words(program, refine, chunk)
     processes = batch or len(plan.processes)
     costs = load_profile("default") if profile is None else profile
-    return render(
-        "solver.cpp.j2",
-        number=words.number,
-        real=FACTORS[plan.scalar],
-        tolerance=TOLERANCE[plan.scalar],
-        headers=HEADERS,
-        columns=words.columns,
-        slaved_count=len(plan.slaved),
-        process_count=processes,
-        batch=bool(batch),
-        alone=_alone(program) and (not batch or processes == 1),
-        processes=process_rows(words) * (batch or 1),
-        run_list=", ".join(
+    values: dict[str, object] = {
+        "number": words.number,
+        "real": FACTORS[plan.scalar],
+        "tolerance": TOLERANCE[plan.scalar],
+        "columns": words.columns,
+        "slaved_count": len(plan.slaved),
+        "process_count": processes,
+        "mpi": processes > 1,
+        "batch": bool(batch),
+        "alone": _alone(program) and (not batch or processes == 1),
+        "processes": process_rows(words) * (batch or 1),
+        "run_list": ", ".join(
             "refined" if refine else f"run_{0 if batch else p}" for p in range(processes)
         ),
-        refine=refine,
-        messages=plan.messages,
-        channel_messages=_channel_messages(words),
-        hops=_hops(costs),
-        **_head(program, stem, _tuning(chunk, compiler)),
-        algorithm=algorithm(program),
-        program_lines=program_lines(program, costs),
+        "refine": refine,
+        "messages": plan.messages,
+        "channel_messages": _channel_messages(words),
+        "hops": _hops(costs),
+        "headers": sorted({*headers.SOLVER, *(headers.MPI if processes > 1 else ())}),
+        "program_headers": headers.PROGRAM,
+        "failures": FAILURES,
+        **_head(program, stem, chunk, compiler),
+        "algorithm": algorithm(program),
+        "program_lines": program_lines(program, costs),
         **model_values(words),
         **KNOWN[shape].values(words),
-    )
+    }
+    header = render("interface.h.j2", **values)
+    return header, render("solver.cpp.j2", interface=header, **values)
 
 
 def _alone(program: Program) -> bool:
@@ -214,17 +203,20 @@ def _alone(program: Program) -> bool:
     return meeting(program) == "alone" and not any(p.owns for p in program.plan.processes[1:])
 
 
-def _head(program: Program, stem: str, tuning: str) -> dict[str, object]:
+def _head(program: Program, stem: str, chunk: int, compiler: str) -> dict[str, object]:
     """What the head of the file says that it was made from, and how its names begin."""
     plan = program.plan
     return {
         "stem": prefix_of(stem),
+        "STEM": prefix_of(stem).upper(),
+        "header": f"{stem}.h",
         "version": __version__,
         "robot": quoted(plan.name),
         "source_hash": plan.source_hash or "not given",
         "form": plan.form,
         "shape": program.shape,
-        "tuning": tuning,
+        "tuning": f" (functions of {chunk} values)" if chunk else "",
+        "compiler": compiler,
         "scalar": plan.scalar,
         "channel": plan.channel,
         "base": "floating" if plan.floating else "fixed",
@@ -253,12 +245,6 @@ def check_batch(shape: str, refine: int) -> None:
         raise UsageError("batches are not refined; leave out --batch, --refine or --scalar mixed")
     if shape not in ("auto", "kernels", "unrolled"):
         raise UsageError(f"batches are emitted in shapes kernels and unrolled, not {shape}")
-
-
-def _tuning(chunk: int, compiler: str) -> str:
-    """What was chosen by trying, for the header."""
-    words = [f"functions of {chunk} values"] * bool(chunk) + [f"for {compiler}"] * bool(compiler)
-    return f" ({', '.join(words)})" if words else ""
 
 
 def _channel_messages(words: Words) -> list[dict[str, object]]:

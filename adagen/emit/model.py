@@ -12,10 +12,12 @@ from adagen.plan.steps import LinkBias, StartLink
 def model_values(words: Words) -> dict[str, object]:
     """Return what the template is told of the robot itself."""
     plan = words.plan
+    nv = sum(KINDS[joint.kind].nv for joint in plan.joints)
     return {
         "gravity": ", ".join(repr(g) for g in plan.gravity),
         "nq": sum(KINDS[joint.kind].nq for joint in plan.joints),
-        "nv": sum(KINDS[joint.kind].nv for joint in plan.joints),
+        "nv": nv,
+        "ntau": nv + 6 * len(plan.wrenches),
         "links": _links(words),
         "joints": _joints(words),
         "outer_forces": _outer_forces(words),
@@ -54,6 +56,7 @@ def _joints(words: Words) -> list[dict[str, object]]:
         source, multiplier, offset = joint.mimic or (-1, 0.0, 0.0)
         rows.append(
             {
+                "word": words.joints[j],
                 "quoted": quoted(joint.name),
                 "Kind": words.type_of(j),
                 "parent": joint.parent,

@@ -31,15 +31,20 @@ def environment() -> Environment:
         keep_trailing_newline=True,
         autoescape=False,  # noqa: S701 (C++, not HTML; names are quoted by adagen.emit.names)
     )
-    env.globals["verbatim"] = _verbatim
+    env.globals["verbatim"] = verbatim
     return env
 
 
-def _verbatim(name: str) -> str:
+def verbatim(name: str) -> str:
     """Return a C++ part that holds no template syntax, as it stands."""
-    return (templates_folder() / name).read_text(encoding="utf-8").rstrip("\n")
+    return template(name).rstrip("\n")
 
 
-def render(template: str, **values: object) -> str:
+def template(name: str) -> str:
+    """Return a template that is emitted as it stands."""
+    return (templates_folder() / name).read_text(encoding="utf-8")
+
+
+def render(name: str, **values: object) -> str:
     """Return a rendered template."""
-    return environment().get_template(template).render(**values)
+    return environment().get_template(name).render(**values)

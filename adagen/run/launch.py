@@ -61,10 +61,11 @@ def launch(
         How it ended.
 
     Raises:
-        EnvironmentFault: mpiexec cannot be started, or the time is up.
+        EnvironmentFault: mpiexec or the program cannot be started, or the time is up.
     """
-    command = [*toolchain.mpiexec, "-n", str(processes), *_options(toolchain)]
-    command += [str(executable.resolve()), *arguments]
+    command = [str(executable.resolve()), *arguments]
+    if processes > 1:  # one needs no launcher
+        command = [*toolchain.mpiexec, "-n", str(processes), *_options(toolchain), *command]
     try:
         child = subprocess.Popen(
             command,

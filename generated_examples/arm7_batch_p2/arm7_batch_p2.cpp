@@ -1,6 +1,7 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
+// command   adagen ../models/arm7.urdf --procs 2 --batch --name=arm7_batch
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // program   1 process
 //           process 0: base_yaw .. right_finger_slide
@@ -19,40 +20,103 @@
 //   5. processes   who does what, in order
 //   6. program     states in, accelerations out; check; time
 
+// ---- 1. interface -------------------------------------------------------------------------------
+// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; arm7_batch_p2.h
+// beside it is this part.
+// C interface of the solver arm7_batch_p2: forward dynamics of "arm7" on 2 processes,
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+#ifndef ADAGEN_ARM7_BATCH_P2_H
+#define ADAGEN_ARM7_BATCH_P2_H
+
 #include <mpi.h>
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN, link it, and get these
-// declarations by including it with ADAGEN_DECLARATIONS defined.
+enum {
+  ARM7_BATCH_P2_PROCESSES = 2,
+  ARM7_BATCH_P2_JOINTS = 9,
+  ARM7_BATCH_P2_NQ = 9,  // numbers in q
+  ARM7_BATCH_P2_NV = 9,  // in v and qdd
+  ARM7_BATCH_P2_NTAU = 9  // in tau
+};
+
+// Where each joint begins in q, and in v, tau and qdd.
+enum {
+  ARM7_BATCH_P2_Q_base_yaw = 0,
+  ARM7_BATCH_P2_V_base_yaw = 0,  // joint 0, "base_yaw": revolute, 1 in q, 1 in v
+  ARM7_BATCH_P2_Q_shoulder_pitch = 1,
+  ARM7_BATCH_P2_V_shoulder_pitch = 1,  // joint 1, "shoulder_pitch": revolute, 1 in q, 1 in v
+  ARM7_BATCH_P2_Q_upper_arm_roll = 2,
+  ARM7_BATCH_P2_V_upper_arm_roll = 2,  // joint 2, "upper_arm_roll": revolute, 1 in q, 1 in v
+  ARM7_BATCH_P2_Q_elbow_pitch = 3,
+  ARM7_BATCH_P2_V_elbow_pitch = 3,  // joint 3, "elbow_pitch": revolute, 1 in q, 1 in v
+  ARM7_BATCH_P2_Q_forearm_roll = 4,
+  ARM7_BATCH_P2_V_forearm_roll = 4,  // joint 4, "forearm_roll": revolute, 1 in q, 1 in v
+  ARM7_BATCH_P2_Q_wrist_pitch = 5,
+  ARM7_BATCH_P2_V_wrist_pitch = 5,  // joint 5, "wrist_pitch": revolute, 1 in q, 1 in v
+  ARM7_BATCH_P2_Q_flange_roll = 6,
+  ARM7_BATCH_P2_V_flange_roll = 6,  // joint 6, "flange_roll": revolute, 1 in q, 1 in v
+  ARM7_BATCH_P2_Q_left_finger_slide = 7,
+  ARM7_BATCH_P2_V_left_finger_slide = 7,  // joint 7, "left_finger_slide": prismatic, 1 in q, 1 in v
+  ARM7_BATCH_P2_Q_right_finger_slide = 8,
+  ARM7_BATCH_P2_V_right_finger_slide = 8  // joint 8, "right_finger_slide": prismatic, 1 in q, 1 in v
+};
+
+// Why a call failed, as arm7_batch_p2_reason tells of the status that it returned.
+enum {
+  ARM7_BATCH_P2_FINE = 0,  // none
+  ARM7_BATCH_P2_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
+  ARM7_BATCH_P2_ZERO_QUATERNION = 2,  // a joint's quaternion cannot be normalised
+  ARM7_BATCH_P2_FACTORIZATION = 3,  // inertias beside a joint differ too much for the scalar
+  ARM7_BATCH_P2_OVERFLOW = 4,  // a joint's acceleration is not a finite number
+  ARM7_BATCH_P2_NO_ANSWER = 5,  // a process did not answer within the time limit
+  ARM7_BATCH_P2_ENDED = 6,  // process 0 has ended the evaluations
+  ARM7_BATCH_P2_NOT_REFINED = 7,  // refinement does not converge
+  ARM7_BATCH_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  ARM7_BATCH_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  ARM7_BATCH_P2_TOO_FEW_STEPS = 11  // refinement converges too slowly
+};
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 typedef struct arm7_batch_p2_solver arm7_batch_p2_solver;
 
-// Joints in order, each with its place in the state: arm7_batch_p2_joint gives name, start and size in q
-// and v of joint k, or returns 0 where there is none.
+// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
+// k, or returns 0 where there is none.
 int arm7_batch_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
-// Collective over a communicator of 2 processes. channel: "auto", "window" or "message";
-// time_limit: seconds that a process waits for another. Returns null where it cannot be done.
+// Collective over a communicator of 2 processes. channel: "auto", "window" (shared memory) or
+// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
+// done; arm7_batch_p2_failure(NULL) says why.
 arm7_batch_p2_solver* arm7_batch_p2_open(MPI_Comm comm, const char* channel, double time_limit);
 
 // Accelerations of count states, each process for itself. Of each state in turn: q 9 numbers, v and
 // tau 9 each, qdd 9; joints in order, quaternions x y z w (normalised here), floating joints [linear;
-// angular] in the body's frame. Returns 0, or what arm7_batch_p2_failure puts into words: states
-// that cannot be solved get NaN for accelerations, all others theirs.
+// angular] in the body's frame. Returns 0, or a status that arm7_batch_p2_failure puts into words:
+// states that cannot be solved get NaN for accelerations, all others theirs.
 int arm7_batch_p2_solve_batch(arm7_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd);
 
 // The same, collective: process 0 passes all states and gets all accelerations, and hears of states
-// that cannot be solved; the others may pass null and any count. Faster processes get more to solve.
+// that cannot be solved; the others may pass null and any count, or serve. Faster processes get more
+// to solve.
 int arm7_batch_p2_solve_batch_at_root(arm7_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd);
 
 // The k-th of the states that the last call could not solve, counted from 0; -1 where there are not so
-// many. arm7_batch_p2_failure says why.
+// many, or k is 256 or more. arm7_batch_p2_failure then says why.
 int arm7_batch_p2_failed_state(arm7_batch_p2_solver* solver, int k);
 
+// What every process but 0 can do all the time: takes part in each solve_batch_at_root of process 0, however
+// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+int arm7_batch_p2_serve(arm7_batch_p2_solver* solver);
 
-// The last failure in words; valid until the next call.
+// At process 0: the others' serve returns. They may serve again, or all close.
+int arm7_batch_p2_end(arm7_batch_p2_solver* solver);
+
+// What a status says: its reason, and which joint it is about, -1 for none.
+int arm7_batch_p2_reason(int status);
+int arm7_batch_p2_failed_joint(int status);
+
+// The last failure of a solver in words, valid until the next call; of null, why the last open of this
+// thread returned null.
 const char* arm7_batch_p2_failure(const arm7_batch_p2_solver* solver);
 
 // Collective.
@@ -60,40 +124,26 @@ void arm7_batch_p2_close(arm7_batch_p2_solver* solver);
 #ifdef __cplusplus
 }
 #endif
-#ifndef ADAGEN_DECLARATIONS
+#endif
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <new>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
-#if defined(__linux__)
-#include <sched.h>
-#endif
-#if defined(__unix__) || defined(__APPLE__)
-#include <sys/time.h>
-#include <unistd.h>
-
-#include <csignal>
-#endif
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
 #define ADAGEN_HOT [[gnu::hot]] ADAGEN_NOINLINE  // called in each step of a simulation; main is cold
@@ -122,7 +172,6 @@ constexpr std::size_t kCacheLine = 64;
 [[maybe_unused]] constexpr bool kFloatingBase = false;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 [[maybe_unused]] constexpr int kRandomStates = 64;
-[[maybe_unused]] constexpr const char* kRobot = "arm7";
 const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -288,71 +337,123 @@ constexpr int failure(Failure kind, int joint) { return kind * kFailureBase + jo
 constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
 constexpr int failure_place(int status) { return status % kFailureBase; }
 
-// Text as a JSON string, in one line.
-std::string quoted(const char* text) {
-  std::string result = "\"";
+// Words without memory from the heap; what is too long is cut.
+class Text {
+ public:
+  Text& operator+=(char c) {
+    if (size_ + 1 < sizeof data_) data_[size_++] = c, data_[size_] = '\0';
+    return *this;
+  }
+  Text& operator+=(const char* more) {
+    for (; *more != '\0'; ++more) *this += *more;
+    return *this;
+  }
+  Text& operator+=(int number) {
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "%d", number);
+    return *this += digits;
+  }
+  const char* c_str() const { return data_; }
+  void clear() { data_[size_ = 0] = '\0'; }
+
+ private:
+  std::size_t size_ = 0;
+  char data_[1000] = "";
+};
+
+// Adds text as a JSON string, in one line.
+template <class Words>
+void add_quoted(Words& to, const char* text) {
+  to += '"';
   for (; *text != '\0'; ++text) {
     const unsigned char c = static_cast<unsigned char>(*text);
     if (c == '"' || c == '\\') {
-      result += '\\';
-      result += *text;
+      to += '\\';
+      to += *text;
     } else if (c < 0x20 || c == 0x7F) {
       char escape[8];
       std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      result += escape;
+      to += escape;
     } else {
-      result += *text;
+      to += *text;
     }
   }
-  return result + "\"";
+  to += '"';
 }
 
-// The names of a joint and of those before it that it is joined with: the links between them have
-// neither mass nor inertia.
-std::string names_of_run(int joint) {
-  std::string names = quoted(kJoints[joint].name);
-  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
-    const LinkConstants& own = kLinks[link];
-    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
-    names = quoted(kJoints[link - 1].name) + ", " + names;
+// Adds the names of a joint and of those before it that it is joined with: the links between them
+// have neither mass nor inertia.
+void add_names_of_run(Text& to, int joint) {
+  const int link = kJoints[joint].parent;
+  const LinkConstants& own = kLinks[link];
+  if (link > 0 && !(own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0)) {
+    add_names_of_run(to, link - 1);
+    to += ", ";
   }
-  return names;
+  add_quoted(to, kJoints[joint].name);
 }
 
-std::string describe(int status) {
-  const int place = failure_place(status);
-  const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
-  switch (failure_kind(status)) {
+// A failure in words, about a joint or not.
+struct FailureWords {
+  bool of_joint;
+  const char* text;
+};
+
+constexpr FailureWords words_of(Failure kind) {
+  switch (kind) {
     case kFine:
-      return "no error";
+      return {false, "no error"};
     case kNotFinite:
-      return joint() + "its q, v or tau is not a finite number";
+      return {true, "its q, v or tau is not a finite number"};
     case kZeroQuaternion:
-      return joint() + "its quaternion cannot be normalised";
+      return {true, "its quaternion cannot be normalised"};
     case kFactorization:
-      return joint() +
-             "factorization failed: the inertias beside it differ too much for the scalar";
+      return {true, "factorization failed: the inertias beside it differ too much for the scalar"};
     case kGimbalLock:
-      return "joints " + names_of_run(place) +
-             ": gimbal lock: through links without mass, they do not move in as many directions";
+      return {false,
+              "gimbal lock: through links without mass, they do not move in as many directions"};
     case kGrowth:
-      return joint() +
-             "no digits left: a link beside it is too light for its neighbours and the scalar";
+      return {true,
+              "no digits left: a link beside it is too light for its neighbours and the scalar"};
     case kOverflow:
-      return joint() + "its acceleration is not a finite number (overflow)";
+      return {true, "its acceleration is not a finite number (overflow)"};
     case kSingularPose:
-      return joint() + "its mobility is singular in this pose";
+      return {true, "its mobility is singular in this pose"};
     case kEnded:
-      return "the evaluations are over";
+      return {false, "the evaluations are over"};
     case kNotRefined:
-      return "refinement does not converge: the inertias differ too much for the scalar";
+      return {false, "refinement does not converge: the inertias differ too much for the scalar"};
     case kTooFewSteps:
-      return "refinement converges too slowly: its last correction is too large; take more steps "
-             "(--refine) or --scalar double";
+      return {false,
+              "refinement converges too slowly: its last correction is too large; take more steps "
+              "(--refine) or --scalar double"};
     case kNoAnswer:
-      return "process " + std::to_string(place) + " did not answer within the time limit";
+      return {false, " did not answer within the time limit"};
   }
-  return "unknown failure";
+  return {false, "unknown failure"};
+}
+
+// Whether a failure is numbered with a joint.
+constexpr bool is_of_joint(Failure kind) { return words_of(kind).of_joint || kind == kGimbalLock; }
+
+Text describe(int status) {
+  const Failure kind = failure_kind(status);
+  const FailureWords words = words_of(kind);
+  Text text;
+  if (words.of_joint) {
+    text += "joint ";
+    add_quoted(text, kJoints[failure_place(status)].name);
+    text += ": ";
+  } else if (kind == kGimbalLock) {
+    text += "joints ";
+    add_names_of_run(text, failure_place(status));
+    text += ": ";
+  } else if (kind == kNoAnswer) {
+    text += "process ";
+    text += failure_place(status);
+  }
+  text += words.text;
+  return text;
 }
 
 // Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
@@ -497,6 +598,16 @@ ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosin
 constexpr std::array<MessageInfo, 0> kMessages{ {
 } };
 
+enum class ChannelMode { kAuto, kWindow, kMessage };
+
+inline void relax() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
+
 // What a process does in an evaluation as the others see it: the messages that it sends and
 // receives, in order, and what those received hold. Played again, it computes the same by itself:
 // what it sends goes nowhere, and what it receives is there at once. (--stretches)
@@ -546,16 +657,6 @@ class Take {
 // that its source fills and then numbers (release), and that its target reads once it sees the
 // number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
 // one is written again, two evaluations later, its target has answered in the one between.
-enum class ChannelMode { kAuto, kWindow, kMessage };
-
-inline void relax() {
-#if defined(__x86_64__) || defined(__i386__)
-  __builtin_ia32_pause();
-#elif defined(__aarch64__)
-  asm volatile("yield");
-#endif
-}
-
 class Channel {
  public:
   Channel() = default;
@@ -626,22 +727,22 @@ class Channel {
               kMessages[k].target, k, comm_, &port.request);
   }
 
-  // Waits for message k and returns its content; what its source knows of failures joins the
-  // status.
-  const Number* receive(int k, int& status) {
+  // Waits for message k, patient: however long it takes, and returns its content; what its source
+  // knows of failures joins the status.
+  const Number* receive(int k, int& status, bool patient = false) {
     if (take_ && take_->playing()) return opened(take_->pass(), status);
     Port& port = ports_[k];
     const Number* content;
     if (port.slots) {
       const std::uint64_t number = ++port.count;
       Slot& slot = port.slot(number, k);
-      if (!wait_until([&] { return slot.number.load(std::memory_order_acquire) >= number; }))
-        fail(status, failure(kNoAnswer, kMessages[k].source));
+      const auto is_there = [&] { return slot.number.load(std::memory_order_acquire) >= number; };
+      if (!wait_until(is_there, patient)) fail(status, failure(kNoAnswer, kMessages[k].source));
       content = slot.content();
     } else {
       MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
                 kMessages[k].source, k, comm_, &port.request);
-      wait(port.request, kMessages[k].source, status);
+      wait(port.request, kMessages[k].source, status, [](const MPI_Status&) {}, patient);
       content = port.buffer.data();
     }
     if (take_) take_->note(k, content);
@@ -653,20 +754,30 @@ class Channel {
 
   // Waits until a peer has done its part; then tells done of it. What never comes is given up.
   template <class Done>
-  void wait(MPI_Request& request, int peer, int& status, Done done) {
+  void wait(MPI_Request& request, int peer, int& status, Done done, bool patient = false) {
     if (request == MPI_REQUEST_NULL) return;
     MPI_Status found;
-    const bool in_time = wait_until([&] {
+    const auto is_done = [&] {
       int flag = 0;
       MPI_Test(&request, &flag, &found);
       return flag != 0;
-    });
+    };
+    const bool in_time = wait_until(is_done, patient);
     if (in_time) return done(found);
     give_up(request);
     fail(status, failure(kNoAnswer, peer));
   }
   void wait(MPI_Request& request, int peer, int& status) {
     wait(request, peer, status, [](const MPI_Status&) {});
+  }
+
+  // To a process that has no part in evaluations: they are over. And there: waits for that, asleep.
+  void send_end(int target) { MPI_Send(nullptr, 0, kMpiNumber, target, kEndTag, comm_); }
+  void await_end() {
+    MPI_Request over;
+    MPI_Irecv(nullptr, 0, kMpiNumber, 0, kEndTag, comm_, &over);
+    for (int done = 0; MPI_Test(&over, &done, MPI_STATUS_IGNORE), !done;)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
   static void give_up(MPI_Request& request) {
@@ -686,6 +797,9 @@ class Channel {
 
  private:
   using Clock = std::chrono::steady_clock;
+  // Behind those of all other messages, in batches, too.
+  static constexpr int kEndTag = static_cast<int>(kMessages.size()) + 3;
+  static constexpr std::chrono::milliseconds kPatience{100};
 
   struct alignas(kCacheLine) Slot {
     std::atomic<std::uint64_t> number;
@@ -787,18 +901,23 @@ class Channel {
     return good != 0;
   }
 
-  // Spins briefly, then yields, so that more processes than cores still finish.
+  // Spins briefly, then yields, so that more processes than cores still finish. Who waits without
+  // limit sleeps between looks once it has waited for long.
   template <class Ready>
-  bool wait_until(Ready ready) {
+  bool wait_until(Ready ready, bool patient) {
     for (int k = 0; k < 4000; ++k) {
       if (ready()) return true;
       relax();
     }
     if (broken_) return false;  // a peer is gone: do not wait for it once more
-    const Clock::time_point end = Clock::now() + time_limit_;
+    const Clock::time_point end =
+        Clock::now() + (patient ? Clock::duration(kPatience) : time_limit_);
     while (!ready()) {
       std::this_thread::yield();
-      if (Clock::now() > end) {
+      if (Clock::now() <= end) continue;
+      if (patient) {
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
+      } else {
         broken_ = true;
         return false;
       }
@@ -1942,7 +2061,6 @@ class Handout {
   // status.
   template <class Solve>
   bool hand_out(Channel& channel, int helpers, const Batch& batch, Solve solve, int& status) {
-    helpers_.resize(static_cast<std::size_t>(kProcesses - 1));
     bool good = true;
     int next = 0;
     const auto take = [&] {
@@ -1978,23 +2096,33 @@ class Handout {
     return good;
   }
 
-  // At the others, until process 0 has nothing more.
+  // At process 0: the others' help is over, and so is what they do it for.
+  void end(Channel& channel, int& status) {
+    Number nothing = 0;
+    for (int p = 1; p < kProcesses; ++p)
+      for (int k = 0; k < 2; ++k) {
+        MPI_Request sent;
+        MPI_Isend(&nothing, kEnd, kMpiNumber, p, kStates, channel.comm(), &sent);
+        channel.wait(sent, p, status);
+      }
+  }
+
+  // At the others, until process 0 has nothing more; patient: however long it takes. That process
+  // 0 has ended it all joins the status.
   template <class Solve>
-  void help(Channel& channel, Solve solve, int& status) {
-    for (Taken& piece : taken_) {
-      piece.states.resize(static_cast<std::size_t>(kMost) * kNumbers);
-      piece.qdd.resize(static_cast<std::size_t>(kMost) * kNv);
-      ask(channel, piece);
-    }
+  void help(Channel& channel, Solve solve, int& status, bool patient) {
+    for (Taken& piece : taken_) ask(channel, piece);
     int ends = 0;
     for (std::size_t k = 0; ends < 2 && status == kFine; k ^= 1) {
       Taken& piece = taken_[k];
       int numbers = 0;
-      channel.wait(piece.asked, 0, status,
-                   [&](const MPI_Status& s) { MPI_Get_count(&s, kMpiNumber, &numbers); });
+      channel.wait(
+          piece.asked, 0, status,
+          [&](const MPI_Status& s) { MPI_Get_count(&s, kMpiNumber, &numbers); }, patient);
       channel.wait(piece.answered, 0, status);
-      if (numbers == 0) {
-        ++ends;
+      if (numbers <= kEnd) {
+        if (numbers == kEnd && ++ends == 2) Channel::fail(status, failure(kEnded, 0));
+        if (numbers == 0) ++ends;
         continue;
       }
       const int count = numbers / kNumbers;
@@ -2009,6 +2137,7 @@ class Handout {
  private:
   static constexpr int kNumbers = kNq + kNv + kNtau;           // of a state
   static constexpr int kStates = 0, kSolved = 1, kFailed = 2;  // what a message is
+  static constexpr int kEnd = 1;                               // numbers in one that ends it all
   // States of a piece, at most: about 64 kB, which is on its way for less time than it takes.
   static constexpr int kMost =
       std::max(1, (1 << 16) / (kNumbers * static_cast<int>(sizeof(Number)) * kLanes)) * kLanes;
@@ -2018,7 +2147,8 @@ class Handout {
     MPI_Request sent = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
   struct Taken {
-    std::vector<Number> states, qdd;
+    std::array<Number, static_cast<std::size_t>(kMost) * kNumbers> states;
+    std::array<Number, static_cast<std::size_t>(kMost) * kNv> qdd;
     MPI_Request asked = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
 
@@ -2080,7 +2210,7 @@ class Handout {
               channel.comm(), &piece.asked);
   }
 
-  std::vector<Helper> helpers_;
+  std::array<Helper, kProcesses> helpers_;
   std::array<Taken, 2> taken_;
 };
 
@@ -2177,7 +2307,7 @@ void to_rows(int states, const std::array<Value, width>& lanes, Number* rows) {
 class Solver {
  public:
   Channel channel;
-  std::string text;  // of the last failure
+  Text text;  // of the last failure
 
   // States one after the other, as are their accelerations; nothing is said to other processes.
   // Accelerations of a state that fails are not numbers; the others are what they should be.
@@ -2199,7 +2329,7 @@ class Solver {
     const auto solve = [this](auto... rows) { return solve_rows(rows...); };
     int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
     if (status == kFine && channel.rank() > 0)
-      handout_.help(channel, solve, status);
+      handout_.help(channel, solve, status, false);
     else if (status == kFine &&
              !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd}, solve, status))
       return name_failures(count, q, v, tau, qdd);
@@ -2207,12 +2337,37 @@ class Solver {
     return status;
   }
 
-  // The k-th failure of the last call: its state, counted from 0; -1 where there is none.
-  int failed_state(std::size_t k) {
-    if (k >= failures_.size()) return -1;
-    text = in_words(failures_[k]);
-    return failures_[k].state;
+  // At the others: helps process 0 with batch after batch, until it ends that.
+  int serve() {
+    if (channel.rank() == 0) return kFine;
+    const auto solve = [this](auto... rows) { return solve_rows(rows...); };
+    int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
+    while (status == kFine) handout_.help(channel, solve, status, true);
+    if (failure_kind(status) == kEnded) return kFine;
+    text = describe(status);
+    return status;
   }
+
+  // At process 0: the others serve no longer.
+  int end() {
+    int status = kFine;
+    if (channel.rank() == 0) handout_.end(channel, status);
+    if (status != kFine) text = describe(status);
+    return status;
+  }
+
+  // How many states of the last call could not be solved.
+  int failures() const { return count_; }
+
+  // The k-th of them, counted from 0; -1 where there is none, or it is not one of the first kKept.
+  int failed_state(int k) {
+    if (k < 0 || k >= std::min(count_, kKept)) return -1;
+    text = in_words(failures_[size(k)]);
+    return failures_[size(k)].state;
+  }
+
+  // Why: its status.
+  int failed_status(int k) const { return failures_[size(k)].status; }
 
   // What simulates asks for one state at a time.
   int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -2222,13 +2377,13 @@ class Solver {
 
  private:
   struct FailedState {
-    int state, status;
+    int state = 0, status = kFine;
   };
 
   static std::size_t size(int n) { return static_cast<std::size_t>(n); }
 
   void forget() {
-    failures_.clear();
+    count_ = 0;
     text.clear();
   }
 
@@ -2288,16 +2443,25 @@ class Solver {
       const Number first = qdd[size(s) * kNv];
       if (first == first) continue;
       take(groups_.front(), s, 1, q, v, tau);
-      failures_.push_back({s, run(1)});
+      const int status = run(1);
+      if (count_ < kKept) failures_[size(count_)] = {s, status};
+      ++count_;
     }
     text = in_words(failures_.front());
-    if (failures_.size() > 1)
-      text += " (and " + std::to_string(failures_.size() - 1) + " more states)";
+    if (count_ > 1) {
+      text += " (and ";
+      text += count_ - 1;
+      text += " more states)";
+    }
     return failures_.front().status;
   }
 
-  static std::string in_words(const FailedState& failed) {
-    return "state " + std::to_string(failed.state + 1) + ": " + describe(failed.status);
+  static Text in_words(const FailedState& failed) {
+    Text words;
+    words += "state ";
+    words += failed.state + 1;
+    words += ": ";
+    return words += describe(failed.status).c_str();
   }
 
   // One lane of some values in all lanes.
@@ -2320,13 +2484,71 @@ class Solver {
   }
 
   std::array<Group, kGroups> groups_;
-  std::vector<FailedState> failures_;
+  static constexpr int kKept = 256;  // what fails beyond is only counted
+  std::array<FailedState, kKept> failures_;
+  int count_ = 0;
   Handout handout_;
 };
 
 }  // namespace
 
+static_assert(ARM7_BATCH_P2_NQ == kNq && ARM7_BATCH_P2_NV == kNv && ARM7_BATCH_P2_NTAU == kNtau);
+static_assert(int(ARM7_BATCH_P2_FINE) == int(kFine));
+static_assert(int(ARM7_BATCH_P2_NOT_FINITE) == int(kNotFinite));
+static_assert(int(ARM7_BATCH_P2_ZERO_QUATERNION) == int(kZeroQuaternion));
+static_assert(int(ARM7_BATCH_P2_FACTORIZATION) == int(kFactorization));
+static_assert(int(ARM7_BATCH_P2_OVERFLOW) == int(kOverflow));
+static_assert(int(ARM7_BATCH_P2_NO_ANSWER) == int(kNoAnswer));
+static_assert(int(ARM7_BATCH_P2_ENDED) == int(kEnded));
+static_assert(int(ARM7_BATCH_P2_NOT_REFINED) == int(kNotRefined));
+static_assert(int(ARM7_BATCH_P2_GIMBAL_LOCK) == int(kGimbalLock));
+static_assert(int(ARM7_BATCH_P2_GROWTH) == int(kGrowth));
+static_assert(int(ARM7_BATCH_P2_TOO_FEW_STEPS) == int(kTooFewSteps));
+
 struct arm7_batch_p2_solver : Solver {};
+
+namespace {
+
+// Why the last open of a thread gave no solver.
+thread_local Text open_failure;
+
+// What is wrong with what was asked for; an empty string for nothing.
+inline std::string why_not_open(MPI_Comm comm, const std::string& kind, double time_limit) {
+  int ready = 0, size = 0;
+  MPI_Initialized(&ready);
+  if (ready == 0) return "MPI is not initialised: call MPI_Init first";
+  MPI_Comm_size(comm, &size);
+  if (size != kProcesses)
+    return "this solver is for exactly " + std::to_string(kProcesses) +
+           " processes, the communicator has " + std::to_string(size);
+  if (kind != "auto" && kind != "window" && kind != "message")
+    return "channel takes auto, window or message, not " + kind;
+  return time_limit > 0 ? "" : "the time limit must be more than 0 s";
+}
+
+template <class AnySolver>
+AnySolver* opened(MPI_Comm comm, const char* channel, double time_limit) {
+  open_failure.clear();
+  try {
+    const std::string kind = channel == nullptr ? "auto" : channel;
+    std::string wrong = why_not_open(comm, kind, time_limit);
+    if (wrong.empty()) {
+      auto solver = std::make_unique<AnySolver>();
+      const ChannelMode mode = kind == "window"    ? ChannelMode::kWindow
+                               : kind == "message" ? ChannelMode::kMessage
+                                                   : ChannelMode::kAuto;
+      wrong = solver->channel.open(comm, mode, time_limit);
+      if (wrong.empty()) return solver.release();
+      solver->channel.close();
+    }
+    open_failure += wrong.c_str();
+  } catch (const std::exception& error) {
+    open_failure += error.what();
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 extern "C" {
 
@@ -2338,17 +2560,7 @@ int arm7_batch_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* 
 }
 
 arm7_batch_p2_solver* arm7_batch_p2_open(MPI_Comm comm, const char* channel, double time_limit) {
-  int size = 0;
-  MPI_Comm_size(comm, &size);
-  const std::string kind = channel;
-  if (size != kProcesses || (kind != "auto" && kind != "window" && kind != "message")) return nullptr;
-  auto* const solver = new arm7_batch_p2_solver;
-  const ChannelMode mode = kind == "window"    ? ChannelMode::kWindow
-                           : kind == "message" ? ChannelMode::kMessage
-                                               : ChannelMode::kAuto;
-  if (solver->channel.open(comm, mode, time_limit).empty()) return solver;
-  arm7_batch_p2_close(solver);
-  return nullptr;
+  return opened<arm7_batch_p2_solver>(comm, channel, time_limit);
 }
 
 int arm7_batch_p2_solve_batch(arm7_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd) {
@@ -2359,13 +2571,22 @@ int arm7_batch_p2_solve_batch_at_root(arm7_batch_p2_solver* solver, int count, c
   return solver->solve_batch_at_root(count, q, v, tau, qdd);
 }
 
-int arm7_batch_p2_failed_state(arm7_batch_p2_solver* solver, int k) {
-  return k < 0 ? -1 : solver->failed_state(static_cast<std::size_t>(k));
+int arm7_batch_p2_failed_state(arm7_batch_p2_solver* solver, int k) { return solver->failed_state(k); }
+
+int arm7_batch_p2_serve(arm7_batch_p2_solver* solver) { return solver->serve(); }
+
+int arm7_batch_p2_end(arm7_batch_p2_solver* solver) { return solver->end(); }
+
+int arm7_batch_p2_reason(int status) { return failure_kind(status); }
+
+int arm7_batch_p2_failed_joint(int status) { return is_of_joint(failure_kind(status)) ? failure_place(status) : -1; }
+
+const char* arm7_batch_p2_failure(const arm7_batch_p2_solver* solver) {
+  return solver == nullptr ? open_failure.c_str() : solver->text.c_str();
 }
 
-const char* arm7_batch_p2_failure(const arm7_batch_p2_solver* solver) { return solver->text.c_str(); }
-
 void arm7_batch_p2_close(arm7_batch_p2_solver* solver) {
+  if (solver == nullptr) return;
   solver->channel.close();
   delete solver;
 }
@@ -2375,7 +2596,31 @@ void arm7_batch_p2_close(arm7_batch_p2_solver* solver) {
 // ---- 6. program ---------------------------------------------------------------------------------
 
 #ifndef ADAGEN_NO_MAIN
+#include <atomic>
+#include <charconv>
+#include <cstdlib>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+#if defined(__linux__)
+#include <sched.h>
+#endif
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <csignal>
+#endif
+
 namespace {
+
+constexpr const char* kRobot = "arm7";
 
 // An independent check: inverse dynamics by Newton's and Euler's equations, body by body, in
 // double. It shares the model's constants with the solver, and no arithmetic.
@@ -2608,6 +2853,13 @@ double residual(const Number* q, const Number* v, const Number* tau, const Numbe
 }
 
 }  // namespace check
+
+// Text as a JSON string, in one line.
+std::string quoted(const char* text) {
+  std::string result;
+  add_quoted(result, text);
+  return result;
+}
 
 // Reads JSON piece by piece; what is wrong is thrown.
 class JsonReader {
@@ -4435,7 +4687,8 @@ class Timing {
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
     }
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random state: " + std::string(describe(failed).c_str()));
     // An evaluation is over when its last process is done.
     MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
                   MPI_MAX, session_.comm());
@@ -4463,7 +4716,8 @@ class Timing {
     if (failed == kFine) at_root_ = stretches.played_through();
     if (failed == kFine) failed = stretches.measure(in_place, turn);
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random state: " + std::string(describe(failed).c_str()));
     in_place_ = stretches.played_through();
     work_ = stretches.work();
     evaluations_ = stretches.evaluations();
@@ -4476,7 +4730,8 @@ class Timing {
     int failed = kFine;
     if constexpr (kBatch) failed = batches_.measure(solver, [this] { return start_together(); });
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random states: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random states: " + std::string(describe(failed).c_str()));
     in_place_ = batches_.in_place();
     at_root_ = batches_.at_root();
     evaluations_ = session_.options.repeat * BatchTiming::kStates;
@@ -4503,7 +4758,8 @@ class Timing {
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
     }
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random state: " + std::string(describe(failed).c_str()));
     const std::string text = trace.text(session_.comm(), session_.channel_name(), session_.pinned);
     int status = kDone;
     if (session_.rank == 0) {
@@ -4700,7 +4956,7 @@ class Simulation {
                                       [this](const auto& q, const auto& v, const auto& extra,
                                              auto& a) { return accelerate(q, v, extra, a); });
       on_.give_up_if_broken(failed);
-      if (failed != kFine) return describe(failed) + at(time) + (k > 0 ? kSmaller : "");
+      if (failed != kFine) return describe(failed).c_str() + at(time) + (k > 0 ? kSmaller : "");
       slave(q_.data(), v_.data());
       const int joint = not_finite();
       if (joint >= 0)
@@ -4911,7 +5167,8 @@ class Program {
       at = s;
     }
     if (failed != kFine)
-      return on.complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
+      return on.complain(kInputAtFault,
+                         "state " + std::to_string(at + 1) + ": " + describe(failed).c_str(),
                          on.options.states);
     return bring_together();
   }
@@ -4925,12 +5182,11 @@ class Program {
     if constexpr (kBatch) {
       on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
                                                       on.acceleration(0)));
-      solved_ = on.states.count;
-      for (std::size_t k = 0; solver.failed_state(k) >= 0; ++k, --solved_) {
-        status = kInputAtFault;
-        if (k < kNamed) on.complain(status, solver.text, on.options.states);
-        if (k == kNamed) on.complain(status, "and more states", on.options.states);
-      }
+      solved_ = on.states.count - solver.failures();
+      if (solver.failures() > 0) status = kInputAtFault;
+      for (int k = 0; k < kNamed && solver.failed_state(k) >= 0; ++k)
+        on.complain(status, solver.text.c_str(), on.options.states);
+      if (solver.failures() > kNamed) on.complain(status, "and more states", on.options.states);
     }
     MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
     return status;
@@ -4971,7 +5227,9 @@ class Program {
     int joint = near_lock(session_.solver, 0);
     MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
     if (joint == 0) return;
-    warning_ = "joints " + names_of_run(joint - 1) +
+    Text names;
+    add_names_of_run(names, joint - 1);
+    warning_ = std::string("joints ") + names.c_str() +
                ": near gimbal lock at some state: accelerations lose three digits or more";
     if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
   }
@@ -5038,10 +5296,10 @@ class Program {
     status = kUsage;
     if (rank == 0 && !wrong.empty()) std::fprintf(stderr, "error: %s; see --help\n", wrong.c_str());
     else if (rank == 0)
-      std::fprintf(stderr, "error: this solver is for exactly %d process%s, started with %d: use mpiexec -n %d\n",
-                   kProcesses, kProcesses == 1 ? "" : "es", size, kProcesses);
+      std::fprintf(stderr, "error: this solver is for exactly 2 processes, started with %d: use mpiexec -n 2\n",
+                   size);
   } else if (options.help) {
-    if (rank == 0) std::printf("usage: mpiexec -n %d %s [options]\n%s", kProcesses, words[0], kUsageText);
+    if (rank == 0) std::printf("usage: mpiexec -n 2 %s [options]\n%s", words[0], kUsageText);
   } else {
     status = std::make_unique<Program>(options, rank)->run();
   }
@@ -5049,4 +5307,3 @@ class Program {
   return status;
 }
 #endif  // ADAGEN_NO_MAIN
-#endif  // ADAGEN_DECLARATIONS

@@ -1,17 +1,21 @@
 // Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
+// command   adagen ../models/humanoid.urdf --floating --procs 2 --schedule=../models/humanoid_at_torso.json --shape=kernels
 // options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// program   2 processes, one of them at work; 0.63 us predicted (default profile)
-//           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll |
-//           left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch .. right_wrist_pitch in 4
-//           lanes, __base__, waist_yaw .. waist_pitch, neck_yaw .. neck_pitch
-//           process 1: nothing
+// program   2 processes, gathered at torso; 0.682 us predicted (default profile)
+//           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll in 2
+//           lanes, __base__, waist_yaw .. waist_pitch
+//           process 1: left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch ..
+//           right_wrist_pitch in 2 lanes, neck_yaw .. neck_pitch
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
-// The articulated-body algorithm: I^A and p^A (IA, pA), a link's inertia and bias force with all that
-// hangs on it, are swept to the base, and the accelerations come back. Spatial vectors are [angular;
-// linear], in the axes of the base, about each link's origin.
+// Each process sweeps its own limbs by the articulated-body algorithm: I^A and p^A, a link's inertia and
+// bias force with all that hangs on it. Processes meet once: each tells the others the I^A and p^A that
+// it found at the links where limbs of several processes meet. What lies between those links, up to the
+// root, every process then sweeps for itself, solves for the root's acceleration and goes outwards again
+// through its own limbs. Spatial vectors are [angular; linear], in the axes of the base, about each
+// link's origin.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls
@@ -21,33 +25,138 @@
 //   5. processes   who does what, in order
 //   6. program     states in, accelerations out; check; time
 
+// ---- 1. interface -------------------------------------------------------------------------------
+// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; humanoid_p2.h
+// beside it is this part.
+// C interface of the solver humanoid_p2: forward dynamics of "humanoid" on 2 processes,
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+#ifndef ADAGEN_HUMANOID_P2_H
+#define ADAGEN_HUMANOID_P2_H
+
 #include <mpi.h>
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN, link it, and get these
-// declarations by including it with ADAGEN_DECLARATIONS defined.
+enum {
+  HUMANOID_P2_PROCESSES = 2,
+  HUMANOID_P2_JOINTS = 30,
+  HUMANOID_P2_NQ = 36,  // numbers in q
+  HUMANOID_P2_NV = 35,  // in v and qdd
+  HUMANOID_P2_NTAU = 35  // in tau
+};
+
+// Where each joint begins in q, and in v, tau and qdd.
+enum {
+  HUMANOID_P2_Q_base = 0,
+  HUMANOID_P2_V_base = 0,  // joint 0, "__base__": floating, 7 in q, 6 in v
+  HUMANOID_P2_Q_left_hip_pitch = 7,
+  HUMANOID_P2_V_left_hip_pitch = 6,  // joint 1, "left_hip_pitch": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_left_hip_roll = 8,
+  HUMANOID_P2_V_left_hip_roll = 7,  // joint 2, "left_hip_roll": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_left_hip_yaw = 9,
+  HUMANOID_P2_V_left_hip_yaw = 8,  // joint 3, "left_hip_yaw": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_left_knee = 10,
+  HUMANOID_P2_V_left_knee = 9,  // joint 4, "left_knee": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_left_ankle_pitch = 11,
+  HUMANOID_P2_V_left_ankle_pitch = 10,  // joint 5, "left_ankle_pitch": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_left_ankle_roll = 12,
+  HUMANOID_P2_V_left_ankle_roll = 11,  // joint 6, "left_ankle_roll": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_right_hip_pitch = 13,
+  HUMANOID_P2_V_right_hip_pitch = 12,  // joint 7, "right_hip_pitch": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_right_hip_roll = 14,
+  HUMANOID_P2_V_right_hip_roll = 13,  // joint 8, "right_hip_roll": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_right_hip_yaw = 15,
+  HUMANOID_P2_V_right_hip_yaw = 14,  // joint 9, "right_hip_yaw": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_right_knee = 16,
+  HUMANOID_P2_V_right_knee = 15,  // joint 10, "right_knee": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_right_ankle_pitch = 17,
+  HUMANOID_P2_V_right_ankle_pitch = 16,  // joint 11, "right_ankle_pitch": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_right_ankle_roll = 18,
+  HUMANOID_P2_V_right_ankle_roll = 17,  // joint 12, "right_ankle_roll": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_waist_yaw = 19,
+  HUMANOID_P2_V_waist_yaw = 18,  // joint 13, "waist_yaw": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_waist_roll = 20,
+  HUMANOID_P2_V_waist_roll = 19,  // joint 14, "waist_roll": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_waist_pitch = 21,
+  HUMANOID_P2_V_waist_pitch = 20,  // joint 15, "waist_pitch": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_left_shoulder_pitch = 22,
+  HUMANOID_P2_V_left_shoulder_pitch = 21,  // joint 16, "left_shoulder_pitch": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_left_shoulder_roll = 23,
+  HUMANOID_P2_V_left_shoulder_roll = 22,  // joint 17, "left_shoulder_roll": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_left_shoulder_yaw = 24,
+  HUMANOID_P2_V_left_shoulder_yaw = 23,  // joint 18, "left_shoulder_yaw": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_left_elbow = 25,
+  HUMANOID_P2_V_left_elbow = 24,  // joint 19, "left_elbow": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_left_wrist_roll = 26,
+  HUMANOID_P2_V_left_wrist_roll = 25,  // joint 20, "left_wrist_roll": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_left_wrist_pitch = 27,
+  HUMANOID_P2_V_left_wrist_pitch = 26,  // joint 21, "left_wrist_pitch": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_neck_yaw = 28,
+  HUMANOID_P2_V_neck_yaw = 27,  // joint 22, "neck_yaw": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_neck_pitch = 29,
+  HUMANOID_P2_V_neck_pitch = 28,  // joint 23, "neck_pitch": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_right_shoulder_pitch = 30,
+  HUMANOID_P2_V_right_shoulder_pitch = 29,  // joint 24, "right_shoulder_pitch": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_right_shoulder_roll = 31,
+  HUMANOID_P2_V_right_shoulder_roll = 30,  // joint 25, "right_shoulder_roll": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_right_shoulder_yaw = 32,
+  HUMANOID_P2_V_right_shoulder_yaw = 31,  // joint 26, "right_shoulder_yaw": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_right_elbow = 33,
+  HUMANOID_P2_V_right_elbow = 32,  // joint 27, "right_elbow": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_right_wrist_roll = 34,
+  HUMANOID_P2_V_right_wrist_roll = 33,  // joint 28, "right_wrist_roll": revolute, 1 in q, 1 in v
+  HUMANOID_P2_Q_right_wrist_pitch = 35,
+  HUMANOID_P2_V_right_wrist_pitch = 34  // joint 29, "right_wrist_pitch": revolute, 1 in q, 1 in v
+};
+
+// Why a call failed, as humanoid_p2_reason tells of the status that it returned.
+enum {
+  HUMANOID_P2_FINE = 0,  // none
+  HUMANOID_P2_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
+  HUMANOID_P2_ZERO_QUATERNION = 2,  // a joint's quaternion cannot be normalised
+  HUMANOID_P2_FACTORIZATION = 3,  // inertias beside a joint differ too much for the scalar
+  HUMANOID_P2_OVERFLOW = 4,  // a joint's acceleration is not a finite number
+  HUMANOID_P2_NO_ANSWER = 5,  // a process did not answer within the time limit
+  HUMANOID_P2_ENDED = 6,  // process 0 has ended the evaluations
+  HUMANOID_P2_NOT_REFINED = 7,  // refinement does not converge
+  HUMANOID_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  HUMANOID_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  HUMANOID_P2_TOO_FEW_STEPS = 11  // refinement converges too slowly
+};
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 typedef struct humanoid_p2_solver humanoid_p2_solver;
 
-// Joints in order, each with its place in the state: humanoid_p2_joint gives name, start and size in q
-// and v of joint k, or returns 0 where there is none.
+// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
+// k, or returns 0 where there is none.
 int humanoid_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
-// Collective over a communicator of 2 processes. channel: "auto", "window" or "message";
-// time_limit: seconds that a process waits for another. Returns null where it cannot be done.
+// Collective over a communicator of 2 processes. channel: "auto", "window" (shared memory) or
+// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
+// done; humanoid_p2_failure(NULL) says why.
 humanoid_p2_solver* humanoid_p2_open(MPI_Comm comm, const char* channel, double time_limit);
 
-// One evaluation, collective. q: 36 numbers, v and tau: 35 each, qdd: 35; joints in order,
-// quaternions x y z w (normalised here), floating joints [linear; angular] in the body's frame.
+// One evaluation, collective. q: 36 numbers, v and tau: 35 each, qdd: 35; joints in order, quaternions
+// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
 // solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null.
-// Returns 0, or what humanoid_p2_failure puts into words; no acceleration is written then.
+// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
+// Returns 0, or a status that humanoid_p2_failure puts into words; no acceleration is written then.
 int humanoid_p2_solve(humanoid_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 int humanoid_p2_solve_at_root(humanoid_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// The last failure in words; valid until the next call.
+// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
+// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+int humanoid_p2_serve(humanoid_p2_solver* solver);
+
+// At process 0: the others' serve returns. They may serve again, or all close.
+int humanoid_p2_end(humanoid_p2_solver* solver);
+
+// What a status says: its reason, and which joint it is about, -1 for none.
+int humanoid_p2_reason(int status);
+int humanoid_p2_failed_joint(int status);
+
+// The last failure of a solver in words, valid until the next call; of null, why the last open of this
+// thread returned null.
 const char* humanoid_p2_failure(const humanoid_p2_solver* solver);
 
 // Collective.
@@ -55,40 +164,26 @@ void humanoid_p2_close(humanoid_p2_solver* solver);
 #ifdef __cplusplus
 }
 #endif
-#ifndef ADAGEN_DECLARATIONS
+#endif
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <new>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
-#if defined(__linux__)
-#include <sched.h>
-#endif
-#if defined(__unix__) || defined(__APPLE__)
-#include <sys/time.h>
-#include <unistd.h>
-
-#include <csignal>
-#endif
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
 #define ADAGEN_HOT [[gnu::hot]] ADAGEN_NOINLINE  // called in each step of a simulation; main is cold
@@ -104,7 +199,7 @@ namespace {
 using Number = double;  // of states, answers and messages
 using Real = double;    // of all between
 constexpr int kProcesses = 2;
-[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 constexpr int kNq = 36, kNv = 35;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
@@ -112,12 +207,11 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr int kPlanMessages = 0;
+[[maybe_unused]] constexpr int kPlanMessages = 2;
 constexpr std::size_t kCacheLine = 64;
 [[maybe_unused]] constexpr bool kFloatingBase = true;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 [[maybe_unused]] constexpr int kRandomStates = 64;
-[[maybe_unused]] constexpr const char* kRobot = "humanoid";
 const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -409,71 +503,123 @@ constexpr int failure(Failure kind, int joint) { return kind * kFailureBase + jo
 constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
 constexpr int failure_place(int status) { return status % kFailureBase; }
 
-// Text as a JSON string, in one line.
-std::string quoted(const char* text) {
-  std::string result = "\"";
+// Words without memory from the heap; what is too long is cut.
+class Text {
+ public:
+  Text& operator+=(char c) {
+    if (size_ + 1 < sizeof data_) data_[size_++] = c, data_[size_] = '\0';
+    return *this;
+  }
+  Text& operator+=(const char* more) {
+    for (; *more != '\0'; ++more) *this += *more;
+    return *this;
+  }
+  Text& operator+=(int number) {
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "%d", number);
+    return *this += digits;
+  }
+  const char* c_str() const { return data_; }
+  void clear() { data_[size_ = 0] = '\0'; }
+
+ private:
+  std::size_t size_ = 0;
+  char data_[1000] = "";
+};
+
+// Adds text as a JSON string, in one line.
+template <class Words>
+void add_quoted(Words& to, const char* text) {
+  to += '"';
   for (; *text != '\0'; ++text) {
     const unsigned char c = static_cast<unsigned char>(*text);
     if (c == '"' || c == '\\') {
-      result += '\\';
-      result += *text;
+      to += '\\';
+      to += *text;
     } else if (c < 0x20 || c == 0x7F) {
       char escape[8];
       std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      result += escape;
+      to += escape;
     } else {
-      result += *text;
+      to += *text;
     }
   }
-  return result + "\"";
+  to += '"';
 }
 
-// The names of a joint and of those before it that it is joined with: the links between them have
-// neither mass nor inertia.
-std::string names_of_run(int joint) {
-  std::string names = quoted(kJoints[joint].name);
-  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
-    const LinkConstants& own = kLinks[link];
-    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
-    names = quoted(kJoints[link - 1].name) + ", " + names;
+// Adds the names of a joint and of those before it that it is joined with: the links between them
+// have neither mass nor inertia.
+void add_names_of_run(Text& to, int joint) {
+  const int link = kJoints[joint].parent;
+  const LinkConstants& own = kLinks[link];
+  if (link > 0 && !(own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0)) {
+    add_names_of_run(to, link - 1);
+    to += ", ";
   }
-  return names;
+  add_quoted(to, kJoints[joint].name);
 }
 
-std::string describe(int status) {
-  const int place = failure_place(status);
-  const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
-  switch (failure_kind(status)) {
+// A failure in words, about a joint or not.
+struct FailureWords {
+  bool of_joint;
+  const char* text;
+};
+
+constexpr FailureWords words_of(Failure kind) {
+  switch (kind) {
     case kFine:
-      return "no error";
+      return {false, "no error"};
     case kNotFinite:
-      return joint() + "its q, v or tau is not a finite number";
+      return {true, "its q, v or tau is not a finite number"};
     case kZeroQuaternion:
-      return joint() + "its quaternion cannot be normalised";
+      return {true, "its quaternion cannot be normalised"};
     case kFactorization:
-      return joint() +
-             "factorization failed: the inertias beside it differ too much for the scalar";
+      return {true, "factorization failed: the inertias beside it differ too much for the scalar"};
     case kGimbalLock:
-      return "joints " + names_of_run(place) +
-             ": gimbal lock: through links without mass, they do not move in as many directions";
+      return {false,
+              "gimbal lock: through links without mass, they do not move in as many directions"};
     case kGrowth:
-      return joint() +
-             "no digits left: a link beside it is too light for its neighbours and the scalar";
+      return {true,
+              "no digits left: a link beside it is too light for its neighbours and the scalar"};
     case kOverflow:
-      return joint() + "its acceleration is not a finite number (overflow)";
+      return {true, "its acceleration is not a finite number (overflow)"};
     case kSingularPose:
-      return joint() + "its mobility is singular in this pose";
+      return {true, "its mobility is singular in this pose"};
     case kEnded:
-      return "the evaluations are over";
+      return {false, "the evaluations are over"};
     case kNotRefined:
-      return "refinement does not converge: the inertias differ too much for the scalar";
+      return {false, "refinement does not converge: the inertias differ too much for the scalar"};
     case kTooFewSteps:
-      return "refinement converges too slowly: its last correction is too large; take more steps "
-             "(--refine) or --scalar double";
+      return {false,
+              "refinement converges too slowly: its last correction is too large; take more steps "
+              "(--refine) or --scalar double"};
     case kNoAnswer:
-      return "process " + std::to_string(place) + " did not answer within the time limit";
+      return {false, " did not answer within the time limit"};
   }
-  return "unknown failure";
+  return {false, "unknown failure"};
+}
+
+// Whether a failure is numbered with a joint.
+constexpr bool is_of_joint(Failure kind) { return words_of(kind).of_joint || kind == kGimbalLock; }
+
+Text describe(int status) {
+  const Failure kind = failure_kind(status);
+  const FailureWords words = words_of(kind);
+  Text text;
+  if (words.of_joint) {
+    text += "joint ";
+    add_quoted(text, kJoints[failure_place(status)].name);
+    text += ": ";
+  } else if (kind == kGimbalLock) {
+    text += "joints ";
+    add_names_of_run(text, failure_place(status));
+    text += ": ";
+  } else if (kind == kNoAnswer) {
+    text += "process ";
+    text += failure_place(status);
+  }
+  text += words.text;
+  return text;
 }
 
 // Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
@@ -777,10 +923,22 @@ ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<
   return squared;
 }
 
-constexpr std::array<MessageInfo, 2> kMessages{ {
-    {0, 1, 0},  // 0: state
-    {1, 0, 0},  // 1: accelerations
+constexpr std::array<MessageInfo, 4> kMessages{ {
+    {0, 1, 27},  // 0: what hangs on "torso"
+    {1, 0, 27},  // 1: what hangs on "torso"
+    {0, 1, 61},  // 2: state
+    {1, 0, 14},  // 3: accelerations
 } };
+
+enum class ChannelMode { kAuto, kWindow, kMessage };
+
+inline void relax() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
 
 // What a process does in an evaluation as the others see it: the messages that it sends and
 // receives, in order, and what those received hold. Played again, it computes the same by itself:
@@ -831,16 +989,6 @@ class Take {
 // that its source fills and then numbers (release), and that its target reads once it sees the
 // number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
 // one is written again, two evaluations later, its target has answered in the one between.
-enum class ChannelMode { kAuto, kWindow, kMessage };
-
-inline void relax() {
-#if defined(__x86_64__) || defined(__i386__)
-  __builtin_ia32_pause();
-#elif defined(__aarch64__)
-  asm volatile("yield");
-#endif
-}
-
 class Channel {
  public:
   Channel() = default;
@@ -911,22 +1059,22 @@ class Channel {
               kMessages[k].target, k, comm_, &port.request);
   }
 
-  // Waits for message k and returns its content; what its source knows of failures joins the
-  // status.
-  const Number* receive(int k, int& status) {
+  // Waits for message k, patient: however long it takes, and returns its content; what its source
+  // knows of failures joins the status.
+  const Number* receive(int k, int& status, bool patient = false) {
     if (take_ && take_->playing()) return opened(take_->pass(), status);
     Port& port = ports_[k];
     const Number* content;
     if (port.slots) {
       const std::uint64_t number = ++port.count;
       Slot& slot = port.slot(number, k);
-      if (!wait_until([&] { return slot.number.load(std::memory_order_acquire) >= number; }))
-        fail(status, failure(kNoAnswer, kMessages[k].source));
+      const auto is_there = [&] { return slot.number.load(std::memory_order_acquire) >= number; };
+      if (!wait_until(is_there, patient)) fail(status, failure(kNoAnswer, kMessages[k].source));
       content = slot.content();
     } else {
       MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
                 kMessages[k].source, k, comm_, &port.request);
-      wait(port.request, kMessages[k].source, status);
+      wait(port.request, kMessages[k].source, status, [](const MPI_Status&) {}, patient);
       content = port.buffer.data();
     }
     if (take_) take_->note(k, content);
@@ -938,20 +1086,30 @@ class Channel {
 
   // Waits until a peer has done its part; then tells done of it. What never comes is given up.
   template <class Done>
-  void wait(MPI_Request& request, int peer, int& status, Done done) {
+  void wait(MPI_Request& request, int peer, int& status, Done done, bool patient = false) {
     if (request == MPI_REQUEST_NULL) return;
     MPI_Status found;
-    const bool in_time = wait_until([&] {
+    const auto is_done = [&] {
       int flag = 0;
       MPI_Test(&request, &flag, &found);
       return flag != 0;
-    });
+    };
+    const bool in_time = wait_until(is_done, patient);
     if (in_time) return done(found);
     give_up(request);
     fail(status, failure(kNoAnswer, peer));
   }
   void wait(MPI_Request& request, int peer, int& status) {
     wait(request, peer, status, [](const MPI_Status&) {});
+  }
+
+  // To a process that has no part in evaluations: they are over. And there: waits for that, asleep.
+  void send_end(int target) { MPI_Send(nullptr, 0, kMpiNumber, target, kEndTag, comm_); }
+  void await_end() {
+    MPI_Request over;
+    MPI_Irecv(nullptr, 0, kMpiNumber, 0, kEndTag, comm_, &over);
+    for (int done = 0; MPI_Test(&over, &done, MPI_STATUS_IGNORE), !done;)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
   static void give_up(MPI_Request& request) {
@@ -971,6 +1129,9 @@ class Channel {
 
  private:
   using Clock = std::chrono::steady_clock;
+  // Behind those of all other messages, in batches, too.
+  static constexpr int kEndTag = static_cast<int>(kMessages.size()) + 3;
+  static constexpr std::chrono::milliseconds kPatience{100};
 
   struct alignas(kCacheLine) Slot {
     std::atomic<std::uint64_t> number;
@@ -1072,18 +1233,23 @@ class Channel {
     return good != 0;
   }
 
-  // Spins briefly, then yields, so that more processes than cores still finish.
+  // Spins briefly, then yields, so that more processes than cores still finish. Who waits without
+  // limit sleeps between looks once it has waited for long.
   template <class Ready>
-  bool wait_until(Ready ready) {
+  bool wait_until(Ready ready, bool patient) {
     for (int k = 0; k < 4000; ++k) {
       if (ready()) return true;
       relax();
     }
     if (broken_) return false;  // a peer is gone: do not wait for it once more
-    const Clock::time_point end = Clock::now() + time_limit_;
+    const Clock::time_point end =
+        Clock::now() + (patient ? Clock::duration(kPatience) : time_limit_);
     while (!ready()) {
       std::this_thread::yield();
-      if (Clock::now() > end) {
+      if (Clock::now() <= end) continue;
+      if (patient) {
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
+      } else {
         broken_ = true;
         return false;
       }
@@ -1193,11 +1359,11 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
 // segments of long runs.
-constexpr int kSlotCount = 32;
+constexpr int kSlotCount = 30;
 constexpr bool kAbreast = true;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
 constexpr bool kReordered = true;  // whether joints lie in another order than they have
-constexpr int kSlots[kJointCount]{ 24, 0, 4, 8, 12, 16, 20, 1, 5, 9, 13, 17, 21, 25, 26, 27, 2, 6, 10, 14, 18, 22, 28, 29, 3, 7, 11, 15, 19, 23 };
+constexpr int kSlots[kJointCount]{ 12, 0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9, 11, 13, 14, 15, 16, 18, 20, 22, 24, 26, 28, 29, 17, 19, 21, 23, 25, 27 };
 constexpr bool kByColumns = true;  // whether runs are taken by columns
 // Joints that are eliminated in their own axes, and whether there are such.
 constexpr bool kAnyTurned = false;
@@ -1214,8 +1380,8 @@ struct LinkRole {
   bool oriented;  // the quaternion of the joint above it is this process's to take
 };
 constexpr LinkRole kRoles[2][kLinkCount]{
-    {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
-    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
 };
 
 // Where an evaluation finds the state, and puts what it answers.
@@ -3112,69 +3278,119 @@ void accelerate_group(Workspace& w) {
 }
 
 
-// "left_hip_pitch" .. "left_ankle_roll", "right_hip_pitch" .. "right_ankle_roll", "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
-constexpr Limbs<4, 6> kLimbs0{0, {{1, 7, 16, 24}, {2, 8, 17, 25}, {3, 9, 18, 26}, {4, 10, 19, 27}, {5, 11, 20, 28}, {6, 12, 21, 29}}};
+// "left_hip_pitch" .. "left_ankle_roll", "right_hip_pitch" .. "right_ankle_roll"
+constexpr Limbs<2, 6> kLimbs0{0, {{1, 7}, {2, 8}, {3, 9}, {4, 10}, {5, 11}, {6, 12}}};
+
+// "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
+constexpr Limbs<2, 6> kLimbs1{16, {{16, 24}, {17, 25}, {18, 26}, {19, 27}, {20, 28}, {21, 29}}};
 
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 30 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
+// Process 0: 16 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  require_finite(w, w.q, 0, 3, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 0, 22, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 21, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 0, 21, &JointConstants::v, kNotFinite);
   stamp(0);
-  take_angles<0, 29>(w);
-  turn<block(0), block(29) + 1>(w);
+  take_angles<0, 15>(w);
+  turn<block(0), block(15) + 1>(w);
   free_base_frame<0>(w);
-  outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
   outward_group<kLimbs0>(w);
-  outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
   stamp(1);
-  set_up_links<block(0), block(29) + 1>(w);
+  set_up_links<block(0), block(14) + 1>(w);
   free_base<0, true>(w);
-  set_up_columns<block(25), block(29) + 1>(w);
+  set_up_columns<block(12), block(14) + 1>(w);
   {
     const auto X = inward_group<0, kLimbs0>(w);
     leave<false>(w, 1, lane(X, 0));
     leave<false>(w, 1, lane(X, 1));
-    leave<true>(w, 16, lane(X, 2));
-    leave<false>(w, 16, lane(X, 3));
   }
-  inward_in_columns<0, 22, 23, false>(w);  // "neck_yaw" .. "neck_pitch"
-  inward_in_columns<0, 13, 15, false>(w);  // "waist_yaw" .. "waist_pitch"
-  solve_root<0, 1>(w);
+  inward_in_columns_reversed<0, 13, 15, true>(w);  // "waist_yaw" .. "waist_pitch"
   stamp(2);
-  accelerate<0, 13, 15>(w);  // "waist_yaw" .. "waist_pitch"
-  accelerate_group<0, kLimbs0>(w);
-  accelerate<0, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
-  free_acceleration<0>(w);
-  stamp(3);
-  if (!went_well(w, 0, 35)) {
-    // The state's own faults are named before all others.
-    const int found = std::exchange(w.status, kFine);
-    require_finite(w, w.q, 0, 36, &JointConstants::q, kNotFinite);
-    require_finite(w, w.v, 0, 35, &JointConstants::v, kNotFinite);
-    require_finite(w, w.tau, 0, 35, &JointConstants::v, kNotFinite);
-    Channel::fail(w.status, found);
-    require_finite(w, w.answer.data(), 0, 35, &JointConstants::v, kOverflow);
+  {  // to process 1: what hangs on "torso"
+    Number* to = channel.outgoing(0, w.status);
+    to = put(to, w.bodies[16]);
+    channel.send(0, w.status);
   }
-  give(w, 0, 35);
+  stamp(3);
+  {  // from process 1: what hangs on "torso"
+    const Number* from = channel.receive(1, w.status);
+    from = add(from, w.bodies[16]);
+  }
+  stamp(4);
+  solve_root<0, 16>(w);
+  stamp(5);
+  accelerate_reversed<0, 13, 15>(w);  // "waist_yaw" .. "waist_pitch"
+  accelerate_group<0, kLimbs0>(w);
+  free_acceleration<0>(w);
+  stamp(6);
+  require_finite(w, w.answer.data(), 0, 21, &JointConstants::v, kOverflow);
+  give(w, 0, 21);
 }
 
-// Process 1: has nothing to do
+// Process 1: 14 of 30 joints: "left_shoulder_pitch", "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", "left_wrist_pitch", ...; kinematics of 4 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
+  require_finite(w, w.q, 19, 17, &JointConstants::q, kNotFinite);
+  require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
+  require_finite(w, w.v, 18, 17, &JointConstants::v, kNotFinite);
+  require_finite(w, w.tau, 21, 14, &JointConstants::v, kNotFinite);
+  stamp(0);
+  take_angles<0, 0>(w);
+  take_angles<13, 29>(w);
+  turn<block(13), block(29) + 1>(w);
+  free_base_frame<0>(w);
+  pass_outward<13, 15>(w);  // "waist_yaw" .. "waist_pitch"
+  outward_group<kLimbs1>(w);
+  outward<22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  stamp(1);
+  set_up_links<block(15), block(29) + 1>(w);
+  place<16, true>(w);  // "torso" itself
+  set_up_columns<block(28), block(29) + 1>(w);
+  {
+    const auto X = inward_group<1, kLimbs1>(w);
+    leave<false>(w, 16, lane(X, 0));
+    leave<false>(w, 16, lane(X, 1));
+  }
+  inward_in_columns<1, 22, 23, false>(w);  // "neck_yaw" .. "neck_pitch"
+  stamp(2);
+  {  // to process 0: what hangs on "torso"
+    Number* to = channel.outgoing(1, w.status);
+    to = put(to, w.bodies[16]);
+    channel.send(1, w.status);
+  }
+  stamp(3);
+  {  // from process 0: what hangs on "torso"
+    const Number* from = channel.receive(0, w.status);
+    from = add(from, w.bodies[16]);
+  }
+  stamp(4);
+  solve_root<1, 16>(w);
+  stamp(5);
+  accelerate_group<1, kLimbs1>(w);
+  accelerate<1, 22, 23>(w);  // "neck_yaw" .. "neck_pitch"
+  stamp(6);
+  require_finite(w, w.answer.data(), 21, 14, &JointConstants::v, kOverflow);
+  give(w, 21, 14);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 1> kReadQ_0{ {{0, 36}} };
-constexpr std::array<Range, 1> kReadV_0{ {{0, 35}} };
-constexpr std::array<Range, 1> kOwn_0{ {{0, 35}} };
-constexpr std::array<Range, 1> kTorque_0{ {{0, 35}} };
+constexpr std::array<Range, 1> kReadQ_0{ {{0, 22}} };
+constexpr std::array<Range, 1> kReadV_0{ {{0, 21}} };
+constexpr std::array<Range, 1> kOwn_0{ {{0, 21}} };
+constexpr std::array<Range, 1> kTorque_0{ {{0, 21}} };
+constexpr std::array<Range, 2> kReadQ_1{ {{0, 7}, {19, 17}} };
+constexpr std::array<Range, 2> kReadV_1{ {{0, 6}, {18, 17}} };
+constexpr std::array<Range, 1> kOwn_1{ {{21, 14}} };
+constexpr std::array<Range, 1> kTorque_1{ {{21, 14}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
-    {{0, nullptr}, {0, nullptr}, {0, nullptr}, {0, nullptr}},
+    {{2, kReadQ_1.data()}, {2, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
 } };
 
 // The entries of a vector that a process needs, one after another, and back.
@@ -3198,7 +3414,7 @@ class Solver {
  public:
   Workspace w;
   Channel channel;
-  std::string text;  // of the last failure
+  Text text;  // of the last failure
 
   // State and result in place: reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -3222,7 +3438,34 @@ class Solver {
     return solve_as_root(q_.data(), v_.data(), tau_.data(), qdd_.data(), failure(kEnded, 0));
   }
 
+  // At the others: takes part in what process 0 evaluates until it ends that.
+  int serve() {
+    const int rank = channel.rank();
+    if (rank == 0) return kFine;
+    int status = kFine;
+    if (has_part(rank)) do
+        status = channel.broken() ? failure(kNoAnswer, 0) : solve_for_root(true);
+      while (failure_kind(status) != kEnded && failure_kind(status) != kNoAnswer);
+    else
+      channel.await_end();
+    return failure_kind(status) == kEnded ? kFine : finish(status);
+  }
+
+  // At process 0: the others serve no longer.
+  int end() {
+    if (channel.rank() != 0) return kFine;
+    const int status = end_at_root();
+    for (int p = 1; p < kProcesses; ++p)
+      if (!has_part(p)) channel.send_end(p);
+    return failure_kind(status) == kEnded ? kFine : finish(status);
+  }
+
  private:
+  // Whether a process takes part when all goes through process 0.
+  static bool has_part(int p) {
+    return !kAlone && kProcess[static_cast<std::size_t>(p)].own.count > 0;
+  }
+
   // A pose that the first try cannot stand is known to all processes: they try again together.
   void run() {
     const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
@@ -3234,12 +3477,13 @@ class Solver {
 #endif
   }
 
-  int solve_for_root() {
+  // patient: however long process 0 lets it wait.
+  int solve_for_root(bool patient = false) {
     const int rank = channel.rank();
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
     if (own.own.count == 0) return finish(kFine);
     int status = kFine;
-    const Number* content = channel.receive(state_message(rank), status);
+    const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
     unpack(content, own.tau, tau_.data());
@@ -3299,7 +3543,63 @@ class Solver {
 
 }  // namespace
 
+static_assert(HUMANOID_P2_NQ == kNq && HUMANOID_P2_NV == kNv && HUMANOID_P2_NTAU == kNtau);
+static_assert(int(HUMANOID_P2_FINE) == int(kFine));
+static_assert(int(HUMANOID_P2_NOT_FINITE) == int(kNotFinite));
+static_assert(int(HUMANOID_P2_ZERO_QUATERNION) == int(kZeroQuaternion));
+static_assert(int(HUMANOID_P2_FACTORIZATION) == int(kFactorization));
+static_assert(int(HUMANOID_P2_OVERFLOW) == int(kOverflow));
+static_assert(int(HUMANOID_P2_NO_ANSWER) == int(kNoAnswer));
+static_assert(int(HUMANOID_P2_ENDED) == int(kEnded));
+static_assert(int(HUMANOID_P2_NOT_REFINED) == int(kNotRefined));
+static_assert(int(HUMANOID_P2_GIMBAL_LOCK) == int(kGimbalLock));
+static_assert(int(HUMANOID_P2_GROWTH) == int(kGrowth));
+static_assert(int(HUMANOID_P2_TOO_FEW_STEPS) == int(kTooFewSteps));
+
 struct humanoid_p2_solver : Solver {};
+
+namespace {
+
+// Why the last open of a thread gave no solver.
+thread_local Text open_failure;
+
+// What is wrong with what was asked for; an empty string for nothing.
+inline std::string why_not_open(MPI_Comm comm, const std::string& kind, double time_limit) {
+  int ready = 0, size = 0;
+  MPI_Initialized(&ready);
+  if (ready == 0) return "MPI is not initialised: call MPI_Init first";
+  MPI_Comm_size(comm, &size);
+  if (size != kProcesses)
+    return "this solver is for exactly " + std::to_string(kProcesses) +
+           " processes, the communicator has " + std::to_string(size);
+  if (kind != "auto" && kind != "window" && kind != "message")
+    return "channel takes auto, window or message, not " + kind;
+  return time_limit > 0 ? "" : "the time limit must be more than 0 s";
+}
+
+template <class AnySolver>
+AnySolver* opened(MPI_Comm comm, const char* channel, double time_limit) {
+  open_failure.clear();
+  try {
+    const std::string kind = channel == nullptr ? "auto" : channel;
+    std::string wrong = why_not_open(comm, kind, time_limit);
+    if (wrong.empty()) {
+      auto solver = std::make_unique<AnySolver>();
+      const ChannelMode mode = kind == "window"    ? ChannelMode::kWindow
+                               : kind == "message" ? ChannelMode::kMessage
+                                                   : ChannelMode::kAuto;
+      wrong = solver->channel.open(comm, mode, time_limit);
+      if (wrong.empty()) return solver.release();
+      solver->channel.close();
+    }
+    open_failure += wrong.c_str();
+  } catch (const std::exception& error) {
+    open_failure += error.what();
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 extern "C" {
 
@@ -3311,17 +3611,7 @@ int humanoid_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv
 }
 
 humanoid_p2_solver* humanoid_p2_open(MPI_Comm comm, const char* channel, double time_limit) {
-  int size = 0;
-  MPI_Comm_size(comm, &size);
-  const std::string kind = channel;
-  if (size != kProcesses || (kind != "auto" && kind != "window" && kind != "message")) return nullptr;
-  auto* const solver = new humanoid_p2_solver;
-  const ChannelMode mode = kind == "window"    ? ChannelMode::kWindow
-                           : kind == "message" ? ChannelMode::kMessage
-                                               : ChannelMode::kAuto;
-  if (solver->channel.open(comm, mode, time_limit).empty()) return solver;
-  humanoid_p2_close(solver);
-  return nullptr;
+  return opened<humanoid_p2_solver>(comm, channel, time_limit);
 }
 
 int humanoid_p2_solve(humanoid_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
@@ -3332,9 +3622,20 @@ int humanoid_p2_solve_at_root(humanoid_p2_solver* solver, const double* q, const
   return solver->solve_at_root(q, v, tau, qdd);
 }
 
-const char* humanoid_p2_failure(const humanoid_p2_solver* solver) { return solver->text.c_str(); }
+int humanoid_p2_serve(humanoid_p2_solver* solver) { return solver->serve(); }
+
+int humanoid_p2_end(humanoid_p2_solver* solver) { return solver->end(); }
+
+int humanoid_p2_reason(int status) { return failure_kind(status); }
+
+int humanoid_p2_failed_joint(int status) { return is_of_joint(failure_kind(status)) ? failure_place(status) : -1; }
+
+const char* humanoid_p2_failure(const humanoid_p2_solver* solver) {
+  return solver == nullptr ? open_failure.c_str() : solver->text.c_str();
+}
 
 void humanoid_p2_close(humanoid_p2_solver* solver) {
+  if (solver == nullptr) return;
   solver->channel.close();
   delete solver;
 }
@@ -3344,7 +3645,31 @@ void humanoid_p2_close(humanoid_p2_solver* solver) {
 // ---- 6. program ---------------------------------------------------------------------------------
 
 #ifndef ADAGEN_NO_MAIN
+#include <atomic>
+#include <charconv>
+#include <cstdlib>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+#if defined(__linux__)
+#include <sched.h>
+#endif
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <csignal>
+#endif
+
 namespace {
+
+constexpr const char* kRobot = "humanoid";
 
 // An independent check: inverse dynamics by Newton's and Euler's equations, body by body, in
 // double. It shares the model's constants with the solver, and no arithmetic.
@@ -3577,6 +3902,13 @@ double residual(const Number* q, const Number* v, const Number* tau, const Numbe
 }
 
 }  // namespace check
+
+// Text as a JSON string, in one line.
+std::string quoted(const char* text) {
+  std::string result;
+  add_quoted(result, text);
+  return result;
+}
 
 // Reads JSON piece by piece; what is wrong is thrown.
 class JsonReader {
@@ -4717,13 +5049,24 @@ class Watch {
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 3> kStages_0{ {
-    {"kinematics", 29, -1},
-    {"assembly", 1, -1},
-    {"disassembly", 1, -1},
+constexpr std::array<Stage, 6> kStages_0{ {
+    {"kinematics", 15, -1},
+    {"assembly", 15, -1},
+    {"send", -1, 0},
+    {"receive", -1, 1},
+    {"assembly", -1, -1},
+    {"disassembly", 15, -1},
 } };
-constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), nullptr};
-constexpr std::array<int, kProcesses> kStageCount{3, 0};
+constexpr std::array<Stage, 6> kStages_1{ {
+    {"kinematics", 29, -1},
+    {"assembly", 16, -1},
+    {"send", -1, 1},
+    {"receive", -1, 0},
+    {"assembly", -1, -1},
+    {"disassembly", 16, -1},
+} };
+constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data()};
+constexpr std::array<int, kProcesses> kStageCount{6, 6};
 
 struct Statistics {
   double median = 0, least = 0, percentile99 = 0;
@@ -5399,7 +5742,8 @@ class Timing {
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
     }
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random state: " + std::string(describe(failed).c_str()));
     // An evaluation is over when its last process is done.
     MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
                   MPI_MAX, session_.comm());
@@ -5427,7 +5771,8 @@ class Timing {
     if (failed == kFine) at_root_ = stretches.played_through();
     if (failed == kFine) failed = stretches.measure(in_place, turn);
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random state: " + std::string(describe(failed).c_str()));
     in_place_ = stretches.played_through();
     work_ = stretches.work();
     evaluations_ = stretches.evaluations();
@@ -5440,7 +5785,8 @@ class Timing {
     int failed = kFine;
     if constexpr (kBatch) failed = batches_.measure(solver, [this] { return start_together(); });
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random states: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random states: " + std::string(describe(failed).c_str()));
     in_place_ = batches_.in_place();
     at_root_ = batches_.at_root();
     evaluations_ = session_.options.repeat * BatchTiming::kStates;
@@ -5467,7 +5813,8 @@ class Timing {
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
     }
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random state: " + std::string(describe(failed).c_str()));
     const std::string text = trace.text(session_.comm(), session_.channel_name(), session_.pinned);
     int status = kDone;
     if (session_.rank == 0) {
@@ -5664,7 +6011,7 @@ class Simulation {
                                       [this](const auto& q, const auto& v, const auto& extra,
                                              auto& a) { return accelerate(q, v, extra, a); });
       on_.give_up_if_broken(failed);
-      if (failed != kFine) return describe(failed) + at(time) + (k > 0 ? kSmaller : "");
+      if (failed != kFine) return describe(failed).c_str() + at(time) + (k > 0 ? kSmaller : "");
       slave(q_.data(), v_.data());
       const int joint = not_finite();
       if (joint >= 0)
@@ -5875,7 +6222,8 @@ class Program {
       at = s;
     }
     if (failed != kFine)
-      return on.complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
+      return on.complain(kInputAtFault,
+                         "state " + std::to_string(at + 1) + ": " + describe(failed).c_str(),
                          on.options.states);
     return bring_together();
   }
@@ -5889,12 +6237,11 @@ class Program {
     if constexpr (kBatch) {
       on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
                                                       on.acceleration(0)));
-      solved_ = on.states.count;
-      for (std::size_t k = 0; solver.failed_state(k) >= 0; ++k, --solved_) {
-        status = kInputAtFault;
-        if (k < kNamed) on.complain(status, solver.text, on.options.states);
-        if (k == kNamed) on.complain(status, "and more states", on.options.states);
-      }
+      solved_ = on.states.count - solver.failures();
+      if (solver.failures() > 0) status = kInputAtFault;
+      for (int k = 0; k < kNamed && solver.failed_state(k) >= 0; ++k)
+        on.complain(status, solver.text.c_str(), on.options.states);
+      if (solver.failures() > kNamed) on.complain(status, "and more states", on.options.states);
     }
     MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
     return status;
@@ -5935,7 +6282,9 @@ class Program {
     int joint = near_lock(session_.solver, 0);
     MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
     if (joint == 0) return;
-    warning_ = "joints " + names_of_run(joint - 1) +
+    Text names;
+    add_names_of_run(names, joint - 1);
+    warning_ = std::string("joints ") + names.c_str() +
                ": near gimbal lock at some state: accelerations lose three digits or more";
     if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
   }
@@ -6002,10 +6351,10 @@ class Program {
     status = kUsage;
     if (rank == 0 && !wrong.empty()) std::fprintf(stderr, "error: %s; see --help\n", wrong.c_str());
     else if (rank == 0)
-      std::fprintf(stderr, "error: this solver is for exactly %d process%s, started with %d: use mpiexec -n %d\n",
-                   kProcesses, kProcesses == 1 ? "" : "es", size, kProcesses);
+      std::fprintf(stderr, "error: this solver is for exactly 2 processes, started with %d: use mpiexec -n 2\n",
+                   size);
   } else if (options.help) {
-    if (rank == 0) std::printf("usage: mpiexec -n %d %s [options]\n%s", kProcesses, words[0], kUsageText);
+    if (rank == 0) std::printf("usage: mpiexec -n 2 %s [options]\n%s", words[0], kUsageText);
   } else {
     status = std::make_unique<Program>(options, rank)->run();
   }
@@ -6013,4 +6362,3 @@ class Program {
   return status;
 }
 #endif  // ADAGEN_NO_MAIN
-#endif  // ADAGEN_DECLARATIONS

@@ -1,6 +1,7 @@
 // Forward dynamics of "mobile" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
 //
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
+// command   adagen ../models/mobile.urdf --procs 1
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // program   1 process; 0.198 us predicted (default profile)
 //           process 0: drive .. loose
@@ -18,74 +19,98 @@
 //   5. processes   who does what, in order
 //   6. program     states in, accelerations out; check; time
 
-#include <mpi.h>
-
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN, link it, and get these
-// declarations by including it with ADAGEN_DECLARATIONS defined.
+// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; mobile_p1.h
+// beside it is this part.
+// C interface of the solver mobile_p1: forward dynamics of "mobile" on 1 process,
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+#ifndef ADAGEN_MOBILE_P1_H
+#define ADAGEN_MOBILE_P1_H
+
+enum {
+  MOBILE_P1_PROCESSES = 1,
+  MOBILE_P1_JOINTS = 6,
+  MOBILE_P1_NQ = 14,  // numbers in q
+  MOBILE_P1_NV = 13,  // in v and qdd
+  MOBILE_P1_NTAU = 13  // in tau
+};
+
+// Where each joint begins in q, and in v, tau and qdd.
+enum {
+  MOBILE_P1_Q_drive = 0,
+  MOBILE_P1_V_drive = 0,  // joint 0, "drive": planar, 3 in q, 3 in v
+  MOBILE_P1_Q_laser_spin = 3,
+  MOBILE_P1_V_laser_spin = 3,  // joint 1, "laser_spin": revolute, 1 in q, 1 in v
+  MOBILE_P1_Q_lift = 4,
+  MOBILE_P1_V_lift = 4,  // joint 2, "lift": prismatic, 1 in q, 1 in v
+  MOBILE_P1_Q_shoulder = 5,
+  MOBILE_P1_V_shoulder = 5,  // joint 3, "shoulder": revolute, 1 in q, 1 in v
+  MOBILE_P1_Q_wrist = 6,
+  MOBILE_P1_V_wrist = 6,  // joint 4, "wrist": revolute, 1 in q, 1 in v
+  MOBILE_P1_Q_loose = 7,
+  MOBILE_P1_V_loose = 7  // joint 5, "loose": floating, 7 in q, 6 in v
+};
+
+// Why a call failed, as mobile_p1_reason tells of the status that it returned.
+enum {
+  MOBILE_P1_FINE = 0,  // none
+  MOBILE_P1_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
+  MOBILE_P1_ZERO_QUATERNION = 2,  // a joint's quaternion cannot be normalised
+  MOBILE_P1_FACTORIZATION = 3,  // inertias beside a joint differ too much for the scalar
+  MOBILE_P1_OVERFLOW = 4,  // a joint's acceleration is not a finite number
+  MOBILE_P1_NO_ANSWER = 5,  // a process did not answer within the time limit
+  MOBILE_P1_ENDED = 6,  // process 0 has ended the evaluations
+  MOBILE_P1_NOT_REFINED = 7,  // refinement does not converge
+  MOBILE_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  MOBILE_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  MOBILE_P1_TOO_FEW_STEPS = 11  // refinement converges too slowly
+};
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 typedef struct mobile_p1_solver mobile_p1_solver;
 
-// Joints in order, each with its place in the state: mobile_p1_joint gives name, start and size in q
-// and v of joint k, or returns 0 where there is none.
+// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
+// k, or returns 0 where there is none.
 int mobile_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
-// Collective over a communicator of 1 process. channel: "auto", "window" or "message";
-// time_limit: seconds that a process waits for another. Returns null where it cannot be done.
-mobile_p1_solver* mobile_p1_open(MPI_Comm comm, const char* channel, double time_limit);
+// A solver, with all the memory that it will ever need: no other call allocates, waits or takes a
+// lock. One solver is for one thread at a time. Returns null where there is no memory;
+// mobile_p1_failure(NULL) says so.
+mobile_p1_solver* mobile_p1_open(void);
 
-// One evaluation, collective. q: 14 numbers, v and tau: 13 each, qdd: 13; joints in order,
-// quaternions x y z w (normalised here), floating joints [linear; angular] in the body's frame.
-// solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null.
-// Returns 0, or what mobile_p1_failure puts into words; no acceleration is written then.
+// One evaluation. q: 14 numbers, v and tau: 13 each, qdd: 13; joints in order, quaternions
+// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
+// Returns 0, or a status that mobile_p1_failure puts into words; no acceleration is written then.
 int mobile_p1_solve(mobile_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
-int mobile_p1_solve_at_root(mobile_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// The last failure in words; valid until the next call.
+// What a status says: its reason, and which joint it is about, -1 for none.
+int mobile_p1_reason(int status);
+int mobile_p1_failed_joint(int status);
+
+// The last failure of a solver in words, valid until the next call; of null, why the last open of this
+// thread returned null.
 const char* mobile_p1_failure(const mobile_p1_solver* solver);
 
-// Collective.
 void mobile_p1_close(mobile_p1_solver* solver);
 #ifdef __cplusplus
 }
 #endif
-#ifndef ADAGEN_DECLARATIONS
+#endif
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
-#include <memory>
 #include <new>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <thread>
 #include <type_traits>
 #include <utility>
-#include <vector>
-#if defined(__linux__)
-#include <sched.h>
-#endif
-#if defined(__unix__) || defined(__APPLE__)
-#include <sys/time.h>
-#include <unistd.h>
-
-#include <csignal>
-#endif
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
 #define ADAGEN_HOT [[gnu::hot]] ADAGEN_NOINLINE  // called in each step of a simulation; main is cold
@@ -114,8 +139,6 @@ constexpr std::size_t kCacheLine = 64;
 [[maybe_unused]] constexpr bool kFloatingBase = false;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 [[maybe_unused]] constexpr int kRandomStates = 64;
-[[maybe_unused]] constexpr const char* kRobot = "mobile";
-const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -262,125 +285,128 @@ constexpr int failure(Failure kind, int joint) { return kind * kFailureBase + jo
 constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
 constexpr int failure_place(int status) { return status % kFailureBase; }
 
-// Text as a JSON string, in one line.
-std::string quoted(const char* text) {
-  std::string result = "\"";
+// Words without memory from the heap; what is too long is cut.
+class Text {
+ public:
+  Text& operator+=(char c) {
+    if (size_ + 1 < sizeof data_) data_[size_++] = c, data_[size_] = '\0';
+    return *this;
+  }
+  Text& operator+=(const char* more) {
+    for (; *more != '\0'; ++more) *this += *more;
+    return *this;
+  }
+  Text& operator+=(int number) {
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "%d", number);
+    return *this += digits;
+  }
+  const char* c_str() const { return data_; }
+  void clear() { data_[size_ = 0] = '\0'; }
+
+ private:
+  std::size_t size_ = 0;
+  char data_[1000] = "";
+};
+
+// Adds text as a JSON string, in one line.
+template <class Words>
+void add_quoted(Words& to, const char* text) {
+  to += '"';
   for (; *text != '\0'; ++text) {
     const unsigned char c = static_cast<unsigned char>(*text);
     if (c == '"' || c == '\\') {
-      result += '\\';
-      result += *text;
+      to += '\\';
+      to += *text;
     } else if (c < 0x20 || c == 0x7F) {
       char escape[8];
       std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      result += escape;
+      to += escape;
     } else {
-      result += *text;
+      to += *text;
     }
   }
-  return result + "\"";
+  to += '"';
 }
 
-// The names of a joint and of those before it that it is joined with: the links between them have
-// neither mass nor inertia.
-std::string names_of_run(int joint) {
-  std::string names = quoted(kJoints[joint].name);
-  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
-    const LinkConstants& own = kLinks[link];
-    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
-    names = quoted(kJoints[link - 1].name) + ", " + names;
+// Adds the names of a joint and of those before it that it is joined with: the links between them
+// have neither mass nor inertia.
+void add_names_of_run(Text& to, int joint) {
+  const int link = kJoints[joint].parent;
+  const LinkConstants& own = kLinks[link];
+  if (link > 0 && !(own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0)) {
+    add_names_of_run(to, link - 1);
+    to += ", ";
   }
-  return names;
+  add_quoted(to, kJoints[joint].name);
 }
 
-std::string describe(int status) {
-  const int place = failure_place(status);
-  const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
-  switch (failure_kind(status)) {
+// A failure in words, about a joint or not.
+struct FailureWords {
+  bool of_joint;
+  const char* text;
+};
+
+constexpr FailureWords words_of(Failure kind) {
+  switch (kind) {
     case kFine:
-      return "no error";
+      return {false, "no error"};
     case kNotFinite:
-      return joint() + "its q, v or tau is not a finite number";
+      return {true, "its q, v or tau is not a finite number"};
     case kZeroQuaternion:
-      return joint() + "its quaternion cannot be normalised";
+      return {true, "its quaternion cannot be normalised"};
     case kFactorization:
-      return joint() +
-             "factorization failed: the inertias beside it differ too much for the scalar";
+      return {true, "factorization failed: the inertias beside it differ too much for the scalar"};
     case kGimbalLock:
-      return "joints " + names_of_run(place) +
-             ": gimbal lock: through links without mass, they do not move in as many directions";
+      return {false,
+              "gimbal lock: through links without mass, they do not move in as many directions"};
     case kGrowth:
-      return joint() +
-             "no digits left: a link beside it is too light for its neighbours and the scalar";
+      return {true,
+              "no digits left: a link beside it is too light for its neighbours and the scalar"};
     case kOverflow:
-      return joint() + "its acceleration is not a finite number (overflow)";
+      return {true, "its acceleration is not a finite number (overflow)"};
     case kSingularPose:
-      return joint() + "its mobility is singular in this pose";
+      return {true, "its mobility is singular in this pose"};
     case kEnded:
-      return "the evaluations are over";
+      return {false, "the evaluations are over"};
     case kNotRefined:
-      return "refinement does not converge: the inertias differ too much for the scalar";
+      return {false, "refinement does not converge: the inertias differ too much for the scalar"};
     case kTooFewSteps:
-      return "refinement converges too slowly: its last correction is too large; take more steps "
-             "(--refine) or --scalar double";
+      return {false,
+              "refinement converges too slowly: its last correction is too large; take more steps "
+              "(--refine) or --scalar double"};
     case kNoAnswer:
-      return "process " + std::to_string(place) + " did not answer within the time limit";
+      return {false, " did not answer within the time limit"};
   }
-  return "unknown failure";
+  return {false, "unknown failure"};
+}
+
+// Whether a failure is numbered with a joint.
+constexpr bool is_of_joint(Failure kind) { return words_of(kind).of_joint || kind == kGimbalLock; }
+
+Text describe(int status) {
+  const Failure kind = failure_kind(status);
+  const FailureWords words = words_of(kind);
+  Text text;
+  if (words.of_joint) {
+    text += "joint ";
+    add_quoted(text, kJoints[failure_place(status)].name);
+    text += ": ";
+  } else if (kind == kGimbalLock) {
+    text += "joints ";
+    add_names_of_run(text, failure_place(status));
+    text += ": ";
+  } else if (kind == kNoAnswer) {
+    text += "process ";
+    text += failure_place(status);
+  }
+  text += words.text;
+  return text;
 }
 
 constexpr std::array<MessageInfo, 0> kMessages{ {
 } };
 
-// What a process does in an evaluation as the others see it: the messages that it sends and
-// receives, in order, and what those received hold. Played again, it computes the same by itself:
-// what it sends goes nowhere, and what it receives is there at once. (--stretches)
-class Take {
- public:
-  using Clock = std::chrono::steady_clock;
-
-  // Notes from here on what goes through the channel.
-  void record() { playing_ = false; }
-
-  // Plays from the start, and looks at the clock at each message.
-  void play() {
-    playing_ = true;
-    next_ = 0;
-  }
-
-  bool playing() const { return playing_; }
-  const std::vector<int>& messages() const { return messages_; }
-  const std::vector<Clock::rep>& looks() const { return looks_; }  // one at each message
-
-  // Message k was sent, or received with this content, its status before it.
-  ADAGEN_NOINLINE void note(int k, const Number* content = nullptr) {
-    messages_.push_back(k);
-    looks_.push_back(0);
-    starts_.push_back(contents_.size());
-    const std::size_t size =
-        content ? static_cast<std::size_t>(kMessages[static_cast<std::size_t>(k)].size) + 1 : 0;
-    contents_.insert(contents_.end(), content, content + size);
-  }
-
-  // The next message is due; returns its content, if it is one received.
-  ADAGEN_NOINLINE const Number* pass() {
-    looks_[next_] = Clock::now().time_since_epoch().count();
-    return contents_.data() + starts_[next_++];
-  }
-
- private:
-  bool playing_ = false;
-  std::size_t next_ = 0;
-  std::vector<int> messages_;
-  std::vector<Clock::rep> looks_;
-  std::vector<std::size_t> starts_;  // in contents_
-  std::vector<Number> contents_;
-};
-
-// Exchange between processes. Processes on one node meet in a shared window: a message is a slot
-// that its source fills and then numbers (release), and that its target reads once it sees the
-// number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
-// one is written again, two evaluations later, its target has answered in the one between.
 enum class ChannelMode { kAuto, kWindow, kMessage };
 
 inline void relax() {
@@ -391,264 +417,31 @@ inline void relax() {
 #endif
 }
 
+// One process exchanges with none: what the code around it asks of a channel, without MPI.
+class Take;
+
 class Channel {
  public:
-  Channel() = default;
-  Channel(const Channel&) = delete;
-  Channel& operator=(const Channel&) = delete;
-
-  // Collective. Returns an empty string, or what is wrong. hosts: if not 0, processes are taken to
-  // be on so many hosts, in equal parts, whatever they share.
-  std::string open(MPI_Comm comm, ChannelMode mode, double time_limit, int hosts = 0) {
-    MPI_Comm_dup(comm, &comm_);
-    MPI_Comm_rank(comm_, &rank_);
-    time_limit_ = std::chrono::duration_cast<Clock::duration>(
-        std::chrono::duration<double>(std::min(time_limit, 1e8)));
-    ports_.resize(kMessages.size());
-    find_node(hosts);
-    const bool window = mode == ChannelMode::kMessage || open_window();
-    std::array<int, 2> ways{};  // messages through MPI, through the window
-    for (std::size_t k = 0; k < ports_.size(); ++k) {
-      const MessageInfo& info = kMessages[k];
-      if (info.source != rank_ && info.target != rank_) continue;
-      if (info.size > 0) ++ways[ports_[k].slots ? 1 : 0];  // none goes to a process without work
-      if (!ports_[k].slots) ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
-    }
-    MPI_Allreduce(MPI_IN_PLACE, ways.data(), 2, MPI_INT, MPI_SUM, comm_);
-    name_ = ways[0] == 0   ? (ways[1] == 0 ? "message" : "window")
-            : ways[1] == 0 ? "message"
-                           : "mixed";
-    if (mode != ChannelMode::kWindow || ways[0] == 0) return "";
-    return window ? "channel window: not all processes are on one node"
-                  : "channel window: this MPI gives processes no common memory";
+  template <class... Any>
+  const char* open(const Any&...) {
+    return "";
   }
-
-  void close() {
-    if (comm_ == MPI_COMM_NULL) return;
-    int status = kFine;
-    for (std::size_t k = 0; k < ports_.size(); ++k)  // what others still wait for gets there
-      wait(ports_[k].request, kMessages[k].target, status);
-    if (window_ != MPI_WIN_NULL) {
-      MPI_Win_unlock_all(window_);
-      MPI_Win_free(&window_);
-    }
-    if (node_ != MPI_COMM_NULL) MPI_Comm_free(&node_);
-    MPI_Comm_free(&comm_);
-  }
-
-  // Where to write message k. Waits for an MPI message that is still under way.
-  Number* outgoing(int k, int& status) {
-    Port& port = ports_[k];
-    if (port.slots) return port.slot(port.count + 1, k).content() + 1;
-    wait(port.request, kMessages[k].target, status);
-    return port.buffer.data() + 1;
-  }
-
-  void send(int k, int& status) {
-    if (take_) {
-      if (take_->playing()) return void(take_->pass());
-      take_->note(k);
-    }
-    Port& port = ports_[k];
-    if (port.slots) {
-      Slot& slot = port.slot(++port.count, k);
-      slot.content()[0] = static_cast<Number>(status);
-      slot.number.store(port.count, std::memory_order_release);
-      return;
-    }
-    port.buffer[0] = static_cast<Number>(status);
-    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
-              kMessages[k].target, k, comm_, &port.request);
-  }
-
-  // Waits for message k and returns its content; what its source knows of failures joins the
-  // status.
-  const Number* receive(int k, int& status) {
-    if (take_ && take_->playing()) return opened(take_->pass(), status);
-    Port& port = ports_[k];
-    const Number* content;
-    if (port.slots) {
-      const std::uint64_t number = ++port.count;
-      Slot& slot = port.slot(number, k);
-      if (!wait_until([&] { return slot.number.load(std::memory_order_acquire) >= number; }))
-        fail(status, failure(kNoAnswer, kMessages[k].source));
-      content = slot.content();
-    } else {
-      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
-                kMessages[k].source, k, comm_, &port.request);
-      wait(port.request, kMessages[k].source, status);
-      content = port.buffer.data();
-    }
-    if (take_) take_->note(k, content);
-    return opened(content, status);
-  }
-
-  // Notes from here on what is sent and received, or plays it; null for neither.
-  void use(Take* take) { take_ = take; }
-
-  // Waits until a peer has done its part; then tells done of it. What never comes is given up.
-  template <class Done>
-  void wait(MPI_Request& request, int peer, int& status, Done done) {
-    if (request == MPI_REQUEST_NULL) return;
-    MPI_Status found;
-    const bool in_time = wait_until([&] {
-      int flag = 0;
-      MPI_Test(&request, &flag, &found);
-      return flag != 0;
-    });
-    if (in_time) return done(found);
-    give_up(request);
-    fail(status, failure(kNoAnswer, peer));
-  }
-  void wait(MPI_Request& request, int peer, int& status) {
-    wait(request, peer, status, [](const MPI_Status&) {});
-  }
-
-  static void give_up(MPI_Request& request) {
-    if (request != MPI_REQUEST_NULL) MPI_Cancel(&request), MPI_Request_free(&request);
-  }
-
+  void close() {}
+  Number* outgoing(int, int&) { return nullptr; }
+  void send(int, int&) {}
+  const Number* receive(int, int&, bool = false) { return nullptr; }
+  void await_end() {}
+  void send_end(int) {}
+  void use(Take*) {}
   static void fail(int& status, int failure) {
     if (status == kFine) status = failure;
   }
-
-  MPI_Comm comm() const { return comm_; }
-  int rank() const { return rank_; }
-  bool broken() const { return broken_; }
-  bool windowed() const { return window_ != MPI_WIN_NULL; }
-  bool on_one_host() const { return on_one_host_; }
-  const char* name() const { return name_; }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  struct alignas(kCacheLine) Slot {
-    std::atomic<std::uint64_t> number;
-    Number* content() {
-      return reinterpret_cast<Number*>(reinterpret_cast<char*>(this) + kCacheLine);
-    }
-  };
-
-  struct Port {
-    char* slots = nullptr;
-    std::uint64_t count = 0;
-    Slot& slot(std::uint64_t number, int k) const {
-      return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
-    }
-    std::vector<Number> buffer;
-    MPI_Request request = MPI_REQUEST_NULL;
-  };
-
-  static const Number* opened(const Number* content, int& status) {
-    if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
-    return content + 1;
-  }
-
-  static std::size_t slot_bytes(const MessageInfo& info) {
-    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Number);
-    return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
-  }
-
-  void find_node(int hosts) {
-    MPI_Comm real;
-    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &real);
-    MPI_Comm_split(real, rank_ * hosts / kProcesses, 0, &node_);
-    MPI_Comm_free(&real);
-    int size = 0;
-    MPI_Comm_size(node_, &size);
-    on_one_host_ = size == kProcesses;
-  }
-
-  // Each process holds the slots of the messages that it sends to processes on its node. Returns
-  // whether there was memory to share.
-  bool open_window() {
-    std::vector<int> on_node(kProcesses, MPI_UNDEFINED), all(kProcesses);
-    for (int p = 0; p < kProcesses; ++p) all[p] = p;
-    MPI_Group whole, near;
-    MPI_Comm_group(comm_, &whole);
-    MPI_Comm_group(node_, &near);
-    MPI_Group_translate_ranks(whole, kProcesses, all.data(), near, on_node.data());
-    MPI_Group_free(&whole);
-    MPI_Group_free(&near);
-    const auto near_pair = [&](const MessageInfo& info) {
-      return info.size > 0 && on_node[info.source] != MPI_UNDEFINED &&
-             on_node[info.target] != MPI_UNDEFINED;
-    };
-    if (std::none_of(kMessages.begin(), kMessages.end(), near_pair)) return true;
-    std::size_t own = 0;
-    for (const MessageInfo& info : kMessages)
-      if (info.source == rank_ && near_pair(info)) own += 2 * slot_bytes(info);
-    if (!share_memory(own)) return false;
-    std::vector<char*> next(kProcesses, nullptr);
-    for (int p = 0; p < kProcesses; ++p) {
-      if (on_node[p] == MPI_UNDEFINED) continue;
-      MPI_Aint bytes;
-      int unit;
-      MPI_Win_shared_query(window_, on_node[p], &bytes, &unit, &next[p]);
-    }
-    for (std::size_t k = 0; k < ports_.size(); ++k) {
-      const MessageInfo& info = kMessages[k];
-      if (!near_pair(info)) continue;
-      ports_[k].slots = next[info.source];
-      next[info.source] += 2 * slot_bytes(info);
-      if (info.source == rank_) {
-        std::memset(ports_[k].slots, 0, 2 * slot_bytes(info));  // first touch
-        for (std::uint64_t n : {0, 1}) new (&ports_[k].slot(n, static_cast<int>(k))) Slot{};
-      }
-    }
-    MPI_Win_sync(window_);
-    MPI_Barrier(node_);
-    MPI_Win_sync(window_);
-    return true;
-  }
-
-  // Returns whether all processes of the node could.
-  bool share_memory(std::size_t own) {
-    char* base = nullptr;
-    MPI_Info hints;
-    MPI_Info_create(&hints);
-    MPI_Info_set(hints, "alloc_shared_noncontig",
-                 "true");  // every part on pages of its own process
-    MPI_Comm_set_errhandler(node_, MPI_ERRORS_RETURN);
-    int good = MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base,
-                                       &window_) == MPI_SUCCESS;
-    MPI_Comm_set_errhandler(node_, MPI_ERRORS_ARE_FATAL);
-    MPI_Info_free(&hints);
-    MPI_Allreduce(MPI_IN_PLACE, &good, 1, MPI_INT, MPI_MIN, node_);
-    if (good != 0)
-      MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
-    else
-      window_ = MPI_WIN_NULL;
-    return good != 0;
-  }
-
-  // Spins briefly, then yields, so that more processes than cores still finish.
-  template <class Ready>
-  bool wait_until(Ready ready) {
-    for (int k = 0; k < 4000; ++k) {
-      if (ready()) return true;
-      relax();
-    }
-    if (broken_) return false;  // a peer is gone: do not wait for it once more
-    const Clock::time_point end = Clock::now() + time_limit_;
-    while (!ready()) {
-      std::this_thread::yield();
-      if (Clock::now() > end) {
-        broken_ = true;
-        return false;
-      }
-    }
-    return true;
-  }
-
-  MPI_Comm comm_ = MPI_COMM_NULL, node_ = MPI_COMM_NULL;
-  MPI_Win window_ = MPI_WIN_NULL;
-  int rank_ = 0;
-  Clock::duration time_limit_{};
-  bool broken_ = false, on_one_host_ = true;
-  Take* take_ = nullptr;
-  const char* name_ = "message";
-  std::vector<Port> ports_;
+  static constexpr int comm() { return 0; }
+  static constexpr int rank() { return 0; }
+  static constexpr bool broken() { return false; }
+  static constexpr bool windowed() { return false; }
+  static constexpr bool on_one_host() { return true; }
+  static constexpr const char* name() { return "none"; }
 };
 
 // Time stamps between the stages of a process's work (--trace); nothing is stamped otherwise.
@@ -1511,7 +1304,7 @@ class Solver {
  public:
   Workspace w;
   Channel channel;
-  std::string text;  // of the last failure
+  Text text;  // of the last failure
 
   // State and result in place: reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -1535,7 +1328,34 @@ class Solver {
     return solve_as_root(q_.data(), v_.data(), tau_.data(), qdd_.data(), failure(kEnded, 0));
   }
 
+  // At the others: takes part in what process 0 evaluates until it ends that.
+  int serve() {
+    const int rank = channel.rank();
+    if (rank == 0) return kFine;
+    int status = kFine;
+    if (has_part(rank)) do
+        status = channel.broken() ? failure(kNoAnswer, 0) : solve_for_root(true);
+      while (failure_kind(status) != kEnded && failure_kind(status) != kNoAnswer);
+    else
+      channel.await_end();
+    return failure_kind(status) == kEnded ? kFine : finish(status);
+  }
+
+  // At process 0: the others serve no longer.
+  int end() {
+    if (channel.rank() != 0) return kFine;
+    const int status = end_at_root();
+    for (int p = 1; p < kProcesses; ++p)
+      if (!has_part(p)) channel.send_end(p);
+    return failure_kind(status) == kEnded ? kFine : finish(status);
+  }
+
  private:
+  // Whether a process takes part when all goes through process 0.
+  static bool has_part(int p) {
+    return !kAlone && kProcess[static_cast<std::size_t>(p)].own.count > 0;
+  }
+
   // A pose that the first try cannot stand is known to all processes: they try again together.
   void run() {
     const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
@@ -1547,12 +1367,13 @@ class Solver {
 #endif
   }
 
-  int solve_for_root() {
+  // patient: however long process 0 lets it wait.
+  int solve_for_root(bool patient = false) {
     const int rank = channel.rank();
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
     if (own.own.count == 0) return finish(kFine);
     int status = kFine;
-    const Number* content = channel.receive(state_message(rank), status);
+    const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
     unpack(content, own.tau, tau_.data());
@@ -1612,7 +1433,35 @@ class Solver {
 
 }  // namespace
 
+static_assert(MOBILE_P1_NQ == kNq && MOBILE_P1_NV == kNv && MOBILE_P1_NTAU == kNtau);
+static_assert(int(MOBILE_P1_FINE) == int(kFine));
+static_assert(int(MOBILE_P1_NOT_FINITE) == int(kNotFinite));
+static_assert(int(MOBILE_P1_ZERO_QUATERNION) == int(kZeroQuaternion));
+static_assert(int(MOBILE_P1_FACTORIZATION) == int(kFactorization));
+static_assert(int(MOBILE_P1_OVERFLOW) == int(kOverflow));
+static_assert(int(MOBILE_P1_NO_ANSWER) == int(kNoAnswer));
+static_assert(int(MOBILE_P1_ENDED) == int(kEnded));
+static_assert(int(MOBILE_P1_NOT_REFINED) == int(kNotRefined));
+static_assert(int(MOBILE_P1_GIMBAL_LOCK) == int(kGimbalLock));
+static_assert(int(MOBILE_P1_GROWTH) == int(kGrowth));
+static_assert(int(MOBILE_P1_TOO_FEW_STEPS) == int(kTooFewSteps));
+
 struct mobile_p1_solver : Solver {};
+
+namespace {
+
+// Why the last open of a thread gave no solver.
+thread_local Text open_failure;
+
+template <class AnySolver>
+AnySolver* opened() {
+  auto* const solver = new (std::nothrow) AnySolver;
+  open_failure.clear();
+  if (solver == nullptr) open_failure += "not enough memory";
+  return solver;
+}
+
+}  // namespace
 
 extern "C" {
 
@@ -1623,31 +1472,22 @@ int mobile_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv) 
   return 1;
 }
 
-mobile_p1_solver* mobile_p1_open(MPI_Comm comm, const char* channel, double time_limit) {
-  int size = 0;
-  MPI_Comm_size(comm, &size);
-  const std::string kind = channel;
-  if (size != kProcesses || (kind != "auto" && kind != "window" && kind != "message")) return nullptr;
-  auto* const solver = new mobile_p1_solver;
-  const ChannelMode mode = kind == "window"    ? ChannelMode::kWindow
-                           : kind == "message" ? ChannelMode::kMessage
-                                               : ChannelMode::kAuto;
-  if (solver->channel.open(comm, mode, time_limit).empty()) return solver;
-  mobile_p1_close(solver);
-  return nullptr;
-}
+mobile_p1_solver* mobile_p1_open(void) { return opened<mobile_p1_solver>(); }
 
 int mobile_p1_solve(mobile_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
   return solver->solve(q, v, tau, qdd);
 }
 
-int mobile_p1_solve_at_root(mobile_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
-  return solver->solve_at_root(q, v, tau, qdd);
+int mobile_p1_reason(int status) { return failure_kind(status); }
+
+int mobile_p1_failed_joint(int status) { return is_of_joint(failure_kind(status)) ? failure_place(status) : -1; }
+
+const char* mobile_p1_failure(const mobile_p1_solver* solver) {
+  return solver == nullptr ? open_failure.c_str() : solver->text.c_str();
 }
 
-const char* mobile_p1_failure(const mobile_p1_solver* solver) { return solver->text.c_str(); }
-
 void mobile_p1_close(mobile_p1_solver* solver) {
+  if (solver == nullptr) return;
   solver->channel.close();
   delete solver;
 }
@@ -1657,7 +1497,120 @@ void mobile_p1_close(mobile_p1_solver* solver) {
 // ---- 6. program ---------------------------------------------------------------------------------
 
 #ifndef ADAGEN_NO_MAIN
+#include <atomic>
+#include <charconv>
+#include <cstdlib>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+#if defined(__linux__)
+#include <sched.h>
+#endif
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <csignal>
+#endif
+
 namespace {
+
+constexpr const char* kRobot = "mobile";
+
+// What the program asks of MPI, for one process without it: there is nobody else. A launcher's word
+// is taken for how many were started, so that none of several goes on by itself.
+using MPI_Comm = int;
+using MPI_Datatype = std::size_t;  // its size
+using MPI_Aint = std::ptrdiff_t;
+using MPI_Request = int;
+struct MPI_Status {};
+constexpr MPI_Comm MPI_COMM_WORLD = 0;
+constexpr MPI_Datatype MPI_BYTE = 1, MPI_INT = sizeof(int), MPI_DOUBLE = sizeof(double),
+                       MPI_LONG_LONG = sizeof(long long), kMpiNumber = sizeof(Number);
+constexpr int MPI_MAX = 0, MPI_MIN = 0, MPI_SUM = 0, MPI_BOR = 0, MPI_COMM_TYPE_SHARED = 0,
+              MPI_INFO_NULL = 0;
+constexpr std::nullptr_t MPI_IN_PLACE = nullptr, MPI_STATUS_IGNORE = nullptr;
+
+int of_launcher(std::initializer_list<const char*> names, int alone) {
+  for (const char* const name : names)
+    if (const char* const said = std::getenv(name)) return std::atoi(said);
+  return alone;
+}
+
+inline void MPI_Init(int*, char***) {}
+inline void MPI_Finalize() {}
+inline void MPI_Comm_rank(MPI_Comm, int* rank) {
+  *rank = of_launcher({"OMPI_COMM_WORLD_RANK", "PMI_RANK"}, 0);
+}
+inline void MPI_Comm_size(MPI_Comm, int* size) {
+  *size = of_launcher({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}, 1);
+}
+inline void MPI_Comm_split_type(MPI_Comm, int, int, int, MPI_Comm* node) { *node = 0; }
+inline void MPI_Comm_free(MPI_Comm*) {}
+[[noreturn]] inline void MPI_Abort(MPI_Comm, int status) { std::_Exit(status); }
+inline void MPI_Barrier(MPI_Comm) {}
+inline void MPI_Ibarrier(MPI_Comm, MPI_Request*) {}
+inline void MPI_Test(MPI_Request*, int* done, std::nullptr_t) { *done = 1; }
+inline void MPI_Bcast(void*, int, MPI_Datatype, int, MPI_Comm) {}
+inline void MPI_Allreduce(const void* from, void* to, int count, MPI_Datatype size, int, MPI_Comm) {
+  if (from != nullptr) std::memcpy(to, from, static_cast<std::size_t>(count) * size);
+}
+inline void MPI_Reduce(const void*, void*, int, MPI_Datatype, int, int, MPI_Comm) {}
+inline void MPI_Send(const void*, int, MPI_Datatype, int, int, MPI_Comm) {}
+inline void MPI_Recv(void*, int, MPI_Datatype, int, int, MPI_Comm, std::nullptr_t) {}
+inline void MPI_Probe(int, int, MPI_Comm, MPI_Status*) {}
+inline void MPI_Get_count(const MPI_Status*, MPI_Datatype, int*) {}
+
+// What a process does in an evaluation as the others see it: the messages that it sends and
+// receives, in order, and what those received hold. Played again, it computes the same by itself:
+// what it sends goes nowhere, and what it receives is there at once. (--stretches)
+class Take {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  // Notes from here on what goes through the channel.
+  void record() { playing_ = false; }
+
+  // Plays from the start, and looks at the clock at each message.
+  void play() {
+    playing_ = true;
+    next_ = 0;
+  }
+
+  bool playing() const { return playing_; }
+  const std::vector<int>& messages() const { return messages_; }
+  const std::vector<Clock::rep>& looks() const { return looks_; }  // one at each message
+
+  // Message k was sent, or received with this content, its status before it.
+  ADAGEN_NOINLINE void note(int k, const Number* content = nullptr) {
+    messages_.push_back(k);
+    looks_.push_back(0);
+    starts_.push_back(contents_.size());
+    const std::size_t size =
+        content ? static_cast<std::size_t>(kMessages[static_cast<std::size_t>(k)].size) + 1 : 0;
+    contents_.insert(contents_.end(), content, content + size);
+  }
+
+  // The next message is due; returns its content, if it is one received.
+  ADAGEN_NOINLINE const Number* pass() {
+    looks_[next_] = Clock::now().time_since_epoch().count();
+    return contents_.data() + starts_[next_++];
+  }
+
+ private:
+  bool playing_ = false;
+  std::size_t next_ = 0;
+  std::vector<int> messages_;
+  std::vector<Clock::rep> looks_;
+  std::vector<std::size_t> starts_;  // in contents_
+  std::vector<Number> contents_;
+};
 
 // An independent check: inverse dynamics by Newton's and Euler's equations, body by body, in
 // double. It shares the model's constants with the solver, and no arithmetic.
@@ -1890,6 +1843,13 @@ double residual(const Number* q, const Number* v, const Number* tau, const Numbe
 }
 
 }  // namespace check
+
+// Text as a JSON string, in one line.
+std::string quoted(const char* text) {
+  std::string result;
+  add_quoted(result, text);
+  return result;
+}
 
 // Reads JSON piece by piece; what is wrong is thrown.
 class JsonReader {
@@ -3712,7 +3672,8 @@ class Timing {
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
     }
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random state: " + std::string(describe(failed).c_str()));
     // An evaluation is over when its last process is done.
     MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
                   MPI_MAX, session_.comm());
@@ -3740,7 +3701,8 @@ class Timing {
     if (failed == kFine) at_root_ = stretches.played_through();
     if (failed == kFine) failed = stretches.measure(in_place, turn);
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random state: " + std::string(describe(failed).c_str()));
     in_place_ = stretches.played_through();
     work_ = stretches.work();
     evaluations_ = stretches.evaluations();
@@ -3753,7 +3715,8 @@ class Timing {
     int failed = kFine;
     if constexpr (kBatch) failed = batches_.measure(solver, [this] { return start_together(); });
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random states: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random states: " + std::string(describe(failed).c_str()));
     in_place_ = batches_.in_place();
     at_root_ = batches_.at_root();
     evaluations_ = session_.options.repeat * BatchTiming::kStates;
@@ -3780,7 +3743,8 @@ class Timing {
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
     }
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random state: " + std::string(describe(failed).c_str()));
     const std::string text = trace.text(session_.comm(), session_.channel_name(), session_.pinned);
     int status = kDone;
     if (session_.rank == 0) {
@@ -3977,7 +3941,7 @@ class Simulation {
                                       [this](const auto& q, const auto& v, const auto& extra,
                                              auto& a) { return accelerate(q, v, extra, a); });
       on_.give_up_if_broken(failed);
-      if (failed != kFine) return describe(failed) + at(time) + (k > 0 ? kSmaller : "");
+      if (failed != kFine) return describe(failed).c_str() + at(time) + (k > 0 ? kSmaller : "");
       slave(q_.data(), v_.data());
       const int joint = not_finite();
       if (joint >= 0)
@@ -4188,7 +4152,8 @@ class Program {
       at = s;
     }
     if (failed != kFine)
-      return on.complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
+      return on.complain(kInputAtFault,
+                         "state " + std::to_string(at + 1) + ": " + describe(failed).c_str(),
                          on.options.states);
     return bring_together();
   }
@@ -4202,12 +4167,11 @@ class Program {
     if constexpr (kBatch) {
       on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
                                                       on.acceleration(0)));
-      solved_ = on.states.count;
-      for (std::size_t k = 0; solver.failed_state(k) >= 0; ++k, --solved_) {
-        status = kInputAtFault;
-        if (k < kNamed) on.complain(status, solver.text, on.options.states);
-        if (k == kNamed) on.complain(status, "and more states", on.options.states);
-      }
+      solved_ = on.states.count - solver.failures();
+      if (solver.failures() > 0) status = kInputAtFault;
+      for (int k = 0; k < kNamed && solver.failed_state(k) >= 0; ++k)
+        on.complain(status, solver.text.c_str(), on.options.states);
+      if (solver.failures() > kNamed) on.complain(status, "and more states", on.options.states);
     }
     MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
     return status;
@@ -4248,7 +4212,9 @@ class Program {
     int joint = near_lock(session_.solver, 0);
     MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
     if (joint == 0) return;
-    warning_ = "joints " + names_of_run(joint - 1) +
+    Text names;
+    add_names_of_run(names, joint - 1);
+    warning_ = std::string("joints ") + names.c_str() +
                ": near gimbal lock at some state: accelerations lose three digits or more";
     if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
   }
@@ -4315,10 +4281,10 @@ class Program {
     status = kUsage;
     if (rank == 0 && !wrong.empty()) std::fprintf(stderr, "error: %s; see --help\n", wrong.c_str());
     else if (rank == 0)
-      std::fprintf(stderr, "error: this solver is for exactly %d process%s, started with %d: use mpiexec -n %d\n",
-                   kProcesses, kProcesses == 1 ? "" : "es", size, kProcesses);
+      std::fprintf(stderr, "error: this solver is for exactly 1 process, started with %d: start it without mpiexec\n",
+                   size);
   } else if (options.help) {
-    if (rank == 0) std::printf("usage: mpiexec -n %d %s [options]\n%s", kProcesses, words[0], kUsageText);
+    if (rank == 0) std::printf("usage: %s [options]\n%s", words[0], kUsageText);
   } else {
     status = std::make_unique<Program>(options, rank)->run();
   }
@@ -4326,4 +4292,3 @@ class Program {
   return status;
 }
 #endif  // ADAGEN_NO_MAIN
-#endif  // ADAGEN_DECLARATIONS

@@ -3,7 +3,7 @@
 class Solver {
  public:
   Channel channel;
-  std::string text;  // of the last failure
+  Text text;  // of the last failure
 
   // States one after the other, as are their accelerations; nothing is said to other processes.
   // Accelerations of a state that fails are not numbers; the others are what they should be.
@@ -25,7 +25,7 @@ class Solver {
     const auto solve = [this](auto... rows) { return solve_rows(rows...); };
     int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
     if (status == kFine && channel.rank() > 0)
-      handout_.help(channel, solve, status);
+      handout_.help(channel, solve, status, false);
     else if (status == kFine &&
              !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd}, solve, status))
       return name_failures(count, q, v, tau, qdd);
@@ -33,12 +33,37 @@ class Solver {
     return status;
   }
 
-  // The k-th failure of the last call: its state, counted from 0; -1 where there is none.
-  int failed_state(std::size_t k) {
-    if (k >= failures_.size()) return -1;
-    text = in_words(failures_[k]);
-    return failures_[k].state;
+  // At the others: helps process 0 with batch after batch, until it ends that.
+  int serve() {
+    if (channel.rank() == 0) return kFine;
+    const auto solve = [this](auto... rows) { return solve_rows(rows...); };
+    int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
+    while (status == kFine) handout_.help(channel, solve, status, true);
+    if (failure_kind(status) == kEnded) return kFine;
+    text = describe(status);
+    return status;
   }
+
+  // At process 0: the others serve no longer.
+  int end() {
+    int status = kFine;
+    if (channel.rank() == 0) handout_.end(channel, status);
+    if (status != kFine) text = describe(status);
+    return status;
+  }
+
+  // How many states of the last call could not be solved.
+  int failures() const { return count_; }
+
+  // The k-th of them, counted from 0; -1 where there is none, or it is not one of the first kKept.
+  int failed_state(int k) {
+    if (k < 0 || k >= std::min(count_, kKept)) return -1;
+    text = in_words(failures_[size(k)]);
+    return failures_[size(k)].state;
+  }
+
+  // Why: its status.
+  int failed_status(int k) const { return failures_[size(k)].status; }
 
   // What simulates asks for one state at a time.
   int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -48,13 +73,13 @@ class Solver {
 
  private:
   struct FailedState {
-    int state, status;
+    int state = 0, status = kFine;
   };
 
   static std::size_t size(int n) { return static_cast<std::size_t>(n); }
 
   void forget() {
-    failures_.clear();
+    count_ = 0;
     text.clear();
   }
 
@@ -114,16 +139,25 @@ class Solver {
       const Number first = qdd[size(s) * kNv];
       if (first == first) continue;
       take(groups_.front(), s, 1, q, v, tau);
-      failures_.push_back({s, run(1)});
+      const int status = run(1);
+      if (count_ < kKept) failures_[size(count_)] = {s, status};
+      ++count_;
     }
     text = in_words(failures_.front());
-    if (failures_.size() > 1)
-      text += " (and " + std::to_string(failures_.size() - 1) + " more states)";
+    if (count_ > 1) {
+      text += " (and ";
+      text += count_ - 1;
+      text += " more states)";
+    }
     return failures_.front().status;
   }
 
-  static std::string in_words(const FailedState& failed) {
-    return "state " + std::to_string(failed.state + 1) + ": " + describe(failed.status);
+  static Text in_words(const FailedState& failed) {
+    Text words;
+    words += "state ";
+    words += failed.state + 1;
+    words += ": ";
+    return words += describe(failed.status).c_str();
   }
 
   // One lane of some values in all lanes.
@@ -146,6 +180,8 @@ class Solver {
   }
 
   std::array<Group, kGroups> groups_;
-  std::vector<FailedState> failures_;
+  static constexpr int kKept = 256;  // what fails beyond is only counted
+  std::array<FailedState, kKept> failures_;
+  int count_ = 0;
   Handout handout_;
 };

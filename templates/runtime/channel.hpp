@@ -2,16 +2,6 @@
 // that its source fills and then numbers (release), and that its target reads once it sees the
 // number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
 // one is written again, two evaluations later, its target has answered in the one between.
-enum class ChannelMode { kAuto, kWindow, kMessage };
-
-inline void relax() {
-#if defined(__x86_64__) || defined(__i386__)
-  __builtin_ia32_pause();
-#elif defined(__aarch64__)
-  asm volatile("yield");
-#endif
-}
-
 class Channel {
  public:
   Channel() = default;
@@ -82,22 +72,22 @@ class Channel {
               kMessages[k].target, k, comm_, &port.request);
   }
 
-  // Waits for message k and returns its content; what its source knows of failures joins the
-  // status.
-  const Number* receive(int k, int& status) {
+  // Waits for message k, patient: however long it takes, and returns its content; what its source
+  // knows of failures joins the status.
+  const Number* receive(int k, int& status, bool patient = false) {
     if (take_ && take_->playing()) return opened(take_->pass(), status);
     Port& port = ports_[k];
     const Number* content;
     if (port.slots) {
       const std::uint64_t number = ++port.count;
       Slot& slot = port.slot(number, k);
-      if (!wait_until([&] { return slot.number.load(std::memory_order_acquire) >= number; }))
-        fail(status, failure(kNoAnswer, kMessages[k].source));
+      const auto is_there = [&] { return slot.number.load(std::memory_order_acquire) >= number; };
+      if (!wait_until(is_there, patient)) fail(status, failure(kNoAnswer, kMessages[k].source));
       content = slot.content();
     } else {
       MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
                 kMessages[k].source, k, comm_, &port.request);
-      wait(port.request, kMessages[k].source, status);
+      wait(port.request, kMessages[k].source, status, [](const MPI_Status&) {}, patient);
       content = port.buffer.data();
     }
     if (take_) take_->note(k, content);
@@ -109,20 +99,30 @@ class Channel {
 
   // Waits until a peer has done its part; then tells done of it. What never comes is given up.
   template <class Done>
-  void wait(MPI_Request& request, int peer, int& status, Done done) {
+  void wait(MPI_Request& request, int peer, int& status, Done done, bool patient = false) {
     if (request == MPI_REQUEST_NULL) return;
     MPI_Status found;
-    const bool in_time = wait_until([&] {
+    const auto is_done = [&] {
       int flag = 0;
       MPI_Test(&request, &flag, &found);
       return flag != 0;
-    });
+    };
+    const bool in_time = wait_until(is_done, patient);
     if (in_time) return done(found);
     give_up(request);
     fail(status, failure(kNoAnswer, peer));
   }
   void wait(MPI_Request& request, int peer, int& status) {
     wait(request, peer, status, [](const MPI_Status&) {});
+  }
+
+  // To a process that has no part in evaluations: they are over. And there: waits for that, asleep.
+  void send_end(int target) { MPI_Send(nullptr, 0, kMpiNumber, target, kEndTag, comm_); }
+  void await_end() {
+    MPI_Request over;
+    MPI_Irecv(nullptr, 0, kMpiNumber, 0, kEndTag, comm_, &over);
+    for (int done = 0; MPI_Test(&over, &done, MPI_STATUS_IGNORE), !done;)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
   static void give_up(MPI_Request& request) {
@@ -142,6 +142,9 @@ class Channel {
 
  private:
   using Clock = std::chrono::steady_clock;
+  // Behind those of all other messages, in batches, too.
+  static constexpr int kEndTag = static_cast<int>(kMessages.size()) + 3;
+  static constexpr std::chrono::milliseconds kPatience{100};
 
   struct alignas(kCacheLine) Slot {
     std::atomic<std::uint64_t> number;
@@ -243,18 +246,23 @@ class Channel {
     return good != 0;
   }
 
-  // Spins briefly, then yields, so that more processes than cores still finish.
+  // Spins briefly, then yields, so that more processes than cores still finish. Who waits without
+  // limit sleeps between looks once it has waited for long.
   template <class Ready>
-  bool wait_until(Ready ready) {
+  bool wait_until(Ready ready, bool patient) {
     for (int k = 0; k < 4000; ++k) {
       if (ready()) return true;
       relax();
     }
     if (broken_) return false;  // a peer is gone: do not wait for it once more
-    const Clock::time_point end = Clock::now() + time_limit_;
+    const Clock::time_point end =
+        Clock::now() + (patient ? Clock::duration(kPatience) : time_limit_);
     while (!ready()) {
       std::this_thread::yield();
-      if (Clock::now() > end) {
+      if (Clock::now() <= end) continue;
+      if (patient) {
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
+      } else {
         broken_ = true;
         return false;
       }

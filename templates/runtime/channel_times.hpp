@@ -24,7 +24,7 @@ class ChannelTimes {
       }
     const bool first = channel_.rank() == 0;
     channel_.close();
-    if (status_ != kFine) return describe(status_);
+    if (status_ != kFine) return describe(status_).c_str();
     if (first) print(ways, sendings);
     return "";
   }

@@ -15,7 +15,6 @@ class Handout {
   // status.
   template <class Solve>
   bool hand_out(Channel& channel, int helpers, const Batch& batch, Solve solve, int& status) {
-    helpers_.resize(static_cast<std::size_t>(kProcesses - 1));
     bool good = true;
     int next = 0;
     const auto take = [&] {
@@ -51,23 +50,33 @@ class Handout {
     return good;
   }
 
-  // At the others, until process 0 has nothing more.
+  // At process 0: the others' help is over, and so is what they do it for.
+  void end(Channel& channel, int& status) {
+    Number nothing = 0;
+    for (int p = 1; p < kProcesses; ++p)
+      for (int k = 0; k < 2; ++k) {
+        MPI_Request sent;
+        MPI_Isend(&nothing, kEnd, kMpiNumber, p, kStates, channel.comm(), &sent);
+        channel.wait(sent, p, status);
+      }
+  }
+
+  // At the others, until process 0 has nothing more; patient: however long it takes. That process
+  // 0 has ended it all joins the status.
   template <class Solve>
-  void help(Channel& channel, Solve solve, int& status) {
-    for (Taken& piece : taken_) {
-      piece.states.resize(static_cast<std::size_t>(kMost) * kNumbers);
-      piece.qdd.resize(static_cast<std::size_t>(kMost) * kNv);
-      ask(channel, piece);
-    }
+  void help(Channel& channel, Solve solve, int& status, bool patient) {
+    for (Taken& piece : taken_) ask(channel, piece);
     int ends = 0;
     for (std::size_t k = 0; ends < 2 && status == kFine; k ^= 1) {
       Taken& piece = taken_[k];
       int numbers = 0;
-      channel.wait(piece.asked, 0, status,
-                   [&](const MPI_Status& s) { MPI_Get_count(&s, kMpiNumber, &numbers); });
+      channel.wait(
+          piece.asked, 0, status,
+          [&](const MPI_Status& s) { MPI_Get_count(&s, kMpiNumber, &numbers); }, patient);
       channel.wait(piece.answered, 0, status);
-      if (numbers == 0) {
-        ++ends;
+      if (numbers <= kEnd) {
+        if (numbers == kEnd && ++ends == 2) Channel::fail(status, failure(kEnded, 0));
+        if (numbers == 0) ++ends;
         continue;
       }
       const int count = numbers / kNumbers;
@@ -82,6 +91,7 @@ class Handout {
  private:
   static constexpr int kNumbers = kNq + kNv + kNtau;           // of a state
   static constexpr int kStates = 0, kSolved = 1, kFailed = 2;  // what a message is
+  static constexpr int kEnd = 1;                               // numbers in one that ends it all
   // States of a piece, at most: about 64 kB, which is on its way for less time than it takes.
   static constexpr int kMost =
       std::max(1, (1 << 16) / (kNumbers * static_cast<int>(sizeof(Number)) * kLanes)) * kLanes;
@@ -91,7 +101,8 @@ class Handout {
     MPI_Request sent = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
   struct Taken {
-    std::vector<Number> states, qdd;
+    std::array<Number, static_cast<std::size_t>(kMost) * kNumbers> states;
+    std::array<Number, static_cast<std::size_t>(kMost) * kNv> qdd;
     MPI_Request asked = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
 
@@ -153,6 +164,6 @@ class Handout {
               channel.comm(), &piece.asked);
   }
 
-  std::vector<Helper> helpers_;
+  std::array<Helper, kProcesses> helpers_;
   std::array<Taken, 2> taken_;
 };

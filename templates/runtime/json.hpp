@@ -1,3 +1,10 @@
+// Text as a JSON string, in one line.
+std::string quoted(const char* text) {
+  std::string result;
+  add_quoted(result, text);
+  return result;
+}
+
 // Reads JSON piece by piece; what is wrong is thrown.
 class JsonReader {
  protected:

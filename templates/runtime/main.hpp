@@ -65,7 +65,8 @@ class Program {
       at = s;
     }
     if (failed != kFine)
-      return on.complain(kInputAtFault, "state " + std::to_string(at + 1) + ": " + describe(failed),
+      return on.complain(kInputAtFault,
+                         "state " + std::to_string(at + 1) + ": " + describe(failed).c_str(),
                          on.options.states);
     return bring_together();
   }
@@ -79,12 +80,11 @@ class Program {
     if constexpr (kBatch) {
       on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
                                                       on.acceleration(0)));
-      solved_ = on.states.count;
-      for (std::size_t k = 0; solver.failed_state(k) >= 0; ++k, --solved_) {
-        status = kInputAtFault;
-        if (k < kNamed) on.complain(status, solver.text, on.options.states);
-        if (k == kNamed) on.complain(status, "and more states", on.options.states);
-      }
+      solved_ = on.states.count - solver.failures();
+      if (solver.failures() > 0) status = kInputAtFault;
+      for (int k = 0; k < kNamed && solver.failed_state(k) >= 0; ++k)
+        on.complain(status, solver.text.c_str(), on.options.states);
+      if (solver.failures() > kNamed) on.complain(status, "and more states", on.options.states);
     }
     MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
     return status;
@@ -125,7 +125,9 @@ class Program {
     int joint = near_lock(session_.solver, 0);
     MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
     if (joint == 0) return;
-    warning_ = "joints " + names_of_run(joint - 1) +
+    Text names;
+    add_names_of_run(names, joint - 1);
+    warning_ = std::string("joints ") + names.c_str() +
                ": near gimbal lock at some state: accelerations lose three digits or more";
     if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
   }

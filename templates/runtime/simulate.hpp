@@ -103,7 +103,7 @@ class Simulation {
                                       [this](const auto& q, const auto& v, const auto& extra,
                                              auto& a) { return accelerate(q, v, extra, a); });
       on_.give_up_if_broken(failed);
-      if (failed != kFine) return describe(failed) + at(time) + (k > 0 ? kSmaller : "");
+      if (failed != kFine) return describe(failed).c_str() + at(time) + (k > 0 ? kSmaller : "");
       slave(q_.data(), v_.data());
       const int joint = not_finite();
       if (joint >= 0)

@@ -19,7 +19,7 @@ class Solver {
  public:
   Workspace w;
   Channel channel;
-  std::string text;  // of the last failure
+  Text text;  // of the last failure
 
   // State and result in place: reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -43,7 +43,34 @@ class Solver {
     return solve_as_root(q_.data(), v_.data(), tau_.data(), qdd_.data(), failure(kEnded, 0));
   }
 
+  // At the others: takes part in what process 0 evaluates until it ends that.
+  int serve() {
+    const int rank = channel.rank();
+    if (rank == 0) return kFine;
+    int status = kFine;
+    if (has_part(rank)) do
+        status = channel.broken() ? failure(kNoAnswer, 0) : solve_for_root(true);
+      while (failure_kind(status) != kEnded && failure_kind(status) != kNoAnswer);
+    else
+      channel.await_end();
+    return failure_kind(status) == kEnded ? kFine : finish(status);
+  }
+
+  // At process 0: the others serve no longer.
+  int end() {
+    if (channel.rank() != 0) return kFine;
+    const int status = end_at_root();
+    for (int p = 1; p < kProcesses; ++p)
+      if (!has_part(p)) channel.send_end(p);
+    return failure_kind(status) == kEnded ? kFine : finish(status);
+  }
+
  private:
+  // Whether a process takes part when all goes through process 0.
+  static bool has_part(int p) {
+    return !kAlone && kProcess[static_cast<std::size_t>(p)].own.count > 0;
+  }
+
   // A pose that the first try cannot stand is known to all processes: they try again together.
   void run() {
     const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
@@ -55,12 +82,13 @@ class Solver {
 #endif
   }
 
-  int solve_for_root() {
+  // patient: however long process 0 lets it wait.
+  int solve_for_root(bool patient = false) {
     const int rank = channel.rank();
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
     if (own.own.count == 0) return finish(kFine);
     int status = kFine;
-    const Number* content = channel.receive(state_message(rank), status);
+    const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
     unpack(content, own.tau, tau_.data());

@@ -20,69 +20,121 @@ constexpr int failure(Failure kind, int joint) { return kind * kFailureBase + jo
 constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
 constexpr int failure_place(int status) { return status % kFailureBase; }
 
-// Text as a JSON string, in one line.
-std::string quoted(const char* text) {
-  std::string result = "\"";
+// Words without memory from the heap; what is too long is cut.
+class Text {
+ public:
+  Text& operator+=(char c) {
+    if (size_ + 1 < sizeof data_) data_[size_++] = c, data_[size_] = '\0';
+    return *this;
+  }
+  Text& operator+=(const char* more) {
+    for (; *more != '\0'; ++more) *this += *more;
+    return *this;
+  }
+  Text& operator+=(int number) {
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "%d", number);
+    return *this += digits;
+  }
+  const char* c_str() const { return data_; }
+  void clear() { data_[size_ = 0] = '\0'; }
+
+ private:
+  std::size_t size_ = 0;
+  char data_[1000] = "";
+};
+
+// Adds text as a JSON string, in one line.
+template <class Words>
+void add_quoted(Words& to, const char* text) {
+  to += '"';
   for (; *text != '\0'; ++text) {
     const unsigned char c = static_cast<unsigned char>(*text);
     if (c == '"' || c == '\\') {
-      result += '\\';
-      result += *text;
+      to += '\\';
+      to += *text;
     } else if (c < 0x20 || c == 0x7F) {
       char escape[8];
       std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      result += escape;
+      to += escape;
     } else {
-      result += *text;
+      to += *text;
     }
   }
-  return result + "\"";
+  to += '"';
 }
 
-// The names of a joint and of those before it that it is joined with: the links between them have
-// neither mass nor inertia.
-std::string names_of_run(int joint) {
-  std::string names = quoted(kJoints[joint].name);
-  for (int link = kJoints[joint].parent; link > 0; link = kJoints[link - 1].parent) {
-    const LinkConstants& own = kLinks[link];
-    if (own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0) break;
-    names = quoted(kJoints[link - 1].name) + ", " + names;
+// Adds the names of a joint and of those before it that it is joined with: the links between them
+// have neither mass nor inertia.
+void add_names_of_run(Text& to, int joint) {
+  const int link = kJoints[joint].parent;
+  const LinkConstants& own = kLinks[link];
+  if (link > 0 && !(own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0)) {
+    add_names_of_run(to, link - 1);
+    to += ", ";
   }
-  return names;
+  add_quoted(to, kJoints[joint].name);
 }
 
-std::string describe(int status) {
-  const int place = failure_place(status);
-  const auto joint = [place] { return "joint " + quoted(kJoints[place].name) + ": "; };
-  switch (failure_kind(status)) {
+// A failure in words, about a joint or not.
+struct FailureWords {
+  bool of_joint;
+  const char* text;
+};
+
+constexpr FailureWords words_of(Failure kind) {
+  switch (kind) {
     case kFine:
-      return "no error";
+      return {false, "no error"};
     case kNotFinite:
-      return joint() + "its q, v or tau is not a finite number";
+      return {true, "its q, v or tau is not a finite number"};
     case kZeroQuaternion:
-      return joint() + "its quaternion cannot be normalised";
+      return {true, "its quaternion cannot be normalised"};
     case kFactorization:
-      return joint() +
-             "factorization failed: the inertias beside it differ too much for the scalar";
+      return {true, "factorization failed: the inertias beside it differ too much for the scalar"};
     case kGimbalLock:
-      return "joints " + names_of_run(place) +
-             ": gimbal lock: through links without mass, they do not move in as many directions";
+      return {false,
+              "gimbal lock: through links without mass, they do not move in as many directions"};
     case kGrowth:
-      return joint() +
-             "no digits left: a link beside it is too light for its neighbours and the scalar";
+      return {true,
+              "no digits left: a link beside it is too light for its neighbours and the scalar"};
     case kOverflow:
-      return joint() + "its acceleration is not a finite number (overflow)";
+      return {true, "its acceleration is not a finite number (overflow)"};
     case kSingularPose:
-      return joint() + "its mobility is singular in this pose";
+      return {true, "its mobility is singular in this pose"};
     case kEnded:
-      return "the evaluations are over";
+      return {false, "the evaluations are over"};
     case kNotRefined:
-      return "refinement does not converge: the inertias differ too much for the scalar";
+      return {false, "refinement does not converge: the inertias differ too much for the scalar"};
     case kTooFewSteps:
-      return "refinement converges too slowly: its last correction is too large; take more steps "
-             "(--refine) or --scalar double";
+      return {false,
+              "refinement converges too slowly: its last correction is too large; take more steps "
+              "(--refine) or --scalar double"};
     case kNoAnswer:
-      return "process " + std::to_string(place) + " did not answer within the time limit";
+      return {false, " did not answer within the time limit"};
   }
-  return "unknown failure";
+  return {false, "unknown failure"};
+}
+
+// Whether a failure is numbered with a joint.
+constexpr bool is_of_joint(Failure kind) { return words_of(kind).of_joint || kind == kGimbalLock; }
+
+Text describe(int status) {
+  const Failure kind = failure_kind(status);
+  const FailureWords words = words_of(kind);
+  Text text;
+  if (words.of_joint) {
+    text += "joint ";
+    add_quoted(text, kJoints[failure_place(status)].name);
+    text += ": ";
+  } else if (kind == kGimbalLock) {
+    text += "joints ";
+    add_names_of_run(text, failure_place(status));
+    text += ": ";
+  } else if (kind == kNoAnswer) {
+    text += "process ";
+    text += failure_place(status);
+  }
+  text += words.text;
+  return text;
 }

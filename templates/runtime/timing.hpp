@@ -38,7 +38,8 @@ class Timing {
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
     }
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random state: " + std::string(describe(failed).c_str()));
     // An evaluation is over when its last process is done.
     MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
                   MPI_MAX, session_.comm());
@@ -66,7 +67,8 @@ class Timing {
     if (failed == kFine) at_root_ = stretches.played_through();
     if (failed == kFine) failed = stretches.measure(in_place, turn);
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random state: " + std::string(describe(failed).c_str()));
     in_place_ = stretches.played_through();
     work_ = stretches.work();
     evaluations_ = stretches.evaluations();
@@ -79,7 +81,8 @@ class Timing {
     int failed = kFine;
     if constexpr (kBatch) failed = batches_.measure(solver, [this] { return start_together(); });
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random states: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random states: " + std::string(describe(failed).c_str()));
     in_place_ = batches_.in_place();
     at_root_ = batches_.at_root();
     evaluations_ = session_.options.repeat * BatchTiming::kStates;
@@ -106,7 +109,8 @@ class Timing {
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
     }
     if (failed != kFine)
-      return session_.complain(kInputAtFault, "random state: " + describe(failed));
+      return session_.complain(kInputAtFault,
+                               "random state: " + std::string(describe(failed).c_str()));
     const std::string text = trace.text(session_.comm(), session_.channel_name(), session_.pinned);
     int status = kDone;
     if (session_.rank == 0) {

@@ -39,7 +39,7 @@ def fake(tmp_path: Path) -> Toolchain:
     Path(f"{compiler}.version").write_text("1")
     eigen = tmp_path / "eigen"
     (eigen / "Eigen").mkdir(parents=True)
-    return Toolchain((str(compiler),), ("mpiexec",), eigen, ("-O1",), wheel=False)
+    return Toolchain((str(compiler),), (str(compiler),), ("mpiexec",), eigen, ("-O1",), wheel=False)
 
 
 def calls(toolchain: Toolchain) -> int:

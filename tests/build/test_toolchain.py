@@ -42,7 +42,7 @@ class TestDefaults:
         assert {"-O3", "-march=native", "-fno-math-errno", "-Wall"} <= set(found.flags)
 
     def test_the_command_has_all_of_it(self) -> None:
-        found = Toolchain(("ccache", "mpicxx"), ("mpiexec",), Path("E"), ("-O1",), False)
+        found = Toolchain(("ccache", "mpicxx"), ("c++",), ("mpiexec",), Path("E"), ("-O1",), False)
         assert found.compile_command(Path("a.cpp"), Path("a")) == [
             *("ccache", "mpicxx", "-O1", "-isystem", "E", "a.cpp", "-o", "a")
         ]

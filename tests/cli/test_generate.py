@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
 import re
+import shutil
 import subprocess
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
@@ -19,6 +21,7 @@ from adagen.plan.steps import StartLink
 from adagen.reference import forward_dynamics
 from adagen.states import random_states, read_result, write_states
 from adagen.urdf import read_robot
+from tests.emitted import WRITTEN
 
 LINK = (
     '<link name="{name}"><inertial><mass value="1.5"/><origin xyz="0.01 0.02 0.1"/>'
@@ -74,12 +77,11 @@ def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 class TestGenerate:
-    def test_the_four_files_are_written_and_told(
-        self, arm: Path, tmp_path: Path, said: Said
-    ) -> None:
+    def test_the_files_are_written_and_told(self, arm: Path, tmp_path: Path, said: Said) -> None:
         out = tmp_path / "out"
         assert main([str(arm), "--procs", "2", "--out", str(out)]) == 0
-        names = {"arm_p2.cpp", "arm_p2.plan.json", "arm_p2.svg", "Makefile"}
+        names = {f"arm_p2.{ending}" for ending in ("cpp", "h", "pc", "plan.json", "svg")}
+        names |= {"Makefile", "CMakeLists.txt"}
         assert {p.name for p in out.iterdir()} == names
         stdout, stderr = said()
         assert stdout == ""
@@ -93,10 +95,10 @@ class TestGenerate:
         elsewhere.mkdir()
         other = elsewhere / arm.name
         other.write_bytes(arm.read_bytes())
-        for model, out in ((arm, "a"), (other, "b")):
-            assert main([str(model), "--procs", "2", "--out", str(tmp_path / out)]) == 0
-        for file in (tmp_path / "a").iterdir():
-            assert file.read_bytes() == (tmp_path / "b" / file.name).read_bytes()
+        for model in (arm, other):
+            assert main([str(model), "--procs", "2", "--out", str(model.parent / "out")]) == 0
+        for file in (tmp_path / "out").iterdir():
+            assert file.read_bytes() == (elsewhere / "out" / file.name).read_bytes()
             assert str(tmp_path) not in file.read_text()
 
     def test_generating_again_replaces_and_keeps_other_files(
@@ -107,6 +109,38 @@ class TestGenerate:
         for _ in range(2):
             assert main([str(arm), "--procs", "2", "--out", str(tmp_path / "out")]) == 0
         assert (tmp_path / "out" / "notes.txt").read_text() == "mine"
+
+    def test_what_is_right_already_is_left_as_it_is(self, arm: Path, tmp_path: Path) -> None:
+        words = [str(arm), "--procs", "2", "--out", str(tmp_path / "out")]
+        assert main(words) == 0
+        for path in (tmp_path / "out").iterdir():
+            os.utime(path, (1e9, 1e9))
+        assert main(words) == 0
+        assert {path.stat().st_mtime for path in (tmp_path / "out").iterdir()} == {1e9}
+        assert main([*words, "--scalar", "float"]) == 0
+        renewed = {p.name for p in (tmp_path / "out").iterdir() if p.stat().st_mtime != 1e9}
+        assert "arm_p2.cpp" in renewed and "Makefile" not in renewed
+
+    def test_solvers_of_one_folder_leave_each_other_alone(
+        self, arm: Path, tmp_path: Path, said: Said
+    ) -> None:
+        other = tmp_path / "other" / arm.name
+        other.parent.mkdir()
+        other.write_text(arm.read_text().replace('mass value="', 'mass value="1'))
+        out = tmp_path / "out"
+        words = ["--procs", "1", "--out", str(out)]
+        assert main([str(arm), *words]) == 0
+        before = {path.name: path.read_bytes() for path in out.iterdir()}
+        assert main([str(other), *words]) == 2
+        assert "arm_p1.cpp was made of another robot, ../arm.urdf; choose" in said()[1]
+        assert main([str(other), *words, "--name", "heavy"]) == 0
+        assert main([str(arm), *words, "--name", "arm" * 20]) == 0
+        assert main([str(arm), *words, "--name", "arm" * 20 + "x"]) == 0
+        after = {path.name: path.read_bytes() for path in out.iterdir()}
+        assert {name: after[name] for name in before} == before
+        assert len([name for name in after if name.endswith(".cpp")]) == 4
+        shutil.copy(arm, tmp_path / "moved.urdf")  # the same robot, from another place
+        assert main([str(tmp_path / "moved.urdf"), *words, "--name", "arm"]) == 0
 
     def test_a_makefile_of_somebody_else_is_left(
         self, arm: Path, tmp_path: Path, said: Said
@@ -121,7 +155,7 @@ class TestGenerate:
         out = tmp_path / "deep" / "out"
         words = [str(arm), "--procs", "1", "--out", str(out), f"--name={name}"]
         assert main(words) == 0
-        assert len(list(out.iterdir())) == 4
+        assert len(list(out.iterdir())) == WRITTEN
         assert [p.name for p in (tmp_path / "deep").iterdir()] == ["out"]
 
     def test_a_refused_robot_writes_nothing(self, tmp_path: Path, said: Said) -> None:

@@ -75,7 +75,7 @@ class TestUsage:
             (["schedul", "robot.urdf", "--procs", "2"], "did you mean 'schedule'?"),
             (["benchmark", "robot.urdf"], "did you mean 'bench'?"),
             (["compile", "robot.urdf", "--procs", "2"], "adagen MODEL --procs P emits a solver"),
-            (["compile"], "commands are info, schedule, solve, calibrate, env"),
+            (["compile"], "commands are info, schedule, solve, verify, calibrate, env"),
             (["r.urdf", "--procs", "2", "--batch", "--refine", "1"], "batches are not refined"),
             (["r.urdf", "--procs", "2", "--batch", "--shape", "joints"], "in shapes kernels"),
             (["r.urdf", "--procs", "2", "--batch", "--tune"], "batches are not tuned"),
@@ -222,7 +222,7 @@ class TestEnv:
     def test_each_answer_alone_and_all_as_json(self, capsys: pytest.CaptureFixture[str]) -> None:
         assert main(["env", "--json"]) == 0
         told = json.loads(capsys.readouterr().out)
-        for which in ("mpicxx", "mpiexec", "flags"):
+        for which in ("cxx", "mpicxx", "mpiexec", "flags"):
             assert main(["env", f"--{which}"]) == 0
             assert shlex.split(capsys.readouterr().out) == told[which]
         assert main(["env", "--eigen"]) == 0

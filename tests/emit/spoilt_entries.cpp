@@ -1,8 +1,10 @@
 // Follows an emitted solver for one process, here named `guarded`: spoils each entry of a state in
 // turn and prints what the solver says of it; "unlike" where it writes, or answers differently
 // after.
-int main(int count, char** words) {
-  MPI_Init(&count, &words);
+#include <fstream>
+#include <vector>
+
+int main(int, char** words) {
   const char* name = nullptr;
   int nq = 0, nv = 0;
   for (int k = 0, q, q_size, v, v_size; guarded_p1_joint(k, &name, &q, &q_size, &v, &v_size); ++k)
@@ -14,7 +16,7 @@ int main(int count, char** words) {
     x[f].resize(static_cast<std::size_t>(sizes[f]));
     for (Number& value : x[f]) file >> value;
   }
-  guarded_p1_solver* const solver = guarded_p1_open(MPI_COMM_SELF, "auto", 30);
+  guarded_p1_solver* const solver = guarded_p1_open();
   const std::vector<Number> untouched(static_cast<std::size_t>(nv), 12345);
   std::vector<Number> good = untouched;
   const auto solve = [&](std::vector<Number>& qdd) {
@@ -34,5 +36,4 @@ int main(int count, char** words) {
         if (qdd != untouched || solve(after) != 0 || after != good) std::printf("unlike\n");
       }
   guarded_p1_close(solver);
-  MPI_Finalize();
 }

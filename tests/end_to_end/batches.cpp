@@ -1,6 +1,7 @@
 // A program that solves batches with an emitted solver and prints what it finds, a line each.
 // Words: channel, the file of states, then cases: how many states, and which of them are spoilt.
-#define ADAGEN_DECLARATIONS
+#include <mpi.h>
+
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -10,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "arm7_batch_p2.cpp"
+#include "arm7_batch_p2.h"
 
 namespace {
 

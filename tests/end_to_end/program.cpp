@@ -1,13 +1,14 @@
 // A program that has two emitted solvers linked in: one for two processes, one for each process
 // by itself. It reads states (numbers in text) and prints what it gets, one line for each fact.
-#define ADAGEN_DECLARATIONS
+#include <mpi.h>
+
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <vector>
 
-#include "arm7_p2.cpp"
-#include "mobile_p1.cpp"
+#include "arm7_p2.h"
+#include "mobile_p1.h"
 
 namespace {
 
@@ -60,7 +61,6 @@ void use(const Functions<Solver>& f, MPI_Comm comm, const char* channel, const c
       std::printf("%s joint %d %s %d %d %d %d\n", f.name, k, name, q, q_size, v, v_size);
     nq = q + q_size, nv = v + v_size;
   }
-  std::printf("%s wrong %d %d\n", f.name, world, f.open(comm, "pigeon", 30) == nullptr);
   Solver* const solver = f.open(comm, channel, 30);
   if (solver == nullptr) {
     std::printf("%s cannot be opened\n", f.name);
@@ -89,19 +89,31 @@ void use(const Functions<Solver>& f, MPI_Comm comm, const char* channel, const c
   f.close(solver);
 }
 
+// One process knows no other.
+mobile_p1_solver* open_mobile(MPI_Comm, const char*, double) { return mobile_p1_open(); }
+
+constexpr Functions<arm7_p2_solver> kArm{"arm7_p2",     arm7_p2_joint,         arm7_p2_open,
+                                         arm7_p2_solve, arm7_p2_solve_at_root, arm7_p2_failure,
+                                         arm7_p2_close};
+constexpr Functions<mobile_p1_solver> kMobile{"mobile_p1",     mobile_p1_joint, open_mobile,
+                                              mobile_p1_solve, mobile_p1_solve, mobile_p1_failure,
+                                              mobile_p1_close};
+
+// What cannot be opened says why.
+void refuse(MPI_Comm comm, const char* channel, double time_limit) {
+  arm7_p2_solver* const solver = arm7_p2_open(comm, channel, time_limit);
+  std::printf("refuses %d: %s\n", solver == nullptr, arm7_p2_failure(nullptr));
+}
+
 }  // namespace
 
-#define FUNCTIONS(stem)                                                                   \
-  Functions<stem##_solver> {                                                              \
-    #stem, stem##_joint, stem##_open, stem##_solve, stem##_solve_at_root, stem##_failure, \
-        stem##_close                                                                      \
-  }
-
 int main(int count, char** words) {
+  refuse(MPI_COMM_WORLD, "auto", 30);
   MPI_Init(&count, &words);
-  use(FUNCTIONS(arm7_p2), MPI_COMM_WORLD, words[1], words[2]);
-  use(FUNCTIONS(mobile_p1), MPI_COMM_SELF, words[1], words[3]);
-  arm7_p2_solver* const lonely = arm7_p2_open(MPI_COMM_SELF, "auto", 30);
-  if (lonely == nullptr) std::printf("refuses a communicator of another size\n");
+  use(kArm, MPI_COMM_WORLD, words[1], words[2]);
+  use(kMobile, MPI_COMM_SELF, words[1], words[3]);
+  refuse(MPI_COMM_SELF, "auto", 30);
+  refuse(MPI_COMM_WORLD, "pigeon", 30);
+  refuse(MPI_COMM_WORLD, "auto", 0);
   MPI_Finalize();
 }

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Collection, Mapping
 from pathlib import Path
 
+from adagen.library import comparison
+
 HINT = "if this change is meant: make golden (or pytest tests/golden --update-golden), then review"
-LINES = 60
-WIDTH = 160
 
 
 def held(folder: Path, kept: Collection[str] = ()) -> dict[str, bytes]:
@@ -20,22 +19,8 @@ def held(folder: Path, kept: Collection[str] = ()) -> dict[str, bytes]:
 
 def differences(folder: Path, expected: Mapping[str, bytes], kept: Collection[str] = ()) -> str:
     """Return what is different in words and as unified diffs cut to a sensible length, or ""."""
-    found = held(folder, kept)
-    lines = [f"missing: {name}" for name in sorted(set(expected) - set(found))]
-    lines += [f"stale: {name}" for name in sorted(set(found) - set(expected))]
-    for name in sorted(set(found) & set(expected)):
-        if found[name] != expected[name]:
-            lines += _diff(name, found[name], expected[name])
+    lines = comparison.differences(held(folder, kept), expected)
     return "\n".join([*lines, HINT]) if lines else ""
-
-
-def _diff(name: str, old: bytes, new: bytes) -> list[str]:
-    a, b = (data.decode(errors="backslashreplace").split("\n") for data in (old, new))
-    diff = difflib.unified_diff(a, b, name, "emitted now", n=1, lineterm="")
-    shown = [line[:WIDTH] for line in diff]
-    if len(shown) > LINES:
-        shown = [*shown[:LINES], f"... and {len(shown) - LINES} lines more of {name}"]
-    return [f"different: {name}", *shown]
 
 
 def update(folder: Path, expected: Mapping[str, bytes], kept: Collection[str] = ()) -> None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+import shutil
 from pathlib import Path
 
 import pytest
 
 from adagen.cli import main
 from adagen.plan import FORMS
+from tests.emitted import WRITTEN
 from tests.golden.directory import HINT, differences, held, update
 from tests.golden.examples import EXAMPLES, FOLDER, KEPT, golden_files
 
@@ -59,10 +61,13 @@ def test_nothing_is_dated_measured_or_of_this_machine(emitted: dict[str, bytes])
 
 def test_the_command_line_writes_the_same(emitted: dict[str, bytes], tmp_path: Path) -> None:
     (example,) = (e for e in EXAMPLES if e.stem == "mobile_p3")
-    words = [str(example.urdf), "--procs", "3", "--form", example.form]
-    assert main([*words, "--out", str(tmp_path)]) == 0
-    files = {f"{example.stem}/{name}": data for name, data in held(tmp_path).items()}
-    assert len(files) == 4
+    robot, out = tmp_path / "models" / example.urdf.name, tmp_path / example.stem
+    robot.parent.mkdir()
+    shutil.copy(example.urdf, robot)
+    words = [str(robot), "--procs", "3", "--form", example.form]
+    assert main([*words, "--out", str(out)]) == 0
+    files = {f"{example.stem}/{name}": data for name, data in held(out).items()}
+    assert len(files) == WRITTEN
     assert files == {name: emitted[name] for name in files}
 
 

@@ -145,7 +145,15 @@ def test_nothing_outlives_a_caller_that_is_ended(
 def test_a_launcher_that_is_not_there_is_told(program: Path, toolchain: Toolchain) -> None:
     for wheel in (True, False):
         with pytest.raises(EnvironmentFault, match="cannot run nowhere/mpiexec"):
-            launch(program, 1, [], replace(toolchain, mpiexec=("nowhere/mpiexec",), wheel=wheel))
+            launch(program, 2, [], replace(toolchain, mpiexec=("nowhere/mpiexec",), wheel=wheel))
+
+
+def test_one_process_needs_no_launcher(toolchain: Toolchain, tmp_path: Path) -> None:
+    script = tmp_path / "script"
+    script.write_text("#!/bin/sh\necho alone $@\n")
+    script.chmod(0o755)
+    nowhere = replace(toolchain, mpiexec=("nowhere/mpiexec",))
+    assert launch(script, 1, ["x"], nowhere, 10).stdout == "alone x\n"
 
 
 def test_an_mpi_that_is_not_open_mpi_gets_only_what_all_know(

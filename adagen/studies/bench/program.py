@@ -60,6 +60,7 @@ def build(
     linked = ["-Wl,--no-as-needed", *libraries] if libraries else []
     toolchain = Toolchain(
         mpicxx=(compiler,),
+        cxx=(compiler,),
         mpiexec=(),
         eigen=includes[-1] if includes else SOURCES,
         flags=(*STANDARD, *flags, *folders, *linked),

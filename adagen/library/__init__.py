@@ -1,0 +1,30 @@
+"""adagen from Python: read a robot, compile it, solve. The command line does the same."""
+
+from adagen.errors import (
+    AdagenError,
+    EnvironmentFault,
+    InputError,
+    JointError,
+    SolveError,
+    UsageError,
+)
+from adagen.library.compiled import Compiled, compile  # noqa: A004 (what it does)
+from adagen.library.request import Request
+from adagen.library.robot import Origin, Robot, read
+from adagen.library.solver import Solver
+
+__all__ = [
+    "AdagenError",
+    "Compiled",
+    "EnvironmentFault",
+    "InputError",
+    "JointError",
+    "Origin",
+    "Request",
+    "Robot",
+    "SolveError",
+    "Solver",
+    "UsageError",
+    "compile",
+    "read",
+]

@@ -1,0 +1,202 @@
+"""From a robot and a request to all that is emitted."""
+
+from __future__ import annotations
+
+import math
+import os
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from adagen.cost import Timeline, timeline
+from adagen.drawing import draw
+from adagen.emit import emit, program_of
+from adagen.errors import InputError, UsageError
+from adagen.library.command import command_of, refuse_another, with_command
+from adagen.library.request import Request
+from adagen.library.robot import Origin, Robot
+from adagen.library.scheduling import given_schedule, schedule_of
+from adagen.model import Model
+from adagen.plan import Plan, make_plan
+from adagen.program import Program
+from adagen.schedule import Schedule, Topology, load_profile
+from adagen.search.objective import predicted_digits
+from adagen.wholefile import write_files
+
+if TYPE_CHECKING:
+    from adagen.build import Toolchain
+    from adagen.library.solver import Solver
+
+
+@dataclass(frozen=True)
+class Compiled:
+    """What was made of a robot.
+
+    Attributes:
+        model: the robot.
+        origin: where it comes from.
+        request: what was asked for, with the shape that a given schedule asks for.
+        schedule: what runs where.
+        plan: what each process computes.
+        program: what runs, operation by operation.
+        timeline: how an evaluation is predicted to go; None where the profile or a batch leaves
+            that open.
+        files: file name to text: source, header, plan, drawing and what builds them.
+    """
+
+    model: Model
+    origin: Origin
+    request: Request
+    schedule: Schedule
+    plan: Plan
+    program: Program
+    timeline: Timeline | None
+    files: dict[str, str] = field(repr=False)
+
+    @property
+    def stem(self) -> str:
+        """NAME_pP, what the files are called without their endings."""
+        return next(name for name in self.files if name.endswith(".cpp")).removesuffix(".cpp")
+
+    @property
+    def source(self) -> str:
+        """The C++ source."""
+        return self.files[f"{self.stem}.cpp"]
+
+    @property
+    def header(self) -> str:
+        """The C header."""
+        return self.files[f"{self.stem}.h"]
+
+    @property
+    def predicted(self) -> float | None:
+        """Predicted time of an evaluation, microseconds; None where nothing predicts it."""
+        return None if self.timeline is None else self.timeline.makespan
+
+    @cached_property
+    def digits(self) -> float | None:
+        """Right decimal digits that are predicted; None where a factorization fails."""
+        try:
+            found = predicted_digits(self.request.objective, self.model, self.plan)
+        except FloatingPointError:
+            return None
+        return -math.log10(found.error)
+
+    def in_folder(self, folder: str | os.PathLike[str]) -> dict[str, str]:
+        """Return the files as they are written into a folder.
+
+        The source's head has the command that makes them again, with paths seen from the folder.
+        """
+        command = command_of(self.origin, self.request, Path(folder))
+        return {**self.files, f"{self.stem}.cpp": with_command(self.source, command)}
+
+    def write(self, folder: str | os.PathLike[str]) -> list[Path]:
+        """Write the files, all or none, and return their paths; those that are right stay.
+
+        Raises:
+            UsageError: a file that is there was not written by adagen, or of another robot.
+            EnvironmentFault: writing failed.
+        """
+        files = self.in_folder(folder)
+        source = f"{self.stem}.cpp"
+        refuse_another(Path(folder, source), files[source])
+        write_files(Path(folder), files)
+        return [Path(folder, name) for name in sorted(files)]
+
+    def build(self, toolchain: Toolchain | None = None) -> Solver:
+        """Return the solver, built now or found in the cache.
+
+        Args:
+            toolchain: what to build with; what ``adagen env`` tells by default.
+
+        Raises:
+            UsageError: it is for several processes.
+            EnvironmentFault: the compiler failed, or is missing.
+        """
+        from adagen.library.solver import built
+
+        return built(self, toolchain)
+
+
+def compile(robot: Robot, procs: int = 1, **asked: Any) -> Compiled:  # noqa: A001 (what it does)
+    """Compile a robot into a solver of its forward dynamics.
+
+    Args:
+        robot: as ``adagen.read`` returns it.
+        procs: processes that share the robot; ``build`` takes one.
+        asked: further members of ``Request``, such as ``scalar="float"`` or ``batch=True``.
+
+    Raises:
+        InputError: the robot cannot be treated in this way.
+        UsageError: what is asked for is unknown or cannot be had.
+    """
+    try:
+        request = Request(procs=procs, **asked)
+    except TypeError as error:
+        raise UsageError(f"compile: {error}".replace("Request.__init__() ", "")) from None
+    try:
+        if request.shape == "auto" and _given(request):
+            request = replace(request, shape=given_schedule(robot.model, request).shape)
+        schedule = schedule_of(robot.model, request)
+        plan = planned(robot.model, schedule, request, robot.source_hash)
+    except InputError as error:
+        if error.file is None:
+            raise InputError(error.message, str(robot.origin.path)) from None
+        raise
+    return emitted(robot.model, robot.origin, schedule, plan, request)
+
+
+def _given(request: Request) -> bool:
+    from adagen.library.scheduling import KNOWN
+
+    return request.schedule not in KNOWN
+
+
+def planned(model: Model, schedule: Schedule, request: Request, source_hash: str) -> Plan:
+    """Return what each process computes under a schedule.
+
+    Raises:
+        InputError: the robot cannot be treated in this form.
+    """
+    return make_plan(
+        model,
+        schedule,
+        form=request.form,
+        scalar=request.scalar,
+        channel=request.channel,
+        source_hash=source_hash,
+    )
+
+
+def emitted(
+    model: Model, origin: Origin, schedule: Schedule, plan: Plan, request: Request
+) -> Compiled:
+    """Return all that is emitted of a plan; nothing is written.
+
+    Args:
+        model: the robot.
+        origin: where it comes from.
+        schedule: what runs where.
+        plan: what each process computes.
+        request: shape, refinement, batches, and names of files.
+
+    Raises:
+        UsageError: the plan cannot be emitted as it is asked for.
+    """
+    profile = load_profile(request.profile)
+    program = program_of(plan, request.shape, request.refine, batch=request.batch, profile=profile)
+    priced = not request.batch and profile.steps is not None
+    files = emit(
+        plan,
+        name=origin.path.stem if request.name is None else request.name,
+        svg=draw(schedule, Topology.of(model), program, profile, model.name),
+        shape=request.shape,
+        refine=request.refine,
+        batch=request.procs if request.batch else 0,
+        chunk=request.chunk,
+        compiler=request.compiler,
+        profile=profile,
+    )
+    line = timeline(program, profile) if priced else None
+    return Compiled(model, origin, request, schedule, plan, program, line, files)

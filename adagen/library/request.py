@@ -1,0 +1,121 @@
+"""What is asked of a compilation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from adagen.emit import check_batch
+from adagen.emit.refine import checked_shape, refinement_steps
+from adagen.errors import UsageError
+
+MOST_PROCESSES = 1024
+
+
+@dataclass(frozen=True)
+class Request:
+    """How a robot is to be compiled; the words are those of the command line.
+
+    Attributes:
+        procs: processes that share the robot, or the states of a batch.
+        form: of the algorithm, "segment" or the paper's "ada".
+        scalar: "double", "float" or "mixed".
+        channel: between processes, "auto", "window" or "message".
+        shape: of the code, "auto", "unrolled", "kernels" or "joints".
+        refine: steps of iterative refinement, 0 to 9; None: as many as the scalar needs.
+        batch: whether many states are solved at once, one in each SIMD lane.
+        profile: what operations cost: a profile's name, or its file.
+        schedule: "auto", a name, or a file that ``adagen schedule --json`` printed.
+        objective: what is searched for, "time", "accuracy" or "both".
+        tie: among equally fast schedules, "work" or "lex".
+        strategy: of the search, "exact", "astar" or "paper".
+        split: how branches divide processes, "always", "free" or "any".
+        naive: whether A* uses the paper's naive successors.
+        expansions: how much the search may expand; None: what takes seconds.
+        name: of the files; None: the robot description's.
+        chunk: values that one function of shape unrolled computes; 0 for its default.
+        compiler: that the source is meant for; "" for any.
+        tuned: whether shape, chunk and compiler were found by trying; processes do not gather then.
+    """
+
+    procs: int = 1
+    form: Literal["segment", "ada"] = "segment"
+    scalar: Literal["double", "float", "mixed"] = "double"
+    channel: Literal["auto", "window", "message"] = "auto"
+    shape: str = "auto"
+    refine: int | None = None
+    batch: bool = False
+    profile: str = "default"
+    schedule: str = "auto"
+    objective: Literal["time", "accuracy", "both"] = "both"
+    tie: Literal["work", "lex"] = "work"
+    strategy: Literal["exact", "astar", "paper"] = "exact"
+    split: Literal["always", "free", "any"] = "always"
+    naive: bool = False
+    expansions: int | None = None
+    name: str | None = None
+    chunk: int = 0
+    compiler: str = ""
+    tuned: bool = False
+
+    def __post_init__(self) -> None:
+        """Refuse what cannot be had, whatever the robot.
+
+        Raises:
+            UsageError: a word is none of those known, or two exclude each other.
+        """
+        for field, known in _KNOWN.items():
+            if getattr(self, field) not in known:
+                raise UsageError(
+                    f"{field} is one of {', '.join(known)}, not {getattr(self, field)!r}"
+                )
+        if not 1 <= self.procs <= MOST_PROCESSES:
+            raise UsageError(f"procs is from 1 to {MOST_PROCESSES}, not {self.procs}")
+        if self.refine is not None and not 0 <= self.refine <= 9:
+            raise UsageError(f"refine is from 0 to 9, not {self.refine}")
+        if self.naive and self.strategy == "exact":
+            raise UsageError("naive is for strategy astar or paper")
+        checked_shape(self.refinement, self.shape)
+        if self.batch:
+            check_batch(self.shape, self.refinement)
+
+    @property
+    def refinement(self) -> int:
+        """Steps of refinement that each evaluation takes."""
+        return refinement_steps(self.refine, self.scalar)
+
+    @property
+    def sharing(self) -> int:
+        """Processes that share the robot: of a batch, each solves states by itself."""
+        return 1 if self.batch else self.procs
+
+    @property
+    def may_gather(self) -> bool:
+        """Whether processes may gather: shape kernels alone knows how to.
+
+        Who asks for a strategy or a split asks for the paper's way to meet.
+        """
+        if self.strategy != "exact" or self.split != "always" or self.tuned:
+            return False
+        return self.shape in ("auto", "kernels") and not self.refinement
+
+    @property
+    def priced_shape(self) -> str:
+        """The shape that a prediction is of: what is asked for, or comes with other wishes."""
+        if self.batch:
+            return "kernels"
+        if self.tuned:  # it was not known yet
+            return "auto"
+        return "joints" if self.refinement else self.shape
+
+
+_KNOWN = {
+    "form": ("segment", "ada"),
+    "scalar": ("double", "float", "mixed"),
+    "channel": ("auto", "window", "message"),
+    "shape": ("auto", "unrolled", "kernels", "joints"),
+    "objective": ("time", "accuracy", "both"),
+    "tie": ("work", "lex"),
+    "strategy": ("exact", "astar", "paper"),
+    "split": ("always", "free", "any"),
+}

@@ -1,0 +1,179 @@
+"""A robot read from its description, as a scene leaves it."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from adagen.errors import InputError, UsageError
+from adagen.model import Model
+from adagen.scene import Reduction, apply_scene, read_scene
+from adagen.scene.types import Scene
+from adagen.urdf import Reading, check_reduced, read_robot
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Where a robot comes from, and how it is read.
+
+    Attributes:
+        path: of the URDF.
+        floating: whether a floating joint ``__base__`` is put under the root link.
+        mimic: whether mimic joints are held in step with the joints that they follow.
+        strict: whether slips of the file that change nothing are refused.
+        scene: path of a scene file, or None.
+        gravity: in ground axes, m/s^2; None: as the scene says, else (0, 0, -9.81).
+    """
+
+    path: Path
+    floating: bool = False
+    mimic: bool = False
+    strict: bool = False
+    scene: Path | None = None
+    gravity: tuple[float, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Robot:
+    """A robot that was read.
+
+    Attributes:
+        model: joints, links, gravity.
+        origin: where it comes from.
+        warnings: what the reader has to say, ``file:line: warning: ...``.
+        ignored: what the file says that is not modelled, one line each.
+        source_hash: SHA-256 of the description, in hexadecimal.
+        reading: all that was read.
+        reduction: what the scene left of the robot; None without one.
+    """
+
+    model: Model
+    origin: Origin
+    warnings: tuple[str, ...]
+    ignored: tuple[str, ...]
+    source_hash: str
+    reading: Reading
+    reduction: Reduction | None = None
+
+    @property
+    def name(self) -> str:
+        """The robot's name."""
+        return self.model.name
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of the joints, in the order in which they lie in q and v."""
+        return tuple(joint.name for joint in self.model.joints)
+
+    @property
+    def nq(self) -> int:
+        """Numbers in q."""
+        return self.model.nq
+
+    @property
+    def nv(self) -> int:
+        """Numbers in v, and in accelerations."""
+        return self.model.nv
+
+
+def read(
+    path: str | os.PathLike[str],
+    *,
+    floating: bool = False,
+    mimic: bool = False,
+    strict: bool = False,
+    scene: str | os.PathLike[str] | None = None,
+    gravity: Sequence[float] | None = None,
+) -> Robot:
+    """Read a robot from a URDF.
+
+    Args:
+        path: of the file.
+        floating: put the robot on a floating base, a joint ``__base__``.
+        mimic: hold mimic joints in step with the joints that they follow.
+        strict: refuse slips of the file that change nothing, instead of warning of them.
+        scene: path of a scene file: no more is modelled than what it asks for.
+        gravity: acceleration of free fall in ground axes, three numbers, m/s^2; by default what the
+            scene says, else (0, 0, -9.81).
+
+    Raises:
+        InputError: the description or the scene is refused; it tells file and line.
+        UsageError: the arguments contradict the scene.
+    """
+    origin = Origin(
+        Path(path),
+        floating,
+        mimic,
+        strict,
+        None if scene is None else Path(scene),
+        None if gravity is None else tuple(float(x) for x in gravity),
+    )
+    reading, wanted = read_whole(origin)
+    model, warnings, reduction = reading.model, list(reading.warnings), None
+    if wanted is not None:
+        reduction = apply_scene(reading.model, wanted)
+        model = reduction.model
+        warnings += check_reduced(reading, model)
+    known = source_hash(origin.path)
+    return Robot(model, origin, tuple(warnings), reading.ignored, known, reading, reduction)
+
+
+def read_whole(origin: Origin) -> tuple[Reading, Scene | None]:
+    """Return a robot as it is described, and the scene that is to be made of it.
+
+    Raises:
+        InputError: the description or the scene is refused.
+        UsageError: what is asked for contradicts the scene.
+    """
+    path = os.fspath(origin.path)
+    if origin.scene is None:
+        reading = read_robot(
+            path,
+            floating=origin.floating,
+            mimic=origin.mimic,
+            gravity=origin.gravity,
+            strict=origin.strict,
+            held=False,
+        )
+        return reading, None
+    scene = read_scene(os.fspath(origin.scene))
+    _check_agreement(scene, origin)
+    reading = read_robot(
+        path,
+        floating=origin.floating or scene.floating,
+        mimic=origin.mimic or bool(scene.mimic),
+        gravity=origin.gravity,
+        effects=scene.from_urdf,
+        decided=scene.decides,
+        check=False,
+        strict=origin.strict,
+        held=scene.base is not None,
+    )
+    return reading, scene
+
+
+def _check_agreement(scene: Scene, origin: Origin) -> None:
+    if scene.base is not None and origin.floating:
+        raise UsageError("the scene says how the base is held: leave out --floating")
+    if scene.mimic is False and origin.mimic:
+        raise UsageError("the scene leaves mimic joints free: leave out --mimic")
+    gravity = origin.gravity
+    if scene.gravity is not None and gravity is not None and gravity != scene.gravity:
+        given = ", ".join(f"{x:g}" for x in gravity)
+        message = f"another gravity is given beside the scene, [{given}]: keep one"
+        raise scene.error(message, "gravity")
+
+
+def source_hash(path: Path) -> str:
+    """Return the SHA-256 of a robot description, in hexadecimal.
+
+    Raises:
+        InputError: it cannot be read.
+    """
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest()
+    except OSError as error:
+        raise InputError(f"cannot read it: {error.strerror}", str(path)) from None

@@ -1,0 +1,106 @@
+"""The schedule that a request asks for: searched, of a name, or given."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import cast, get_args
+
+from adagen.errors import InputError, UsageError
+from adagen.library.request import Request
+from adagen.model import Model
+from adagen.plan import as_gathered
+from adagen.plan.clusters import fold_of
+from adagen.schedule import CostProfile, Schedule, Topology, load_profile
+from adagen.schedule.tree import Named
+from adagen.search import named_schedule, schedule_from_json
+from adagen.search.objective import schedule_for
+
+KNOWN = ("auto", *get_args(Named))
+"""Schedules that are asked for by name."""
+
+
+def schedule_of(model: Model, request: Request) -> Schedule:
+    """Return the schedule of a robot that a request asks for.
+
+    Raises:
+        InputError: the profile or the schedule file is refused.
+        UsageError: there is no such profile or schedule.
+    """
+    if request.schedule not in KNOWN:
+        found = given_schedule(model, request)
+        if found.processes != request.sharing:
+            raise InputError(
+                f"this schedule is for {found.processes} processes, not {request.sharing}; "
+                f"say --procs {found.processes}",
+                request.schedule,
+            )
+        return as_gathered(model, found)
+    return as_gathered(model, searched(model, request))
+
+
+def searched(model: Model, request: Request) -> Schedule:
+    """Return the schedule that is searched, or of the name that is asked for.
+
+    Raises:
+        InputError: the profile is refused, or the robot cannot be treated in this form.
+        UsageError: there is no such profile.
+    """
+    profile = load_profile(request.profile)
+    if request.schedule != "auto":
+        return _named(model, request, profile.joins_only() if request.form == "ada" else profile)
+    return schedule_for(
+        request.objective,
+        model,
+        request.sharing,
+        profile,
+        request.form,
+        request.scalar,
+        tie=request.tie,
+        strategy=request.strategy,
+        split=request.split,
+        improved=not request.naive,
+        gather=request.may_gather,
+        shape=request.priced_shape,
+        **({} if request.expansions is None else {"expansions": request.expansions}),
+    )
+
+
+def _named(model: Model, request: Request, profile: CostProfile) -> Schedule:
+    """Return the schedule of the name that is asked for.
+
+    Raises:
+        InputError: the robot has no joint at which anything could be joined.
+    """
+    seen = fold_of(model, request.form)
+    if not len(seen.topology):
+        raise InputError(
+            f"form {request.form} treats all links of this robot as one, as their inertias cannot"
+            f" be inverted: there is no order of joints for --schedule {request.schedule}; leave it"
+            " out"
+        )
+    name = cast(Named, request.schedule)
+    found = named_schedule(name, seen.topology, request.sharing, profile=profile)
+    return seen.unfold(found, profile)
+
+
+def given_schedule(model: Model, request: Request) -> Schedule:
+    """Return the schedule in the file that is asked for.
+
+    Raises:
+        InputError: the file is refused.
+        UsageError: there is no such file.
+    """
+    profile = load_profile(request.profile)
+    if request.form == "ada":
+        profile = profile.joins_only()
+    try:
+        text = Path(request.schedule).read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise UsageError(
+            f"--schedule: '{request.schedule}' is no file and none of {', '.join(KNOWN)}"
+        ) from None
+    except OSError as error:
+        raise InputError(f"cannot read it: {error.strerror}", request.schedule) from None
+    except ValueError:
+        raise InputError("not UTF-8 text", request.schedule) from None
+    return schedule_from_json(text, Topology.of(model), profile, request.schedule)

@@ -1,0 +1,211 @@
+"""A built solver, called from Python on numpy arrays."""
+
+from __future__ import annotations
+
+import difflib
+import sysconfig
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cache
+from importlib.machinery import ExtensionFileLoader
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from adagen.build import Toolchain, build_executable, find_toolchain
+from adagen.emit.templates import verbatim
+from adagen.errors import EnvironmentFault, JointError, UsageError, printable
+from adagen.library.compiled import Compiled
+
+Part = Literal["q", "v", "tau"]
+
+
+class Solver:
+    """Forward dynamics of one robot: from positions, velocities and torques to accelerations.
+
+    Called with arrays of one state, ``q`` of shape (nq,), ``v`` (nv,) and ``tau`` (ntau,), it
+    returns accelerations of shape (nv,); with arrays of S states, (S, nq), (S, nv) and (S, ntau),
+    those of shape (S, nv). SI units; how joints lie in q and v stands in docs/command_line.md:
+    quaternions x y z w, floating joints [linear; angular] in the body's frame.
+
+    Threads take turns with one solver; copies (``copy.copy``) work side by side: other threads of
+    Python run while many states are solved. Solvers can be pickled, and are built anew, or found in
+    the cache, where they arrive.
+
+    Attributes:
+        compiled: what it was made of.
+    """
+
+    compiled: Compiled
+
+    if TYPE_CHECKING:  # the extension has it
+
+        def __call__(
+            self, q: ArrayLike, v: ArrayLike, tau: ArrayLike, out: NDArray[Any] | None = None
+        ) -> NDArray[Any]:
+            """Return the accelerations of one state or of many.
+
+            Args:
+                q: positions, shape (nq,) or (S, nq); m, rad, quaternions.
+                v: velocities, shape (nv,) or (S, nv); m/s, rad/s.
+                tau: forces and torques, shape (ntau,) or (S, ntau); N, N m.
+                out: where accelerations go, an array of ``dtype`` in the shape of v, written row
+                    behind row; a new one if not given. It is none of the others.
+
+            Returns:
+                Accelerations, shape (nv,) or (S, nv); m/s^2, rad/s^2.
+
+            Raises:
+                SolveError: a state cannot be solved; it names the joint. Of one state nothing is
+                    written, of many those that fail become NaN.
+                ValueError: a shape is wrong.
+                TypeError: what is given holds no real numbers.
+            """
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of the joints, in the order in which they lie in q and v."""
+        return tuple(joint.name for joint in self.compiled.model.joints)
+
+    @property
+    def nq(self) -> int:
+        """Numbers in q."""
+        return self.compiled.model.nq
+
+    @property
+    def nv(self) -> int:
+        """Numbers in v, and in accelerations."""
+        return self.compiled.model.nv
+
+    @property
+    def ntau(self) -> int:
+        """Numbers in tau: behind those of the joints, six of each outer force of a scene."""
+        return self.compiled.model.ntau
+
+    @property
+    def dtype(self) -> np.dtype[Any]:
+        """The type of its numbers; others are converted."""
+        return np.dtype(np.float32 if self.compiled.request.scalar == "float" else np.float64)
+
+    def index(self, joint: str, of: Part = "q") -> int | slice:
+        """Return where a joint is in q, or in another vector: a number, or a slice of several.
+
+        Args:
+            joint: its name.
+            of: "q", or "v" or "tau", in which joints lie alike, and in accelerations.
+
+        Raises:
+            JointError: there is no such joint.
+        """
+        start, count = self._place(joint, of)
+        return start if count == 1 else slice(start, start + count)
+
+    def pack(self, values: Mapping[str, ArrayLike], of: Part = "q") -> NDArray[Any]:
+        """Return a vector with values of some joints; the others are at rest.
+
+        Args:
+            values: name of a joint to its number, or numbers.
+            of: "q", "v" or "tau".
+
+        Returns:
+            Shape (nq,), (nv,) or (ntau,); zeros, and unit quaternions, where nothing is said.
+
+        Raises:
+            JointError: there is no such joint.
+            ValueError: a joint has another number of values; it is named.
+        """
+        model = self.compiled.model
+        size = {"q": self.nq, "v": self.nv, "tau": self.ntau}[_part(of)]
+        packed = np.zeros(size, self.dtype)
+        if of == "q":
+            for joint, start in zip(model.joints, model.q_start, strict=True):
+                if joint.kind.nq >= 4:  # a quaternion comes last
+                    packed[start + joint.kind.nq - 1] = 1
+        for name, value in values.items():
+            start, count = self._place(name, of)
+            given = np.atleast_1d(np.asarray(value, self.dtype))
+            if given.shape != (count,):
+                raise ValueError(
+                    f'joint "{printable(name)}" has {count} number{"s" * (count > 1)} in {of}, '
+                    f"not shape {np.shape(value)}"
+                )
+            packed[start : start + count] = given
+        return packed
+
+    def _place(self, name: str, of: Part) -> tuple[int, int]:
+        """Where a joint begins in a vector, and how many numbers it has there."""
+        model = self.compiled.model
+        names = self.joints
+        if name not in names:
+            near = difflib.get_close_matches(name, names, n=1)
+            hint = f' (did you mean "{printable(near[0])}"?)' if near else ""
+            raise JointError(f'there is no joint "{printable(name)}"{hint}')
+        j = names.index(name)
+        if _part(of) == "q":
+            return model.q_start[j], model.joints[j].kind.nq
+        return model.v_start[j], model.joints[j].kind.nv
+
+    def __copy__(self) -> Solver:
+        return built(self.compiled)
+
+    def __deepcopy__(self, _: object) -> Solver:
+        return built(self.compiled)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return built, (self.compiled,)
+
+    def __repr__(self) -> str:
+        return f"<adagen.Solver {self.compiled.stem}: {self.nq} in q, {self.nv} in v>"
+
+
+def _part(of: str) -> str:
+    if of not in ("q", "v", "tau"):
+        raise UsageError(f"of is q, v or tau, not {of!r}")
+    return of
+
+
+def built(compiled: Compiled, toolchain: Toolchain | None = None) -> Solver:
+    """Return the solver of what was compiled, built now or found in the cache.
+
+    Raises:
+        UsageError: it is for several processes.
+        EnvironmentFault: the compiler failed, or is missing.
+    """
+    if compiled.request.procs > 1:
+        raise UsageError(
+            f"{compiled.stem} is for {compiled.request.procs} processes, a Python program is one:"
+            " compile with procs=1"
+        )
+    source = f"#define ADAGEN_NO_MAIN\n{compiled.source}\n{verbatim('runtime/python.hpp')}\n"
+    toolchain = _with_python(find_toolchain() if toolchain is None else toolchain)
+    name = f"{compiled.stem}.so"
+    solver = _type_of(build_executable(source, name, toolchain))()
+    solver.compiled = compiled
+    return solver
+
+
+def _with_python(toolchain: Toolchain) -> Toolchain:
+    """Return the toolchain with what makes extensions of this Python."""
+    python = Path(sysconfig.get_path("include"))
+    if not (python / "Python.h").is_file():
+        raise EnvironmentFault(
+            f"no Python.h in {python}: install Python's headers (Debian, Ubuntu: apt install "
+            "python3-dev)"
+        )
+    numpy = f'-DADAGEN_BUILT_FOR="{sysconfig.get_config_var("SOABI")}-{np.__version__}"'
+    folders = ("-isystem", str(python), "-isystem", np.get_include())
+    return replace(toolchain, flags=(*toolchain.flags, "-shared", "-fPIC", numpy, *folders))
+
+
+@cache
+def _type_of(path: Path) -> type[Solver]:
+    """Return the type that an extension and ``Solver`` make together."""
+    loader = ExtensionFileLoader("adagen_solver", str(path))
+    spec = spec_from_file_location("adagen_solver", path, loader=loader)
+    assert spec is not None
+    module = module_from_spec(spec)
+    loader.exec_module(module)
+    return type("Solver", (module.Core, Solver), {"__doc__": Solver.__doc__})

@@ -1,0 +1,82 @@
+// C interface of the solver arm7_p1: forward dynamics of "arm7" on 1 process,
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+#ifndef ADAGEN_ARM7_P1_H
+#define ADAGEN_ARM7_P1_H
+
+enum {
+  ARM7_P1_PROCESSES = 1,
+  ARM7_P1_JOINTS = 9,
+  ARM7_P1_NQ = 9,  // numbers in q
+  ARM7_P1_NV = 9,  // in v and qdd
+  ARM7_P1_NTAU = 9  // in tau
+};
+
+// Where each joint begins in q, and in v, tau and qdd.
+enum {
+  ARM7_P1_Q_base_yaw = 0,
+  ARM7_P1_V_base_yaw = 0,  // joint 0, "base_yaw": revolute, 1 in q, 1 in v
+  ARM7_P1_Q_shoulder_pitch = 1,
+  ARM7_P1_V_shoulder_pitch = 1,  // joint 1, "shoulder_pitch": revolute, 1 in q, 1 in v
+  ARM7_P1_Q_upper_arm_roll = 2,
+  ARM7_P1_V_upper_arm_roll = 2,  // joint 2, "upper_arm_roll": revolute, 1 in q, 1 in v
+  ARM7_P1_Q_elbow_pitch = 3,
+  ARM7_P1_V_elbow_pitch = 3,  // joint 3, "elbow_pitch": revolute, 1 in q, 1 in v
+  ARM7_P1_Q_forearm_roll = 4,
+  ARM7_P1_V_forearm_roll = 4,  // joint 4, "forearm_roll": revolute, 1 in q, 1 in v
+  ARM7_P1_Q_wrist_pitch = 5,
+  ARM7_P1_V_wrist_pitch = 5,  // joint 5, "wrist_pitch": revolute, 1 in q, 1 in v
+  ARM7_P1_Q_flange_roll = 6,
+  ARM7_P1_V_flange_roll = 6,  // joint 6, "flange_roll": revolute, 1 in q, 1 in v
+  ARM7_P1_Q_left_finger_slide = 7,
+  ARM7_P1_V_left_finger_slide = 7,  // joint 7, "left_finger_slide": prismatic, 1 in q, 1 in v
+  ARM7_P1_Q_right_finger_slide = 8,
+  ARM7_P1_V_right_finger_slide = 8  // joint 8, "right_finger_slide": prismatic, 1 in q, 1 in v
+};
+
+// Why a call failed, as arm7_p1_reason tells of the status that it returned.
+enum {
+  ARM7_P1_FINE = 0,  // none
+  ARM7_P1_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
+  ARM7_P1_ZERO_QUATERNION = 2,  // a joint's quaternion cannot be normalised
+  ARM7_P1_FACTORIZATION = 3,  // inertias beside a joint differ too much for the scalar
+  ARM7_P1_OVERFLOW = 4,  // a joint's acceleration is not a finite number
+  ARM7_P1_NO_ANSWER = 5,  // a process did not answer within the time limit
+  ARM7_P1_ENDED = 6,  // process 0 has ended the evaluations
+  ARM7_P1_NOT_REFINED = 7,  // refinement does not converge
+  ARM7_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  ARM7_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  ARM7_P1_TOO_FEW_STEPS = 11  // refinement converges too slowly
+};
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+typedef struct arm7_p1_solver arm7_p1_solver;
+
+// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
+// k, or returns 0 where there is none.
+int arm7_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
+
+// A solver, with all the memory that it will ever need: no other call allocates, waits or takes a
+// lock. One solver is for one thread at a time. Returns null where there is no memory;
+// arm7_p1_failure(NULL) says so.
+arm7_p1_solver* arm7_p1_open(void);
+
+// One evaluation. q: 9 numbers, v and tau: 9 each, qdd: 9; joints in order, quaternions
+// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
+// Returns 0, or a status that arm7_p1_failure puts into words; no acceleration is written then.
+int arm7_p1_solve(arm7_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
+
+// What a status says: its reason, and which joint it is about, -1 for none.
+int arm7_p1_reason(int status);
+int arm7_p1_failed_joint(int status);
+
+// The last failure of a solver in words, valid until the next call; of null, why the last open of this
+// thread returned null.
+const char* arm7_p1_failure(const arm7_p1_solver* solver);
+
+void arm7_p1_close(arm7_p1_solver* solver);
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,109 @@
+// C interface of the solver chain16_p4: forward dynamics of "chain16" on 4 processes,
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+#ifndef ADAGEN_CHAIN16_P4_H
+#define ADAGEN_CHAIN16_P4_H
+
+#include <mpi.h>
+
+enum {
+  CHAIN16_P4_PROCESSES = 4,
+  CHAIN16_P4_JOINTS = 16,
+  CHAIN16_P4_NQ = 16,  // numbers in q
+  CHAIN16_P4_NV = 16,  // in v and qdd
+  CHAIN16_P4_NTAU = 16  // in tau
+};
+
+// Where each joint begins in q, and in v, tau and qdd.
+enum {
+  CHAIN16_P4_Q_joint01 = 0,
+  CHAIN16_P4_V_joint01 = 0,  // joint 0, "joint01": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint02 = 1,
+  CHAIN16_P4_V_joint02 = 1,  // joint 1, "joint02": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint03 = 2,
+  CHAIN16_P4_V_joint03 = 2,  // joint 2, "joint03": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint04 = 3,
+  CHAIN16_P4_V_joint04 = 3,  // joint 3, "joint04": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint05 = 4,
+  CHAIN16_P4_V_joint05 = 4,  // joint 4, "joint05": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint06 = 5,
+  CHAIN16_P4_V_joint06 = 5,  // joint 5, "joint06": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint07 = 6,
+  CHAIN16_P4_V_joint07 = 6,  // joint 6, "joint07": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint08 = 7,
+  CHAIN16_P4_V_joint08 = 7,  // joint 7, "joint08": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint09 = 8,
+  CHAIN16_P4_V_joint09 = 8,  // joint 8, "joint09": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint10 = 9,
+  CHAIN16_P4_V_joint10 = 9,  // joint 9, "joint10": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint11 = 10,
+  CHAIN16_P4_V_joint11 = 10,  // joint 10, "joint11": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint12 = 11,
+  CHAIN16_P4_V_joint12 = 11,  // joint 11, "joint12": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint13 = 12,
+  CHAIN16_P4_V_joint13 = 12,  // joint 12, "joint13": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint14 = 13,
+  CHAIN16_P4_V_joint14 = 13,  // joint 13, "joint14": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint15 = 14,
+  CHAIN16_P4_V_joint15 = 14,  // joint 14, "joint15": revolute, 1 in q, 1 in v
+  CHAIN16_P4_Q_joint16 = 15,
+  CHAIN16_P4_V_joint16 = 15  // joint 15, "joint16": revolute, 1 in q, 1 in v
+};
+
+// Why a call failed, as chain16_p4_reason tells of the status that it returned.
+enum {
+  CHAIN16_P4_FINE = 0,  // none
+  CHAIN16_P4_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
+  CHAIN16_P4_ZERO_QUATERNION = 2,  // a joint's quaternion cannot be normalised
+  CHAIN16_P4_FACTORIZATION = 3,  // inertias beside a joint differ too much for the scalar
+  CHAIN16_P4_OVERFLOW = 4,  // a joint's acceleration is not a finite number
+  CHAIN16_P4_NO_ANSWER = 5,  // a process did not answer within the time limit
+  CHAIN16_P4_ENDED = 6,  // process 0 has ended the evaluations
+  CHAIN16_P4_NOT_REFINED = 7,  // refinement does not converge
+  CHAIN16_P4_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  CHAIN16_P4_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  CHAIN16_P4_TOO_FEW_STEPS = 11  // refinement converges too slowly
+};
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+typedef struct chain16_p4_solver chain16_p4_solver;
+
+// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
+// k, or returns 0 where there is none.
+int chain16_p4_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
+
+// Collective over a communicator of 4 processes. channel: "auto", "window" (shared memory) or
+// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
+// done; chain16_p4_failure(NULL) says why.
+chain16_p4_solver* chain16_p4_open(MPI_Comm comm, const char* channel, double time_limit);
+
+// One evaluation, collective. q: 16 numbers, v and tau: 16 each, qdd: 16; joints in order, quaternions
+// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
+// solve: every process passes the state and gets its own joints' accelerations (others untouched);
+// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
+// Returns 0, or a status that chain16_p4_failure puts into words; no acceleration is written then.
+int chain16_p4_solve(chain16_p4_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
+int chain16_p4_solve_at_root(chain16_p4_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
+
+// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
+// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+int chain16_p4_serve(chain16_p4_solver* solver);
+
+// At process 0: the others' serve returns. They may serve again, or all close.
+int chain16_p4_end(chain16_p4_solver* solver);
+
+// What a status says: its reason, and which joint it is about, -1 for none.
+int chain16_p4_reason(int status);
+int chain16_p4_failed_joint(int status);
+
+// The last failure of a solver in words, valid until the next call; of null, why the last open of this
+// thread returned null.
+const char* chain16_p4_failure(const chain16_p4_solver* solver);
+
+// Collective.
+void chain16_p4_close(chain16_p4_solver* solver);
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,273 @@
+// A Python type around the solver, to which adagen.Solver adds names: called with q, v, tau and
+// out, it solves one state or many. Compiled behind the source of a solver for one process.
+#define PY_SSIZE_T_CLEAN
+#define NPY_NO_DEPRECATED_API NPY_1_23_API_VERSION
+#include <Python.h>
+#include <numpy/arrayobject.h>
+#include <structmember.h>
+
+#include <mutex>
+
+namespace python {
+
+constexpr int kType = std::is_same_v<Number, double> ? NPY_DOUBLE : NPY_FLOAT;
+// Accelerations from which on the interpreter is left to other threads: to give it away and get it
+// back takes longer than to compute fewer.
+constexpr npy_intp kMany = 1000;
+
+struct Held {
+  Solver solver;
+  std::mutex mutex;  // threads take turns
+};
+
+struct Object {
+  PyObject_HEAD vectorcallfunc call;
+  Held* held;
+};
+
+// A reference that is given up in the end.
+class Owned {
+ public:
+  explicit Owned(PyObject* object = nullptr) : object_(object) {}
+  Owned(const Owned&) = delete;
+  Owned& operator=(const Owned&) = delete;
+  ~Owned() { Py_XDECREF(object_); }
+  PyObject* get() const { return object_; }
+  PyArrayObject* array() const { return reinterpret_cast<PyArrayObject*>(object_); }
+  void take(PyObject* object) {
+    Py_XDECREF(object_);
+    object_ = object;
+  }
+  PyObject* release() { return std::exchange(object_, nullptr); }
+
+ private:
+  PyObject* object_;
+};
+
+// One argument as rows of numbers.
+struct Rows {
+  Owned held;
+  int dimensions = 0;
+  npy_intp count = 1;
+  const Number* data() const { return static_cast<const Number*>(PyArray_DATA(held.array())); }
+};
+
+bool refuse_shape(const char* name, PyArrayObject* array, int width) {
+  Owned shape(PyObject_GetAttrString(reinterpret_cast<PyObject*>(array), "shape"));
+  if (shape.get() != nullptr)
+    PyErr_Format(PyExc_ValueError, "%s has shape %S, not (%d,) for one state or (S, %d) for S",
+                 name, shape.get(), width, width);
+  return false;
+}
+
+// Anything that is no array of the solver's numbers, row behind row, becomes one.
+PyObject* converted(PyObject* given) {
+  Owned any(PyArray_FROM_O(given));
+  if (any.get() == nullptr) return nullptr;
+  PyArray_Descr* const type = PyArray_DescrFromType(kType);
+  if (!PyArray_CanCastArrayTo(any.array(), type, NPY_SAME_KIND_CASTING)) {
+    PyErr_Format(PyExc_TypeError, "%S are no real numbers", PyArray_DESCR(any.array()));
+    Py_DECREF(type);
+    return nullptr;
+  }
+  return PyArray_FromArray(any.array(), type, NPY_ARRAY_CARRAY_RO | NPY_ARRAY_FORCECAST);
+}
+
+bool take(PyObject* given, const char* name, int width, Rows& rows) {
+  const bool ready = PyArray_Check(given) &&
+                     PyArray_TYPE(reinterpret_cast<PyArrayObject*>(given)) == kType &&
+                     PyArray_ISCARRAY_RO(reinterpret_cast<PyArrayObject*>(given));
+  if (ready) Py_INCREF(given);
+  rows.held.take(ready ? given : converted(given));
+  if (rows.held.get() == nullptr) return false;
+  PyArrayObject* const array = rows.held.array();
+  rows.dimensions = PyArray_NDIM(array);
+  if (rows.dimensions < 1 || rows.dimensions > 2 ||
+      PyArray_DIM(array, rows.dimensions - 1) != width)
+    return refuse_shape(name, array, width);
+  rows.count = rows.dimensions == 2 ? PyArray_DIM(array, 0) : 1;
+  return true;
+}
+
+// Where accelerations go: a new array, or the one that was given.
+PyObject* output(PyObject* given, const Rows& q) {
+  npy_intp shape[2] = {kNv, kNv};
+  if (q.dimensions == 2) shape[0] = q.count;
+  if (given == nullptr || given == Py_None) return PyArray_SimpleNew(q.dimensions, shape, kType);
+  auto* const array = reinterpret_cast<PyArrayObject*>(given);
+  if (!PyArray_Check(given) || PyArray_TYPE(array) != kType || !PyArray_ISCARRAY(array) ||
+      PyArray_NDIM(array) != q.dimensions ||
+      !PyArray_CompareLists(PyArray_DIMS(array), shape, q.dimensions)) {
+    PyErr_Format(PyExc_ValueError,
+                 "out must be an array of %s, written row behind row, in the shape of v",
+                 kType == NPY_DOUBLE ? "float64" : "float32");
+    return nullptr;
+  }
+  Py_INCREF(given);
+  return given;
+}
+
+// What could not be solved: how many states, and the first of them.
+struct Failed {
+  npy_intp count = 0, first = 0;
+  int status = kFine;
+  void note(npy_intp state, int what) {
+    if (count++ == 0) first = state, status = what;
+  }
+};
+
+// Accelerations of states that cannot be solved are not numbers where there are many.
+template <class AnySolver>
+Failed solve(AnySolver& solver, const Rows& q, const Rows& v, const Rows& tau, Number* qdd) {
+  Failed failed;
+  if constexpr (kBatch) {
+    constexpr npy_intp kMost = 1 << 20;
+    for (npy_intp s = 0; s < q.count; s += kMost) {
+      const int count = static_cast<int>(std::min(kMost, q.count - s));
+      solver.solve_batch(count, q.data() + s * kNq, v.data() + s * kNv, tau.data() + s * kNtau,
+                         qdd + s * kNv);
+      if (solver.failures() == 0) continue;
+      failed.note(s + solver.failed_state(0), solver.failed_status(0));
+      failed.count += solver.failures() - 1;
+    }
+  } else {
+    for (npy_intp s = 0; s < q.count; ++s) {
+      const int status = solver.solve(q.data() + s * kNq, v.data() + s * kNv,
+                                      tau.data() + s * kNtau, qdd + s * kNv);
+      if (status == kFine) continue;
+      failed.note(s, status);
+      if (q.dimensions == 2)
+        std::fill_n(qdd + s * kNv, kNv, std::numeric_limits<Number>::quiet_NaN());
+    }
+  }
+  return failed;
+}
+
+// Raises what adagen.errors makes of a failure.
+PyObject* raise(const Failed& failed, const Rows& q, PyObject* out) {
+  Owned errors(PyImport_ImportModule("adagen.errors"));
+  if (errors.get() == nullptr) return nullptr;
+  Owned make(PyObject_GetAttrString(errors.get(), "SolveError"));
+  if (make.get() == nullptr) return nullptr;
+  const bool many = q.dimensions == 2;
+  const char* const joint = is_of_joint(failure_kind(failed.status))
+                                ? kJoints[failure_place(failed.status)].name
+                                : nullptr;
+  Owned state(many ? PyLong_FromSsize_t(failed.first) : Py_NewRef(Py_None));
+  if (state.get() == nullptr) return nullptr;
+  Owned error(PyObject_CallFunction(make.get(), "szOnO", describe(failed.status).c_str(), joint,
+                                    state.get(), static_cast<Py_ssize_t>(failed.count),
+                                    many ? out : Py_None));
+  if (error.get() != nullptr)
+    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.get())), error.get());
+  return nullptr;
+}
+
+bool same_rows(const Rows& q, const Rows& other, const char* name) {
+  if (other.dimensions == q.dimensions && other.count == q.count) return true;
+  PyErr_Format(PyExc_ValueError, "%s holds %zd states in %d dimensions, q %zd in %d", name,
+               static_cast<Py_ssize_t>(other.count), other.dimensions,
+               static_cast<Py_ssize_t>(q.count), q.dimensions);
+  return false;
+}
+
+constexpr const char* kNames[4] = {"q", "v", "tau", "out"};
+
+// Puts arguments in order; those that are not given stay null.
+bool arrange(PyObject* const* given, Py_ssize_t count, PyObject* names, PyObject** placed) {
+  if (count > 4) {
+    PyErr_Format(PyExc_TypeError, "a solver takes q, v, tau and out, not %zd arguments", count);
+    return false;
+  }
+  for (Py_ssize_t k = 0; k < count; ++k) placed[k] = given[k];
+  const Py_ssize_t named = names == nullptr ? 0 : PyTuple_GET_SIZE(names);
+  for (Py_ssize_t k = 0; k < named; ++k) {
+    PyObject* const name = PyTuple_GET_ITEM(names, k);
+    int place = 0;
+    while (place < 4 && PyUnicode_CompareWithASCIIString(name, kNames[place]) != 0) ++place;
+    if (place == 4 || placed[place] != nullptr) {
+      PyErr_Format(PyExc_TypeError, "a solver takes q, v, tau and out, each once: %R", name);
+      return false;
+    }
+    placed[place] = given[count + k];
+  }
+  for (int k = 0; k < 3; ++k)
+    if (placed[k] == nullptr) {
+      PyErr_Format(PyExc_TypeError, "%s is missing: a solver takes q, v and tau", kNames[k]);
+      return false;
+    }
+  return true;
+}
+
+PyObject* call(PyObject* self, PyObject* const* given, std::size_t flags, PyObject* names) {
+  PyObject* placed[4] = {};
+  if (!arrange(given, PyVectorcall_NARGS(flags), names, placed)) return nullptr;
+  Rows q, v, tau;
+  if (!take(placed[0], "q", kNq, q) || !take(placed[1], "v", kNv, v) ||
+      !take(placed[2], "tau", kNtau, tau) || !same_rows(q, v, "v") || !same_rows(q, tau, "tau"))
+    return nullptr;
+  Owned out(output(placed[3], q));
+  if (out.get() == nullptr) return nullptr;
+  auto* const qdd = static_cast<Number*>(PyArray_DATA(out.array()));
+  if (q.count > 0 && (qdd == q.data() || qdd == v.data() || qdd == tau.data())) {
+    PyErr_SetString(PyExc_ValueError, "out is also what is read");
+    return nullptr;
+  }
+  Held& held = *reinterpret_cast<Object*>(self)->held;
+  Failed failed;
+  if (q.count * kNv < kMany && held.mutex.try_lock()) {
+    failed = solve(held.solver, q, v, tau, qdd);
+    held.mutex.unlock();
+  } else {
+    Py_BEGIN_ALLOW_THREADS held.mutex.lock();
+    failed = solve(held.solver, q, v, tau, qdd);
+    held.mutex.unlock();
+    Py_END_ALLOW_THREADS
+  }
+  return failed.count == 0 ? out.release() : raise(failed, q, out.get());
+}
+
+PyObject* make(PyTypeObject* type, PyObject*, PyObject*) {
+  auto* const self = reinterpret_cast<Object*>(type->tp_alloc(type, 0));
+  if (self == nullptr) return nullptr;
+  self->call = call;
+  self->held = new (std::nothrow) Held;
+  if (self->held != nullptr) return reinterpret_cast<PyObject*>(self);
+  Py_DECREF(self);
+  return PyErr_NoMemory();
+}
+
+void drop(PyObject* self) {
+  PyTypeObject* const type = Py_TYPE(self);
+  delete reinterpret_cast<Object*>(self)->held;
+  type->tp_free(self);
+  Py_DECREF(type);
+}
+
+PyMemberDef members[] = {
+    {"__vectorcalloffset__", T_PYSSIZET, offsetof(Object, call), READONLY, nullptr},
+    {nullptr, 0, 0, 0, nullptr}};
+
+PyType_Slot slots[] = {{Py_tp_new, reinterpret_cast<void*>(make)},
+                       {Py_tp_dealloc, reinterpret_cast<void*>(drop)},
+                       {Py_tp_call, reinterpret_cast<void*>(PyVectorcall_Call)},
+                       {Py_tp_members, members},
+                       {0, nullptr}};
+
+PyType_Spec spec = {"adagen_solver.Core", sizeof(Object), 0,
+                    Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE | Py_TPFLAGS_HAVE_VECTORCALL, slots};
+
+int fill(PyObject* module) {
+  if (_import_array() < 0) return -1;
+  Owned type(PyType_FromSpec(&spec));
+  return type.get() == nullptr ? -1 : PyModule_AddObjectRef(module, "Core", type.get());
+}
+
+PyModuleDef_Slot steps[] = {{Py_mod_exec, reinterpret_cast<void*>(fill)}, {0, nullptr}};
+
+PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT, "adagen_solver", nullptr, 0, nullptr, steps, nullptr, nullptr, nullptr};
+
+}  // namespace python
+
+PyMODINIT_FUNC PyInit_adagen_solver() { return PyModuleDef_Init(&python::definition); }

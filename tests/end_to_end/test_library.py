@@ -1,0 +1,201 @@
+"""Emitted solvers as libraries of other programs: in C, in C++, and on several processes."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.emit import emit, stem_of
+from adagen.plan import Plan, make_plan
+from adagen.schedule import load_profile
+from adagen.search import best_schedule
+from adagen.states import random_states
+from tests.emitted import ROUNDING, Builder, Solver, forward_error, plan_of, truth_of
+from tests.golden.examples import EXAMPLES, FOLDER
+from tests.models import human_figure
+
+HERE = Path(__file__).parent
+BY_STEM = {example.stem: example for example in EXAMPLES}
+ALONE = [example.stem for example in EXAMPLES if example.processes == 1]
+STRICT = ("-Wall", "-Wextra", "-pedantic", "-Werror")
+
+
+def filled(name: str, stem: str, **words: str) -> str:
+    """Return the text of a program with the names of a solver filled in."""
+    text = (HERE / name).read_text()
+    for word, value in {**words, "SOLVER": stem, "UPPER": stem.upper()}.items():
+        text = re.sub(rf"\b{word}(?=\b|_)", value, text)
+    return text
+
+
+def run(*command: str | Path, **options: object) -> str:
+    """Return what a command prints; it must end well and say nothing on stderr."""
+    done = subprocess.run(
+        [str(word) for word in command],
+        capture_output=True,
+        text=True,
+        timeout=300,
+        **options,  # type: ignore[call-overload]
+    )
+    assert (done.returncode, done.stderr) == (0, ""), done.stderr
+    return str(done.stdout)
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a solver for one process, its libraries made where no MPI is to be found."""
+    folder = tmp_path_factory.mktemp("library") / "mobile_p1"
+    shutil.copytree(FOLDER / "mobile_p1", folder)
+    nowhere = ("MPICXX=nowhere", "MPIEXEC=nowhere", "ADAGEN=nowhere", "EIGEN=/nowhere")
+    run("make", "-C", folder, *nowhere, "CXXFLAGS=-O1", "lib")
+    return folder
+
+
+def test_a_library_for_one_process_links_no_mpi(library: Path) -> None:
+    said = run("readelf", "-d", library / "libmobile_p1.so")
+    needed = re.findall(r"NEEDED.*\[(.*)\]", said)
+    assert needed
+    assert {re.sub(r"[.-].*", "", name) for name in needed} <= {
+        *("libstdc++", "libm", "libgcc_s", "libc", "ld", "libstdc")
+    }
+
+
+@pytest.mark.parametrize("stem", ALONE)
+def test_a_solver_for_one_process_throws_nothing_and_knows_no_mpi(
+    stem: str, builder: Builder
+) -> None:
+    source = (FOLDER / stem / f"{stem}.cpp").read_text()
+    assert "mpi.h" not in source
+    flags = ("-O0", "-march=native", "-DADAGEN_NO_MAIN", "-fno-exceptions", "-c")
+    builder.check(source, stem, flags)
+
+
+@pytest.mark.parametrize("kind", ["so", "a"])
+def test_a_program_in_c99_links_it(kind: str, library: Path, tmp_path: Path) -> None:
+    model = BY_STEM["mobile_p1"].model()
+    states = random_states(model, 3, seed=8)
+    rows = [np.concatenate(row) for row in zip(states.q, states.v, states.tau, strict=True)]
+    spoilt = rows[0].copy()
+    spoilt[-1] = np.nan
+    np.savetxt(tmp_path / "states", [*rows, spoilt], fmt="%.17g")
+    (tmp_path / "controller.c").write_text(filled("controller.c", "mobile_p1"))
+    program = tmp_path / "controller"
+    libraries = [str(library / f"libmobile_p1.{kind}"), "-lm"]
+    if kind == "so":
+        libraries.append(f"-Wl,-rpath,{library}")
+    else:
+        libraries.append("-lstdc++")
+    run("cc", "-std=c99", *STRICT, f"-I{library}", tmp_path / "controller.c", *libraries,
+        "-o", program)  # fmt: skip
+    lines = run(program, tmp_path / "states", env={}).splitlines()
+    found = np.array([line.split() for line in lines[:-1]], dtype=float)
+    assert forward_error(found, truth_of(model, states)) < ROUNDING["double"]
+    last = model.joints[-1].name
+    told = f'1 {len(model.joints) - 1} joint "{last}": its q, v or tau is not a finite number'
+    assert lines[-1] == told
+
+
+@pytest.mark.parametrize("stem", BY_STEM)
+def test_headers_are_c99_and_cpp17_and_part_of_the_source(
+    stem: str, builder: Builder, tmp_path: Path
+) -> None:
+    header = (FOLDER / stem / f"{stem}.h").read_text()
+    assert header in (FOLDER / stem / f"{stem}.cpp").read_text()
+    include = f'#include "{stem}.h"\n#include "{stem}.h"\n'
+    mpicxx = Path(builder.toolchain.mpicxx[0])
+    for ending, standard, wrapper in (("c", "c99", "mpicc"), ("cpp", "c++17", mpicxx.name)):
+        (tmp_path / f"use.{ending}").write_text(
+            f"{include}int main(void) {{ return {stem}_reason(0) + {stem.upper()}_NQ; }}\n"
+        )
+        plain = "cc" if ending == "c" else "c++"
+        compiler = plain if stem in ALONE else mpicxx.with_name(wrapper)
+        flags = (f"-std={standard}", *STRICT, "-fsyntax-only", f"-I{FOLDER / stem}")
+        run(compiler, *flags, tmp_path / f"use.{ending}")
+
+
+def _plans() -> dict[str, tuple[Plan, dict[str, object]]]:
+    arm, human = BY_STEM["arm7_p1"].model(), human_figure()
+    return {
+        "joints": (plan_of(arm, 1), {"shape": "joints"}),
+        "ada": (plan_of(arm, 1, form="ada"), {"shape": "joints"}),
+        "kernels": (plan_of(human, 1), {"shape": "kernels"}),
+        "unrolled": (plan_of(arm, 1), {"shape": "unrolled"}),
+        "in lanes": (plan_of(human, 1), {"shape": "unrolled"}),
+        "float": (plan_of(arm, 1, scalar="float"), {}),
+        "mixed": (plan_of(arm, 1, scalar="mixed"), {}),
+        "refined": (plan_of(human, 1), {"refine": 2}),
+        "slaved": (plan_of(BY_STEM["arm7_slaved_p2"].model(), 1), {}),
+        "batch": (plan_of(arm, 1), {"batch": 1}),
+    }
+
+
+PLANS = _plans()
+
+
+@pytest.mark.parametrize("name", PLANS)
+def test_nothing_is_taken_from_the_heap_once_a_solver_is_open(name: str, builder: Builder) -> None:
+    plan, options = PLANS[name]
+    files = emit(plan, name="heap", **options)  # type: ignore[arg-type]
+    stem = stem_of(plan, "heap", 1)
+    batch = "#define BATCH\n" if "batch" in options else ""
+    text = f"#define ADAGEN_NO_MAIN\n{batch}{files[f'{stem}.cpp']}{filled('heap.cpp', stem)}"
+    program = builder.compile(text, "heap", ("-O1", "-march=native", "-fno-builtin-malloc"))
+    assert run(program) == "opened 1, failed 1, said 1, later 0\n"
+
+
+class TestWorkers:
+    """Programs on several processes: all but the first serve, until that ends it."""
+
+    def lines(self, builder: Builder, stem: str, source: str, header: str, channel: str,
+              folder: Path, processes: int, batch: bool = False) -> list[str]:  # fmt: skip
+        (folder / f"{stem}.h").write_text(header)
+        flags = ("-O0", "-march=native")
+        part = builder.compile(source, f"{stem}.o", (*flags, "-DADAGEN_NO_MAIN", "-c"))
+        words = {"SOLVER_SOLVE": f"{stem}_solve_{'batch_' * batch}at_root"}
+        words["COUNT"] = "1," if batch else ""
+        text = filled("workers.cpp", stem, **words)
+        program = builder.compile(text, "workers", (*flags, f"-I{folder}", str(part)))
+        done = Solver(program, processes, builder.toolchain).run(channel, timeout=60)
+        assert (done.status, done.stderr) == (0, "")
+        return sorted(done.stdout.splitlines())
+
+    @pytest.mark.parametrize("channel", ["window", "message"])
+    @pytest.mark.parametrize("stem", ["arm7_p2", "arm7_batch_p2"])
+    def test_a_worker_serves_until_it_is_ended(
+        self, stem: str, channel: str, builder: Builder, tmp_path: Path
+    ) -> None:
+        batch = BY_STEM[stem].batch
+        if batch and channel == "window":
+            channel = "auto"  # states are handed out in messages
+        source, header = ((FOLDER / stem / f"{stem}.{end}").read_text() for end in ("cpp", "h"))
+        lines = self.lines(builder, stem, source, header, channel, tmp_path, 2, batch)
+        answers = [line.split()[4:] for line in lines if line.startswith("process 0 asked 1")]
+        assert len(answers) == 4
+        assert all(answer == answers[0] for answer in answers)
+        model = BY_STEM[stem].model()
+        states = random_states(model, 1, seed=1)
+        for part, value in ((states.q, 0.3), (states.v, 0.2), (states.tau, 0.1)):
+            part[:] = value
+        found = np.array([answers[0]], dtype=float)
+        assert forward_error(found, truth_of(model, states)) < ROUNDING["double"]
+        assert len([line for line in lines if line.startswith("process 0 asked 0")]) == 2
+        assert lines[-2:] == ["process 1 served 0"] * 2
+        assert lines.count("process 0 ended 0") == 2
+
+    def test_a_worker_that_owns_nothing_is_ended_too(
+        self, builder: Builder, tmp_path: Path
+    ) -> None:
+        model = BY_STEM["arm7_p1"].model()
+        plan = make_plan(model, best_schedule(model, 2, load_profile("default")))
+        assert not plan.processes[1].owns
+        files = emit(plan, name="idle")
+        lines = self.lines(
+            builder, "idle_p2", files["idle_p2.cpp"], files["idle_p2.h"], "auto", tmp_path, 2
+        )
+        assert lines[-2:] == ["process 1 served 0"] * 2
+        assert lines.count("process 0 ended 0") == 2

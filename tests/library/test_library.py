@@ -1,0 +1,327 @@
+"""adagen from Python: read, compile, build, solve."""
+
+from __future__ import annotations
+
+import copy
+import inspect
+import pickle
+import subprocess
+import sys
+import threading
+import timeit
+from collections.abc import Callable
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import adagen
+from adagen.states import random_states
+from tests.emitted import ROUNDING, forward_error, truth_of
+from tests.golden.make_models import MODELS
+
+ARM, MOBILE = MODELS / "arm7.urdf", MODELS / "mobile.urdf"
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _cache(tmp_path_factory: pytest.TempPathFactory) -> Any:
+    """A cache of builds, for this module alone; compiled fast."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
+        patch.setenv("CXXFLAGS", "-O1")
+        yield
+
+
+def build(path: Path, **asked: Any) -> adagen.Solver:
+    return adagen.compile(adagen.read(path), **asked).build()
+
+
+@pytest.fixture(scope="module")
+def arm() -> adagen.Solver:
+    return build(ARM)
+
+
+@pytest.fixture(scope="module")
+def mobile() -> adagen.Solver:
+    return build(MOBILE)
+
+
+def states(solver: adagen.Solver, count: int) -> tuple[Any, Any, Any, Any]:
+    """Return q, v, tau and the true accelerations of random states."""
+    model = solver.compiled.model
+    some = random_states(model, count, seed=2)
+    return some.q, some.v, some.tau, truth_of(model, some)
+
+
+class TestRead:
+    def test_a_robot_tells_what_it_is(self) -> None:
+        robot = adagen.read(MOBILE)
+        assert (robot.name, robot.nq, robot.nv) == ("mobile", 14, 13)
+        assert robot.joints[0] == "drive"
+        assert len(robot.source_hash) == 64
+
+    def test_options_are_those_of_the_command_line(self) -> None:
+        moon = adagen.read(ARM, floating=True, gravity=(0, 0, -1.6))
+        assert moon.joints[0] == "__base__"
+        assert moon.model.gravity.tolist() == [0, 0, -1.6]
+        payload = adagen.read(ARM, scene=MODELS / "arm7_payload.toml")
+        assert payload.reduction is not None
+
+    def test_what_is_refused_names_file_and_line(self, tmp_path: Path) -> None:
+        (tmp_path / "bad.urdf").write_text("<robot name='x'>\n<link/></robot>")
+        with pytest.raises(adagen.InputError, match=r"bad\.urdf:2: error: "):
+            adagen.read(tmp_path / "bad.urdf")
+
+
+class TestCompile:
+    def test_what_is_compiled_tells_what_it_is(self, arm: adagen.Solver) -> None:
+        compiled = arm.compiled
+        assert compiled.request == adagen.Request()
+        assert compiled.stem == "arm7_p1"
+        assert "arm7_p1_solve(" in compiled.source
+        assert compiled.header in compiled.source
+        assert compiled.predicted is not None
+        assert 0.01 < compiled.predicted < 10
+        assert compiled.digits is not None
+        assert 10 < compiled.digits < 17
+        assert compiled.program.processes
+
+    def test_the_command_line_writes_the_same(self, tmp_path: Path) -> None:
+        from adagen.cli import main
+
+        asked = ["--procs", "2", "--shape", "kernels", "--scalar", "float"]
+        assert main([str(ARM), *asked, "--out", str(tmp_path / "a")]) == 0
+        compiled = adagen.compile(adagen.read(ARM), procs=2, shape="kernels", scalar="float")
+        written = compiled.write(tmp_path / "b")
+        assert [path.name for path in written] == sorted(compiled.files)
+        for path in written:
+            assert path.read_bytes() == (tmp_path / "a" / path.name).read_bytes()
+
+    @pytest.mark.parametrize(
+        ("asked", "said"),
+        [
+            ({"scalar": "half"}, "scalar is one of double, float, mixed, not 'half'"),
+            ({"procs": 0}, "procs is from 1 to 1024"),
+            ({"scalr": "float"}, "unexpected keyword argument 'scalr'"),
+            ({"batch": True, "refine": 1}, "batches are not refined"),
+            ({"schedule": "nowhere.json"}, "is no file and none of auto, balanced"),
+            ({"naive": True}, "naive is for strategy astar or paper"),
+        ],
+    )
+    def test_what_cannot_be_had_is_told(self, asked: dict[str, Any], said: str) -> None:
+        with pytest.raises(adagen.UsageError, match=said):
+            adagen.compile(adagen.read(ARM), **asked)
+
+    def test_several_processes_are_no_python_program(self) -> None:
+        with pytest.raises(adagen.UsageError, match="arm7_p2 is for 2 processes"):
+            build(ARM, procs=2)
+
+    def test_a_missing_compiler_is_told(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setenv("CXX", "no-such-compiler")
+        with pytest.raises(adagen.EnvironmentFault, match="no-such-compiler"):
+            build(ARM, shape="kernels")
+
+
+class TestSolve:
+    @pytest.mark.parametrize(
+        ("path", "asked"),
+        [
+            (MOBILE, {}),
+            (ARM, {"shape": "joints"}),
+            (ARM, {"batch": True}),
+            (ARM, {"scalar": "mixed"}),
+            (ARM, {"scalar": "float"}),
+        ],
+    )
+    def test_one_state_and_many_are_right(self, path: Path, asked: dict[str, Any]) -> None:
+        solver = build(path, **asked)
+        *given, truth = states(solver, 5)
+        enough = ROUNDING["float" if asked.get("scalar") == "float" else "double"]
+        many = solver(*given)
+        assert (many.shape, many.dtype) == (truth.shape, solver.dtype)
+        assert forward_error(many, truth) < enough
+        for s in range(5):
+            one = solver(*(part[s] for part in given))
+            assert one.shape == (solver.nv,)
+            assert forward_error(one[None], truth[s : s + 1]) < enough
+
+    def test_what_is_given_is_converted(self, arm: adagen.Solver) -> None:
+        q, v, tau, _ = states(arm, 4)
+        plain = arm(q, v, tau)
+        assert np.array_equal(arm(q.tolist(), v=v[::1], tau=np.asfortranarray(tau)), plain)
+        wide = np.zeros((8, arm.nq))
+        wide[::2] = q
+        assert np.array_equal(arm(wide[::2], v.astype(">f8"), tau), plain)
+        ones = np.ones(arm.nv, np.int32)
+        assert np.array_equal(arm(q[0], ones, tau[0]), arm(q[0], ones.astype(float), tau[0]))
+
+    def test_out_is_filled_and_returned(self, arm: adagen.Solver) -> None:
+        q, v, tau, _ = states(arm, 3)
+        out = np.empty((3, arm.nv))
+        assert arm(q, v, tau, out) is out
+        assert np.array_equal(out, arm(q, v, tau))
+        assert arm(q[0], v[0], tau[0], out=out[1]).base is out
+        assert np.array_equal(out[0], out[1])
+        assert arm(q[:0], v[:0], tau[:0]).shape == (0, arm.nv)
+
+    def test_a_failure_names_the_joint_and_writes_nothing(self, arm: adagen.Solver) -> None:
+        q, v, tau, _ = states(arm, 4)
+        v[2, 3] = np.nan
+        out = np.full(arm.nv, 5.0)
+        with pytest.raises(adagen.SolveError, match='joint "elbow_pitch": its q, v or') as one:
+            arm(q[2], v[2], tau[2], out)
+        assert (one.value.joint, one.value.state, one.value.out) == ("elbow_pitch", None, None)
+        assert (out == 5).all()
+        for solver in (arm, build(ARM, batch=True)):
+            with pytest.raises(adagen.SolveError, match=r'^state 2: joint "elbow_pitch"') as many:
+                solver(q, v, tau)
+            assert (many.value.state, many.value.count) == (2, 1)
+            assert np.isnan(many.value.out[2]).all()
+            rest = [0, 1, 3]
+            assert np.array_equal(many.value.out[rest], solver(q[rest], v[rest], tau[rest]))
+            assert str(pickle.loads(pickle.dumps(many.value))) == str(many.value)
+
+    @pytest.mark.parametrize(
+        ("spoil", "kind", "said"),
+        [
+            (lambda x: (x.q[:3], x.v, x.tau), ValueError, r"q has shape \(3,\), not \(9,\)"),
+            (lambda x: (x.q, x.v[None], x.tau), ValueError, "v holds 1 states in 2 dimensions"),
+            (lambda x: (x.q[None, None], x.v, x.tau), ValueError, r"q has shape \(1, 1, 9\)"),
+            (lambda x: (x.q, x.v), TypeError, "tau is missing"),
+            (lambda x: (x.q, x.v, x.tau, None, 1), TypeError, "not 5 arguments"),
+            (lambda x: (x.q, x.v, x.tau, x.v), ValueError, "out is also what is read"),
+            (lambda x: (x.q, x.v, x.tau, x.q[:3].copy()), ValueError, "out must be an array"),
+            (lambda x: (x.q, x.v, x.tau, [0.0] * 9), ValueError, "out must be an array"),
+            (lambda x: (x.q * 1j, x.v, x.tau), TypeError, "complex128 are no real numbers"),
+            (lambda x: ("x", x.v, x.tau), TypeError, "are no real numbers"),
+        ],
+    )
+    def test_what_cannot_be_taken_is_told(
+        self,
+        spoil: Callable[[SimpleNamespace], tuple[Any, ...]],
+        kind: type[Exception],
+        said: str,
+        arm: adagen.Solver,
+    ) -> None:
+        q, v, tau, _ = states(arm, 1)
+        with pytest.raises(kind, match=said):
+            arm(*spoil(SimpleNamespace(q=q[0], v=v[0], tau=tau[0])))
+        with pytest.raises(TypeError, match="each once: 'w'"):
+            arm(q[0], v[0], tau[0], w=1)  # type: ignore[call-arg]
+
+
+class TestNames:
+    def test_joints_and_their_places(self, mobile: adagen.Solver) -> None:
+        assert mobile.joints == adagen.read(MOBILE).joints
+        assert (mobile.nq, mobile.nv, mobile.ntau) == (14, 13, 13)
+        assert mobile.index("lift") == 4
+        assert mobile.index("drive") == slice(0, 3)
+        assert mobile.index("loose", of="v") == slice(7, 13)
+
+    def test_pack_puts_all_else_at_rest(self, mobile: adagen.Solver) -> None:
+        q = mobile.pack({"lift": 0.2, "drive": [1, 2, 3]})
+        assert q.tolist() == [1, 2, 3, 0, 0.2, 0, 0, 0, 0, 0, 0, 0, 0, 1]
+        tau = mobile.pack({"shoulder": 4}, of="tau")
+        assert tau.shape == (13,)
+        assert tau[mobile.index("shoulder", "tau")] == 4
+
+    def test_what_is_unknown_or_of_another_size_is_named(self, mobile: adagen.Solver) -> None:
+        with pytest.raises(adagen.JointError, match=r'no joint "lft" \(did you mean "lift"\?\)'):
+            mobile.index("lft")
+        with pytest.raises(LookupError):
+            mobile.pack({"elbow": 0})
+        with pytest.raises(ValueError, match='joint "loose" has 7 numbers in q, not shape'):
+            mobile.pack({"loose": 1})
+        with pytest.raises(adagen.UsageError, match="of is q, v or tau"):
+            mobile.pack({}, of="a")  # type: ignore[arg-type]
+
+
+class TestObjects:
+    def test_solvers_pickle_and_copy(self, arm: adagen.Solver) -> None:
+        *given, _ = states(arm, 2)
+        for other in (pickle.loads(pickle.dumps(arm)), copy.copy(arm), copy.deepcopy(arm)):
+            assert other is not arm
+            assert np.array_equal(other(*given), arm(*given))
+            assert other.compiled.request == arm.compiled.request
+
+    def test_a_pickle_works_in_another_process(self, arm: adagen.Solver, tmp_path: Path) -> None:
+        *given, _ = states(arm, 2)
+        (tmp_path / "pickle").write_bytes(pickle.dumps((arm, given, arm(*given))))
+        program = (
+            "import pickle, sys; f, given, found = pickle.load(open(sys.argv[1], 'rb'));"
+            "print((f(*given) == found).all())"
+        )
+        done = subprocess.run(
+            [sys.executable, "-c", program, str(tmp_path / "pickle")],
+            capture_output=True,
+            text=True,
+            timeout=60,
+        )
+        assert (done.stdout, done.stderr) == ("True\n", "")
+
+    def test_types_and_docstrings_are_there(self, arm: adagen.Solver) -> None:
+        assert isinstance(arm, adagen.Solver)
+        assert "(S, nq)" in (type(arm).__doc__ or "")
+        for name in adagen.__all__:
+            assert inspect.getdoc(getattr(adagen, name)), name
+            assert name in dir(adagen)
+        with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+            _ = adagen.nothing
+
+    def test_the_command_line_starts_without_it(self) -> None:
+        program = "import sys, adagen.cli; print('adagen.library' in sys.modules)"
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+        assert done.stdout == "False\n"
+
+
+class TestThreads:
+    def test_others_run_while_many_states_are_solved(self, arm: adagen.Solver) -> None:
+        q, v, tau, _ = states(arm, 1)
+        many = [np.repeat(part, 400_000, axis=0) for part in (q, v, tau)]
+        done = threading.Event()
+
+        def solve() -> None:
+            arm(*many)
+            done.set()
+
+        thread = threading.Thread(target=solve)
+        thread.start()
+        turns = 0
+        while not done.is_set():
+            turns += 1
+            done.wait(0.001)
+        thread.join()
+        assert turns > 10  # the interpreter was free meanwhile
+
+    def test_threads_take_turns_with_one_solver(self, arm: adagen.Solver) -> None:
+        q, v, tau, _ = states(arm, 300)
+        expected = arm(q, v, tau)
+        found = [np.empty_like(expected) for _ in range(4)]
+
+        def solve(out: Any) -> None:
+            for _ in range(20):
+                arm(q, v, tau, out)
+                for s in range(50):
+                    arm(q[s], v[s], tau[s], out[s])
+
+        threads = [threading.Thread(target=solve, args=(out,)) for out in found]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        assert all(np.array_equal(out, expected) for out in found)
+
+
+def test_a_call_costs_little_beside_the_evaluation(arm: adagen.Solver) -> None:
+    q, v, tau, _ = states(arm, 1)
+    many = [np.repeat(part, 20_000, axis=0) for part in (q, v, tau)]
+    out = np.empty((20_000, arm.nv))
+    alone = (
+        min(timeit.repeat(lambda: arm(many[0], many[1], many[2], out), number=1, repeat=7)) / 20_000
+    )
+    one = [q[0], v[0], tau[0], out[0]]
+    names = {"arm": arm, "one": one}
+    called = min(timeit.repeat("arm(*one)", globals=names, number=20_000, repeat=7)) / 20_000
+    assert called - alone < 2e-6  # about 0.15e-6 on an idle machine; pinocchio's binding: 4e-6
