@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 _EPILOG = """\
 Small solvers are emitted, built and timed, and the costs of their steps are fitted to their times.
-It takes a minute or two; nothing else should run meanwhile.
+It takes one to five minutes; nothing else should run meanwhile.
 
 examples:
   adagen calibrate                              measure; the profile is stored as "machine"
