@@ -1,0 +1,66 @@
+"""What a call from Python costs beyond the C function: ``python -m benchmarks.python_call``.
+
+One state a call, with ``out`` and without, beside one state of many, which is solved by the C
+function alone; the least of several rounds, taken by turns. --page writes it into docs/library.md.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+from timeit import timeit
+
+import numpy as np
+
+import adagen
+from adagen.states import random_states
+from adagen.studies.bench.machine import machine
+from benchmarks.page import write_between_marks
+
+ROOT = Path(__file__).resolve().parents[1]
+ROUNDS, CALLS, STATES = 15, 20_000, 1000
+
+
+def measured(model: Path) -> dict[str, float]:
+    """Return the least times by what is called, nanoseconds a state."""
+    compiled = adagen.compile(adagen.read(model))
+    solver = compiled.build()
+    states = random_states(compiled.model, STATES, seed=1)
+    q, v, tau = (np.ascontiguousarray(x[0]) for x in (states.q, states.v, states.tau))
+    out, many = np.empty_like(v), np.empty_like(states.v)
+    calls: dict[str, tuple[Callable[[], object], int, int]] = {
+        "one of many": (lambda: solver(states.q, states.v, states.tau, out=many), 20, STATES),
+        "with out": (lambda: solver(q, v, tau, out=out), CALLS, 1),
+        "without": (lambda: solver(q, v, tau), CALLS, 1),
+        "an empty lambda": (lambda: None, CALLS, 1),
+    }
+    least = dict.fromkeys(calls, float("inf"))
+    for _ in range(ROUNDS):
+        for name, (call, count, states_each) in calls.items():
+            least[name] = min(least[name], timeit(call, number=count) / count / states_each)
+    return {name: 1e9 * time for name, time in least.items()}
+
+
+def main() -> None:
+    """Measure, and print or write what came of it."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    shipped = ROOT / "generated_examples" / "models" / "arm7.urdf"
+    parser.add_argument("model", nargs="?", type=Path, default=shipped)
+    parser.add_argument("--page", action="store_true", help="write it into docs/library.md")
+    options = parser.parse_args()
+    found = measured(options.model)
+    alone, lambda_ = found["one of many"], found["an empty lambda"]
+    above = {name: found[name] - lambda_ - alone for name in ("with out", "without")}
+    text = (
+        f"`{options.model.name}`: {alone:.0f} ns a state in C; a call from Python takes "
+        f"{above['with out']:.0f} ns more with `out`, {above['without']:.0f} ns without "
+        f"({machine()['processor']}, load before {machine()['load_before']})."
+    )
+    print(text)
+    if options.page:
+        write_between_marks(ROOT / "docs" / "library.md", "python_call", text)
+
+
+if __name__ == "__main__":
+    main()
