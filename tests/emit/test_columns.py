@@ -8,13 +8,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.calibrate.samples import by_method
 from adagen.cost import programmed
 from adagen.model import Inertia, Model
 from adagen.model.kinds import PRISMATIC, REVOLUTE, SPHERICAL
 from adagen.plan import make_plan
+from adagen.schedule import load_profile
 from adagen.states import random_states
 from tests.cost.costs import step_profile
-from tests.emitted import NARROW, OPTIMISED, QUICK, ROUNDING, Builder, kernels_of, plan_of
+from tests.emitted import NARROW, OPTIMISED, QUICK, ROUNDING, Builder, kernels_of, plan_of, text_of
 from tests.links import with_inertia
 from tests.models import ALL_KINDS, random_tree, serial_chain
 from tests.schedules import random_schedule
@@ -92,9 +94,10 @@ def test_runs_that_others_meet_on_the_way_are_solved(
 ) -> None:
     model = tree(seed)
     plan = make_plan(model, random_schedule(model, processes, np.random.default_rng(seed)))
-    assert "inward_in_columns<" in kernels_of(plan)
+    by_columns = by_method(load_profile("default"), "columns")
+    assert "inward_in_columns<" in text_of(plan, shape="kernels", profile=by_columns)
     states = random_states(model, 4, seed=seed)
-    solver = builder.solver(plan, name="columns", shape="kernels")
+    solver = builder.solver(plan, name="columns", shape="kernels", profile=by_columns)
     assert solver.error(model, states, tmp_path, "--check") < 20 * ROUNDING["double"]
 
 

@@ -8,16 +8,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.calibrate.samples import by_method
 from adagen.model import Model
 from adagen.model.kinds import REVOLUTE, SPHERICAL
 from adagen.plan import make_plan
 from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
 from adagen.states import random_states, write_states
-from tests.emitted import ROUNDING, Builder, kernels_of, plan_of
+from tests.emitted import ROUNDING, Builder, plan_of, text_of
 from tests.models import random_tree, serial_chain
 
 PROFILE = load_profile("default")
+BY_COLUMNS = by_method(PROFILE, "columns")
 
 
 def balls_among_hinges() -> Model:
@@ -44,9 +46,10 @@ def test_runs_are_swept_to_a_root_between_their_ends(
 ) -> None:
     schedule = named_schedule("balanced", Topology.of(model), 2, profile=PROFILE)
     plan = make_plan(model, schedule, scalar=scalar, meeting="gather")
-    calls = kernels_of(plan).partition("void run_0(")[2]
+    text = text_of(plan, shape="kernels", profile=BY_COLUMNS)
+    calls = text.partition("void run_0(")[2]
     assert all(sweep in calls for sweep in sweeps)
-    solver = builder.solver(plan, ("-O0",), name="balls", shape="kernels")
+    solver = builder.solver(plan, ("-O0",), name="balls", shape="kernels", profile=BY_COLUMNS)
     states = random_states(model, 4, seed=5)
     assert solver.error(model, states, tmp_path, "--check") < 20 * ROUNDING[scalar]
 
