@@ -89,7 +89,8 @@ def _build_and_run(folder: Path, processes: int) -> dict[str, Any]:
     if done.returncode != 0:
         raise EnvironmentFault(f"make failed: {' '.join(done.stderr.split())[-600:]}")
     program = source.with_suffix("")
-    note(f"$ mpiexec -n {processes} {program} --check --time")
+    start = f"mpiexec -n {processes} " if processes > 1 else ""  # one process needs no MPI
+    note(f"$ {start}{program} --check --time")
     with progress(f"running {program.name}"):
         ran = launch(program, processes, ["--check", "--time", "--json"], toolchain, 120)
     if ran.status not in (0, 1) or not ran.stdout.strip():
