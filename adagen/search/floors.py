@@ -60,7 +60,9 @@ class Floors:
         costs: the machine's coefficients.
 
     Attributes:
-        single: of each joint passed by itself or with its run, as those of a core are.
+        single: of each joint of a core: passed by itself or with its run, no link beside it, since
+            one of the processes has that.
+        passed: the same of each joint of a limb, with the link beyond it.
         row: of each joint, with the whole row that it is in.
         share: of each joint, with its share of the row that it is in.
         pose: the kinematics alone of a joint by itself or with its run.
@@ -85,7 +87,10 @@ class Floors:
             self._ways(joint, self.pose[j], run_of[j].length if j in run_of else 1, j in in_columns)
             for j, joint in enumerate(joints)
         ]
+        # Swept from the ground a limb's first joint has no link beyond it.
+        self._start = [costs["link.start"] if joint.parent > 0 else 0.0 for joint in joints]
         self.single = [_least(ways) for ways in self._alone]
+        self.passed = [self.in_row(j, 1) for j in range(len(joints))]
         most = [self.most.get(joint.kind, 1) for joint in joints]
         self.row = [self.in_row(j, count) for j, count in enumerate(most)]
         self.share = [self.of_row(j, count) for j, count in enumerate(most)]
@@ -107,15 +112,20 @@ class Floors:
 
     def in_row(self, joint: int, count: int) -> Floor:
         """Return what a joint takes with its whole row, where so many at most can be in one."""
-        rows = (self._in_row(self.robot.joints[joint], n) for n in range(2, count + 1))
-        return _least([*self._alone[joint], *rows])
+        start = self._start[joint]
+        ways = [(inwards + start, outwards) for inwards, outwards in self._alone[joint]]
+        for n in range(2, count + 1):
+            inwards, outwards = self._in_row(self.robot.joints[joint], n)
+            ways.append((inwards + n * start, outwards))
+        return _least(ways)
 
     def of_row(self, joint: int, count: int) -> Floor:
         """Return what a joint takes with its share of a row likewise."""
-        ways = list(self._alone[joint])
+        start = self._start[joint]
+        ways = [(inwards + start, outwards) for inwards, outwards in self._alone[joint]]
         for n in range(2, count + 1):
             inwards, outwards = self._in_row(self.robot.joints[joint], n)
-            ways.append((inwards / n, outwards / n))
+            ways.append((inwards / n + start, outwards / n))
         return _least(ways)
 
     def work(self, limb: Limb) -> Floor:
@@ -130,7 +140,7 @@ class Floors:
 
     def alone(self, limb: Limb) -> float:
         """Return about what a limb takes beside no other."""
-        return sum(self.single[j].both for j in limb.joints)
+        return sum(self.passed[j].both for j in limb.joints)
 
     def longest(self, limb: Limb) -> Floor:
         """Return the least that the process takes which has a limb: all of it, and row by row."""
@@ -201,13 +211,13 @@ class Floors:
         link, parent = j + 1, joint.parent
         self._way[link] = self._way[parent] + self.pose[j]
         self._depth[link] = self._depth[parent] + 1
-        more, single = self.share[j], self.single[j]
+        more, passed = self.share[j], self.passed[j]
         spared = Floor(
-            *(getattr(single, n) - getattr(more, n) for n in ("inwards", "outwards", "both"))
+            *(getattr(passed, n) - getattr(more, n) for n in ("inwards", "outwards", "both"))
         )
         self._turned[link] = self._turned[parent].plus(spared)
         beside = (self._deepest[k] for k in self.robot.at[parent] if k != j and parent > 0)
-        self._above[link] = single.plus(_longest([self._above[parent], *beside]))
+        self._above[link] = passed.plus(_longest([self._above[parent], *beside]))
 
     def upwards(self, limb: Limb) -> Floor:
         """Return what a limb takes besides that is swept towards a link beyond it."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, get_args
 
 import numpy as np
@@ -21,6 +21,7 @@ from adagen.model import Model
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
+from adagen.plan.cuts import cuttable_joints
 from adagen.plan.digits import EPSILON, generic_configuration
 from adagen.plan.types import FACTORS
 from adagen.schedule import CostProfile, Schedule
@@ -87,13 +88,32 @@ def schedule_for(
     def best(limit: float | None) -> Schedule:
         return best_schedule(model, processes, profile, form, scalar, limit, **search)
 
-    if objective == "time":
-        return best(HARDLY_SINGULAR[FACTORS[scalar]])
     found = best(None)
+    if objective == "time":
+        lenient = HARDLY_SINGULAR[FACTORS[scalar]]
+        if form != "segment" or not _allows_more(model, scalar, lenient):
+            return found
+        return _faster(best(lenient), found)
     if objective == "both" or (form == "segment" and processes == 1):
         return found
     others = _orders(model, found, profile) if form == "ada" else map(best, LIMITS)
     return _most_accurate(model, found, others, form, scalar)
+
+
+def _allows_more(model: Model, scalar: str, limit: float) -> bool:
+    """Whether processes may be joined at more joints if growth up to a limit is let pass."""
+    members = fold_of(model, "segment").joints
+    return cuttable_joints(model, scalar, members, limit) != cuttable_joints(model, scalar, members)
+
+
+def _faster(found: Schedule, stricter: Schedule) -> Schedule:
+    """The faster of two schedules, the second of which was searched among fewer.
+
+    Not all straight lines are searched: the fewer may hold one that the others were not tried for.
+    """
+    if found.makespan <= stricter.makespan:
+        return found
+    return replace(stricter, lower_bound=min(found.lower_bound, stricter.makespan))
 
 
 def predicted_digits(objective: str, model: Model, plan: Plan) -> Digits:

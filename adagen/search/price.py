@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 from adagen.cost import operation_features, step_features
 from adagen.cost.lanes import chosen_limbs
@@ -80,7 +79,7 @@ class Pricing:
         assert profile.steps is not None  # as the caller has made sure
         self.costs: StepCosts = profile.steps
         self.channel: ChannelCosts = self.costs.channel(plan.channel)
-        self._plan, self._profile = plan, profile
+        self._plan = plan
 
     @property
     def joints(self) -> tuple[PlanJoint, ...]:
@@ -131,7 +130,7 @@ class Pricing:
             process: its steps.
             singly: whether it may be that nothing is passed together, as in shape joints.
         """
-        share = self._unturned.share(process, ())
+        share = self.share(process, ())
         if share is None:
             return 0.0, 0.0
         inwards, outwards = share.least_kinematics + share.inwards, share.outwards
@@ -142,12 +141,6 @@ class Pricing:
             inwards = min(inwards, self._singly(first))
             outwards = min(outwards, self._singly(rest))
         return inwards, outwards
-
-    @cached_property
-    def _unturned(self) -> Pricing:
-        """Prices without what joints take in their own axes: that depends on the sweep's way."""
-        table = {**self.costs.table, "articulate.turned": 0.0}
-        return Pricing(self._plan, replace(self._profile, steps=replace(self.costs, table=table)))
 
     def _singly(self, steps: Sequence[Step]) -> float:
         """What steps take one by one."""

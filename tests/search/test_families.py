@@ -50,7 +50,13 @@ def test_nothing_that_is_joined_is_faster(
 
 @pytest.mark.parametrize(
     "model",
-    [star(4, 4), *(pytest.param(m, marks=pytest.mark.slow) for m in (human_figure(), binary(4)))],
+    [
+        star(4, 4),
+        *(
+            pytest.param(model, marks=pytest.mark.slow)
+            for model in (human_figure(), binary(4, floating=True), star(6, 5))
+        ),
+    ],
 )
 def test_one_process_is_a_candidate_in_each_shape(model: Model) -> None:
     """What is taken is not slower than one process in the shape that it is emitted in."""
@@ -91,7 +97,7 @@ def test_long_chains_are_shared_out() -> None:
         Topology.of(model), 4, profile=DEFAULT, cuttable=[False] * len(model.joints)
     )
     assert best.makespan < 0.7 * played(model, alone, DEFAULT)
-    assert best.gap < 0.35  # two of the four processes have all the work (docs/search.md)
+    assert best.gap < 0.15
     assert best.makespan == predict(make_plan(model, best), DEFAULT).makespan
 
 

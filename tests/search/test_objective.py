@@ -41,8 +41,8 @@ def meeting(length: int) -> int:
 
 
 def middling(mass: float) -> Model:
-    """Rods that are light where two processes would meet."""
-    light = range(meeting(80) - 2, meeting(80) + 2)
+    """Rods of which two in three are light around where two processes would meet."""
+    light = [i for i in range(meeting(80) - 8, meeting(80) + 8) if i % 3]
     inertias = [robots.rod(mass if i in light else 1.0) for i in range(80)]
     return robots.chain("light middle", inertias)
 
@@ -65,8 +65,7 @@ def test_cuts_move_away_from_light_links_as_the_objective_asks() -> None:
     model = middling(1e-7)
     schedules = {objective: found(model, objective) for objective in OBJECTIVES}
     time, both, accuracy = (schedules[name] for name in ("time", "both", "accuracy"))
-    # Straight lines of joined schedules are priced one by one: the best cut may be missed by 2 %.
-    assert time[0].makespan <= 1.02 * both[0].makespan <= 1.02 * accuracy[0].makespan
+    assert time[0].makespan <= both[0].makespan <= accuracy[0].makespan
     assert time[1].growth > 1e5 > both[1].growth >= accuracy[1].growth
     assert time[2] > 100 * both[2]
     assert both[2] < 1e-12
