@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from functools import lru_cache
+from functools import cache, lru_cache
 
 from adagen.cost.features import operation_features
 from adagen.executor import chosen_grouping
 from adagen.plan import Plan
-from adagen.plan.simd_groups import OFFERED, Limbs, simd_groups
+from adagen.plan.simd_groups import Limbs, nearly_fewest, simd_groupings
 from adagen.plan.types import Process
 from adagen.program import Program, lower
 from adagen.program.loops import Loops
@@ -52,7 +52,7 @@ def chosen_limbs(plan: Plan, process: Process, costs: StepCosts) -> tuple[Limbs,
         process: one of its processes; others are of no influence.
         costs: the machine's coefficients.
     """
-    offers = offered_limbs(plan, process, costs)
+    offers = nearly_fewest(process, offered_limbs(plan, process, costs))
     if len(offers) == 1:
         return offers[0]
     alone = replace(plan, processes=(process,))
@@ -62,18 +62,14 @@ def chosen_limbs(plan: Plan, process: Process, costs: StepCosts) -> tuple[Limbs,
 def offered_limbs(plan: Plan, process: Process, costs: StepCosts) -> list[tuple[Limbs, ...]]:
     """Return the groupings of a process's limbs that are compared; none comes first."""
 
+    @cache
     def saved(kinds: Sequence[str], count: int) -> float:
         rows = sum(count * costs.joint(kind) - costs.row(kind, count) for kind in kinds)
         inwards = costs["limbs.two" if count == 2 else "limbs.four"]
         return rows - inwards - 2 * costs["limbs.outwards"]
 
-    def grouping(counts: Iterable[int]) -> tuple[Limbs, ...]:
-        return tuple(simd_groups(plan, process, saved, counts))
-
-    most = grouping(OFFERED[0])
-    if not most:  # nor would fewer
-        return [()]
-    return list(dict.fromkeys([(), most, *map(grouping, OFFERED[1:])]))
+    found = simd_groupings(plan, process, saved)
+    return list(dict.fromkeys([(), *map(tuple, found)]))
 
 
 def _time(plan: Plan, limbs: tuple[Limbs, ...], costs: StepCosts) -> float:

@@ -51,7 +51,7 @@ BASELINES = {
 KNOWN = {**SHAPES, **BASELINES}
 
 
-MOST_FREEDOMS = 100
+MOST_FREEDOMS = 128
 """Degrees of freedom of a robot up to which straight lines are priced: beyond, their statements
 take longer to make than to find that their instructions no longer fit where they are fetched."""
 

@@ -127,18 +127,30 @@ def _best_turns(chain: Sequence[_Part], model: Sequence[_Part]) -> tuple[int, tu
 
 def _difference(part: _Part, other: _Part, before: int, turn: int) -> int:
     """How unlike a joint and its link are to others, the links before and after being turned."""
+    (rotation, zeros, lone), model = _structure(part, before, turn), _structure(other, 0, 0)
+    unlike = _PATTERN * (bool(model[2]) and not model[2] & lone)
+    apart = np.count_nonzero(zeros != model[1]), np.count_nonzero(rotation != model[0])
+    return unlike + _ZERO * int(apart[0]) + int(apart[1])
+
+
+@lru_cache(maxsize=8192)
+def _structure(
+    part: _Part, before: int, turn: int
+) -> tuple[Array, NDArray[np.bool_], set[tuple[int, int, float]]]:
+    """A joint's rotation, the zeros of all constants, and the rotation's lone entries.
+
+    The links before and after the joint are turned.
+    """
     near, own = _TURNS[before].T, _TURNS[turn]
-    (one, link), (two, like) = part, other
-    rotation, model = near @ np.array(one.rotation) @ own, np.array(two.rotation)
-    unlike = _PATTERN * (bool(_lone(model)) and not _lone(model) & _lone(rotation))
-    pairs = [
-        (rotation, model),
-        (near @ np.array(one.translation), np.array(two.translation)),
-        (own.T @ np.array(link.com), np.array(like.com)),
-        (own.T @ np.array(link.tensor) @ own, np.array(like.tensor)),
+    joint, link = part
+    rotation = near @ np.array(joint.rotation) @ own
+    numbers = [
+        rotation.ravel(),
+        near @ np.array(joint.translation),
+        own.T @ np.array(link.com),
+        (own.T @ np.array(link.tensor) @ own).ravel(),
     ]
-    zeros = sum(int(((a == 0) != (b == 0)).sum()) for a, b in pairs)
-    return unlike + _ZERO * zeros + int((rotation != model).sum())
+    return rotation, np.concatenate(numbers) == 0, _lone(rotation)
 
 
 def _lone(rotation: Array) -> set[tuple[int, int, float]]:

@@ -9,7 +9,7 @@ from adagen.executor.lanes import Grouping, fit_for_lanes
 from adagen.executor.run import Simulated, simulate
 from adagen.executor.stretches import stretches
 from adagen.plan import Plan
-from adagen.plan.simd_groups import COUNTS, OFFERED, Limbs, more_alike, simd_groups
+from adagen.plan.simd_groups import COUNTS, OFFERED, Limbs, more_alike, nearly_fewest, simd_groups
 from adagen.plan.types import Process
 from adagen.schedule import step_costs
 from adagen.schedule.costs import StepCosts
@@ -75,13 +75,18 @@ def chosen_grouping(plan: Plan, costs: StepCosts | None = None) -> Grouping:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
     offers = groupings(plan)
-    if len(offers) == 1:
-        return offers[0]
+    options = [
+        nearly_fewest(process, own)
+        for process, own in zip(plan.processes, zip(*offers, strict=True), strict=True)
+    ]
+    most = max(map(len, options))
+    if most == 1:
+        return tuple(own for (own,) in options)
     prices = step_costs(None) if costs is None else costs
+    offers = [tuple(own[min(k, len(own) - 1)] for own in options) for k in range(most)]
     times = [_times(plan, offer, prices) for offer in offers]
     return tuple(
-        offers[min(range(len(offers)), key=lambda k: times[k][p])][p]
-        for p in range(len(plan.processes))
+        offers[min(range(most), key=lambda k: times[k][p])][p] for p in range(len(options))
     )
 
 

@@ -43,13 +43,17 @@ def stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list[
     counts: list[dict[int, int]] = [{} for _ in range(stretch[-1] + 1 if stretch else 1)]
     done = [0] * len(counts)  # cycles until a stretch's last value is there
     ready: dict[int, int] = {}
+    nodes = graph.nodes
     for index in live_nodes(graph, simulated.machine.roots()):
-        node = graph.nodes[index]
+        node = nodes[index]
         here = stretch[node.mark] if stretch else 0
-        before = max((graph.nodes[k].ready for k in node.args), default=0)
-        own = node.ready - before if node.args else max(0, node.ready)
-        waits = (ready[k] for k in node.args if stretch[graph.nodes[k].mark] == here)
-        ready[index] = own + max(waits, default=0)
+        before = waits = 0
+        for k in node.args:
+            operand = nodes[k]
+            before = max(before, operand.ready)
+            if stretch[operand.mark] == here:
+                waits = max(waits, ready[k])
+        ready[index] = waits + max(0, node.ready - before)
         done[here] = max(done[here], ready[index])
         if node.op in _COMPUTED:
             counts[here][node.mark] = counts[here].get(node.mark, 0) + 1

@@ -46,12 +46,13 @@ class Operations:
 
 def live_nodes(graph: Graph, roots: Iterable[Expression]) -> list[int]:
     """Return the indices, ascending, of all that the roots need."""
-    alive = bytearray(len(graph.nodes))
+    nodes = graph.nodes
+    alive = bytearray(len(nodes))
     for root in roots:
         alive[root.index] = 1
-    for index in range(len(graph.nodes) - 1, -1, -1):
+    for index in range(len(nodes) - 1, -1, -1):
         if alive[index]:
-            for argument in graph.nodes[index].args:
+            for argument in nodes[index].args:
                 alive[argument] = 1
     return [index for index, flag in enumerate(alive) if flag]
 

@@ -13,9 +13,8 @@ all lanes is a single number, so that the identities are used where they hold in
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from math import isqrt
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 from flint import fmpq
 
@@ -53,8 +52,7 @@ _CYCLES: dict[Op, int] = {
 }
 
 
-@dataclass(frozen=True)
-class Node:
+class Node(NamedTuple):
     """One value of a graph.
 
     Attributes:
@@ -88,6 +86,11 @@ class Graph:
         self.nodes: list[Node] = []
         self.mark = 0
         self._known: dict[tuple[Any, ...], int] = {}
+        self._numbers: dict[float, int] = {}  # nodes of plain numbers
+        # Of each node: its value if it is a constant, and what it is the negative of, or -1.
+        self._constants: list[Any] = []
+        self._negated: list[int] = []
+        self._zero = self._one = -1
 
     def input(self, name: str, ready: int = 0, width: int = 1) -> Expression:
         """Return the value that is called ``name`` where the graph is evaluated."""
@@ -98,12 +101,35 @@ class Graph:
 
         A tuple holds a number for each lane.
         """
-        if not isinstance(value, tuple):
-            return self._node("constant", (), _shortened(_rational(value)))
-        lanes = tuple(_shortened(_rational(x)) for x in value)
-        if all(x == lanes[0] for x in lanes):
-            return self._node("constant", (), lanes[0])
-        return self._node("constant", (), lanes, width=len(lanes))
+        if isinstance(value, fmpq):
+            return self._constant((value,))
+        if isinstance(value, tuple):
+            return self._constant(tuple(_rational(x) for x in value))
+        index = self._numbers.get(value)
+        if index is not None:
+            return Expression(self, index)
+        found = self._constant((_rational(value),))
+        self._numbers[value] = found.index
+        return found
+
+    def _constant(self, lanes: tuple[Any, ...]) -> Expression:
+        """A constant: a rational number for each lane, or a single one for all."""
+        # Hashes of rational numbers are slow, those of their parts are not.
+        parts = tuple([(int(x.p), int(x.q)) for x in lanes])
+        if len(lanes) > 1 and parts.count(parts[0]) == len(parts):
+            return self._constant(lanes[:1])
+        index = self._known.get(parts)
+        if index is None:
+            value = tuple(_shortened(x, *part) for x, part in zip(lanes, parts, strict=True))
+            if value != lanes:
+                return self._constant(value)
+            single = len(value) == 1
+            index = self._known[parts] = len(self.nodes)
+            self._add("constant", (), value[0] if single else value, 0, len(value))
+            if single:
+                self._zero = index if value[0] == 0 else self._zero
+                self._one = index if value[0] == 1 else self._one
+        return Expression(self, index)
 
     def pack(self, numbers: Sequence[Expression]) -> Expression:
         """Return a value with a number in each lane; the number itself where all are the same."""
@@ -146,66 +172,68 @@ class Graph:
 
     def add(self, a: Expression, b: Expression) -> Expression:
         """Return a + b."""
-        x, y = a.constant, b.constant
+        i, k = a.index, b.index
+        if i == self._zero:
+            return b
+        if k == self._zero:
+            return a
+        x, y = self._constants[i], self._constants[k]
         if x is not None and y is not None:
             return self.constant(_lanewise(lambda a, b: a + b, x, y))
-        if x == 0:
-            return b
-        if y == 0:
-            return a
-        if a.negated is not None:
-            return self.sub(b, a.negated)
-        if b.negated is not None:
-            return self.sub(a, b.negated)
-        if a.index == b.index:
+        if self._negated[i] >= 0:
+            return self.sub(b, Expression(self, self._negated[i]))
+        if self._negated[k] >= 0:
+            return self.sub(a, Expression(self, self._negated[k]))
+        if i == k:
             return self.mul(self.constant(2), a)
-        return self._node("add", (min(a.index, b.index), max(a.index, b.index)))
+        return self._node("add", (i, k) if i < k else (k, i))
 
     def sub(self, a: Expression, b: Expression) -> Expression:
         """Return a - b."""
-        x, y = a.constant, b.constant
+        i, k = a.index, b.index
+        if k == self._zero:
+            return a
+        if i == self._zero:
+            return self.neg(b)
+        x, y = self._constants[i], self._constants[k]
         if x is not None and y is not None:
             return self.constant(_lanewise(lambda a, b: a - b, x, y))
-        if x == 0:
-            return self.neg(b)
-        if y == 0:
-            return a
-        if a.index == b.index:
+        if i == k:
             return self.constant(0)
-        if b.negated is not None:
-            return self.add(a, b.negated)
-        if a.negated is not None:
-            return self.neg(self.add(a.negated, b))
-        if ("sub", (b.index, a.index), None) in self._known:
-            return self.neg(self._node("sub", (b.index, a.index)))
-        return self._node("sub", (a.index, b.index))
+        if self._negated[k] >= 0:
+            return self.add(a, Expression(self, self._negated[k]))
+        if self._negated[i] >= 0:
+            return self.neg(self.add(Expression(self, self._negated[i]), b))
+        if ("sub", (k, i), None) in self._known:
+            return self.neg(self._node("sub", (k, i)))
+        return self._node("sub", (i, k))
 
     def mul(self, a: Expression, b: Expression) -> Expression:
         """Return a b."""
-        x, y = a.constant, b.constant
-        if x is not None and y is not None:
-            return self.constant(_lanewise(lambda a, b: a * b, x, y))
-        if y is not None:
-            a, b, x = b, a, y
-        if x is not None:
-            if x == 0:
-                return a
-            if x == 1:
-                return b
-            if _is_negative(x):
-                return self.neg(self.mul(self.neg(a), b))
-        if a.negated is not None:
-            return self.neg(self.mul(a.negated, b))
-        if b.negated is not None:
-            return self.neg(self.mul(a, b.negated))
-        return self._node("mul", (min(a.index, b.index), max(a.index, b.index)))
+        i, k = a.index, b.index
+        if i == self._zero or k == self._one:
+            return a
+        if k == self._zero or i == self._one:
+            return b
+        x, y = self._constants[i], self._constants[k]
+        if x is not None or y is not None:
+            if x is not None and y is not None:
+                return self.constant(_lanewise(lambda a, b: a * b, x, y))
+            if _is_negative(y if x is None else x):
+                return self.neg(self.mul(self.neg(a), b) if y is None else self.mul(a, self.neg(b)))
+        if self._negated[i] >= 0:
+            return self.neg(self.mul(Expression(self, self._negated[i]), b))
+        if self._negated[k] >= 0:
+            return self.neg(self.mul(a, Expression(self, self._negated[k])))
+        return self._node("mul", (i, k) if i < k else (k, i))
 
     def neg(self, a: Expression) -> Expression:
         """Return -a."""
-        if a.constant is not None:
-            return self.constant(_lanewise(lambda x, y: x - y, fmpq(0), a.constant))
-        if a.negated is not None:
-            return a.negated
+        x = self._constants[a.index]
+        if x is not None:
+            return self.constant(tuple(-one for one in x) if isinstance(x, tuple) else -x)
+        if self._negated[a.index] >= 0:
+            return Expression(self, self._negated[a.index])
         return self._node("neg", (a.index,))
 
     def reciprocal(self, a: Expression) -> Expression:
@@ -266,12 +294,23 @@ class Graph:
         key = (op, args, (value, width) if op == "input" else value)
         index = self._known.get(key)
         if index is None:
-            ready += max((self.nodes[k].ready for k in args), default=0)
-            ready += _CYCLES.get(op, 4)
             index = self._known[key] = len(self.nodes)
-            width = width or max((self.nodes[k].width for k in args), default=1)
-            self.nodes.append(Node(op, args, value, ready, self.mark, width))
+            self._add(op, args, value, ready, width)
         return Expression(self, index)
+
+    def _add(self, op: Op, args: tuple[int, ...], value: Any, ready: int, width: int) -> None:
+        """Append a node; without a width it is as wide as its operands."""
+        latest, widest = 0, 1
+        for k in args:
+            node = self.nodes[k]
+            if node.ready > latest:
+                latest = node.ready
+            if node.width > widest:
+                widest = node.width
+        ready += latest + _CYCLES.get(op, 4)
+        self.nodes.append(Node(op, args, value, ready, self.mark, width or widest))
+        self._constants.append(value if op == "constant" else None)
+        self._negated.append(args[0] if op == "neg" else -1)
 
 
 class Expression:
@@ -291,14 +330,13 @@ class Expression:
     @property
     def constant(self) -> Any:
         """Its value if that is known beforehand (fmpq; a tuple where it is wide), else None."""
-        node = self.graph.nodes[self.index]
-        return node.value if node.op == "constant" else None
+        return self.graph._constants[self.index]
 
     @property
     def negated(self) -> Expression | None:
         """What it is the negative of, if it is a negation."""
-        node = self.graph.nodes[self.index]
-        return Expression(self.graph, node.args[0]) if node.op == "neg" else None
+        index = self.graph._negated[self.index]
+        return Expression(self.graph, index) if index >= 0 else None
 
     def _lift(self, other: Any) -> Expression:
         return other if isinstance(other, Expression) else self.graph.constant(other)
@@ -359,9 +397,14 @@ def _is_negative(x: Any) -> bool:
     return bool(first < 0)
 
 
-def _shortened(value: Any) -> Any:
-    """A rational number that has grown out of hand, to 256 bits: far more than any scalar keeps."""
-    p, q = int(value.p), int(value.q)
+def _shortened(value: Any, p: int, q: int) -> Any:
+    """A rational number that has grown out of hand, to 256 bits: far more than any scalar keeps.
+
+    Args:
+        value: p / q in lowest terms.
+        p: its numerator.
+        q: its denominator.
+    """
     longest = max(p.bit_length(), q.bit_length())
     if longest <= _LONGEST:
         return value

@@ -95,12 +95,47 @@ def simd_groups(
         saved: what limbs save; only those that save something are taken.
         counts: how many may be taken at once.
     """
-    may = frozenset(counts)
-    last = _last_beyond(plan.joints)
+    (found,) = simd_groupings(plan, process, saved, [counts])
+    return found
+
+
+def simd_groupings(
+    plan: Plan, process: Process, saved: Saving, offered: Iterable[Iterable[int]] = OFFERED
+) -> list[list[Limbs]]:
+    """Return the same for each of some counts."""
+    last, pools = _last_beyond(plan.joints), _chains(plan, process)
+    return [_groups(plan.joints, pools, last, saved, frozenset(counts)) for counts in offered]
+
+
+def nearly_fewest(process: Process, offers: Iterable[tuple[Limbs, ...]]) -> list[tuple[Limbs, ...]]:
+    """Return the groupings of a process that leave nearly as few joints to compute as can be.
+
+    To count them takes far less than to price a grouping, and the others are hardly ever faster.
+    """
+    left = {
+        own: len(process.owns) - sum(len(limbs.rows) * (limbs.count - 1) for limbs in own)
+        for own in offers
+    }
+    fewest = min(left.values())
+    most = max(_TIMES * fewest, fewest + _MORE)
+    return [own for own, joints in left.items() if joints <= most]
+
+
+_TIMES, _MORE = 1.25, 5
+"""Joints that a grouping may leave and still be priced: so many times the fewest, or some more."""
+
+
+def _groups(
+    joints: Sequence[PlanJoint],
+    pools: Iterable[list[list[int]]],
+    last: Sequence[int],
+    saved: Saving,
+    counts: frozenset[int],
+) -> list[Limbs]:
+    """The limbs that are chosen one after the other."""
     found: list[Limbs] = []
-    for pool in _chains(plan, process):
-        chains = pool
-        while (best := _best(plan.joints, chains, last, found, saved, may)) is not None:
+    for chains in pools:
+        while (best := _best(joints, chains, last, found, saved, counts)) is not None:
             found.append(best)
             taken = set(best.members())  # what is left of a longer chain may be taken later
             chains = [rest for c in chains if (rest := [j for j in c if j not in taken])]
