@@ -53,9 +53,15 @@ def chain(joints: int) -> list[int]:
 
 def star(arms: int, length: int) -> list[int]:
     """Return the parents of arms on a hub, which a joint holds to the ground."""
+    return crew((arms, length))
+
+
+def crew(*sets: tuple[int, int]) -> list[int]:
+    """Return the parents of sets of arms on a hub: how many arms, and of how many joints."""
     parents = [0]
-    for _ in range(arms):
-        parents += [1, *range(len(parents) + 1, len(parents) + length)]
+    for arms, length in sets:
+        for _ in range(arms):
+            parents += [1, *range(len(parents) + 1, len(parents) + length)]
     return parents
 
 

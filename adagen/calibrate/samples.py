@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from adagen.calibrate.robots import (
     chain,
     claws,
+    crew,
     hollow,
     prescribed,
     robot,
@@ -80,6 +81,9 @@ WAYS = (
     ("string", "columns", ()),
     ("claws", "columns", (2,)),
     ("claws", "columns", (2, 4)),
+    ("crew", "columns", (2, 3, 4)),
+    ("troop", "columns", (2, 3, 4)),
+    ("mates", "columns", (3,)),
     ("wrist", "each", ()),
     ("wrists", "columns", (2,)),
     ("wrists", "columns", (4,)),
@@ -193,6 +197,9 @@ def _robots() -> Iterator[Model]:
     yield robot("hands", star(4, 5), ["revolute"], 20)
     yield robot("string", chain(12), ["revolute"], 21)
     yield robot("claws", claws(2, 6, 3, 2), ["revolute"], 23)
+    yield robot("crew", crew((4, 6), (3, 2), (4, 1), (2, 1)), ["floating", *["revolute"] * 36], 26)
+    yield robot("troop", crew((2, 8), (4, 2), (1, 5), (3, 1)), ["revolute"], 27)
+    yield robot("mates", star(6, 3), ["floating", *["revolute"] * 18], 28)
     yield hollow(robot("wrist", star(1, 12), ["revolute"], 24))
     yield hollow(robot("wrists", star(4, 3), ["revolute"], 25))
     yield robot("body", [0, 1, 2, 3, 1, 5, 6, 1, 8, 9, 10, 8, 12, 13, 8], BODY, 15)

@@ -177,7 +177,11 @@ def _limbs_features(operation: Operation, limbs: Limbs, joints: Sequence[PlanJoi
     """Of limbs side by side: row by row, and once for all rows of a sweep."""
     does, lanes = operation.does, _LANES[limbs.lanes]
     found: list[Features] = [{f"{does}_{lanes}.{joints[row[0]].kind}": 1} for row in limbs.rows]
-    found.append({f"limbs.{lanes}" if does == "articulate" else "limbs.outwards": 1})
+    inwards = does == "articulate"
+    if inwards:
+        found.append({f"limbs.{lanes}": 1})
+    if operation.nested:
+        found.append({"limbs.nested_inwards" if inwards else "limbs.nested_outwards": 1})
     if operation.method == "turned":
         found.append({"articulate.turned": len(limbs.rows)})
     return added(found)

@@ -65,8 +65,7 @@ def offered_limbs(plan: Plan, process: Process, costs: StepCosts) -> list[tuple[
     @cache
     def saved(kinds: Sequence[str], count: int) -> float:
         rows = sum(count * costs.joint(kind) - costs.row(kind, count) for kind in kinds)
-        inwards = costs["limbs.two" if count == 2 else "limbs.four"]
-        return rows - inwards - 2 * costs["limbs.outwards"]
+        return rows - costs["limbs.two" if count == 2 else "limbs.four"]
 
     found = simd_groupings(plan, process, saved)
     return list(dict.fromkeys([(), *map(tuple, found)]))

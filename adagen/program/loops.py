@@ -64,6 +64,7 @@ class Loops:
     ) -> None:
         self.plan, self.process, self.slots, self.limbs = plan, process, slots, limbs
         self.batch, self.costs = batch, costs
+        self.in_lanes = {j for each in limbs for j in each.members()}
         self.joints = plan.joints
         self.placed = placed_links(plan)
         starts = {s.link for s in process.steps if isinstance(s, StartLink)}
@@ -108,7 +109,12 @@ class Loops:
         steps: Iterable[Step] = (),
         first: Iterable[bool] = (),
     ) -> None:
-        self.found.append(Operation(what, block, method, tuple(steps), self.stage, tuple(first)))
+        nested = isinstance(block, Limbs) and any(
+            self.joints[j].parent - 1 in self.in_lanes for j in block.rows[0]
+        )
+        self.found.append(
+            Operation(what, block, method, tuple(steps), self.stage, tuple(first), nested)
+        )
 
     def _first(self, link: int) -> bool:
         """Whether what is to be left at a link is the first there."""

@@ -58,6 +58,8 @@ class Operation:
         stage: place of its stage among the process's stages (adagen/plan/stages.py).
         first: for each link at which it leaves an inertia (in the order of the steps, limbs by
             lane): whether that is the first one there, and so is stored instead of added.
+        nested: whether one of limbs side by side hangs on a link of others that are: what it takes
+            from there, or leaves there, is in one lane of these.
     """
 
     does: str
@@ -66,6 +68,7 @@ class Operation:
     steps: tuple[Step, ...]
     stage: int
     first: tuple[bool, ...] = ()
+    nested: bool = False
 
 
 @dataclass(frozen=True)

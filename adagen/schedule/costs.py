@@ -57,7 +57,7 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "root": ("invert", "solve", "accelerate"),
     "free": ("base", "acceleration"),
     "slaved": ("solve", "apply", "column"),
-    "limbs": ("two", "four", "outwards"),
+    "limbs": ("two", "four", "nested_inwards", "nested_outwards"),
     "process": ("evaluation", "margin"),
     "unrolled": ("evaluation", "operation", "move", "sine", "cycle", "fetched", "held"),
 }

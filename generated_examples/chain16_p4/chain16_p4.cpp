@@ -3,12 +3,12 @@
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 4 --form=ada --channel=message
 // options   form ada, shape joints, scalar double, channel message, fixed base, gravity 0.0, 0.0, -9.81
-// program   4 processes, joined at cuts; 2.66 us predicted (default profile)
+// program   4 processes, joined at cuts; 2.61 us predicted (default profile)
 //           process 0: joint01 .. joint06, joint10
 //           process 1: joint07 .. joint09
-//           process 2: joint11 .. joint13
-//           process 3: joint14 .. joint16
-// schedule  joint10@0-3(joint06@0-1(joint05@0(joint04(joint03(joint02(joint01|)|)|)|) | joint07@1(|joint08(|joint09))) | joint13@2-3(joint11@2(|joint12) | joint14@3(|joint15(|joint16))))
+//           process 2: joint11 .. joint14
+//           process 3: joint15 .. joint16
+// schedule  joint10@0-3(joint06@0-1(joint05@0(joint04(joint03(joint02(joint01|)|)|)|) | joint07@1(|joint08(|joint09))) | joint14@2-3(joint11@2(|joint12(|joint13)) | joint15@3(|joint16)))
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
 // The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
@@ -855,17 +855,17 @@ class Release {
 
 constexpr std::array<MessageInfo, 12> kMessages{ {
     {1, 0, 120},  // 0: assembled: chain of "joint07"
-    {3, 2, 42},  // 1: assembled: chain of "joint14"
-    {2, 0, 42},  // 2: assembled: chain of "joint13"
-    {0, 2, 6},  // 3: forces on: chain of "joint13"
+    {3, 2, 42},  // 1: assembled: chain of "joint15"
+    {2, 0, 42},  // 2: assembled: chain of "joint14"
+    {0, 2, 6},  // 3: forces on: chain of "joint14"
     {0, 1, 12},  // 4: forces on: chain of "joint07"
-    {2, 3, 6},  // 5: forces on: chain of "joint14"
+    {2, 3, 6},  // 5: forces on: chain of "joint15"
     {0, 1, 21},  // 6: state
     {1, 0, 3},  // 7: accelerations
-    {0, 2, 29},  // 8: state
-    {2, 0, 3},  // 9: accelerations
-    {0, 3, 35},  // 10: state
-    {3, 0, 3},  // 11: accelerations
+    {0, 2, 32},  // 8: state
+    {2, 0, 4},  // 9: accelerations
+    {0, 3, 34},  // 10: state
+    {3, 0, 2},  // 11: accelerations
 } };
 
 enum class ChannelMode { kAuto, kWindow, kMessage };
@@ -1347,14 +1347,14 @@ struct Joint_joint11 {
   Vec6 v;  // velocity of link "rod11"
   Columns6 b;  // bias of the bare link "rod11"
   Mat6 Phi_rod10;  // of the chain it completes
-  Mat6 Phi_rod10_rod12;  // of the chain it completes
-  Mat6 Phi_rod12;  // of the chain it completes
+  Mat6 Phi_rod10_rod13;  // of the chain it completes
+  Mat6 Phi_rod13;  // of the chain it completes
   Columns6 b_rod10;
-  Columns6 b_rod12;
+  Columns6 b_rod13;
   Joined<Revolute> joined;
   Coupled<Revolute> at_rod10;
-  Coupled<Revolute> at_rod12;
-  Columns6 F_on_rod12;  // outer wrench on that chain
+  Coupled<Revolute> at_rod13;
+  Columns6 F_on_rod13;  // outer wrench on that chain
 };
 
 struct Joint_joint12 {
@@ -1362,36 +1362,40 @@ struct Joint_joint12 {
   Vec6 v;  // velocity of link "rod12"
   Columns6 b;  // bias of the bare link "rod12"
   Mat6 Phi_rod11;  // of the chain it completes
-  Mat6 Phi_rod11_rod12;  // of the chain it completes
-  Mat6 Phi_rod12;  // of the chain it completes
+  Mat6 Phi_rod11_rod13;  // of the chain it completes
+  Mat6 Phi_rod13;  // of the chain it completes
   Columns6 b_rod11;
-  Columns6 b_rod12;
+  Columns6 b_rod13;
   Joined<Revolute> joined;
   Coupled<Revolute> at_rod11;
-  Coupled<Revolute> at_rod12;
+  Coupled<Revolute> at_rod13;
   Columns6 F_on_rod11;  // outer wrench on that chain
 };
 
 struct Joint_joint13 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod13"
-  Mat6 Phi_rod10;  // of the chain it completes
-  Columns6 b_rod10;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod10;
   Columns6 b;  // bias of the bare link "rod13"
-  Columns6 F_on_rod10;  // outer wrench on that chain
+  Mat6 Phi_rod12;  // of the chain it completes
+  Mat6 Phi_rod12_rod13;  // of the chain it completes
+  Mat6 Phi_rod13;  // of the chain it completes
+  Columns6 b_rod12;
+  Columns6 b_rod13;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod12;
+  Coupled<Revolute> at_rod13;
+  Columns6 F_on_rod12;  // outer wrench on that chain
 };
 
 struct Joint_joint14 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod14"
-  Columns6 b;  // bias of the bare link "rod14"
-  Mat6 Phi_rod13;  // of the chain it completes
-  Columns6 b_rod13;
+  Mat6 Phi_rod10;  // of the chain it completes
+  Columns6 b_rod10;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod13;
-  Columns6 F_on_rod13;  // outer wrench on that chain
+  Coupled<Revolute> at_rod10;
+  Columns6 b;  // bias of the bare link "rod14"
+  Columns6 F_on_rod10;  // outer wrench on that chain
 };
 
 struct Joint_joint15 {
@@ -1960,7 +1964,7 @@ void kinematics_joint10(Workspace& w) {
   i.v = i.X * w.j_joint09.v + joint_velocity<Revolute>(w.v + 9);
 }
 
-// A: the chain of "joint06"; B: the chain of "joint13"; C feels the joint at no link
+// A: the chain of "joint06"; B: the chain of "joint14"; C feels the joint at no link
 void assemble_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   load_torque(w, 9, 9, i.joined.tau);
@@ -1968,9 +1972,9 @@ void assemble_joint10(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 9);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint13.Phi_rod10, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint14.Phi_rod10, least))
     fail(w, kGrowth, 9);
-  if (!join(i.joined, Phi_A, w.j_joint13.Phi_rod10, i.X * w.j_joint06.b_rod09, w.j_joint13.b_rod10, c))
+  if (!join(i.joined, Phi_A, w.j_joint14.Phi_rod10, i.X * w.j_joint06.b_rod09, w.j_joint14.b_rod10, c))
     fail(w, kFactorization, 9);
 }
 
@@ -1980,7 +1984,7 @@ void disassemble_joint10(Workspace& w) {
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 9, 9, release.qdd());  // Eq. (9)
   w.j_joint06.F_on_rod09 = -i.X.transposed_times(f);
-  w.j_joint13.F_on_rod10 = f;
+  w.j_joint14.F_on_rod10 = f;
 }
 
 // =================================================================================================
@@ -2000,7 +2004,7 @@ void kinematics_joint11(Workspace& w) {
   i.v = i.X * w.j_joint10.v + joint_velocity<Revolute>(w.v + 10);
 }
 
-// A: link "rod10"; B: the chain of "joint12"; C feels the joint at "rod10", "rod12"
+// A: link "rod10"; B: the chain of "joint12"; C feels the joint at "rod10", "rod13"
 void assemble_joint11(Workspace& w) {
   auto& i = w.j_joint11;
   load_torque(w, 10, 10, i.joined.tau);
@@ -2013,19 +2017,19 @@ void assemble_joint11(Workspace& w) {
   if (!join(i.joined, Phi_A, w.j_joint12.Phi_rod11, i.X * w.j_joint10.b, w.j_joint12.b_rod11, c))
     fail(w, kFactorization, 10);
   couple(i.joined, X_Phi_A, i.at_rod10);
-  couple(i.joined, w.j_joint12.Phi_rod11_rod12, i.at_rod12);
+  couple(i.joined, w.j_joint12.Phi_rod11_rod13, i.at_rod13);
   i.Phi_rod10 = kPhi_rod10 - product(i.at_rod10, i.at_rod10);  // Eq. (3)
-  i.Phi_rod10_rod12 = product(i.at_rod10, i.at_rod12);  // Eq. (5)
-  i.Phi_rod12 = w.j_joint12.Phi_rod12 - product(i.at_rod12, i.at_rod12);  // Eq. (4)
+  i.Phi_rod10_rod13 = product(i.at_rod10, i.at_rod13);  // Eq. (5)
+  i.Phi_rod13 = w.j_joint12.Phi_rod13 - product(i.at_rod13, i.at_rod13);  // Eq. (4)
   i.b_rod10 = w.j_joint10.b - bias_change(i.joined, i.at_rod10);  // Eq. (6)
-  i.b_rod12 = w.j_joint12.b_rod12 + bias_change(i.joined, i.at_rod12);  // Eq. (7)
+  i.b_rod13 = w.j_joint12.b_rod13 + bias_change(i.joined, i.at_rod13);  // Eq. (7)
 }
 
 void disassemble_joint11(Workspace& w) {
   auto& i = w.j_joint11;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod10, w.j_joint13.F_on_rod10);
-  release.feel_B(i.at_rod12, w.j_joint11.F_on_rod12);
+  release.feel_A(i.at_rod10, w.j_joint14.F_on_rod10);
+  release.feel_B(i.at_rod13, w.j_joint11.F_on_rod13);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 10, 10, release.qdd());  // Eq. (9)
   w.j_joint12.F_on_rod11 = f;
@@ -2048,7 +2052,7 @@ void kinematics_joint12(Workspace& w) {
   i.v = i.X * w.j_joint11.v + joint_velocity<Revolute>(w.v + 11);
 }
 
-// A: link "rod11"; B: link "rod12"; C feels the joint at "rod11", "rod12"
+// A: link "rod11"; B: the chain of "joint13"; C feels the joint at "rod11", "rod13"
 void assemble_joint12(Workspace& w) {
   auto& i = w.j_joint12;
   load_torque(w, 11, 11, i.joined.tau);
@@ -2056,26 +2060,27 @@ void assemble_joint12(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 11);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
-  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod12, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint13.Phi_rod12, least))
     fail(w, kGrowth, 11);
-  if (!join(i.joined, Phi_A, kPhi_rod12, i.X * w.j_joint11.b, w.j_joint12.b, c))
+  if (!join(i.joined, Phi_A, w.j_joint13.Phi_rod12, i.X * w.j_joint11.b, w.j_joint13.b_rod12, c))
     fail(w, kFactorization, 11);
   couple(i.joined, X_Phi_A, i.at_rod11);
-  couple(i.joined, kPhi_rod12, i.at_rod12);
+  couple(i.joined, w.j_joint13.Phi_rod12_rod13, i.at_rod13);
   i.Phi_rod11 = kPhi_rod11 - product(i.at_rod11, i.at_rod11);  // Eq. (3)
-  i.Phi_rod11_rod12 = product(i.at_rod11, i.at_rod12);  // Eq. (5)
-  i.Phi_rod12 = kPhi_rod12 - product(i.at_rod12, i.at_rod12);  // Eq. (4)
+  i.Phi_rod11_rod13 = product(i.at_rod11, i.at_rod13);  // Eq. (5)
+  i.Phi_rod13 = w.j_joint13.Phi_rod13 - product(i.at_rod13, i.at_rod13);  // Eq. (4)
   i.b_rod11 = w.j_joint11.b - bias_change(i.joined, i.at_rod11);  // Eq. (6)
-  i.b_rod12 = w.j_joint12.b + bias_change(i.joined, i.at_rod12);  // Eq. (7)
+  i.b_rod13 = w.j_joint13.b_rod13 + bias_change(i.joined, i.at_rod13);  // Eq. (7)
 }
 
 void disassemble_joint12(Workspace& w) {
   auto& i = w.j_joint12;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod11, w.j_joint12.F_on_rod11);
-  release.feel_B(i.at_rod12, w.j_joint11.F_on_rod12);
-  release.force();  // Eq. (8)
+  release.feel_B(i.at_rod13, w.j_joint11.F_on_rod13);
+  const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 11, 11, release.qdd());  // Eq. (9)
+  w.j_joint13.F_on_rod12 = f;
 }
 
 // =================================================================================================
@@ -2095,31 +2100,34 @@ void kinematics_joint13(Workspace& w) {
   i.v = i.X * w.j_joint12.v + joint_velocity<Revolute>(w.v + 12);
 }
 
-// A: the chain of "joint11"; B: the chain of "joint14"; C feels the joint at "rod10"
+// A: link "rod12"; B: link "rod13"; C feels the joint at "rod12", "rod13"
 void assemble_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   load_torque(w, 12, 12, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint11.Phi_rod12;
+  const Mat6 X_Phi_A = i.X * kPhi_rod12;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 12);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint14.Phi_rod13, least))
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod13, least))
     fail(w, kGrowth, 12);
-  if (!join(i.joined, Phi_A, w.j_joint14.Phi_rod13, i.X * w.j_joint11.b_rod12, w.j_joint14.b_rod13, c))
+  if (!join(i.joined, Phi_A, kPhi_rod13, i.X * w.j_joint12.b, w.j_joint13.b, c))
     fail(w, kFactorization, 12);
-  couple(i.joined, times_transposed(i.X, w.j_joint11.Phi_rod10_rod12), i.at_rod10);
-  i.Phi_rod10 = w.j_joint11.Phi_rod10 - product(i.at_rod10, i.at_rod10);  // Eq. (3)
-  i.b_rod10 = w.j_joint11.b_rod10 - bias_change(i.joined, i.at_rod10);  // Eq. (6)
+  couple(i.joined, X_Phi_A, i.at_rod12);
+  couple(i.joined, kPhi_rod13, i.at_rod13);
+  i.Phi_rod12 = kPhi_rod12 - product(i.at_rod12, i.at_rod12);  // Eq. (3)
+  i.Phi_rod12_rod13 = product(i.at_rod12, i.at_rod13);  // Eq. (5)
+  i.Phi_rod13 = kPhi_rod13 - product(i.at_rod13, i.at_rod13);  // Eq. (4)
+  i.b_rod12 = w.j_joint12.b - bias_change(i.joined, i.at_rod12);  // Eq. (6)
+  i.b_rod13 = w.j_joint13.b + bias_change(i.joined, i.at_rod13);  // Eq. (7)
 }
 
 void disassemble_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod10, w.j_joint13.F_on_rod10);
-  const Columns6 f = release.force();  // Eq. (8), (10)
+  release.feel_A(i.at_rod12, w.j_joint13.F_on_rod12);
+  release.feel_B(i.at_rod13, w.j_joint11.F_on_rod13);
+  release.force();  // Eq. (8)
   store_acceleration(w, 12, 12, release.qdd());  // Eq. (9)
-  w.j_joint11.F_on_rod12 = -i.X.transposed_times(f);
-  w.j_joint14.F_on_rod13 = f;
 }
 
 // =================================================================================================
@@ -2139,29 +2147,30 @@ void kinematics_joint14(Workspace& w) {
   i.v = i.X * w.j_joint13.v + joint_velocity<Revolute>(w.v + 13);
 }
 
-// A: link "rod13"; B: the chain of "joint15"; C feels the joint at "rod13"
+// A: the chain of "joint11"; B: the chain of "joint15"; C feels the joint at "rod10"
 void assemble_joint14(Workspace& w) {
   auto& i = w.j_joint14;
   load_torque(w, 13, 13, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod13;
+  const Mat6 X_Phi_A = i.X * w.j_joint11.Phi_rod13;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 13);
   constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
   if (!keeps_digits<Revolute>(Phi_A, w.j_joint15.Phi_rod14, least))
     fail(w, kGrowth, 13);
-  if (!join(i.joined, Phi_A, w.j_joint15.Phi_rod14, i.X * w.j_joint13.b, w.j_joint15.b_rod14, c))
+  if (!join(i.joined, Phi_A, w.j_joint15.Phi_rod14, i.X * w.j_joint11.b_rod13, w.j_joint15.b_rod14, c))
     fail(w, kFactorization, 13);
-  couple(i.joined, X_Phi_A, i.at_rod13);
-  i.Phi_rod13 = kPhi_rod13 - product(i.at_rod13, i.at_rod13);  // Eq. (3)
-  i.b_rod13 = w.j_joint13.b - bias_change(i.joined, i.at_rod13);  // Eq. (6)
+  couple(i.joined, times_transposed(i.X, w.j_joint11.Phi_rod10_rod13), i.at_rod10);
+  i.Phi_rod10 = w.j_joint11.Phi_rod10 - product(i.at_rod10, i.at_rod10);  // Eq. (3)
+  i.b_rod10 = w.j_joint11.b_rod10 - bias_change(i.joined, i.at_rod10);  // Eq. (6)
 }
 
 void disassemble_joint14(Workspace& w) {
   auto& i = w.j_joint14;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod13, w.j_joint14.F_on_rod13);
+  release.feel_A(i.at_rod10, w.j_joint14.F_on_rod10);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 13, 13, release.qdd());  // Eq. (9)
+  w.j_joint11.F_on_rod13 = -i.X.transposed_times(f);
   w.j_joint15.F_on_rod14 = f;
 }
 
@@ -2289,19 +2298,19 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(3);
   assemble_joint06(w);
   stamp(4);
-  {  // from process 2: assembled: chain of "joint13"
+  {  // from process 2: assembled: chain of "joint14"
     const Number* from = channel.receive(2, w.status);
-    from = get(from, w.j_joint13.Phi_rod10);
-    from = get(from, w.j_joint13.b_rod10);
+    from = get(from, w.j_joint14.Phi_rod10);
+    from = get(from, w.j_joint14.b_rod10);
   }
   stamp(5);
   assemble_joint10(w);
   stamp(6);
   disassemble_joint10(w);
   stamp(7);
-  {  // to process 2: forces on: chain of "joint13"
+  {  // to process 2: forces on: chain of "joint14"
     Number* to = channel.outgoing(3, w.status);
-    to = put(to, w.j_joint13.F_on_rod10);
+    to = put(to, w.j_joint14.F_on_rod10);
     channel.send(3, w.status);
   }
   stamp(8);
@@ -2365,7 +2374,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(5);
 }
 
-// Process 2: 3 of 16 joints: "joint11", "joint12", "joint13"; kinematics of 10 more on the way to the ground
+// Process 2: 4 of 16 joints: "joint11", "joint12", "joint13", "joint14"; kinematics of 10 more on the way to the ground
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_joint01(w);
@@ -2381,47 +2390,51 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint11(w);
   kinematics_joint12(w);
   kinematics_joint13(w);
+  kinematics_joint14(w);
   stamp(1);
-  link_bias(kLinks[11], w.j_joint11.v, w.j_joint11.b);
   link_bias(kLinks[12], w.j_joint12.v, w.j_joint12.b);
+  link_bias(kLinks[13], w.j_joint13.v, w.j_joint13.b);
+  assemble_joint13(w);
+  link_bias(kLinks[11], w.j_joint11.v, w.j_joint11.b);
   assemble_joint12(w);
   link_bias(kLinks[10], w.j_joint10.v, w.j_joint10.b);
   assemble_joint11(w);
   stamp(2);
-  {  // from process 3: assembled: chain of "joint14"
+  {  // from process 3: assembled: chain of "joint15"
     const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_joint14.Phi_rod13);
-    from = get(from, w.j_joint14.b_rod13);
+    from = get(from, w.j_joint15.Phi_rod14);
+    from = get(from, w.j_joint15.b_rod14);
   }
   stamp(3);
-  assemble_joint13(w);
+  assemble_joint14(w);
   stamp(4);
-  {  // to process 0: assembled: chain of "joint13"
+  {  // to process 0: assembled: chain of "joint14"
     Number* to = channel.outgoing(2, w.status);
-    to = put(to, w.j_joint13.Phi_rod10);
-    to = put(to, w.j_joint13.b_rod10);
+    to = put(to, w.j_joint14.Phi_rod10);
+    to = put(to, w.j_joint14.b_rod10);
     channel.send(2, w.status);
   }
   stamp(5);
-  {  // from process 0: forces on: chain of "joint13"
+  {  // from process 0: forces on: chain of "joint14"
     const Number* from = channel.receive(3, w.status);
-    from = get(from, w.j_joint13.F_on_rod10);
+    from = get(from, w.j_joint14.F_on_rod10);
   }
   stamp(6);
-  disassemble_joint13(w);
+  disassemble_joint14(w);
   stamp(7);
-  {  // to process 3: forces on: chain of "joint14"
+  {  // to process 3: forces on: chain of "joint15"
     Number* to = channel.outgoing(5, w.status);
-    to = put(to, w.j_joint14.F_on_rod13);
+    to = put(to, w.j_joint15.F_on_rod14);
     channel.send(5, w.status);
   }
   stamp(8);
   disassemble_joint11(w);
   disassemble_joint12(w);
+  disassemble_joint13(w);
   stamp(9);
 }
 
-// Process 3: 3 of 16 joints: "joint14", "joint15", "joint16"; kinematics of 13 more on the way to the ground
+// Process 3: 2 of 16 joints: "joint15", "joint16"; kinematics of 14 more on the way to the ground
 void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(0);
   kinematics_joint01(w);
@@ -2446,22 +2459,19 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_joint16(w);
   link_bias(kLinks[14], w.j_joint14.v, w.j_joint14.b);
   assemble_joint15(w);
-  link_bias(kLinks[13], w.j_joint13.v, w.j_joint13.b);
-  assemble_joint14(w);
   stamp(2);
-  {  // to process 2: assembled: chain of "joint14"
+  {  // to process 2: assembled: chain of "joint15"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_joint14.Phi_rod13);
-    to = put(to, w.j_joint14.b_rod13);
+    to = put(to, w.j_joint15.Phi_rod14);
+    to = put(to, w.j_joint15.b_rod14);
     channel.send(1, w.status);
   }
   stamp(3);
-  {  // from process 2: forces on: chain of "joint14"
+  {  // from process 2: forces on: chain of "joint15"
     const Number* from = channel.receive(5, w.status);
-    from = get(from, w.j_joint14.F_on_rod13);
+    from = get(from, w.j_joint15.F_on_rod14);
   }
   stamp(4);
-  disassemble_joint14(w);
   disassemble_joint15(w);
   disassemble_joint16(w);
   stamp(5);
@@ -2479,14 +2489,14 @@ constexpr std::array<Range, 1> kReadQ_1{ {{0, 9}} };
 constexpr std::array<Range, 1> kReadV_1{ {{0, 9}} };
 constexpr std::array<Range, 1> kOwn_1{ {{6, 3}} };
 constexpr std::array<Range, 1> kTorque_1{ {{6, 3}} };
-constexpr std::array<Range, 1> kReadQ_2{ {{0, 13}} };
-constexpr std::array<Range, 1> kReadV_2{ {{0, 13}} };
-constexpr std::array<Range, 1> kOwn_2{ {{10, 3}} };
-constexpr std::array<Range, 1> kTorque_2{ {{10, 3}} };
+constexpr std::array<Range, 1> kReadQ_2{ {{0, 14}} };
+constexpr std::array<Range, 1> kReadV_2{ {{0, 14}} };
+constexpr std::array<Range, 1> kOwn_2{ {{10, 4}} };
+constexpr std::array<Range, 1> kTorque_2{ {{10, 4}} };
 constexpr std::array<Range, 1> kReadQ_3{ {{0, 16}} };
 constexpr std::array<Range, 1> kReadV_3{ {{0, 16}} };
-constexpr std::array<Range, 1> kOwn_3{ {{13, 3}} };
-constexpr std::array<Range, 1> kTorque_3{ {{13, 3}} };
+constexpr std::array<Range, 1> kOwn_3{ {{14, 2}} };
+constexpr std::array<Range, 1> kTorque_3{ {{14, 2}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {2, kOwn_0.data()}, {2, kTorque_0.data()}},
     {{1, kReadQ_1.data()}, {1, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
@@ -4171,22 +4181,22 @@ constexpr std::array<Stage, 5> kStages_1{ {
     {"disassembly", 6, -1},
 } };
 constexpr std::array<Stage, 9> kStages_2{ {
-    {"kinematics", 12, -1},
+    {"kinematics", 13, -1},
     {"assembly", 10, -1},
     {"receive", -1, 1},
-    {"assembly", 12, -1},
+    {"assembly", 13, -1},
     {"send", -1, 2},
     {"receive", -1, 3},
-    {"disassembly", 12, -1},
+    {"disassembly", 13, -1},
     {"send", -1, 5},
     {"disassembly", 10, -1},
 } };
 constexpr std::array<Stage, 5> kStages_3{ {
     {"kinematics", 15, -1},
-    {"assembly", 13, -1},
+    {"assembly", 14, -1},
     {"send", -1, 1},
     {"receive", -1, 5},
-    {"disassembly", 13, -1},
+    {"disassembly", 14, -1},
 } };
 constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data(), kStages_2.data(), kStages_3.data()};
 constexpr std::array<int, kProcesses> kStageCount{11, 5, 9, 5};
@@ -4548,8 +4558,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{1.67, 154, 0.181};
-constexpr Hop kMessageHop{26.1, 232, 0.541};
+constexpr Hop kWindowHop{0, 159, 0.437};
+constexpr Hop kMessageHop{26, 228, 0.644};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

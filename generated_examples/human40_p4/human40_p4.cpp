@@ -6102,8 +6102,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{1.67, 154, 0.181};
-constexpr Hop kMessageHop{26.1, 232, 0.541};
+constexpr Hop kWindowHop{0, 159, 0.437};
+constexpr Hop kMessageHop{26, 228, 0.644};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {

@@ -3,7 +3,7 @@
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 3 --form=ada
 // options   form ada, shape joints, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// program   3 processes, joined at cuts; 4.12 us predicted (default profile)
+// program   3 processes, joined at cuts; 4.04 us predicted (default profile)
 //           process 0: __base__ .. waist_yaw
 //           process 1: waist_roll .. left_shoulder_pitch, neck_yaw .. right_wrist_pitch
 //           process 2: left_shoulder_roll .. left_wrist_pitch
@@ -5364,8 +5364,8 @@ inline double makespan(const std::vector<Part>& parts, const std::vector<Message
 }
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{1.67, 154, 0.181};
-constexpr Hop kMessageHop{26.1, 232, 0.541};
+constexpr Hop kWindowHop{0, 159, 0.437};
+constexpr Hop kMessageHop{26, 228, 0.644};
 
 // What messages cost on a channel.
 inline const Hop& hop_of(const Channel& channel) {
