@@ -7,6 +7,7 @@ Robots of adagen's test environment (example-robot-data) that are not there are 
 
 from __future__ import annotations
 
+import gc
 import random
 import sys
 import sysconfig
@@ -16,6 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from adagen.cli.main import ALLOCATIONS
 from adagen.emit.predicted import predict
 from adagen.emit.shapes import chosen_shape
 from adagen.model import Model
@@ -273,6 +275,7 @@ def page(name: str, rows: Sequence[str]) -> str:
 
 def main(names: Sequence[str]) -> int:
     """Write the tables."""
+    gc.set_threshold(ALLOCATIONS)  # as the command line has it
     for name in names or TABLES:
         rows = []
         for row in TABLES[name]():

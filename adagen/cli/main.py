@@ -20,7 +20,7 @@ VERBS = ("info", "schedule", "solve", "verify", "calibrate", "env", "bench", "st
 INTERNAL = 3
 INTERRUPTED = 130
 
-_ALLOCATIONS = 200_000
+ALLOCATIONS = 200_000
 """Objects after which Python looks for cycles: expressions have none and live until they are
 emitted, so that to look through them again and again takes a fifth of the time."""
 
@@ -35,7 +35,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """
     words = list(sys.argv[1:] if argv is None else argv)
     _end_by_exception()
-    gc.set_threshold(_ALLOCATIONS)
+    gc.set_threshold(ALLOCATIONS)
     try:
         status = _command(words)(words[1:] if _verb(words) else words)
         sys.stdout.flush()

@@ -9,7 +9,7 @@ from functools import cache, lru_cache
 from adagen.cost.features import operation_features
 from adagen.executor import chosen_grouping
 from adagen.plan import Plan
-from adagen.plan.simd_groups import Limbs, nearly_fewest, simd_groupings
+from adagen.plan.simd_groups import Limbs, simd_groupings
 from adagen.plan.types import Process
 from adagen.program import Program, lower
 from adagen.program.loops import Loops
@@ -52,7 +52,7 @@ def chosen_limbs(plan: Plan, process: Process, costs: StepCosts) -> tuple[Limbs,
         process: one of its processes; others are of no influence.
         costs: the machine's coefficients.
     """
-    offers = nearly_fewest(process, offered_limbs(plan, process, costs))
+    offers = offered_limbs(plan, process, costs)
     if len(offers) == 1:
         return offers[0]
     alone = replace(plan, processes=(process,))

@@ -186,7 +186,7 @@ def _exchanged(
             continue
         for k in range(len(own)):
             rest = own[:k] + own[k + 1 :]
-            if not any(_one_beyond_other(end, other, last) for other in rest):
+            if not any(_one_beyond_other(end[0], other[0], last) for other in rest):
                 yield Limbs(tuple(zip(*sorted([*rest, end]), strict=True)))
 
 
@@ -218,26 +218,30 @@ def _best(
     counts: frozenset[int],
 ) -> Limbs | None:
     """The limbs that save most beside those taken; None where nothing is saved."""
-    offers: list[tuple[float, Limbs]] = []
-    kinds = {id(c): tuple(joints[j].kind for j in reversed(c)) for c in chains}  # outermost first
-    for pattern in sorted(set(kinds.values()), key=len, reverse=True):
-        alike = sorted(chains, key=lambda c: -_common(pattern, kinds[id(c)]))
-        common = {id(c): _common(pattern, kinds[id(c)]) for c in chains}
-        for start in alike[:_STARTS]:
-            together = [start]
-            for chain in alike:
-                rows = min(common[id(c)] for c in (*together, chain))
-                cut = [c[len(c) - rows :] for c in (*together, chain)]
-                if not rows or any(_one_beyond_other(cut[-1], other, last) for other in cut[:-1]):
+    offers: list[tuple[float, int, list[list[int]]]] = []
+    kinds = [tuple(joints[j].kind for j in reversed(c)) for c in chains]  # outermost first
+    for pattern in sorted(set(kinds), key=len, reverse=True):
+        common = ((_common(pattern, own), chain) for own, chain in zip(kinds, chains, strict=True))
+        alike = sorted((pair for pair in common if pair[0]), key=lambda pair: -pair[0])
+        for most, start in alike[:_STARTS]:
+            together, rows = [start], most
+            for length, chain in alike:
+                least = min(rows, length)
+                end = chain[-least]
+                if any(_one_beyond_other(end, other[-least], last) for other in together):
                     continue
                 together.append(chain)
-                count = len(together)
+                rows, count = least, len(together)
                 if count in counts and (gain := saved(pattern[:rows], count)) > 0:
-                    offers.append((gain, Limbs(tuple(zip(*sorted(cut), strict=True)))))
+                    offers.append((gain, rows, together.copy()))
                 if count == max(COUNTS):
                     break
     offers.sort(key=lambda offer: -offer[0])
-    return next((limbs for _, limbs in offers if _in_order([*taken, limbs], last)), None)
+    found = (
+        Limbs(tuple(zip(*sorted(c[-rows:] for c in together), strict=True)))
+        for _, rows, together in offers
+    )
+    return next((limbs for limbs in found if _in_order([*taken, limbs], last)), None)
 
 
 _STARTS = 4  # chains that limbs to go together are looked for beside
@@ -245,14 +249,16 @@ _STARTS = 4  # chains that limbs to go together are looked for beside
 
 def _common(one: Sequence[str], other: Sequence[str]) -> int:
     """How many kinds two sequences have in common from their start on."""
-    return next(
-        (k for k, (a, b) in enumerate(zip(one, other, strict=False)) if a != b),
-        min(len(one), len(other)),
-    )
+    count = 0
+    for a, b in zip(one, other, strict=False):
+        if a != b:
+            break
+        count += 1
+    return count
 
 
-def _one_beyond_other(one: Sequence[int], other: Sequence[int], last: Sequence[int]) -> bool:
-    return _beyond(one[0], other[0], last) or _beyond(other[0], one[0], last)
+def _one_beyond_other(one: int, other: int, last: Sequence[int]) -> bool:
+    return other <= one <= last[other] or one <= other <= last[one]
 
 
 def _beyond(joint: int, other: int, last: Sequence[int]) -> bool:

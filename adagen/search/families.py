@@ -41,9 +41,9 @@ from adagen.search.price import Pricing, played
 
 _FULL = 128
 """Joints up to which a robot gets all expansions, and schedules by name are looked at."""
-_PLAYED = 32  # the same where chains are priced as they are played
+_PLAYED = 16  # the same where chains are priced as they are played
 _FEWEST = 64  # expansions that any robot gets
-_JOINTS = 20
+_JOINTS = 10
 """Joints that may be priced in shares of processes for each expansion."""
 
 _EVEN = 2

@@ -8,6 +8,7 @@ Layouts that differ in the numbers of their processes only count as one.
 from __future__ import annotations
 
 import heapq
+from collections import Counter
 from collections.abc import Sequence
 from itertools import accumulate
 from math import inf
@@ -68,17 +69,19 @@ class GatheredSearch:
 
         Args:
             weights: what each joint takes; length N.
-            most: so many at most.
+            most: so many at most, on two processes and on all of them.
         """
         found: list[Layout] = []
+        counts: Counter[int] = Counter()
         for frame, guess in self._evenly(weights):
+            if counts[len(guess.shares)] == most:
+                continue
             idle = [()] * (self.bounds.processes - len(guess.shares))
             layout = Layout(frame, (*guess.shares, *idle))
             prices = self.found.prices
             if in_place(layout, prices.robot) and prices.time(layout) is not None:
                 found.append(layout)
-            if len(found) == most:
-                break
+                counts[len(guess.shares)] += 1
         return found
 
     def _evenly(self, weights: Sequence[float]) -> list[tuple[Frame, Guess]]:
